@@ -1,0 +1,139 @@
+"""The exception tree, and bad input described as data.
+
+A door (command line, web page, notebook) shows ``str(error)``; a program reads
+the attributes. Nothing here knows files, units or physics.
+"""
+
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+_SHOWN_LENGTH = 60
+
+
+class WraparcError(Exception):
+    """Root of every error that wraparc raises on purpose."""
+
+
+def shown(value: object) -> str:
+    """Return a value as an error message shows it: source notation, short, printable.
+
+    Text is quoted, numbers are not, control characters are escaped (a hostile file
+    must not steer the terminal), and long values are cut.
+    """
+    try:
+        text = json.dumps(value, ensure_ascii=False, default=str)
+    except (ValueError, RecursionError):
+        text = f"<{type(value).__name__}>"
+    if len(text) > _SHOWN_LENGTH:
+        text = text[: _SHOWN_LENGTH - 4] + ('..."' if text.startswith('"') else "...")
+    return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Problem:
+    """One thing wrong with an input.
+
+    Parameters
+    ----------
+    message
+        A sentence (or the end of one that starts with the value): what is wrong, what
+        is allowed.
+    remedy
+        A sentence: what to do.
+    file
+        Path as the user gave it.
+    key
+        Place in the input, for example ``pulley.head.exit_tension`` or ``test[3].file``.
+    value
+        The value as given, in source notation (see `shown`).
+    line
+        Line in the file, counted from 1.
+    """
+
+    message: str
+    remedy: str = ""
+    file: str = ""
+    key: str = ""
+    value: str = ""
+    line: int | None = None
+
+    def __str__(self) -> str:
+        place = self.file
+        if self.line is not None:
+            place = f"{place}, line {self.line}" if place else f"line {self.line}"
+        given = " = ".join(part for part in (self.key, self.value) if part)
+        sentence = ": ".join(part for part in (place, given, self.message) if part)
+        return " ".join(part for part in (_stopped(sentence), _stopped(self.remedy)) if part)
+
+
+def _stopped(sentence: str) -> str:
+    return sentence if not sentence or sentence[-1] in ".?!" else sentence + "."
+
+
+class InputError(WraparcError, ValueError):
+    """Input that cannot be used, with everything that is wrong with it.
+
+    Parameters
+    ----------
+    problems
+        One problem or all problems of the input, in the order of the input.
+    """
+
+    def __init__(self, problems: Problem | Iterable[Problem]) -> None:
+        self.problems: tuple[Problem, ...] = (
+            (problems,) if isinstance(problems, Problem) else tuple(problems)
+        )
+        if not self.problems:
+            raise TypeError("InputError needs at least one Problem")
+        super().__init__(self.problems)
+
+    def __str__(self) -> str:
+        if len(self.problems) == 1:
+            return str(self.problems[0])
+        lines = "\n".join(f"  - {problem}" for problem in self.problems)
+        return f"{len(self.problems)} problems:\n{lines}"
+
+
+class MissingExtraError(WraparcError, ImportError):
+    """An optional library is needed and not installed.
+
+    Parameters
+    ----------
+    library
+        What is missing, for example ``matplotlib``.
+    extra
+        The extra of this package that brings it, for example ``plot``.
+    """
+
+    def __init__(self, library: str, extra: str) -> None:
+        super().__init__(library, extra)
+        self.library = library
+        self.extra = extra
+
+    def __str__(self) -> str:
+        return f"needs {self.library}: pip install 'wraparc[{self.extra}]'"
+
+
+class BreakawayError(WraparcError):
+    """The friction along the arc cannot carry the load: the belt slips through.
+
+    Parameters
+    ----------
+    message
+        The sentence the user reads.
+    result
+        The result of the failed solve, with the capacities that could be had.
+    """
+
+    def __init__(self, message: str, result: Any = None) -> None:
+        super().__init__(message, result)
+        self.result = result
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class ConvergenceError(WraparcError):
+    """A numerical method did not reach its stated accuracy."""
