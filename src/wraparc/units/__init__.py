@@ -1,0 +1,21 @@
+"""Quantities as people write them, and the SI values that everything else works with."""
+
+from wraparc.units.display import System, display, display_unit
+from wraparc.units.numbers import parse_number
+from wraparc.units.parse import dimension_of, parse_quantity, unit_factor, unit_names
+from wraparc.units.table import DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
+
+__all__ = [
+    "DEFINITIONS",
+    "DIMENSIONS",
+    "DIMENSION_TEXT",
+    "Dimension",
+    "System",
+    "dimension_of",
+    "display",
+    "display_unit",
+    "parse_number",
+    "parse_quantity",
+    "unit_factor",
+    "unit_names",
+]

@@ -1,0 +1,105 @@
+"""SI values to text for people, in metric or US units."""
+
+import math
+from typing import Literal
+
+from wraparc.units.parse import parse_quantity, unit_factor
+from wraparc.units.table import Dimension
+
+System = Literal["si", "us"]
+
+# Unit by the size from which it is used, in the first unit of the row: a value is shown
+# in the last unit whose bound it reaches. The first unit is the one for tables.
+_Row = tuple[str, tuple[tuple[float, str], ...]]
+
+_SI: dict[Dimension, _Row] = {
+    "length": ("mm", ((10_000, "m"),)),
+    "force": ("kN", ()),
+    "force_per_width": ("kN/m", ()),
+    "pressure": ("kPa", ((10_000, "MPa"),)),
+    "pressure_per_length": ("kPa/mm", ()),
+    "speed": ("m/s", ()),
+    "angle": ("deg", ()),
+    "power": ("kW", ()),
+    "torque": ("kN m", ()),
+    "area": ("m2", ()),
+    "time": ("s", ()),
+    "temperature": ("degC", ()),
+    "per_length": ("1/mm", ()),
+    "wear_coefficient": ("mm3/J", ()),
+    "energy_per_area": ("J/m2", ()),
+    "rotation_speed": ("rpm", ()),
+    "mass": ("kg", ()),
+    "number": ("", ()),
+}
+
+_US: dict[Dimension, _Row] = _SI | {
+    "length": ("in", ((400, "ft"),)),
+    "force": ("lbf", ((10_000, "klbf"),)),
+    "force_per_width": ("PIW", ()),
+    "pressure": ("psi", ((10_000, "ksi"),)),
+    "pressure_per_length": ("psi/in", ()),
+    "speed": ("fpm", ()),
+    "power": ("hp", ()),
+    "torque": ("lbf ft", ()),
+    "area": ("in2", ()),
+    "temperature": ("degF", ()),
+    "per_length": ("1/in", ()),
+    "wear_coefficient": ("in3/(ft lbf)", ()),
+    "energy_per_area": ("ft lbf/ft2", ()),
+    "mass": ("lbm", ()),
+}
+
+_ROWS: dict[System, dict[Dimension, _Row]] = {"si": _SI, "us": _US}
+
+
+def display_unit(dimension: Dimension, system: System = "si") -> tuple[str, float]:
+    """Return the unit of a table column and the SI value of one such unit.
+
+    Temperatures come in K in both systems: degC and degF have no mere factor.
+    """
+    unit = "K" if dimension == "temperature" else _ROWS[system][dimension][0]
+    return unit, unit_factor(unit, dimension)
+
+
+def display(value: float, dimension: Dimension, system: System = "si", digits: int = 4) -> str:
+    """Return an SI value as text with a unit of fitting size, ``"150.0 kN"``.
+
+    Parameters
+    ----------
+    value
+        In the SI unit of the dimension.
+    dimension
+        What it measures.
+    system
+        ``"si"`` (mm, kN, kPa, deg ...) or ``"us"`` (in, lbf, psi, deg ...).
+    digits
+        Significant digits shown; whole digits are never dropped.
+    """
+    unit, larger = _ROWS[system][dimension]
+    if dimension == "temperature":
+        return f"{_rounded(_degrees(value, unit), digits)} {unit}"
+    number = value / unit_factor(unit, dimension)
+    size = abs(float(_rounded(number, digits)))
+    for bound, larger_unit in larger:
+        if bound <= size < math.inf:
+            unit, number = larger_unit, value / unit_factor(larger_unit, dimension)
+    return f"{_rounded(number, digits)} {unit}".rstrip()
+
+
+def _degrees(kelvin: float, unit: str) -> float:
+    zero = parse_quantity(f"0 {unit}", "temperature")
+    return (kelvin - zero) / (parse_quantity(f"1 {unit}", "temperature") - zero)
+
+
+def _rounded(number: float, digits: int) -> str:
+    """Return the number with so many significant digits, in plain notation where it fits."""
+    if not math.isfinite(number):
+        return str(number)
+    if number == 0:
+        return "0"
+    rounded = float(f"{number:.{digits - 1}e}")
+    exponent = math.floor(math.log10(abs(rounded)))
+    if not -4 <= exponent < 12:
+        return f"{number:.{digits - 1}e}"
+    return f"{rounded if exponent < digits else number:.{max(0, digits - 1 - exponent)}f}"

@@ -1,0 +1,200 @@
+"""Text to SI values: the unit grammar and the dimension check.
+
+A unit text is a product of units with small powers and at most one division, whose
+divisor is one unit or a product in brackets: ``kN``, ``kN/m``, ``lbf*ft``, ``N·m``,
+``ft-lb``, ``mm2``, ``mm^-1``, ``1/mm``, ``mm3/(N m)``.
+"""
+
+import difflib
+import re
+from decimal import Decimal
+from functools import cache, lru_cache
+from typing import NamedTuple
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.units.numbers import finite, split_number
+from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
+
+_FACTOR = r"[A-Za-z°%]+(?:\^?-?[1-9])?"
+_PRODUCT = rf"{_FACTOR}(?:(?:\s*[*.]\s*|\s+|-(?=[A-Za-z])){_FACTOR})*"
+_UNIT = re.compile(
+    rf"(?P<over>1|{_PRODUCT})?\s*(?:/\s*(?:(?P<one>{_FACTOR})|\(\s*(?P<under>{_PRODUCT})\s*\)))?"
+)
+_NAME_AND_POWER = re.compile(r"([A-Za-z°%]+)(?:\^?(-?[1-9]))?")
+_LOOKALIKES = str.maketrans(
+    {"µ": "u", "μ": "u", "º": "°", "·": "*", "⋅": "*", "×": "*", "²": "2", "³": "3", "⁻": "-"}
+    | {"¹": "1", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " "}
+)
+
+
+class Unit(NamedTuple):
+    """A unit in SI: its size, its powers of `BASE_UNITS`, and where its zero lies."""
+
+    factor: Decimal
+    powers: tuple[int, ...]
+    zero: Decimal = Decimal(0)
+
+
+class _UnitTextError(Exception):
+    def __init__(self, message: str, remedy: str) -> None:
+        super().__init__(message)
+        self.remedy = remedy
+
+
+def parse_quantity(value: object, dimension: Dimension) -> float:
+    """Return the SI value of a quantity written with its unit.
+
+    Parameters
+    ----------
+    value
+        Text such as ``"150 kN"``; for the dimension ``"number"`` also an int or float.
+    dimension
+        What it must measure.
+
+    Returns
+    -------
+    float
+        Value in the SI unit of the dimension (rad for angles, K for temperatures), the
+        float nearest to the number as written.
+
+    Raises
+    ------
+    InputError
+        With one problem that says what is wrong: no number, a number that can be read
+        in two ways, not finite, no unit, an unknown unit (with the nearest ones), or a
+        unit of another dimension. File and key are the caller's to add.
+    """
+    kind = DIMENSION_TEXT[dimension]
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        if dimension == "number":
+            return finite(value, value)
+        raise _no_unit(value, dimension)
+    if not isinstance(value, str):
+        problem = f"neither text nor a number, where {kind.name} is needed"
+        raise _refused(value, problem, f"Write for example {shown(kind.example)}.")
+    number, unit_text = split_number(value)
+    if not unit_text and dimension != "number":
+        raise _no_unit(value, dimension)
+    unit = _checked_unit(unit_text, dimension, value)
+    return finite((number - unit.zero) * unit.factor, value)
+
+
+def unit_factor(unit: str, dimension: Dimension) -> float:
+    """Return the SI value of one unit, for whole columns of data.
+
+    Raises
+    ------
+    InputError
+        If the unit is unknown, of another dimension, or has its zero elsewhere than SI
+        (degC, degF), so that a factor alone would be wrong.
+    """
+    resolved = _checked_unit(unit, dimension, unit)
+    if resolved.zero:
+        raise _refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.")
+    return float(resolved.factor)
+
+
+def dimension_of(unit: str) -> Dimension | None:
+    """Return what a unit text measures, or None if it is unknown or of no use here.
+
+    N/m and J/m2 are the same in SI: with joules it is an energy per area, else a force
+    per width.
+    """
+    try:
+        powers = _resolve(unit).powers
+    except _UnitTextError:
+        return None
+    if "J" in unit and powers == _powers("energy_per_area"):
+        return "energy_per_area"
+    return next((name for name in DIMENSIONS if _powers(name) == powers), None)
+
+
+def unit_names() -> tuple[str, ...]:
+    """Return every unit name that is read, base units first."""
+    return tuple(_units())
+
+
+def _checked_unit(text: str, dimension: Dimension, given: object) -> Unit:
+    kind = DIMENSION_TEXT[dimension]
+    try:
+        unit = _resolve(text)
+    except _UnitTextError as error:
+        raise _refused(given, str(error), error.remedy) from None
+    if unit.powers != _powers(dimension):
+        measured = dimension_of(text)
+        found = DIMENSION_TEXT[measured].name if measured else "of no dimension used here"
+        message = f"{found}, where {kind.name} is needed"
+        raise _refused(given, message, f"Write for example {shown(kind.example)}.")
+    return unit
+
+
+@cache
+def _powers(dimension: Dimension) -> tuple[int, ...]:
+    return _resolve(DIMENSION_TEXT[dimension].si_unit).powers
+
+
+@cache
+def _units() -> dict[str, Unit]:
+    """Return every known unit by name, the definitions resolved in order."""
+    size = len(BASE_UNITS)
+    known = {
+        name: Unit(Decimal(1), tuple(int(i == j) for j in range(size)))
+        for i, name in enumerate(BASE_UNITS)
+    }
+    for definition in DEFINITIONS:
+        of = _evaluate(definition.unit, known)
+        unit = Unit(definition.factor * of.factor, of.powers, definition.zero)
+        known.update(dict.fromkeys(definition.names, unit))
+    return known
+
+
+@lru_cache(maxsize=512)
+def _resolve(text: str) -> Unit:
+    return _evaluate(text, _units())
+
+
+def _evaluate(text: str, known: dict[str, Unit]) -> Unit:
+    plain = text.translate(_LOOKALIKES).strip().replace("**", "^")
+    match = _UNIT.fullmatch(plain) if len(plain) <= 40 else None
+    if match is None:
+        raise _UnitTextError(
+            f"the unit {shown(text)} cannot be read",
+            "Write a product of units with at most one '/', a product below it in brackets: "
+            '"kN/m", "N m", "mm3/(N m)".',
+        )
+    over, under = match["over"] or "", match["one"] or match["under"] or ""
+    factors = [(name, int(power or 1)) for name, power in _NAME_AND_POWER.findall(over)]
+    factors += [(name, -int(power or 1)) for name, power in _NAME_AND_POWER.findall(under)]
+    if len(factors) == 1 and factors[0][1] == 1:
+        return _named(factors[0][0], known)
+    product = Unit(Decimal(1), (0,) * len(BASE_UNITS))
+    for name, power in factors:
+        unit = _named(name, known)
+        if unit.zero:
+            message = f"{name} cannot be part of a compound unit: its zero is not 0 K"
+            raise _UnitTextError(message, "Use K.")
+        powers = tuple(a + power * b for a, b in zip(product.powers, unit.powers, strict=True))
+        product = Unit(product.factor * unit.factor**power, powers)
+    return product
+
+
+def _named(name: str, known: dict[str, Unit]) -> Unit:
+    unit = known.get(name)
+    if unit is not None:
+        return unit
+    same_but_case = [other for other in known if other.casefold() == name.casefold()]
+    near = same_but_case or difflib.get_close_matches(name, known, n=3, cutoff=0.5)
+    remedy = "The units are listed in the documentation; case matters."
+    if near:
+        remedy = "Did you mean " + " or ".join(near) + "?"
+    raise _UnitTextError(f"unknown unit {shown(name)}", remedy)
+
+
+def _no_unit(value: object, dimension: Dimension) -> InputError:
+    kind = DIMENSION_TEXT[dimension]
+    message = f"no unit, where {kind.name} is needed"
+    return _refused(value, message, f"Write the unit too, for example {shown(kind.example)}.")
+
+
+def _refused(given: object, message: str, remedy: str) -> InputError:
+    return InputError(Problem(message=message, remedy=remedy, value=shown(given)))
