@@ -9,8 +9,7 @@ from wraparc.errors import (
     WraparcError,
 )
 from wraparc.provenance import Kind, Provenance
-
-__version__ = "0.1.0"
+from wraparc.version import __version__
 
 __all__ = [
     "BreakawayError",

@@ -1,0 +1,79 @@
+# Everything wraparc needs beyond Python 3.11+ and make is fetched by the targets here,
+# pinned (uv by version, the rest by uv.lock), into .venv and build/ of this folder.
+
+find_python = for p in python3.11 python3 python; do "$$p" -c 'import sys; print(sys.executable)' 2>/dev/null && break; done
+PYTHON ?= $(shell $(find_python))
+UV_VERSION := 0.13.8
+UV := build/uv/$(UV_VERSION)/bin/uv
+BIN := .venv/bin
+WORKERS ?= 2
+
+export UV_PROJECT_ENVIRONMENT := .venv
+export UV_PYTHON_DOWNLOADS := never
+export UV_PYTHON := $(PYTHON)
+export MPLBACKEND := Agg
+export MPLCONFIGDIR := $(CURDIR)/build/matplotlib
+export IPYTHONDIR := $(CURDIR)/build/ipython
+export JUPYTER_CONFIG_DIR := $(CURDIR)/build/jupyter
+export JUPYTER_RUNTIME_DIR := $(CURDIR)/build/jupyter/runtime
+unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
+
+CHECKED := src tests $(wildcard benchmarks) docs/conf.py
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test dev format lint types docs tests bench lock clean
+
+help: ## show this list
+	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
+
+demo: $(UV) ## solve an example drive and draw it (sets itself up)
+	@echo "== installing wraparc into .venv (locked versions)"
+	@$(UV) sync --quiet --frozen --inexact --no-default-groups --extra plot
+	@$(BIN)/wraparc demo
+
+test: dev format lint types docs tests ## the whole gate (sets itself up)
+
+dev: $(UV) ## install everything a developer needs into .venv
+	@echo "== environment: every extra and the developer tools, as locked"
+	@$(UV) sync --quiet --locked --all-extras --all-groups
+
+format: dev
+	@echo "== format: ruff format --check"
+	@$(BIN)/ruff format --check $(CHECKED)
+
+lint: dev
+	@echo "== lint: ruff check"
+	@$(BIN)/ruff check $(CHECKED)
+
+types: dev
+	@echo "== types: mypy --strict"
+	@$(BIN)/mypy --strict $(CHECKED)
+
+docs: dev ## build the documentation into build/docs, running its code
+	@echo "== docs: sphinx, warnings are errors, every code cell runs"
+	@$(BIN)/python -W ignore -m sphinx -W --keep-going -n -q -E -b html -d build/doctrees docs build/docs
+	@echo "documentation: build/docs/index.html"
+
+tests: dev
+	@echo "== tests: pytest, warnings are errors"
+	@$(BIN)/python -m pytest -q -n $(WORKERS) -W error
+
+bench: dev ## measure speed (ratios within one run)
+	@echo "== benchmarks"
+	@$(BIN)/python -m pytest -q -o addopts="" -W error benchmarks
+
+lock: $(UV) ## resolve the dependencies anew and write uv.lock
+	@$(UV) lock
+
+clean: ## remove everything that make installed or built
+	rm -rf .venv build
+
+$(UV):
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "wraparc needs Python 3.11 or newer; name it: make PYTHON=/path/to/python3.11" >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo "$(PYTHON) cannot make virtual environments; on Debian or Ubuntu: apt-get install python3-venv" >&2; exit 1; }
+	@echo "== fetching uv $(UV_VERSION) into build/uv"
+	@rm -rf build/uv && $(PYTHON) -m venv build/uv/$(UV_VERSION)
+	@build/uv/$(UV_VERSION)/bin/python -m pip install --quiet --disable-pip-version-check "uv==$(UV_VERSION)" || \
+	  { rm -rf build/uv; exit 1; }
