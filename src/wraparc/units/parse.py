@@ -183,7 +183,7 @@ def _named(name: str, known: dict[str, Unit]) -> Unit:
     if unit is not None:
         return unit
     same_but_case = [other for other in known if other.casefold() == name.casefold()]
-    near = same_but_case or difflib.get_close_matches(name, known, n=3, cutoff=0.5)
+    near = same_but_case or difflib.get_close_matches(name, known, n=2, cutoff=0.5)
     remedy = "The units are listed in the documentation; case matters."
     if near:
         remedy = "Did you mean " + " or ".join(near) + "?"
