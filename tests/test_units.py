@@ -226,6 +226,11 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
             "Use the digits 0-9, a point for decimals, and nothing between thousands.",
         ),
         (
+            "5１ kN",
+            '"5１ kN": digits other than 0-9. '
+            "Use the digits 0-9, a point for decimals, and nothing between thousands.",
+        ),
+        (
             "--5 kN",
             '"--5 kN": does not begin with one plain number. '
             "Use the digits 0-9, a point for decimals, and nothing between thousands.",

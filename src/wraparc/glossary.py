@@ -1,0 +1,314 @@
+"""Name, symbol, dimension and meaning of every quantity that wraparc reads or reports.
+
+Tables, pictures, forms, files and the documentation take their words from here, so that
+a quantity has one name everywhere.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from wraparc.units import Dimension, System, display_unit
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One quantity as users meet it.
+
+    Parameters
+    ----------
+    name
+        Key in files, results and flags.
+    symbol
+        Letter of the equations, in plain ASCII.
+    dimension
+        What it measures; values are held in its SI unit.
+    title
+        Short heading of a table row, an axis or a form field.
+    meaning
+        One sentence: what it is, with its formula where it has one.
+    """
+
+    name: str
+    symbol: str
+    dimension: Dimension
+    title: str
+    meaning: str
+
+    def heading(self, system: System = "si") -> str:
+        """Return title, symbol and unit for an axis or a column: ``Wrap pressure p [kPa]``."""
+        unit, _ = display_unit(self.dimension, system)
+        parts = (self.title, self.symbol, f"[{unit}]" if unit else "")
+        return " ".join(part for part in parts if part)
+
+
+QUANTITIES: tuple[Quantity, ...] = (
+    # the drive as described
+    Quantity(
+        "entry_tension", "T1", "force", "Entry tension",
+        "Belt tension where the belt meets the pulley.",
+    ),
+    Quantity(
+        "exit_tension", "T2", "force", "Exit tension",
+        "Belt tension where the belt leaves the pulley.",
+    ),
+    Quantity(
+        "effective_tension", "Te", "force", "Effective tension",
+        "Peripheral force on the pulley, T1 - T2: positive when driving, negative when "
+        "braking.",
+    ),
+    Quantity(
+        "tension_ratio", "T1/T2", "number", "Tension ratio",
+        "Entry tension over exit tension; below 1 on a braking pulley.",
+    ),
+    Quantity(
+        "wrap_angle", "phi", "angle", "Wrap angle",
+        "Angle over which the belt lies on the pulley, from the entry nip to the exit nip.",
+    ),
+    Quantity(
+        "diameter", "D", "length", "Diameter over lagging",
+        "Pulley diameter over the unloaded lagging.",
+    ),
+    Quantity(
+        "belt_width", "B", "length", "Belt width",
+        "Width of the belt, over which tension and friction are spread evenly.",
+    ),
+    Quantity(
+        "belt_modulus", "M", "force_per_width", "Belt modulus",
+        "Tension per unit width for unit strain of the belt.",
+    ),
+    Quantity(
+        "axial_stiffness", "EA", "force", "Axial stiffness of the belt",
+        "Tension for unit strain of the whole belt, EA = M B.",
+    ),
+    Quantity(
+        "belt_speed", "v", "speed", "Belt speed",
+        "Running speed of the belt; power and wear need it.",
+    ),
+    Quantity(
+        "lagging_thickness", "h", "length", "Lagging thickness",
+        "Thickness of the lagging that shears.",
+    ),
+    Quantity(
+        "shear_modulus", "G", "pressure", "Shear modulus of the lagging",
+        "Shear stress for unit tangent of the shear angle.",
+    ),
+    Quantity(
+        "compression_modulus", "E_c", "pressure", "Compression modulus of the lagging",
+        "Effective modulus in compression through the thickness, channels and tiles included.",
+    ),
+    Quantity(
+        "overrun", "x_c", "length", "Entry overrun",
+        "Rearward slip with which the belt starts on freshly compressed lagging at the entry "
+        "nip.",
+    ),
+    Quantity(
+        "creep_limit", "u_max", "length", "Creep limit",
+        "Largest creep that is accepted; 6.35 mm is the conservative customary value.",
+    ),
+    # friction of a lagging
+    Quantity(
+        "friction", "mu", "number", "Friction available",
+        "Coefficient of friction that the lagging offers at the local slip and wrap pressure, "
+        "mu(x, p).",
+    ),
+    Quantity(
+        "friction_used", "tau/p", "number", "Friction used",
+        "Shear stress over wrap pressure; less than the friction available where the belt "
+        "sticks.",
+    ),
+    Quantity(
+        "peak_friction", "mu_pk", "number", "Peak friction",
+        "Largest friction over all slips at one wrap pressure.",
+    ),
+    Quantity(
+        "peak_slip", "x_pk", "length", "Slip at peak friction",
+        "Slip at which the friction has its peak.",
+    ),
+    Quantity(
+        "post_peak_slope", "m", "per_length", "Slope past the peak",
+        "Change of friction with slip past its peak; zero or negative.",
+    ),
+    Quantity(
+        "residual_friction", "mu_res", "number", "Residual friction",
+        "Level below which friction does not fall past its peak.",
+    ),
+    Quantity(
+        "lash", "x_0", "length", "Lash",
+        "Clearance in the shear rig, by which the slip of a shear test is shifted.",
+    ),
+    Quantity(
+        "wear_coefficient", "k_w", "wear_coefficient", "Energetic wear coefficient",
+        "Volume worn off the lagging per frictional energy.",
+    ),
+    # along the arc
+    Quantity(
+        "position", "theta", "angle", "Position on the arc",
+        "Angle from the entry nip (0) towards the exit nip (phi).",
+    ),
+    Quantity(
+        "tension", "T", "force", "Belt tension",
+        "Local tension of the belt.",
+    ),
+    Quantity(
+        "wrap_pressure", "p", "pressure", "Wrap pressure",
+        "Pressure of the belt on the lagging, p = 2 T/(B D).",
+    ),
+    Quantity(
+        "creep", "u", "length", "Creep",
+        "Rearward displacement of the belt against the pulley shell since the entry nip.",
+    ),
+    Quantity(
+        "slip", "x", "length", "Slip",
+        "Rearward displacement of the belt against the lagging surface, the argument of the "
+        "friction law.",
+    ),
+    Quantity(
+        "shear_stress", "tau", "pressure", "Shear stress",
+        "Shear stress between belt and lagging, positive when the pulley drives the belt.",
+    ),
+    Quantity(
+        "shear_angle", "gamma", "angle", "Shear angle of the lagging",
+        "Angle by which the lagging is sheared, tan(gamma) = tau/G.",
+    ),
+    Quantity(
+        "shear_distance", "h tan(gamma)", "length", "Shear distance of the lagging",
+        "Displacement of the lagging surface against the shell, (h/G) tau: creep less slip.",
+    ),
+    # result of one pulley
+    Quantity(
+        "exit_creep", "u(phi)", "length", "Creep at exit",
+        "Creep where the belt leaves the pulley, the sum of its three parts.",
+    ),
+    Quantity(
+        "creep_shrinkage", "u_s", "length", "Creep by belt shrinkage",
+        "Part of the exit creep because the belt shortens as it sheds tension, R int (T1 - "
+        "T)/EA dtheta.",
+    ),
+    Quantity(
+        "creep_compression", "u_c", "length", "Creep by lagging compression",
+        "Part of the exit creep from the entry overrun and the recovery of the compressed "
+        "lagging.",
+    ),
+    Quantity(
+        "creep_global", "u_g", "length", "Global creep",
+        "Part of the exit creep by the uniform rate g, g R phi.",
+    ),
+    Quantity(
+        "exit_slip", "x(phi)", "length", "Slip at exit",
+        "Slip where the belt leaves the pulley.",
+    ),
+    Quantity(
+        "peak_shear_stress", "tau_max", "pressure", "Peak shear stress",
+        "Largest magnitude of the shear stress along the arc, which the bond of the lagging "
+        "must bear.",
+    ),
+    Quantity(
+        "peak_shear_angle", "gamma_max", "angle", "Peak shear angle",
+        "Largest magnitude of the shear angle along the arc.",
+    ),
+    Quantity(
+        "peak_shear_position", "theta_max", "angle", "Position of peak shear",
+        "Angle from the entry nip at which the shear stress is largest.",
+    ),
+    Quantity(
+        "entry_creep_ratio", "g", "number", "Entry creep ratio",
+        "Surface speed less belt speed over surface speed at the entry nip: the steady global "
+        "creep.",
+    ),
+    Quantity(
+        "exit_creep_ratio", "g2", "number", "Exit creep ratio",
+        "The same at the exit nip, g + (T1 - T2)/EA'.",
+    ),
+    Quantity(
+        "mean_friction", "mu_m", "number", "Mean friction",
+        "Constant friction that would carry the same load over the whole wrap, "
+        "|ln(T1/T2)|/phi.",
+    ),
+    Quantity(
+        "active_arc", "phi_a", "angle", "Active arc",
+        "Exit part of the wrap over which 99 % of the tension change takes place.",
+    ),
+    Quantity(
+        "outside_tested_share", "", "number", "Share outside tested range",
+        "Fraction of the wrap where pressure or slip lies outside the tested range of the "
+        "lagging.",
+    ),
+    # what the pulley could carry
+    Quantity(
+        "creep_limit_capacity", "r_a", "number", "Capacity at the creep limit",
+        "Largest ratio of tight-side to slack-side tension at which the exit creep stays "
+        "within the creep limit.",
+    ),
+    Quantity(
+        "creep_limit_margin", "", "number", "Margin to the creep limit",
+        "Capacity at the creep limit over the actual ratio of tight-side to slack-side "
+        "tension.",
+    ),
+    Quantity(
+        "equivalent_friction", "mu_eq", "number", "Equivalent friction",
+        "Constant friction with the capacity at the creep limit, ln(capacity)/phi; to set "
+        "beside CEMA and DIN values.",
+    ),
+    Quantity(
+        "least_exit_tension", "T2_min", "force", "Least slack-side tension",
+        "Least slack-side tension (exit side when driving, entry side when braking) that "
+        "carries the same effective tension within the creep limit.",
+    ),
+    Quantity(
+        "largest_effective_tension", "Te_max", "force", "Largest effective tension",
+        "Largest pull within the creep limit with the tight-side wrap pressure in the tested "
+        "range.",
+    ),
+    Quantity(
+        "tested_slip_capacity", "r_b", "number", "Capacity at the edge of tested slip",
+        "Largest tension ratio at which no slip exceeds the largest slip tested.",
+    ),
+    Quantity(
+        "tested_slip_margin", "", "number", "Margin to the edge of tested slip",
+        "Capacity at the edge of tested slip over the actual ratio.",
+    ),
+    Quantity(
+        "gross_slip_capacity", "r_c", "number", "Capacity at gross slip",
+        "Tension ratio at which the friction of the whole wrap is exhausted; an "
+        "extrapolation, often far beyond any tested slip.",
+    ),
+    Quantity(
+        "gross_slip_margin", "", "number", "Margin to gross slip",
+        "Capacity at gross slip over the actual ratio.",
+    ),
+    # power, energy and wear
+    Quantity(
+        "transmitted_power", "P", "power", "Power to the belt",
+        "Effective tension times the speed of the lagging surface at the entry.",
+    ),
+    Quantity(
+        "sliding_power", "P_x", "power", "Sliding power",
+        "Heat of the belt sliding on the lagging, v_s B int tau dx.",
+    ),
+    Quantity(
+        "shear_loss", "P_h", "power", "Shear energy given up",
+        "Shear energy of the lagging released at the exit less that taken in at the entry, "
+        "v_s B (h/2G) (tau_exit^2 - tau_entry^2).",
+    ),
+    Quantity(
+        "power_loss", "P_v", "power", "Power lost to creep",
+        "Sliding power plus shear energy given up.",
+    ),
+    Quantity(
+        "efficiency", "eta", "number", "Efficiency",
+        "Driving: power to the belt over power at the surface; braking: power at the surface "
+        "over power from the belt.",
+    ),
+    Quantity(
+        "frictional_energy", "e", "energy_per_area", "Frictional energy per pass",
+        "Energy of friction per area of lagging and passage under the belt, int tau dx.",
+    ),
+    Quantity(
+        "wear_rate", "w", "length", "Wear per million passes",
+        "Depth worn off the lagging in a million passages under the belt.",
+    ),
+)  # fmt: skip
+
+#: Every quantity by name.
+GLOSSARY: Mapping[str, Quantity] = MappingProxyType({q.name: q for q in QUANTITIES})
