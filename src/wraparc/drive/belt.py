@@ -1,0 +1,66 @@
+"""The conveyor belt, as far as a drive pulley feels it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.provenance import Provenance
+
+
+@dataclass(frozen=True, kw_only=True)
+class Belt:
+    """A conveyor belt.
+
+    Parameters
+    ----------
+    name
+        Designation of the maker, or a name of one's own.
+    width
+        Belt width B [m].
+    modulus
+        Belt modulus M: tension per unit width over strain [N/m].
+    rating
+        Rated (operating) tension per unit width [N/m], or None.
+    speed
+        Belt speed [m/s], or None; power and wear need it.
+    kind
+        Carcass, for example ``fabric`` or ``steel cord``.
+    least_pulley_diameter
+        Smallest drive pulley at 75-100 % of the rating [m], or None.
+    provenance
+        Where the numbers came from.
+    sources
+        Where single numbers came from, by field, if elsewhere.
+
+    Raises
+    ------
+    InputError
+        With every number outside its limit.
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {
+        "width": Limit("length", least=1e-3, most=1e3),
+        "modulus": Limit("force_per_width", least=1.0, rigid=True),
+        "rating": Limit("force_per_width", open=True),
+        "speed": Limit("speed", open=True),
+        "least_pulley_diameter": Limit("length", open=True),
+    }
+
+    name: str
+    width: float
+    modulus: float
+    rating: float | None = None
+    speed: float | None = None
+    kind: str = ""
+    least_pulley_diameter: float | None = None
+    provenance: Provenance = field(default_factory=Provenance)
+    sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
+
+    def __post_init__(self) -> None:
+        raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
+
+    @property
+    def axial_stiffness(self) -> float:
+        """EA = M B [N]."""
+        return self.modulus * self.width

@@ -1,0 +1,86 @@
+"""Effective compression modulus of lagging blocks."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from wraparc.drive.limits import Limit, limit_problems, raise_all
+from wraparc.errors import Problem, shown
+
+Shape = Literal["square", "strip"]
+SHAPES: tuple[Shape, ...] = ("square", "strip")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Block:
+    """The rubber blocks that carry the wrap pressure, bonded below and held by friction above.
+
+    Parameters
+    ----------
+    shape
+        ``square`` in plan, or ``strip`` (much longer than wide).
+    width
+        Side of the square, width of the strip [m].
+    height
+        Height of the rubber that is compressed [m].
+    stiffening
+        k, Gent's numerical factor: 1 for unfilled rubber, falling to about 0.5 for hard
+        filled compounds (0.57 at 60 IRHD, 0.54 at 65, 0.53 at 70) [-].
+    contact_fraction
+        Part of the wrap area that the blocks cover [-].
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {
+        "width": Limit("length", least=1e-4),
+        "height": Limit("length", least=1e-4),
+        "stiffening": Limit("number"),
+        "contact_fraction": Limit("number", least=0.01, most=1.0),
+    }
+
+    shape: Shape = "square"
+    width: float
+    height: float
+    stiffening: float = 0.54
+    contact_fraction: float = 1.0
+
+    def __post_init__(self) -> None:
+        problems = limit_problems(self, self.LIMITS)
+        if self.shape not in SHAPES:
+            message = f"must be one of {', '.join(SHAPES)}"
+            problems.append(Problem(key="shape", value=shown(self.shape), message=message))
+        raise_all(problems)
+
+    @property
+    def shape_factor(self) -> float:
+        """S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip."""
+        return self.width / ((4.0 if self.shape == "square" else 2.0) * self.height)
+
+
+def compression_modulus(elastic_modulus: float, block: Block) -> float:
+    """Effective compression modulus of a lagging over its gross area [Pa].
+
+    E_c = f E (1 + 2 k S^2) for square blocks, f (4/3) E (1 + k S^2) for long strips, with
+    the contact fraction f, the shape factor S and the stiffening factor k.
+
+    Parameters
+    ----------
+    elastic_modulus
+        Young's modulus E of the rubber [Pa].
+    block
+        Shape of the blocks.
+
+    Notes
+    -----
+    An estimate: small strain (below about 10 %), S up to about 3 (beyond, the bulk
+    modulus of rubber counts), upper faces held by friction.
+
+    References
+    ----------
+    A. N. Gent and P. B. Lindley, "The compression of bonded rubber blocks", Proc. Inst.
+    Mech. Engrs. 173 (1959) 111-122; P. B. Lindley, "Engineering Design with Natural
+    Rubber", MRPRA Technical Bulletin, 4th ed. (1978), for k by hardness.
+    """
+    s2, k = block.shape_factor**2, block.stiffening
+    if block.shape == "square":
+        return block.contact_fraction * elastic_modulus * (1.0 + 2.0 * k * s2)
+    return block.contact_fraction * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2)

@@ -1,0 +1,103 @@
+"""A whole drive: a belt, its drive pulleys, and the load cases to be carried."""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from wraparc.drive.belt import Belt
+from wraparc.drive.limits import Limit, limit_problems, raise_all
+from wraparc.drive.load_case import LoadCase
+from wraparc.drive.pulley import Pulley
+from wraparc.errors import Problem, shown
+
+#: Conservative limit of creep, 1/4 inch [m] (B. DeVries, "A model of lagging friction").
+CREEP_LIMIT = 6.35e-3
+MOST_PULLEYS = 10
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drive:
+    """The drive of a conveyor, complete and checked.
+
+    Parameters
+    ----------
+    title
+        What the drive is called.
+    belt
+        The belt.
+    pulleys
+        The drive pulleys in belt order, 1 to 10.
+    load_cases
+        The load cases, each with the tensions of every pulley.
+    creep_limit
+        Largest creep accepted at the exit of a pulley [m].
+    description
+        Anything worth saying about it.
+
+    Raises
+    ------
+    InputError
+        With all names that repeat, tensions that are missing and limits that are broken.
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {"creep_limit": Limit("length", open=True)}
+
+    title: str = ""
+    belt: Belt
+    pulleys: tuple[Pulley, ...]
+    load_cases: tuple[LoadCase, ...]
+    creep_limit: float = CREEP_LIMIT
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        problems = limit_problems(self, self.LIMITS)
+        if not 1 <= len(self.pulleys) <= MOST_PULLEYS:
+            message = f"a drive needs 1 to {MOST_PULLEYS} pulleys"
+            problems.append(Problem(key="pulley", value=str(len(self.pulleys)), message=message))
+        problems += repeated("pulley", (p.name for p in self.pulleys))
+        problems += repeated("load_case", (c.name for c in self.load_cases))
+        names = {p.name for p in self.pulleys}
+        for case in self.load_cases:
+            if case.tensions.keys() != names:
+                problems.append(_wrong_pulleys(case, names))
+        raise_all(problems)
+
+    def pulley(self, name: str) -> Pulley:
+        """Return the pulley of a name.
+
+        Raises
+        ------
+        KeyError
+            If there is none.
+        """
+        return next((p for p in self.pulleys if p.name == name), None) or _no_such(name)
+
+    def creep_limit_of(self, pulley: Pulley) -> float:
+        """Return the creep limit that holds for a pulley [m]."""
+        return self.creep_limit if pulley.creep_limit is None else pulley.creep_limit
+
+
+def repeated(key: str, names: Iterable[str]) -> list[Problem]:
+    """Return a problem for every name that is used more than once."""
+    return [
+        Problem(
+            key=f"{key}.name",
+            value=shown(name),
+            message=f"used {count} times",
+            remedy="Give each its own name.",
+        )
+        for name, count in Counter(names).items()
+        if count > 1
+    ]
+
+
+def _wrong_pulleys(case: LoadCase, names: set[str]) -> Problem:
+    missing, unknown = sorted(names - case.tensions.keys()), sorted(case.tensions.keys() - names)
+    parts = [f"no tensions for {shown(missing)}"] if missing else []
+    parts += [f"tensions for {shown(unknown)}, which the drive does not have"] if unknown else []
+    return Problem(key=f"load_case.{case.name}", message=" and ".join(parts))
+
+
+def _no_such(name: str) -> Pulley:
+    raise KeyError(name)

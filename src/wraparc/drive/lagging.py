@@ -1,0 +1,213 @@
+"""The lagging of a pulley: its friction law, its elasticity, and where they came from."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.errors import Problem, shown
+from wraparc.friction import FrictionLaw
+from wraparc.provenance import Provenance
+
+#: Surfaces that published design values of friction are given for.
+SURFACES = ("bare", "rubber", "polyurethane", "ceramic")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fit:
+    """The statistics of a fitted friction law, enough to draw other laws from it.
+
+    Parameters
+    ----------
+    parameters
+        What was fitted, each by its place in the law, ``knots[2].peak_slip``.
+    values
+        Best estimates, shape (n,) [SI].
+    covariance
+        Their covariance, shape (n, n) [SI products].
+    residual_noise
+        Robust standard deviation of the measured friction about the law [-], or None.
+    date
+        When it was fitted.
+    method
+        How, in words.
+    misfit
+        Where the law does not describe the data, in words.
+    """
+
+    parameters: tuple[str, ...]
+    values: tuple[float, ...]
+    covariance: tuple[tuple[float, ...], ...]
+    residual_noise: float | None = None
+    date: str = ""
+    method: str = ""
+    misfit: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        n = len(self.parameters)
+        problems = limit_problems(self, {"residual_noise": Limit("number")})
+        if len(set(self.parameters)) < n or not n:
+            message = "must name each fitted parameter once"
+            problems.append(Problem(key="parameters", value=str(n), message=message))
+        if len(self.values) != n or not all(map(math.isfinite, self.values)):
+            message = f"must be {n} finite numbers, one for each parameter"
+            problems.append(Problem(key="values", value=str(len(self.values)), message=message))
+        problems += self._covariance_problems(n)
+        raise_all(problems)
+
+    def _covariance_problems(self, n: int) -> list[Problem]:
+        rows = [len(row) for row in self.covariance]
+        if rows != [n] * n:
+            given = f"{len(rows)} rows of {sorted(set(rows))} numbers"
+            message = f"must be {n} rows of {n} numbers, one for each parameter"
+            return [Problem(key="covariance", value=given, message=message)]
+        matrix = np.array(self.covariance, dtype=float).reshape(n, n)
+        message = ""
+        if not np.all(np.isfinite(matrix)):
+            message = "must be finite"
+        elif n and np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max():
+            message = "must be symmetric"
+        elif n and _least_correlation_eigenvalue(matrix) < -1e-8 * n:
+            message = "must have no negative eigenvalue: no variance is negative"
+        return [Problem(key="covariance", message=message)] if message else []
+
+
+def _least_correlation_eigenvalue(
+    covariance: NDArray[np.float64],
+) -> float:
+    """Least eigenvalue of the matrix scaled to unit diagonal [-]."""
+    scale = np.sqrt(np.abs(np.diag(covariance)))
+    scale = np.where(scale > 0.0, scale, 1.0)
+    return float(np.linalg.eigvalsh(covariance / np.outer(scale, scale))[0])
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cost:
+    """What a lagging costs on one pulley.
+
+    Parameters
+    ----------
+    material, installation
+        Price of the lagging and of putting it on [currency].
+    currency
+        For example ``AUD``.
+    area
+        Lagged area the prices are for [m2].
+    life_years
+        Shortest and longest expected life [years].
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {
+        "material": Limit("number"),
+        "installation": Limit("number"),
+        "area": Limit("area", open=True),
+    }
+
+    material: float
+    installation: float
+    currency: str
+    area: float
+    life_years: tuple[float, float]
+
+    def __post_init__(self) -> None:
+        problems = limit_problems(self, self.LIMITS)
+        years = self.life_years
+        if not (0.0 < years[0] <= years[1] < math.inf):
+            message = "must be the shortest and the longest life in years, both more than 0"
+            problems.append(Problem(key="life_years", value=shown(list(years)), message=message))
+        raise_all(problems)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lagging:
+    """A lagging in one condition (dry, wet ...).
+
+    Parameters
+    ----------
+    name
+        Name it is asked for by.
+    law
+        Friction law mu(x, p).
+    thickness
+        Thickness h that shears [m]; 0 for a surface that does not.
+    shear_modulus
+        G [Pa]; infinite if it does not shear.
+    compression_modulus
+        Effective compression modulus E_c over the gross area [Pa].
+    title
+        Name in words.
+    condition
+        State of the surface the law holds for.
+    surface
+        Material that touches the belt, to find published design values for comparison:
+        ``bare``, ``rubber``, ``polyurethane``, ``ceramic`` or empty.
+    elastic_modulus
+        Young's modulus E of the rubber [Pa], or None.
+    wear_coefficient
+        Worn volume per frictional energy [m3/J], or None.
+    cost
+        Prices and life, or None.
+    fit
+        Statistics of the fitted law, or None.
+    provenance
+        Where the lagging's numbers came from.
+    sources
+        Where single numbers came from, by field (``law``, ``thickness`` ...), if elsewhere.
+    notes
+        What a reader must know.
+
+    Raises
+    ------
+    InputError
+        With every number outside its limit.
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {
+        "thickness": Limit("length", most=1.0),
+        "shear_modulus": Limit("pressure", least=1.0, rigid=True),
+        "compression_modulus": Limit("pressure", least=1.0, rigid=True),
+        "elastic_modulus": Limit("pressure", least=1.0),
+        "wear_coefficient": Limit("wear_coefficient"),
+    }
+
+    name: str
+    law: FrictionLaw
+    thickness: float = 0.0
+    shear_modulus: float = math.inf
+    compression_modulus: float = math.inf
+    title: str = ""
+    condition: str = "dry"
+    surface: str = ""
+    elastic_modulus: float | None = None
+    wear_coefficient: float | None = None
+    cost: Cost | None = None
+    fit: Fit | None = None
+    provenance: Provenance = field(default_factory=Provenance)
+    sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        problems = name_problems("name", self.name) + name_problems("condition", self.condition)
+        problems += limit_problems(self, self.LIMITS)
+        if self.surface and self.surface not in SURFACES:
+            message = f"must be one of {', '.join(SURFACES)}"
+            problems.append(Problem(key="surface", value=shown(self.surface), message=message))
+        raise_all(problems)
+
+    @property
+    def shear_compliance(self) -> float:
+        """h/G, shear displacement per shear stress [m/Pa]."""
+        return self.thickness / self.shear_modulus
+
+    @property
+    def compression_compliance(self) -> float:
+        """h/E_c, compression per wrap pressure [m/Pa]."""
+        return self.thickness / self.compression_modulus
+
+    def source_of(self, part: str) -> Provenance:
+        """Return where one number came from: its own source, else the lagging's."""
+        return self.sources.get(part, self.provenance)

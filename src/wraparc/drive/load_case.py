@@ -1,0 +1,67 @@
+"""The tensions that a drive works at."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
+
+#: Name of the load case made by the tensions of the pulleys themselves.
+DESIGN = "design"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Tensions:
+    """Belt tensions at a pulley.
+
+    Parameters
+    ----------
+    entry, exit
+        Tension at the entry nip (T1) and at the exit nip (T2) [N]. T1 > T2 drives,
+        T1 < T2 brakes.
+
+    Raises
+    ------
+    InputError
+        If one is not positive and finite.
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {
+        "entry": Limit("force", open=True, most=1e9),
+        "exit": Limit("force", open=True, most=1e9),
+    }
+
+    entry: float
+    exit: float
+
+    def __post_init__(self) -> None:
+        raise_all(limit_problems(self, self.LIMITS))
+
+    @property
+    def effective(self) -> float:
+        """Effective tension T1 - T2 [N], negative when braking."""
+        return self.entry - self.exit
+
+    @property
+    def ratio(self) -> float:
+        """Tension ratio T1/T2 [-]."""
+        return self.entry / self.exit
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadCase:
+    """One state of the conveyor: full, empty, start, brake ...
+
+    Parameters
+    ----------
+    name
+        Name of the state.
+    tensions
+        Tensions by name of the pulley.
+    """
+
+    name: str
+    tensions: Mapping[str, Tensions] = field(hash=False)
+
+    def __post_init__(self) -> None:
+        raise_all(name_problems("name", self.name))

@@ -1,0 +1,70 @@
+"""A drive pulley under its lagging."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from wraparc.drive.lagging import Lagging
+from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.provenance import Provenance
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pulley:
+    """A lagged pulley that drives or brakes the belt.
+
+    Parameters
+    ----------
+    name
+        Name of the pulley in its drive.
+    diameter
+        Diameter D over the unloaded lagging [m].
+    wrap_angle
+        Wrap angle phi, more than 0 and up to two turns [rad].
+    lagging
+        The lagging.
+    overrun
+        Slip x_c at the entry nip [m], or None to compute it from the compression of the
+        lagging, 1.25 delta sqrt(delta/R).
+    recovery
+        Whether the lagging, recovering as the pressure changes along the arc, adds creep.
+    creep_limit
+        Largest creep accepted on this pulley [m], or None for the limit of the drive.
+    sources
+        Where single numbers came from, by field or tension.
+
+    Raises
+    ------
+    InputError
+        With every number outside its limit.
+    """
+
+    LIMITS: ClassVar[Mapping[str, Limit]] = {
+        "diameter": Limit("length", least=1e-3, most=1e3),
+        "wrap_angle": Limit("angle", open=True, most=4.0 * math.pi),
+        "overrun": Limit("length", most=1.0),
+        "creep_limit": Limit("length", open=True),
+    }
+
+    name: str
+    diameter: float
+    wrap_angle: float
+    lagging: Lagging
+    overrun: float | None = None
+    recovery: bool = True
+    creep_limit: float | None = None
+    sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
+
+    def __post_init__(self) -> None:
+        raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
+
+    @property
+    def radius(self) -> float:
+        """R = D/2 [m]."""
+        return self.diameter / 2.0
+
+    @property
+    def wrap_length(self) -> float:
+        """L = R phi [m]."""
+        return self.radius * self.wrap_angle
