@@ -1,0 +1,27 @@
+"""Sourced data: belts, laggings, design values of friction, costs."""
+
+from wraparc.catalogue.loader import (
+    CatalogueBelt,
+    DesignFriction,
+    LaggingCost,
+    belt,
+    belts,
+    design_friction,
+    lagging_costs,
+    lagging_names,
+    lagging_text,
+    unknown_name,
+)
+
+__all__ = [
+    "CatalogueBelt",
+    "DesignFriction",
+    "LaggingCost",
+    "belt",
+    "belts",
+    "design_friction",
+    "lagging_costs",
+    "lagging_names",
+    "lagging_text",
+    "unknown_name",
+]

@@ -1,0 +1,233 @@
+"""Sourced data that ships with the program, read from its data files when asked for."""
+
+import difflib
+import math
+import tomllib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from typing import Any
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.provenance import Kind, Provenance
+from wraparc.units import parse_quantity
+
+_DATA = resources.files("wraparc.catalogue") / "data"
+_SUFFIX = ".toml"
+
+
+@dataclass(frozen=True, kw_only=True)
+class CatalogueBelt:
+    """A belt as a maker publishes it.
+
+    Parameters
+    ----------
+    name
+        The maker's designation.
+    kind
+        ``fabric`` or ``steel cord``.
+    rating
+        Rated (operating) tension per unit width [N/m].
+    modulus
+        Belt modulus [N/m].
+    least_pulley_diameter
+        Smallest drive pulley at 75-100 % of the rating [m], or None if not published.
+    provenance
+        The publication.
+    """
+
+    name: str
+    kind: str
+    rating: float
+    modulus: float
+    least_pulley_diameter: float | None
+    provenance: Provenance
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignFriction:
+    """A constant friction that a standard or practice designs drives with.
+
+    Parameters
+    ----------
+    standard
+        ``CEMA``, ``DIN 22101`` or ``practice``.
+    surface
+        ``bare``, ``rubber``, ``polyurethane`` or ``ceramic``.
+    condition
+        ``dry``, ``wet``, ``wet and dirty``, or empty where none is told apart.
+    friction
+        Lower and upper end of the value [-]; equal for a single value.
+    provenance
+        Where it was published.
+    """
+
+    standard: str
+    surface: str
+    condition: str
+    friction: tuple[float, float]
+    provenance: Provenance
+
+
+@dataclass(frozen=True, kw_only=True)
+class LaggingCost:
+    """What a lagging costs on one pulley and how long it lasts.
+
+    Parameters
+    ----------
+    name, surface
+        What is bought, and the material that touches the belt.
+    material, installation
+        Prices [currency].
+    currency
+        Currency of the prices.
+    area
+        Lagged area the prices are for [m2].
+    life_years
+        Shortest and longest life [years].
+    ten_year_cost
+        Cost over ten years as published [currency].
+    provenance
+        Where it was published.
+    """
+
+    name: str
+    surface: str
+    material: float
+    installation: float
+    currency: str
+    area: float
+    life_years: tuple[float, float]
+    ten_year_cost: float
+    provenance: Provenance
+
+
+@cache
+def belts() -> tuple[CatalogueBelt, ...]:
+    """Return every belt, in the order of the data file."""
+    return tuple(
+        CatalogueBelt(
+            name=row["name"],
+            kind=group["kind"],
+            rating=parse_quantity(row["rating"], "force_per_width"),
+            modulus=parse_quantity(row["modulus"], "force_per_width"),
+            least_pulley_diameter=(
+                parse_quantity(row["least_pulley_diameter"], "length")
+                if "least_pulley_diameter" in row
+                else None
+            ),
+            provenance=_published(group),
+        )
+        for group in _data("belts")["group"]
+        for row in group["belts"]
+    )
+
+
+def belt(name: str) -> CatalogueBelt:
+    """Return a belt by name; case and extra blanks do not matter.
+
+    Raises
+    ------
+    InputError
+        If there is none, with the nearest names.
+    """
+    wanted = _plain(name)
+    found = next((b for b in belts() if _plain(b.name) == wanted), None)
+    if found is None:
+        raise unknown_name("belt", name, (b.name for b in belts()), "wraparc belts")
+    return found
+
+
+@cache
+def lagging_names() -> tuple[str, ...]:
+    """Return the names of the laggings, sorted."""
+    files = (entry.name for entry in (_DATA / "laggings").iterdir())
+    return tuple(sorted(f.removesuffix(_SUFFIX) for f in files if f.endswith(_SUFFIX)))
+
+
+@cache
+def lagging_text(name: str) -> str:
+    """Return the lagging file of a catalogue lagging as text.
+
+    Raises
+    ------
+    InputError
+        If there is none, with the nearest names.
+    """
+    if name not in lagging_names():
+        raise unknown_name("lagging", name, lagging_names(), "wraparc laggings")
+    return (_DATA / "laggings" / (name + _SUFFIX)).read_text("utf-8")
+
+
+@cache
+def design_friction() -> tuple[DesignFriction, ...]:
+    """Return the published design values of friction, to compare with."""
+    return tuple(
+        DesignFriction(
+            standard=group["standard"],
+            surface=row["surface"],
+            condition=row.get("condition", ""),
+            friction=(row["friction"][0], row["friction"][1]),
+            provenance=_published(group, _friction_note(row)),
+        )
+        for group in _data("design_friction")["group"]
+        for row in group["values"]
+    )
+
+
+@cache
+def lagging_costs() -> tuple[LaggingCost, ...]:
+    """Return published costs of laggings."""
+    data = _data("costs")
+    diameter = parse_quantity(data["pulley_diameter"], "length")
+    area = math.pi * diameter * parse_quantity(data["pulley_width"], "length")
+    return tuple(
+        LaggingCost(
+            name=row["name"],
+            surface=row["surface"],
+            material=row["material"],
+            installation=data["installation"],
+            currency=data["currency"],
+            area=area,
+            life_years=(row["life_years"][0], row["life_years"][1]),
+            ten_year_cost=row["ten_year_cost"],
+            provenance=_published(data),
+        )
+        for row in data["laggings"]
+    )
+
+
+def unknown_name(what: str, name: str, known: Iterable[str], command: str) -> InputError:
+    """Return the error for a name that the catalogue does not have, with the nearest ones."""
+    by_plain = {_plain(k): k for k in known}
+    plain = _plain(name[:100])
+    near = [k for key, k in by_plain.items() if plain and plain in key]
+    near += [by_plain[k] for k in difflib.get_close_matches(plain, by_plain, n=3, cutoff=0.5)]
+    texts = [shown(k) for k in dict.fromkeys(near)][:3]
+    remedy = f"Did you mean {' or '.join(texts)}?" if texts else ""
+    return InputError(
+        Problem(
+            message=f"the catalogue has no {what} of this name",
+            remedy=f"{remedy} The command `{command}` lists them.".strip(),
+            value=shown(name),
+        )
+    )
+
+
+def _data(name: str) -> dict[str, Any]:
+    return tomllib.loads((_DATA / (name + _SUFFIX)).read_text("utf-8"))
+
+
+def _published(group: dict[str, Any], *notes: str) -> Provenance:
+    note = "; ".join(n for n in (group.get("note", ""), *notes) if n)
+    return Provenance(Kind.PUBLISHED, group["source"], group.get("date", ""), note)
+
+
+def _friction_note(row: dict[str, Any]) -> str:
+    single = "single value, partly from IS 11592 and REMA" if row.get("single") else ""
+    return "; ".join(n for n in (row.get("note", ""), single) if n)
+
+
+def _plain(name: str) -> str:
+    return "".join(name.casefold().split())
