@@ -18,6 +18,9 @@ export JUPYTER_CONFIG_DIR := $(CURDIR)/build/jupyter
 export JUPYTER_RUNTIME_DIR := $(CURDIR)/build/jupyter/runtime
 unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
 
+# From the cache where it suffices (fast, and works without a network), else from the index.
+sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
+
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py
 
 .DEFAULT_GOAL := help
@@ -28,14 +31,14 @@ help: ## show this list
 
 demo: $(UV) ## solve an example drive and draw it (sets itself up)
 	@echo "== installing wraparc into .venv (locked versions)"
-	@$(UV) sync --quiet --frozen --inexact --no-default-groups --extra plot
+	@$(call sync,--frozen --inexact --no-default-groups --extra plot)
 	@$(BIN)/wraparc demo
 
 test: dev format lint types docs tests ## the whole gate (sets itself up)
 
 dev: $(UV) ## install everything a developer needs into .venv
 	@echo "== environment: every extra and the developer tools, as locked"
-	@$(UV) sync --quiet --locked --all-extras --all-groups
+	@$(call sync,--locked --all-extras --all-groups)
 
 format: dev
 	@echo "== format: ruff format --check"
@@ -56,7 +59,7 @@ docs: dev ## build the documentation into build/docs, running its code
 
 tests: dev
 	@echo "== tests: pytest, warnings are errors"
-	@$(BIN)/python -m pytest -q -n $(WORKERS) -W error
+	@$(BIN)/python -m pytest --no-header -n $(WORKERS) -W error
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"
