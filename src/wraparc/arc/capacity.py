@@ -1,0 +1,428 @@
+"""Solve an arc for its tensions, and find what it could carry: three capacities.
+
+In every capacity the tight side is held (T1 driving, T2 braking) and the slack side falls. On a
+braking pulley the held tension is at the exit, so that the entry tension is an unknown too.
+"""
+
+from __future__ import annotations
+
+from math import exp, inf, log, nan
+
+from wraparc.arc.march import (
+    KICK,
+    LENGTH,
+    SIDE,
+    T1,
+    Buffer,
+    Law,
+    Parameters,
+    parameters,
+)
+from wraparc.arc.shoot import (
+    CREEP,
+    FOUND,
+    STALLED,
+    TENSION,
+    Shot,
+    climb,
+    effort_of,
+    fire,
+    first_guess,
+    jumps,
+    largest_effort,
+    search,
+    value_of,
+)
+from wraparc.arc.stick import held_exit, zone_end
+from wraparc.friction.compact import plateau_at, segment_of
+
+#: side, radius, wrap angle, width, 1/EA', h/G, kick, kick coefficient, onset: `parameters` but for T1
+Geometry = tuple[float, float, float, float, float, float, float, float, float]
+
+COARSE_STEPS = 8
+COARSE_TOLERANCE = 1e-4  # relative
+TOLERANCE = 1e-10
+
+STUCK = 3  # outcome: the belt sticks over the whole wrap
+
+
+def parameters_at(entry_tension: float, geometry: Geometry) -> Parameters:
+    """Numbers of one drive at an entry tension [N]."""
+    side, radius, wrap, width, compliance, shear, kick, coefficient, onset = geometry
+    return parameters(
+        entry_tension, side, radius, wrap, width, compliance, shear, kick, coefficient, onset
+    )
+
+
+def solve_tension(
+    law: Law, par: Parameters, exit_tension: float, steps: int, none: Buffer
+) -> tuple[int, float, Shot]:
+    """Effort at which the exit tension is met.
+
+    Returns
+    -------
+    outcome, z, shot
+        FOUND; STUCK: the belt does not slip anywhere, z has no meaning and the last number of the
+        shot is the arc length; EXHAUSTED: breakaway, with the largest tension ratio there is.
+    """
+    goal = par[SIDE] * log(par[T1] / exit_tension)
+    if jumps(law):
+        held, creep = held_exit(law, par, exit_tension)
+        if held:
+            end = zone_end(law, par, par[LENGTH])[1]
+            z = creep / end - 1.0 if end != 0.0 else 0.0
+            return STUCK, z, fire(law, par, z, steps, 0, none)[0]
+    if goal == 0.0 and par[KICK] == 0.0:
+        return FOUND, -inf, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return refine(law, par, TENSION, goal, first_guess(law, par, TENSION, goal), steps, none)
+
+
+def refine(
+    law: Law, par: Parameters, target: int, goal: float, z: float, steps: int, none: Buffer
+) -> tuple[int, float, Shot]:
+    """Meet a target on a coarse mesh, then on the fine one starting from there."""
+    size = max(abs(goal), 1e-2) if target == TENSION else abs(goal)
+    outcome, z, slope, shot = search(
+        law, par, target, goal, z, 0.0, COARSE_STEPS, COARSE_TOLERANCE * size, none
+    )
+    if outcome != FOUND:
+        slope = 0.0
+    outcome, z, _, shot = search(law, par, target, goal, z, slope, steps, TOLERANCE * size, none)
+    if outcome == STALLED and abs(value_of(par, shot, target) - goal) < 1e-8 * size:
+        outcome = FOUND
+    return outcome, z, shot
+
+
+def plateau_capacity(law: Law, tight_pressure: float, wrap_angle: float) -> float:
+    """ln(tight/slack) at gross slip with the largest friction of the law everywhere.
+
+    d ln T / d theta = -mu_plateau(p), integrated in ln p from the tight side: exact to rounding,
+    piece by piece (Gauss-Legendre, 5 points, with the last piece closed by Newton's method).
+    """
+    kind, edges, c, slips = law
+    q, angle = 0.0, wrap_angle
+    for _ in range(4 * len(edges) + 400):
+        p = tight_pressure * exp(-q)
+        segment = segment_of(edges, p * (1.0 - 1e-12))
+        span = 0.25
+        if segment >= 0:
+            span = min(span, log(p / edges[segment]))
+        taken = _plateau_angle(law, tight_pressure, segment, q, span)
+        if taken < angle:
+            angle -= taken
+            q += span
+            continue
+        part = span * angle / taken
+        for _ in range(50):
+            f = _plateau_angle(law, tight_pressure, segment, q, part) - angle
+            mu = plateau_at(kind, edges, c, slips, segment, tight_pressure * exp(-q - part))
+            change = f * mu
+            part -= change
+            if abs(change) < 1e-15:
+                break
+        return q + part
+    return q
+
+
+def _plateau_angle(law: Law, pressure: float, segment: int, q: float, span: float) -> float:
+    """Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece of a law."""
+    kind, edges, c, slips = law
+    total = 0.0
+    for node, weight in (
+        (0.0, 128.0 / 225.0),
+        (-0.5384693101056831, 0.47862867049936647),
+        (0.5384693101056831, 0.47862867049936647),
+        (-0.906179845938664, 0.23692688505618908),
+        (0.906179845938664, 0.23692688505618908),
+    ):
+        p = pressure * exp(-q - 0.5 * span * (1.0 + node))
+        total += weight / plateau_at(kind, edges, c, slips, segment, p)
+    return 0.5 * span * total
+
+
+def carry(
+    law: Law,
+    geometry: Geometry,
+    tight: float,
+    target: int,
+    goal: float,
+    z: float,
+    steps: int,
+    none: Buffer,
+) -> tuple[int, float, float, Shot]:
+    """Largest tension ratio of a held tight side at which a target of creep or slip is met.
+
+    Parameters
+    ----------
+    tight
+        Tension of the tight side [N].
+    target, goal
+        CREEP or SLIP at the exit towards the slack side, and its limit [m].
+    z
+        First guess of the effort, or nan.
+
+    Returns
+    -------
+    outcome, z, entry tension [N], shot
+    """
+    side = geometry[0]
+    if side > 0.0:
+        par = parameters_at(tight, geometry)
+        guess = z if z == z else first_guess(law, par, target, goal)
+        outcome, z, shot = refine(law, par, target, goal, guess, steps, none)
+        return outcome, z, tight, shot
+    # braking: the entry tension follows from the ratio found, and the ratio depends on it
+    par = parameters_at(0.6 * tight, geometry)
+    guess = z if z == z else first_guess(law, par, target, goal)
+    met, z, entry, shot, _ = meet(
+        law, geometry, target, goal, False, tight, 0.6 * tight, guess, steps, none
+    )
+    return (FOUND if met else STALLED), z, entry, shot
+
+
+def meet(
+    law: Law,
+    geometry: Geometry,
+    target: int,
+    goal: float,
+    of_pull: bool,
+    tension: float,
+    entry: float,
+    z: float,
+    steps: int,
+    none: Buffer,
+) -> tuple[bool, float, float, Shot, float]:
+    """Entry tension and effort that meet a target at the exit and a tension together.
+
+    Newton's method on a coarse mesh, then its Jacobian kept up to date by Broyden's formula on the
+    fine one.
+
+    Parameters
+    ----------
+    target, goal
+        CREEP or SLIP at the exit towards the slack side, and its value [m].
+    of_pull, tension
+        True: |T1 - T2| is `tension`; False: the exit tension is [N].
+    entry, z
+        First guess of the entry tension [N] and the effort.
+
+    Returns
+    -------
+    met, z, entry tension [N], shot, growth
+        growth is the sign of d(pull)/d(entry tension) along the target.
+    """
+    t = log(entry)
+    j11 = j12 = j21 = j22 = 0.0
+    mesh, fresh = COARSE_STEPS, True
+    r1, r2, shot = _misses(law, geometry, target, goal, of_pull, tension, t, z, mesh, none)
+    for _ in range(60):
+        size = max(abs(r1), abs(r2))
+        if mesh == steps and size < TOLERANCE * 10.0:
+            det = j11 * j22 - j12 * j21
+            return True, z, exp(t), shot, det * (1.0 if j11 > 0.0 else -1.0)
+        if mesh == COARSE_STEPS and size < 3e-4:
+            mesh = steps
+            r1, r2, shot = _misses(law, geometry, target, goal, of_pull, tension, t, z, mesh, none)
+            continue
+        if fresh:
+            dz, dt = 1e-4, 1e-4
+            a1, a2, _ = _misses(
+                law, geometry, target, goal, of_pull, tension, t, z + dz, mesh, none
+            )
+            b1, b2, _ = _misses(
+                law, geometry, target, goal, of_pull, tension, t + dt, z, mesh, none
+            )
+            j11, j21 = (a1 - r1) / dz, (a2 - r2) / dz
+            j12, j22 = (b1 - r1) / dt, (b2 - r2) / dt
+        det = j11 * j22 - j12 * j21
+        if det == 0.0:
+            return False, z, exp(t), shot, 0.0
+        dz, dt = (r2 * j12 - r1 * j22) / det, (r1 * j21 - r2 * j11) / det
+        scale = min(1.0, 1.5 / max(abs(dz), 1e-300), 0.5 / max(abs(dt), 1e-300))
+        dz, dt = scale * dz, scale * dt
+        z, t = z + dz, t + dt
+        n1, n2, shot = _misses(law, geometry, target, goal, of_pull, tension, t, z, mesh, none)
+        shrunk = max(abs(n1), abs(n2)) < 0.3 * size
+        fresh = mesh == COARSE_STEPS and not shrunk
+        # Broyden's update
+        square = dz * dz + dt * dt
+        if square > 0.0:
+            e1 = (n1 - r1 - j11 * dz - j12 * dt) / square
+            e2 = (n2 - r2 - j21 * dz - j22 * dt) / square
+            j11, j12 = j11 + e1 * dz, j12 + e1 * dt
+            j21, j22 = j21 + e2 * dz, j22 + e2 * dt
+        r1, r2 = n1, n2
+    return False, z, exp(t), shot, 0.0
+
+
+def _misses(
+    law: Law,
+    geometry: Geometry,
+    target: int,
+    goal: float,
+    of_pull: bool,
+    tension: float,
+    t: float,
+    z: float,
+    steps: int,
+    none: Buffer,
+) -> tuple[float, float, Shot]:
+    """Relative misses of the target and of the tension, for ln T1 = t and effort z."""
+    par = parameters_at(exp(t), geometry)
+    shot, _ = fire(law, par, z, steps, 0, none)
+    miss = value_of(par, shot, target) / goal - 1.0
+    if not of_pull:
+        return miss, t + shot[0] - log(tension), shot
+    pull = par[T1] * abs(1.0 - exp(shot[0]))
+    return miss, log(max(pull, 1e-9 * tension) / tension), shot
+
+
+def largest_ratio(
+    law: Law,
+    geometry: Geometry,
+    tight: float,
+    softening: bool,
+    steps: int,
+    none: Buffer,
+) -> tuple[float, float]:
+    """Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m].
+
+    A law flat past its peak has a supremum, with the friction of its plateau everywhere and no
+    finite creep (inf). A softening law has a largest ratio over entry creep ratios below 1.
+    """
+    radius, wrap, width = geometry[1], geometry[2], geometry[3]
+    if not softening:
+        return plateau_capacity(law, tight / (width * radius), wrap), inf
+    entry = tight
+    best, creep, z = 0.0, 0.0, 0.0
+    for mesh, tolerance in ((COARSE_STEPS, 1e-4), (steps, 1e-9)):
+        for _ in range(60):
+            par = parameters_at(entry, geometry)
+            new, creep, z = _peak_of(law, par, z if best > 0.0 else -inf, mesh, none)
+            done = abs(new - best) < tolerance or geometry[0] > 0.0
+            best = new
+            if geometry[0] < 0.0:
+                entry = tight * exp(-best)
+            if done:
+                break
+    return best, creep
+
+
+def _peak_of(
+    law: Law, par: Parameters, near: float, steps: int, none: Buffer
+) -> tuple[float, float, float]:
+    """Largest ln(tight/slack) over effort, the creep there [m] and the effort.
+
+    `near` narrows the search to the neighbourhood of an earlier result.
+    """
+    top = largest_effort(law, par)
+    low, high = (0.0, top) if jumps(law) else (effort_of(par, par[SIDE] * 1e-5), top)
+    if near > -inf:
+        low, high = max(low, near - 0.1), min(high, near + 0.1)
+    z, shot = climb(law, par, low, high, 1e-4, steps, none)
+    return value_of(par, shot, TENSION), par[SIDE] * shot[2], z
+
+
+def least_slack(
+    law: Law,
+    geometry: Geometry,
+    pull: float,
+    limit: float,
+    tight: float,
+    entry: float,
+    z: float,
+    tight_max: float,
+    steps: int,
+    none: Buffer,
+) -> tuple[float, float]:
+    """Least slack-side tension that carries a pull within a creep limit.
+
+    Parameters
+    ----------
+    pull
+        |T1 - T2| to be carried [N].
+    limit
+        Exit creep towards the slack side [m].
+    tight, entry, z
+        A tight-side tension, and the entry tension and effort at its creep limit, to begin with
+        [N, N, -].
+    tight_max
+        Largest tight-side tension to consider [N]: the top of the tested pressures.
+
+    Returns
+    -------
+    least, most
+        The smallest root [N] and nan; without a root nan and the largest pull there is [N].
+    """
+    met, z_met, entry_met, shot, growth = meet(
+        law, geometry, CREEP, limit, True, pull, entry, z, steps, none
+    )
+    if met and growth > 0.0:
+        found = max(entry_met, entry_met * exp(shot[0]))
+        if found <= tight_max:
+            return found - pull, nan
+    # off the easy road: look for the first pull that is enough, from the slack end of the range
+    low, high = log(pull) + 1e-4, log(tight_max)
+    if low >= high:
+        return nan, _pull(law, geometry, tight_max, limit, z, COARSE_STEPS, none)[0]
+    parts = 24
+    best_t, best_p, z = high, 0.0, nan
+    last_t = low
+    for i in range(parts + 1):
+        t = low + (high - low) * i / parts
+        p, z = _pull(law, geometry, exp(t), limit, z, COARSE_STEPS, none)
+        if p > best_p:
+            best_t, best_p = t, p
+        if p >= pull:
+            entry = exp(0.5 * (last_t + t))
+            if geometry[0] < 0.0:
+                entry -= min(pull, 0.9 * entry)
+            met, _, entry_met, shot, _ = meet(
+                law, geometry, CREEP, limit, True, pull, entry, z, steps, none
+            )
+            found = max(entry_met, entry_met * exp(shot[0]))
+            if met and found <= tight_max * (1.0 + 1e-9):
+                return found - pull, nan
+            return nan, nan
+        last_t = t
+    width = (high - low) / parts
+    most = _most(
+        law, geometry, limit, max(best_t - width, low), min(best_t + width, high), steps, none
+    )
+    return nan, most
+
+
+def _pull(
+    law: Law,
+    geometry: Geometry,
+    tight: float,
+    limit: float,
+    z: float,
+    steps: int,
+    none: Buffer,
+) -> tuple[float, float]:
+    """Pull carried at a creep limit with a held tight side [N], and the effort for it."""
+    _, z, _, shot = carry(law, geometry, tight, CREEP, limit, z, steps, none)
+    return tight * (1.0 - exp(-abs(shot[0]))), z
+
+
+def _most(
+    law: Law, geometry: Geometry, limit: float, a: float, b: float, steps: int, none: Buffer
+) -> float:
+    """Largest pull at a creep limit over ln(tight side) in [a, b] [N], by golden section."""
+    ratio = 0.6180339887498949
+    z = nan
+    c, d = b - ratio * (b - a), a + ratio * (b - a)
+    p_c, z = _pull(law, geometry, exp(c), limit, z, steps, none)
+    p_d, z = _pull(law, geometry, exp(d), limit, z, steps, none)
+    end, z = _pull(law, geometry, exp(b), limit, z, steps, none)
+    while b - a > 1e-4 and max(p_c, p_d) >= end:
+        if p_c >= p_d:
+            b, d, p_d = d, c, p_c
+            c = b - ratio * (b - a)
+            p_c, z = _pull(law, geometry, exp(c), limit, z, steps, none)
+        else:
+            a, c, p_c = c, d, p_d
+            d = a + ratio * (b - a)
+            p_d, z = _pull(law, geometry, exp(d), limit, z, steps, none)
+    return max(p_c, p_d, end)

@@ -1,0 +1,622 @@
+"""March around one wrap arc from the entry nip to the exit nip, for a given entry creep ratio.
+
+State: q = ln(T / T1), the logarithm of tension, and x, the slip (sections "The equations" and "The
+numerical method" of the documentation). With p = p1 e^q and tau = mu(|x|, p) p sign(x):
+
+    dq/ds = -tau / (p R)
+    dx/ds = (g + (T1 - T) C + c (mu + p mu_p) mu p / R) / (1 + c p mu_x)
+
+C = 1/EA', c = h/G. Every function here takes and returns plain numbers, so that one source runs in
+the interpreter and compiled. A law arrives as (kind, edges, coefficients, slips), see
+:mod:`wraparc.friction.compact`; the drive as the tuple `par` made by :func:`parameters`.
+
+Steps are sixth order (J. C. Butcher, J. Austral. Math. Soc. 4 (1964) 179-194, 7 stages) on the mesh
+s = L xi^4, which resolves the logarithmic slope of the law at x = 0. A step uses one piece of the
+law throughout; where it ends in another piece, it is cut at the boundary.
+"""
+
+from __future__ import annotations
+
+from collections.abc import MutableSequence
+from math import exp, log, sqrt
+
+from wraparc.friction.compact import (
+    KNOTS,
+    LIMIT,
+    PIECES,
+    RISE,
+    SMALLEST,
+    TABLE,
+    Floats,
+    branch_gap,
+    branch_of,
+    friction_at,
+    peak,
+    segment_of,
+)
+
+Law = tuple[int, Floats, Floats, Floats]
+Parameters = tuple[float, ...]
+Buffer = MutableSequence[float]
+
+# places in `par`
+T1, P1, RADIUS, LENGTH, COMPLIANCE, SHEAR, KICK, WIDTH, SIDE, ONSET = range(10)
+
+#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work
+RECORD = 6
+MESH_POWER = 4
+# how near a cut lands on a boundary of the law (ln p, or slip [m]): where only the curvature of the
+# law jumps, the square of the miss counts
+CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE = 1e-6, 3e-4
+FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each step starts
+LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
+
+
+def parameters(
+    entry_tension: float,
+    side: float,
+    radius: float,
+    wrap_angle: float,
+    width: float,
+    compliance: float,
+    shear: float,
+    kick: float,
+    kick_coefficient: float,
+    onset: float,
+) -> Parameters:
+    """Numbers of one drive, as the march reads them.
+
+    Parameters
+    ----------
+    entry_tension
+        T1 [N].
+    side
+        +1 driving (T1 >= T2), -1 braking.
+    radius, wrap_angle, width
+        R [m], phi [rad], B [m].
+    compliance
+        1/EA' [1/N].
+    shear
+        h/G [m/Pa].
+    kick, kick_coefficient
+        The overrun is kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
+    onset
+        Slip per shear stress before the limit of an elastic-plastic law [m/Pa].
+    """
+    pressure = entry_tension / (width * radius)
+    overrun = kick + kick_coefficient * pressure * sqrt(pressure)
+    return (
+        entry_tension,
+        pressure,
+        radius,
+        radius * wrap_angle,
+        compliance,
+        shear,
+        overrun,
+        width,
+        side,
+        onset,
+    )
+
+
+def rates(
+    law: Law, par: Parameters, g: float, segment: int, branch: int, sign: float, q: float, x: float
+) -> tuple[float, float, float]:
+    """dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law."""
+    kind, edges, c, slips = law
+    t1, p1, radius, _, compliance, shear, _, _, _, _ = par
+    e = exp(q)
+    p = p1 * e
+    mu, mu_x, mu_p = friction_at(kind, edges, c, slips, segment, branch, x * sign, p)
+    dq = -mu / radius
+    dx = g + t1 * (1.0 - e) * compliance
+    if shear > 0.0:
+        sp = shear * p
+        dx = (dx + sp * (mu + p * mu_p) * mu / radius) / (1.0 + sp * mu_x)
+    return sign * dq, dx, sign * mu * p * dx
+
+
+def step(
+    law: Law,
+    par: Parameters,
+    g: float,
+    segment: int,
+    branch: int,
+    sign: float,
+    q: float,
+    x: float,
+    span: float,
+    xi: float,
+    h: float,
+    k1: tuple[float, float, float],
+) -> tuple[float, float, float]:
+    """One step of length h in xi; k1 are the rates at its start. Returns q, x and the friction work done."""
+    f = MESH_POWER * span
+    z = xi * xi * xi * f * h
+    a1, b1, w1 = k1[0] * z, k1[1] * z, k1[2] * z
+    t = xi + h / 3.0
+    z3 = t * t * t * f * h
+    r = rates(law, par, g, segment, branch, sign, q + a1 / 3.0, x + b1 / 3.0)
+    a2, b2 = r[0] * z3, r[1] * z3
+    t = xi + h * 2.0 / 3.0
+    z = t * t * t * f * h
+    r = rates(law, par, g, segment, branch, sign, q + a2 * 2.0 / 3.0, x + b2 * 2.0 / 3.0)
+    a3, b3, w3 = r[0] * z, r[1] * z, r[2] * z
+    r = rates(
+        law,
+        par,
+        g,
+        segment,
+        branch,
+        sign,
+        q + (a1 + 4.0 * a2 - a3) / 12.0,
+        x + (b1 + 4.0 * b2 - b3) / 12.0,
+    )
+    a4, b4, w4 = r[0] * z3, r[1] * z3, r[2] * z3
+    t = xi + 0.5 * h
+    z = t * t * t * f * h
+    r = rates(
+        law,
+        par,
+        g,
+        segment,
+        branch,
+        sign,
+        q + (18.0 * a2 - a1 - 3.0 * a3 - 6.0 * a4) / 16.0,
+        x + (18.0 * b2 - b1 - 3.0 * b3 - 6.0 * b4) / 16.0,
+    )
+    a5, b5, w5 = r[0] * z, r[1] * z, r[2] * z
+    r = rates(
+        law,
+        par,
+        g,
+        segment,
+        branch,
+        sign,
+        q + (9.0 * a2 - 3.0 * a3 - 6.0 * a4 + 4.0 * a5) / 8.0,
+        x + (9.0 * b2 - 3.0 * b3 - 6.0 * b4 + 4.0 * b5) / 8.0,
+    )
+    a6, b6, w6 = r[0] * z, r[1] * z, r[2] * z
+    t = xi + h
+    z = t * t * t * f * h
+    r = rates(
+        law,
+        par,
+        g,
+        segment,
+        branch,
+        sign,
+        q + (9.0 * a1 - 36.0 * a2 + 63.0 * a3 + 72.0 * a4 - 64.0 * a6) / 44.0,
+        x + (9.0 * b1 - 36.0 * b2 + 63.0 * b3 + 72.0 * b4 - 64.0 * b6) / 44.0,
+    )
+    a7, b7, w7 = r[0] * z, r[1] * z, r[2] * z
+    return (
+        q + (11.0 * (a1 + a7) + 81.0 * (a3 + a4) - 32.0 * (a5 + a6)) / 120.0,
+        x + (11.0 * (b1 + b7) + 81.0 * (b3 + b4) - 32.0 * (b5 + b6)) / 120.0,
+        (11.0 * (w1 + w7) + 81.0 * (w3 + w4) - 32.0 * (w5 + w6)) / 120.0,
+    )
+
+
+def _hermite(f: float, h: float, a: float, da: float, b: float, db: float) -> float:
+    """Cubic through a and b with slopes da and db over h, at the fraction f."""
+    e = 1.0 - f
+    return e * e * ((1.0 + 2.0 * f) * a + f * h * da) + f * f * ((3.0 - 2.0 * f) * b - e * h * db)
+
+
+LOWER_EDGE, UPPER_EDGE, NO_SLIP, PREVIOUS_BRANCH, NEXT_BRANCH = range(5)
+
+
+def _beyond(
+    law: Law, par: Parameters, segment: int, branch: int, side: int, q: float, x: float
+) -> float:
+    """How far a state with slip magnitude x is beyond one side of a piece; negative inside."""
+    kind, edges, c, slips = law
+    last = len(edges) - 1
+    if side == LOWER_EDGE:
+        return log(edges[segment] / par[P1]) - q if segment >= 0 else -1.0
+    if side == UPPER_EDGE:
+        return q - log(edges[segment + 1] / par[P1]) if segment < last else -1.0
+    if side == NO_SLIP:
+        return -x
+    p = par[P1] * exp(q)
+    if side == PREVIOUS_BRANCH:
+        return -branch_gap(kind, edges, c, slips, segment, branch - 1, x, p) if branch > 0 else -1.0
+    if not _has_next(law, branch):
+        return -1.0
+    return branch_gap(kind, edges, c, slips, segment, branch, x, p)
+
+
+def _first_crossing(
+    law: Law,
+    par: Parameters,
+    segment: int,
+    branch: int,
+    sign: float,
+    h: float,
+    start: tuple[float, float, float, float],
+    end: tuple[float, float, float, float],
+) -> tuple[float, int]:
+    """Where a step first leaves its piece: the fraction of the step and the side crossed.
+
+    start and end are q, x and their slopes in xi. A fraction of 1 means that it does not leave.
+    """
+    first, crossed = 1.0, -1
+    for side in range(5):
+        fb = _beyond(law, par, segment, branch, side, end[0], sign * end[1])
+        if fb <= 0.0:
+            continue
+        a, b = 0.0, 1.0
+        fa = _beyond(law, par, segment, branch, side, start[0], sign * start[1])
+        if fa >= 0.0:
+            b = 0.0
+        else:
+            # regula falsi (Illinois) on the Hermite cubics of the step
+            for _ in range(60):
+                m = (a * fb - b * fa) / (fb - fa)
+                qm = _hermite(m, h, start[0], start[2], end[0], end[2])
+                xm = _hermite(m, h, start[1], start[3], end[1], end[3])
+                fm = _beyond(law, par, segment, branch, side, qm, sign * xm)
+                if fm * fb <= 0.0:
+                    a, fa = b, fb
+                else:
+                    fa *= 0.5
+                b, fb = m, fm
+                if abs(b - a) < 1e-12 or fm == 0.0:
+                    break
+        if b < first:
+            first, crossed = b, side
+    return first, crossed
+
+
+def _has_next(law: Law, branch: int) -> bool:
+    """Whether a branch ends at larger slips."""
+    kind = law[0]
+    if kind == LIMIT:
+        return False
+    if kind == TABLE:
+        return branch < len(law[3]) - 1
+    return branch < 2
+
+
+def _cut_tolerance(law: Law, segment: int, side: int) -> float:
+    """How near a cut must land: inner knots of pressure only bend the law's slope."""
+    last = len(law[1]) - 1
+    smooth = law[0] == KNOTS and (
+        (side == LOWER_EDGE and segment > 0) or (side == UPPER_EDGE and 0 <= segment < last - 1)
+    )
+    return SMOOTH_CUT_TOLERANCE if smooth else CUT_TOLERANCE
+
+
+def _within(law: Law, par: Parameters, segment: int, branch: int, q: float, x: float) -> bool:
+    """Whether a state with slip magnitude x lies in a piece of the law."""
+    kind, edges, c, _ = law
+    p = par[P1] * exp(q)
+    last = len(edges) - 1
+    if x < 0.0 or (segment >= 0 and p < edges[segment]):
+        return False
+    if segment < last and p >= edges[segment + 1]:
+        return False
+    if branch == RISE and kind in (KNOTS, PIECES):
+        return x <= peak(kind, edges, c, segment, p)[0]
+    return (
+        _beyond(law, par, segment, branch, PREVIOUS_BRANCH, q, x) <= 0.0
+        and _beyond(law, par, segment, branch, NEXT_BRANCH, q, x) <= 0.0
+    )
+
+
+State = tuple[float, float, float, int, int, float]  # q, slip, work, segment, branch, sign
+
+
+def advance(
+    law: Law,
+    par: Parameters,
+    g: float,
+    state: State,
+    origin: float,
+    span: float,
+    xi: float,
+    xi_end: float,
+    cut: bool,
+    out: Buffer,
+    count: int,
+) -> tuple[State, int]:
+    """Carry a sliding state from xi to xi_end on the mesh s = origin + span xi^4.
+
+    Steps are cut where the law changes its piece (if `cut`); such points are recorded in `out` (if
+    it has room) behind the `count` points already there. Returns the new state and count.
+    """
+    kind, edges, c, slips = law
+    q, x, work, segment, branch, sign = state
+    switches = 0
+    while xi < xi_end:
+        h = xi_end - xi
+        k = rates(law, par, g, segment, branch, sign, q, x)
+        jacobian = MESH_POWER * span * xi * xi * xi
+        dq = abs(k[0]) * jacobian
+        if dq * h > LARGEST_LOG_STEP:
+            h = LARGEST_LOG_STEP / dq
+        q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
+        if not cut:
+            p = par[P1] * exp(q1)
+            sign = sign if sign * x1 >= 0.0 else -sign
+            segment = segment_of(edges, p)
+            branch = branch_of(kind, edges, c, slips, segment, sign * x1, p)
+        elif switches < 40 and not _within(law, par, segment, branch, q1, sign * x1):
+            switches += 1
+            t = xi + h
+            r = rates(law, par, g, segment, branch, sign, q1, x1)
+            j1 = MESH_POWER * span * t * t * t
+            f, side = _first_crossing(
+                law,
+                par,
+                segment,
+                branch,
+                sign,
+                h,
+                (q, x, k[0] * jacobian, k[1] * jacobian),
+                (q1, x1, r[0] * j1, r[1] * j1),
+            )
+            if f > 0.0:
+                tolerance = _cut_tolerance(law, segment, side)
+                f_last, gap_last = 0.0, _beyond(law, par, segment, branch, side, q, sign * x)
+                for _ in range(4):
+                    # land on the boundary: the cubic misses it a little, secant steps do not
+                    q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h * f, k)
+                    gap = _beyond(law, par, segment, branch, side, q1, sign * x1)
+                    if abs(gap) < tolerance or gap == gap_last:
+                        break
+                    f_next = f - gap * (f - f_last) / (gap - gap_last)
+                    f_last, gap_last = f, gap
+                    if not 0.0 < f_next <= 1.0:
+                        break
+                    f = f_next
+                q, x = q1, x1
+                h *= f
+                work += w1
+                xi = min(xi + h, xi_end)
+            if side == LOWER_EDGE:
+                segment -= 1
+            elif side == UPPER_EDGE:
+                segment += 1
+            elif side == NO_SLIP:
+                sign = -sign
+            elif side == PREVIOUS_BRANCH:
+                branch -= 1
+            elif side == NEXT_BRANCH:
+                branch += 1
+            if len(out) > 0 and xi < xi_end and f > 0.0:
+                record(
+                    law,
+                    par,
+                    out,
+                    count,
+                    origin + span * xi**MESH_POWER,
+                    (q, x, work, segment, branch, sign),
+                )
+                count += 1
+            continue
+        q, x, work = q1, x1, work + w1
+        xi = xi_end if h == xi_end - xi else xi + h
+    return (q, x, work, segment, branch, sign), count
+
+
+def record(law: Law, par: Parameters, out: Buffer, count: int, s: float, state: State) -> None:
+    """Write one point of a profile: s, q, slip, creep, shear stress, friction work."""
+    q, x, work, segment, branch, sign = state
+    tau, creep = stress_and_creep(law, par, state)
+    i = RECORD * count
+    out[i], out[i + 1], out[i + 2] = s, q, x
+    out[i + 3], out[i + 4], out[i + 5] = creep, tau, work
+
+
+def stress_and_creep(law: Law, par: Parameters, state: State) -> tuple[float, float]:
+    """Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state."""
+    kind, edges, c, slips = law
+    q, x, _, segment, branch, sign = state
+    if x == 0.0 and kind in (KNOTS, PIECES):
+        return 0.0, 0.0
+    p = par[P1] * exp(q)
+    mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, sign * x, p)
+    tau = sign * mu * p
+    return tau, x + par[SHEAR] * tau
+
+
+def slip_at_entry(law: Law, par: Parameters, creep: float, q: float) -> float:
+    """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
+    kind, edges, c, slips = law
+    p = par[P1] * exp(q)
+    shear = par[SHEAR]
+    segment = segment_of(edges, p)
+    low, high = 0.0, creep
+    x = creep
+    if kind in (KNOTS, PIECES):
+        slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, p)
+        r = min(creep / slip_pk, 1.0)
+        x = creep / (1.0 + shear * p * mu_pk / slip_pk * (1.0 - log(max(r, SMALLEST))))
+    for _ in range(200):
+        branch = branch_of(kind, edges, c, slips, segment, x, p)
+        mu, mu_x, _ = friction_at(kind, edges, c, slips, segment, branch, x, p)
+        f = x + shear * mu * p - creep
+        if f > 0.0:
+            high = x
+        else:
+            low = x
+        dx = f / (1.0 + shear * p * mu_x)
+        x_new = x - dx
+        if not low < x_new < high:
+            x_new = 0.5 * (low + high)
+        if abs(x_new - x) <= 1e-15 * x:
+            return x_new
+        x = x_new
+    return x
+
+
+def _leave(law: Law, par: Parameters, rate: float, q: float, s: float) -> State:
+    """State a short way s past a point of no slip, where creep grows at `rate` (no kick)."""
+    kind, edges, c, slips = law
+    sign = 1.0 if rate > 0.0 else -1.0
+    x = slip_at_entry(law, par, abs(rate) * s, q)
+    p = par[P1] * exp(q)
+    segment = segment_of(edges, p)
+    branch = branch_of(kind, edges, c, slips, segment, x, p)
+    mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, x, p)
+    # friction grows nearly in proportion to s here: its mean is half of its last value
+    dq = 0.5 * mu * s / par[RADIUS]
+    return (q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign)
+
+
+def _to_zero_slip(
+    law: Law, par: Parameters, g: float, steps: int, out: Buffer, count: int
+) -> tuple[int, float, float, float, int]:
+    """March while the creep of the kick is used up, with creep as the independent variable.
+
+    u = x_c (1 - zeta)^4: the mesh is graded towards the point of no slip, which it reaches by
+    construction. Returns a status and s, q, work there and the count of records; status 1 arrived,
+    0 the creep rate changes sign before, 2 the end of the arc comes before.
+    """
+    kick, length = par[KICK], par[LENGTH]
+    kind, edges, c, slips = law
+    q, s, work = 0.0, 0.0, 0.0
+    x = slip_at_entry(law, par, kick, 0.0)
+    h = 1.0 / steps
+    for i in range(steps - 1):
+        p = par[P1] * exp(q)
+        segment = segment_of(edges, p)
+        branch = branch_of(kind, edges, c, slips, segment, x, p)
+        # classical fourth-order step in zeta; the last mesh cell is closed analytically below
+        zeta = i * h
+        dq1 = dx1 = ds1 = dw1 = 0.0
+        sum_q = sum_x = sum_s = sum_w = 0.0
+        for stage in range(4):
+            a = 0.0 if stage == 0 else (h if stage == 3 else 0.5 * h)
+            weight = h / 6.0 if stage in (0, 3) else h / 3.0
+            qs, xs = q + a * dq1, max(x + a * dx1, 0.0)
+            rate = g + par[T1] * (1.0 - exp(qs)) * par[COMPLIANCE]
+            if rate >= 0.0:
+                return 0, 0.0, 0.0, 0.0, count
+            r = rates(law, par, g, segment, branch, 1.0, qs, xs)
+            e = 1.0 - zeta - a
+            ds1 = -4.0 * kick * e * e * e / rate
+            dq1, dx1, dw1 = r[0] * ds1, r[1] * ds1, r[2] * ds1
+            sum_q += weight * dq1
+            sum_x += weight * dx1
+            sum_s += weight * ds1
+            sum_w += weight * dw1
+        if s + sum_s >= length:
+            return 2, 0.0, 0.0, 0.0, count
+        q, x, s, work = q + sum_q, x + sum_x, s + sum_s, work + sum_w
+        if x <= 0.0:
+            return 0, 0.0, 0.0, 0.0, count
+        if len(out) > 0:
+            record(law, par, out, count, s, (q, x, work, segment, branch, 1.0))
+            count += 1
+    rate = g + par[T1] * (1.0 - exp(q)) * par[COMPLIANCE]
+    if rate >= 0.0:
+        return 0, 0.0, 0.0, 0.0, count
+    ds = kick * h**4 / -rate
+    if s + ds >= length:
+        return 2, 0.0, 0.0, 0.0, count
+    return 1, s + ds, q + 0.5 * ds * rates(law, par, g, segment, branch, 1.0, q, x)[0], work, count
+
+
+def _mesh(
+    law: Law,
+    par: Parameters,
+    g: float,
+    state: State,
+    origin: float,
+    first: int,
+    steps: int,
+    points: int,
+    out: Buffer,
+    count: int,
+) -> tuple[State, int]:
+    """Carry a state from mesh node `first` to the exit, recording `points` equal parts of the arc."""
+    length = par[LENGTH]
+    span = length - origin
+    h = 1.0 / steps
+    cut = steps >= FEWEST_CUT_STEPS
+    if len(out) > 0 and first > 0:
+        record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state)
+        count += 1
+    for i in range(first, steps):
+        xi, xi_end = i * h, (i + 1) * h
+        if points > 0:
+            # the first point of the equal division that lies past this node
+            j = int((origin + span * xi**MESH_POWER) / length * points * (1.0 + 1e-12)) + 1
+            while j < points:
+                t = (max(j * length / points - origin, 0.0) / span) ** (1.0 / MESH_POWER)
+                if t >= xi_end * (1.0 - 1e-12):
+                    break
+                if t > xi:
+                    between, _ = advance(law, par, g, state, origin, span, xi, t, cut, out[:0], 0)
+                    record(law, par, out, count, j * length / points, between)
+                    count += 1
+                j += 1
+        state, count = advance(law, par, g, state, origin, span, xi, xi_end, cut, out, count)
+    if len(out) > 0:
+        record(law, par, out, count, length, state)
+        count += 1
+    return state, count
+
+
+def sweep(
+    law: Law, par: Parameters, g: float, steps: int, points: int, out: Buffer
+) -> tuple[State, int]:
+    """March the whole arc with a law that starts without a jump.
+
+    Parameters
+    ----------
+    law, par
+        See the module.
+    g
+        Entry creep ratio [-].
+    steps
+        Mesh steps over the arc.
+    points, out
+        Equal parts of the arc to record, and the buffer for them (RECORD numbers a point, in order
+        of s once sorted); 0 and an empty buffer for none.
+
+    Returns
+    -------
+    state, count
+        State at the exit nip and the number of points recorded.
+    """
+    kind, edges, c, slips = law
+    kick, length = par[KICK], par[LENGTH]
+    count = 0
+    if kick > 0.0:
+        x = slip_at_entry(law, par, kick, 0.0)
+        p = par[P1]
+        segment = segment_of(edges, p)
+        state = (0.0, x, 0.0, segment, branch_of(kind, edges, c, slips, segment, x, p), 1.0)
+        if len(out) > 0:
+            record(law, par, out, 0, 0.0, state)
+            count = 1
+        if g < 0.0 and kind != TABLE:
+            status, s, q, work, n = _to_zero_slip(law, par, g, steps, out, count)
+            if status == 1:
+                rate = g + par[T1] * (1.0 - exp(q)) * par[COMPLIANCE]
+                cell = (length - s) / steps**MESH_POWER
+                gone = _leave(law, par, rate, q, cell)
+                state = (gone[0], gone[1], gone[2] + work, gone[3], gone[4], gone[5])
+                return _mesh(law, par, g, state, s, 1, steps, points, out, n)
+        return _mesh(law, par, g, state, 0.0, 0, steps, points, out, count)
+    if len(out) > 0:
+        out[0] = out[1] = out[2] = out[3] = out[4] = out[5] = 0.0
+        count = 1
+    if g == 0.0:
+        p = par[P1]
+        state = (0.0, 0.0, 0.0, segment_of(edges, p), 0, 1.0)
+        if len(out) > 0:
+            for j in range(1, points + 1):
+                out[RECORD * count] = j * length / points
+                for i in range(1, RECORD):
+                    out[RECORD * count + i] = 0.0
+                count += 1
+        return state, count
+    if kind == TABLE:
+        state = (0.0, 0.0, 0.0, segment_of(edges, par[P1]), 0, 1.0 if g > 0.0 else -1.0)
+        return _mesh(law, par, g, state, 0.0, 0, steps, points, out, count)
+    state = _leave(law, par, g, 0.0, length / steps**MESH_POWER)
+    return _mesh(law, par, g, state, 0.0, 1, steps, points, out, count)

@@ -1,0 +1,228 @@
+"""The march as the paper describes it: from the exit nip, with the shrinkage of the belt lumped.
+
+B. DeVries, "A model of lagging friction as a function of creep history and wrap pressure", section
+Application. Kept as published, as a second opinion: it overstates the shrinkage of soft belts.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from wraparc.arc.march import Law
+from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
+from wraparc.arc.shoot import jumps
+from wraparc.arc.stick import onset_stress
+from wraparc.arc.wrap_arc import WrapArc
+from wraparc.friction.compact import branch_of, friction_at, segment_of
+
+nan = math.nan
+
+
+@dataclass(frozen=True)
+class PaperMarch:
+    """The paper's calculator: equal segments from the exit, lumped shrinkage, one global creep.
+
+    At the exit end of a segment with the remaining arc L_i behind it
+
+        u = (T1 - T) L_i/EA + (global creep) L_i/L + x_c,
+
+    tau = mu(x, p) p with x = u - (h/G) tau, and T grows by tau B ds towards the entry. The global
+    creep, of either sign, is found so that the tension at the entry is T1.
+
+    Attributes
+    ----------
+    segment
+        Largest length of a segment [m].
+    """
+
+    segment: float = 2.5e-3
+
+    @property
+    def name(self) -> str:
+        """Name in files and reports."""
+        return "paper"
+
+    def solve(self, arc: WrapArc) -> ArcResult:
+        """Solve one arc; capacities are not part of this method.
+
+        Raises
+        ------
+        InputError
+            If the law is unfit for the arc, see `WrapArc`.
+        """
+        march = _March(arc, math.ceil(arc.length / self.segment))
+        goal = arc.side * math.log(arc.entry_tension / arc.exit_tension)
+        found, share = _search(march, goal)
+        return march.result(self.name, Status.SOLVED if found else Status.BREAKAWAY, share)
+
+
+def _search(march: _March, goal: float) -> tuple[bool, float]:
+    """Global creep towards the slack side at which the tensions meet, or that of the largest ratio."""
+    scale = 1e-3
+    low, high = nan, nan
+    share, last, f_last = scale, nan, nan
+    best, f_best = share, -math.inf
+    for _ in range(200):
+        f = march.ratio(share) - goal
+        if abs(f) < 1e-12:
+            return True, share
+        if f > f_best:
+            best, f_best = share, f
+        if f < 0.0:
+            low = share
+        else:
+            high = share
+        if math.isnan(high):
+            if f < f_last - 1e-15 or share > march.arc.length:
+                # friction no longer grows with creep: the largest ratio lies near the best so far
+                best, f_best = _climb(march, 0.5 * best, 2.5 * best, goal)
+                if f_best < 0.0:
+                    return False, best
+                high, new = best, 0.5 * (low + best)
+            else:
+                new = 2.0 * share if share > 0.0 else share + scale
+        elif math.isnan(low):
+            new = share - 2.0 * max(abs(share), scale)
+        else:
+            new = nan if f == f_last else share - f * (share - last) / (f - f_last)
+            if not low < new < high:
+                new = 0.5 * (low + high)
+            if new in (low, high):
+                return abs(f) < 1e-8, share
+        last, f_last, share = share, f, new
+    return False, best
+
+
+def _climb(march: _March, a: float, b: float, goal: float) -> tuple[float, float]:
+    ratio = 0.6180339887498949
+    for _ in range(40):
+        c, d = b - ratio * (b - a), a + ratio * (b - a)
+        if march.ratio(c) >= march.ratio(d):
+            b = d
+        else:
+            a = c
+    share = 0.5 * (a + b)
+    return share, march.ratio(share) - goal
+
+
+class _March:
+    """The march over one arc; it remembers nothing but its input."""
+
+    def __init__(self, arc: WrapArc, segments: int) -> None:
+        self.arc, self.segments = arc, segments
+        self.law: Law = arc.compact_law()
+        self.onset = arc.law.compact().onset_compliance
+
+    def ratio(self, share: float) -> float:
+        """ln(tight/slack) carried with a global creep towards the slack side [m]."""
+        return self.arc.side * math.log(self.walk(share)[-1][1] / self.arc.exit_tension)
+
+    def walk(self, share: float) -> list[tuple[float, float, float, float, float]]:
+        """Remaining arc, tension, creep, slip and shear stress at each segment's exit end, then the entry."""
+        arc = self.arc
+        kind, edges, c, slips = self.law
+        length, kick = arc.length, arc.entry_overrun
+        stiffness, shear = arc.axial_stiffness, arc.shear_compliance
+        step = length / self.segments
+        area, tension, x = arc.width * arc.radius, arc.exit_tension, 0.0
+        jump = jumps(self.law)
+        rows = []
+        for i in range(self.segments + 1):
+            remaining = length - i * step
+            u = (arc.entry_tension - tension) * remaining / stiffness
+            u += arc.side * share * remaining / length + kick
+            sign = 1.0 if u >= 0.0 else -1.0
+            p = tension / area
+            held = (shear + self.onset) * onset_stress(self.law, p)[0] if jump else 0.0
+            if jump and abs(u) <= held:
+                tau = u / (shear + self.onset) if shear + self.onset > 0.0 else 0.0
+                x = abs(u) - shear * abs(tau)
+            else:
+                x, mu = _slip(self.law, shear, p, abs(u), x)
+                tau = sign * mu * p
+            rows.append((remaining, tension, u, sign * x, tau))
+            if i < self.segments:
+                tension = max(tension + tau * arc.width * step, 1e-9 * arc.exit_tension)
+        return rows
+
+    def result(self, name: str, status: Status, share: float) -> ArcResult:
+        """Complete result of the march with a global creep towards the slack side [m]."""
+        arc = self.arc
+        remaining, tension, creep, slip, stress = np.array(self.walk(share)[::-1]).T
+        position = remaining / arc.radius
+        pressure = 2.0 * tension / (arc.width * arc.diameter)
+        peak = int(np.argmax(np.abs(stress)))
+        pull = arc.entry_tension - arc.exit_tension
+        tested, outside = arc.law.tested, nan
+        if tested is not None:
+            out = (
+                (pressure < tested.pressure_min)
+                | (pressure > tested.pressure_max)
+                | (np.abs(slip) > tested.slip_max)
+            )
+            outside = float(np.mean(out))
+        change = np.abs(tension[0] - tension) / max(abs(pull), 1e-300)
+        active = position[change > 0.01]
+        work = float(np.sum(0.5 * (stress[1:] + stress[:-1]) * np.diff(slip)))
+        profile = Profile(
+            position=position,
+            tension=tension,
+            wrap_pressure=pressure,
+            friction=arc.law.friction(slip, pressure),
+            friction_used=stress / pressure,
+            slip=slip,
+            creep=creep,
+            shear_stress=stress,
+            shear_angle=np.arctan(stress / arc.shear_modulus),
+            sliding=(np.abs(slip) > 0.0).astype(float),
+        )
+        top = float(abs(stress[peak]))
+        return ArcResult(
+            status=status,
+            method=name,
+            arc=arc,
+            profile=profile,
+            entry_tension=float(tension[0]),
+            exit_tension=arc.exit_tension,
+            exit_creep=float(creep[-1]),
+            creep_shrinkage=pull * arc.length / arc.axial_stiffness,
+            creep_compression=arc.entry_overrun,
+            creep_global=arc.side * share,
+            exit_slip=float(slip[-1]),
+            entry_creep_ratio=arc.side * share / arc.length,
+            exit_creep_ratio=arc.side * share / arc.length + pull / arc.axial_stiffness,
+            peak_shear_stress=top,
+            peak_shear_angle=math.atan(top / arc.shear_modulus),
+            peak_shear_position=float(position[peak]),
+            mean_friction=abs(math.log(tension[0] / tension[-1])) / arc.wrap_angle,
+            active_arc=arc.wrap_angle - float(active[0]) if len(active) else 0.0,
+            outside_tested_share=outside,
+            stuck_arc=0.0,
+            capacities=Capacities(),
+            energy=Energy(frictional_energy=work),
+        )
+
+
+def _slip(law: Law, shear: float, p: float, u: float, guess: float) -> tuple[float, float]:
+    """Slip x in [0, u] with x + (h/G) mu(x, p) p = u, and mu there (Newton, safeguarded)."""
+    kind, edges, c, slips = law
+    segment = segment_of(edges, p)
+    low, high = 0.0, u
+    x = guess if 0.0 < guess < u else u
+    for _ in range(100):
+        branch = branch_of(kind, edges, c, slips, segment, x, p)
+        mu, mu_x, _ = friction_at(kind, edges, c, slips, segment, branch, x, p)
+        f = x + shear * mu * p - u
+        if abs(f) <= 1e-13 * u or shear == 0.0:
+            break
+        if f > 0.0:
+            high = x
+        else:
+            low = x
+        x -= f / (1.0 + shear * p * mu_x)
+        if not low < x < high:
+            x = 0.5 * (low + high)
+    return x, mu

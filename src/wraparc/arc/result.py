@@ -1,0 +1,244 @@
+"""Everything a solve of one arc has to say, in one frozen result."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.wrap_arc import WrapArc
+
+Array = NDArray[np.float64]
+nan = math.nan
+
+
+class Status(StrEnum):
+    """How a solve ended: the value is the sentence the user reads, with its remedy."""
+
+    SOLVED = "The pulley carries its load."
+    BREAKAWAY = (
+        "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side "
+        "tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."
+    )
+    UNSOLVED = (
+        "The solver did not reach its accuracy on this arc. Please report the drive file; until "
+        "then change a value slightly."
+    )
+
+    @property
+    def solved(self) -> bool:
+        """Whether the pulley carries its load."""
+        return self is Status.SOLVED
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """Quantities along the arc, from the entry nip to the exit nip; arrays of one shape (n,).
+
+    Attributes
+    ----------
+    position
+        theta from the entry nip [rad].
+    tension
+        T [N].
+    wrap_pressure
+        p [Pa].
+    friction
+        Friction available, mu(x, p), with the sign of the slip [-].
+    friction_used
+        tau/p [-].
+    slip, creep
+        x and u, rearward positive [m].
+    shear_stress
+        tau, positive where the pulley drives the belt [Pa].
+    shear_angle
+        gamma [rad].
+    sliding
+        1 where the belt slides on the lagging, 0 where it sticks.
+    """
+
+    position: Array
+    tension: Array
+    wrap_pressure: Array
+    friction: Array
+    friction_used: Array
+    slip: Array
+    creep: Array
+    shear_stress: Array
+    shear_angle: Array
+    sliding: Array
+
+    def __len__(self) -> int:
+        return len(self.position)
+
+    def columns(self) -> Iterator[tuple[str, Array]]:
+        """Yield each column with its name in the glossary."""
+        for f in fields(self):
+            yield f.name, getattr(self, f.name)
+
+
+@dataclass(frozen=True)
+class Capacities:
+    """What the pulley could carry with its tight side held (T1 driving, T2 braking).
+
+    Ratios are tight over slack side; margins are the capacity over the actual ratio.
+
+    Attributes
+    ----------
+    creep_limit_capacity, creep_limit_margin
+        Ratio at the creep limit, the design number [-].
+    equivalent_friction
+        ln(creep_limit_capacity)/phi: a constant friction to set beside CEMA and DIN values [-].
+    least_exit_tension
+        Least slack-side tension that carries the same effective tension within the creep limit
+        [N]; nan if there is none with the tight-side pressure in the tested range.
+    largest_effective_tension
+        Largest |T1 - T2| within the creep limit with the tight-side pressure in the tested range
+        [N]; nan where `least_exit_tension` exists.
+    tested_slip_capacity, tested_slip_margin
+        Ratio at which the exit slip is the largest tested [-]; nan without a tested range.
+    gross_slip_capacity, gross_slip_margin
+        Ratio at gross slip, an extrapolation [-].
+    gross_slip_creep
+        Exit creep there [m]; inf if no finite creep attains it.
+    """
+
+    creep_limit_capacity: float = nan
+    creep_limit_margin: float = nan
+    equivalent_friction: float = nan
+    least_exit_tension: float = nan
+    largest_effective_tension: float = nan
+    tested_slip_capacity: float = nan
+    tested_slip_margin: float = nan
+    gross_slip_capacity: float = nan
+    gross_slip_margin: float = nan
+    gross_slip_creep: float = nan
+
+
+@dataclass(frozen=True)
+class Energy:
+    """Losses and wear; powers are nan where the belt speed is not known.
+
+    Attributes
+    ----------
+    transmitted_power
+        v_s (T1 - T2) with the speed v_s of the lagging surface at the entry [W].
+    sliding_power
+        v_s B int tau dx [W].
+    shear_loss
+        Shear energy given up at the exit, v_s B (h/2G)(tau_exit^2 - tau_entry^2) [W].
+    power_loss
+        Sum of both [W].
+    efficiency
+        Driving 1 - loss/power, braking 1/(1 + loss/|power|) [-].
+    frictional_energy
+        int tau dx, per area of lagging and pass [J/m2].
+    wear_rate
+        Depth per million passes [m]; nan without a wear coefficient.
+    identity_error
+        Relative miss of the exact loss (T1 - T2)[g + (T1 - T2)/(2 EA')]: a check of the solve [-].
+    """
+
+    transmitted_power: float = nan
+    sliding_power: float = nan
+    shear_loss: float = nan
+    power_loss: float = nan
+    efficiency: float = nan
+    frictional_energy: float = nan
+    wear_rate: float = nan
+    identity_error: float = nan
+
+
+@dataclass(frozen=True, eq=False)
+class ArcResult:
+    """The complete answer for one arc.
+
+    A breakaway has the same fields: they describe the belt at the largest tension ratio that the
+    friction can carry, with `status` saying so.
+
+    Attributes
+    ----------
+    status
+        How the solve ended.
+    method
+        Name of the method.
+    arc
+        What was solved.
+    profile
+        Quantities along the arc.
+    entry_tension, exit_tension
+        Tensions of the solution [N]; on breakaway the slack side differs from the one asked for.
+    exit_creep, creep_shrinkage, creep_compression, creep_global
+        Creep at the exit and its three parts [m].
+    exit_slip
+        Slip at the exit [m].
+    entry_creep_ratio, exit_creep_ratio
+        g and g + (T1 - T2)/EA' [-].
+    peak_shear_stress, peak_shear_angle, peak_shear_position
+        Largest shear stress [Pa], angle [rad], and where [rad].
+    mean_friction
+        |ln(T1/T2)|/phi [-].
+    active_arc
+        Exit part that takes 99 % of the tension change [rad].
+    outside_tested_share
+        Fraction of the wrap outside the tested range; nan for a law without one [-].
+    stuck_arc
+        Entry part over which the belt does not slip [rad].
+    capacities, energy
+        See there.
+    """
+
+    status: Status
+    method: str
+    arc: WrapArc
+    profile: Profile
+    entry_tension: float
+    exit_tension: float
+    exit_creep: float
+    creep_shrinkage: float
+    creep_compression: float
+    creep_global: float
+    exit_slip: float
+    entry_creep_ratio: float
+    exit_creep_ratio: float
+    peak_shear_stress: float
+    peak_shear_angle: float
+    peak_shear_position: float
+    mean_friction: float
+    active_arc: float
+    outside_tested_share: float
+    stuck_arc: float
+    capacities: Capacities
+    energy: Energy
+
+    @property
+    def tension_ratio(self) -> float:
+        """T1/T2 of the solution [-]."""
+        return self.entry_tension / self.exit_tension
+
+    @property
+    def effective_tension(self) -> float:
+        """T1 - T2 of the solution [N]."""
+        return self.entry_tension - self.exit_tension
+
+    @property
+    def within_creep_limit(self) -> bool:
+        """Whether |exit creep| is within the creep limit."""
+        return self.status.solved and abs(self.exit_creep) <= self.arc.creep_limit
+
+    def scalars(self) -> dict[str, float]:
+        """Every reported number by its name in the glossary [SI]."""
+        named = {
+            f.name: getattr(self, f.name)
+            for f in fields(self)
+            if isinstance(getattr(self, f.name), float)
+        }
+        named["tension_ratio"] = self.tension_ratio
+        named["effective_tension"] = self.effective_tension
+        for part in (self.capacities, self.energy):
+            named.update({f.name: getattr(part, f.name) for f in fields(part)})
+        return named

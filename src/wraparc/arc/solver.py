@@ -1,0 +1,226 @@
+"""The main solver: creep distributed along the arc (section "The equations" of the documentation)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from wraparc.arc.capacity import (
+    STUCK,
+    Geometry,
+    carry,
+    largest_ratio,
+    least_slack,
+    parameters_at,
+    solve_tension,
+)
+from wraparc.arc.march import RECORD, Law, Parameters
+from wraparc.arc.profile import active_length, peak_stress, share_outside, sort
+from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
+from wraparc.arc.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot, fire
+from wraparc.arc.wrap_arc import WrapArc
+
+nan = math.nan
+#: largest relative miss of T2 that counts as solved
+BALANCE = 1e-8
+
+
+@dataclass(frozen=True)
+class Distributed:
+    """Creep distributed along the arc, slip as the state, one root in the entry creep ratio.
+
+    Attributes
+    ----------
+    steps
+        Mesh steps over the arc; 24 keep exit creep, slip and peak shear within 1e-5.
+    points
+        Equal parts of the wrap at which the profile is given.
+    capacities
+        Whether the three capacities are found too.
+    """
+
+    steps: int = 24
+    points: int = 180
+    capacities: bool = True
+
+    @property
+    def name(self) -> str:
+        """Name in files and reports."""
+        return "distributed"
+
+    def solve(self, arc: WrapArc) -> ArcResult:
+        """Solve one arc.
+
+        Raises
+        ------
+        InputError
+            If the law is unfit for the arc, see `WrapArc`.
+        """
+        law, geometry = arc.compact_law(), arc.geometry()
+        par = parameters_at(arc.entry_tension, geometry)
+        none: list[float] = []
+        outcome, z, shot = solve_tension(law, par, arc.exit_tension, self.steps, none)
+        status = Status.SOLVED
+        if outcome == EXHAUSTED:
+            status = Status.BREAKAWAY
+        elif outcome not in (FOUND, STUCK) or not _balanced(arc, shot):
+            status = Status.UNSOLVED
+        out = [0.0] * (RECORD * (2 * self.points + 8 * self.steps + 400))
+        count = 0
+        if z > -math.inf:
+            shot, count = fire(law, par, z, self.steps, self.points, out)
+            sort(out, count)
+        else:
+            for i in range(self.points + 1):
+                out[RECORD * i] = arc.length * i / self.points
+            count = self.points + 1
+        found = self._capacities(arc, law, geometry) if self.capacities else Capacities()
+        return _result(self.name, arc, law, par, status, shot, out, count, found)
+
+    def _capacities(self, arc: WrapArc, law: Law, geometry: Geometry) -> Capacities:
+        tight = max(arc.entry_tension, arc.exit_tension)
+        actual = tight / min(arc.entry_tension, arc.exit_tension)
+        none: list[float] = []
+        outcome, z, entry, shot = carry(
+            law, geometry, tight, CREEP, arc.creep_limit, nan, self.steps, none
+        )
+        creep = math.exp(abs(shot[0])) if outcome == FOUND else nan
+        least, most = nan, nan
+        tested = arc.law.tested
+        pull = abs(arc.effective_tension)
+        if pull > 0.0 and outcome == FOUND:
+            top = 1e3 * tight
+            if tested is not None:
+                top = tested.pressure_max * arc.width * arc.radius
+            least, most = least_slack(
+                law, geometry, pull, arc.creep_limit, tight, entry, z, top, self.steps, none
+            )
+        slip = nan
+        if tested is not None:
+            outcome, _, _, shot = carry(
+                law, geometry, tight, SLIP, tested.slip_max, nan, self.steps, none
+            )
+            slip = math.exp(abs(shot[0])) if outcome == FOUND else nan
+        gross, gross_creep = largest_ratio(
+            law, geometry, tight, arc.law.steepest_fall() < 0.0, self.steps, none
+        )
+        gross = math.exp(gross)
+        return Capacities(
+            creep_limit_capacity=creep,
+            creep_limit_margin=creep / actual,
+            equivalent_friction=math.log(creep) / arc.wrap_angle,
+            least_exit_tension=least,
+            largest_effective_tension=most,
+            tested_slip_capacity=slip,
+            tested_slip_margin=slip / actual,
+            gross_slip_capacity=gross,
+            gross_slip_margin=gross / actual,
+            gross_slip_creep=gross_creep,
+        )
+
+
+def _balanced(arc: WrapArc, shot: Shot) -> bool:
+    tension = arc.entry_tension * math.exp(shot[0])
+    return abs(tension / arc.exit_tension - 1.0) <= BALANCE
+
+
+def _result(
+    method: str,
+    arc: WrapArc,
+    law: Law,
+    par: Parameters,
+    status: Status,
+    shot: Shot,
+    out: list[float],
+    count: int,
+    capacities: Capacities,
+) -> ArcResult:
+    q, slip, creep, _, _, g, zone = shot
+    exit_tension = arc.entry_tension * math.exp(q)
+    peak, where = peak_stress(out, count)
+    tested = arc.law.tested
+    outside = nan
+    if tested is not None:
+        outside = share_outside(
+            par, out, count, tested.pressure_min, tested.pressure_max, tested.slip_max
+        )
+    overrun = arc.entry_overrun
+    distributed = creep - overrun - g * arc.length
+    pull = arc.entry_tension - exit_tension
+    recovery = arc.recovery_compliance / arc.compliance if arc.compliance > 0.0 else 0.0
+    return ArcResult(
+        status=status,
+        method=method,
+        arc=arc,
+        profile=_profile(arc, out, count, zone),
+        entry_tension=arc.entry_tension,
+        exit_tension=arc.exit_tension if status is Status.SOLVED else exit_tension,
+        exit_creep=creep,
+        creep_shrinkage=(1.0 - recovery) * distributed,
+        creep_compression=recovery * distributed + overrun,
+        creep_global=g * arc.length,
+        exit_slip=slip,
+        entry_creep_ratio=g,
+        exit_creep_ratio=g + pull * arc.compliance,
+        peak_shear_stress=peak,
+        peak_shear_angle=math.atan(peak / arc.shear_modulus),
+        peak_shear_position=where / arc.radius,
+        mean_friction=abs(q) / arc.wrap_angle,
+        active_arc=active_length(out, count) / arc.radius,
+        outside_tested_share=outside,
+        stuck_arc=zone / arc.radius,
+        capacities=capacities,
+        energy=_energy(arc, g, pull, shot, out[4]),
+    )
+
+
+def _profile(arc: WrapArc, out: list[float], count: int, zone: float) -> Profile:
+    rows: Array = np.array(out[: RECORD * count]).reshape(count, RECORD)
+    s, q, slip, creep, tau = rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3], rows[:, 4]
+    tension = arc.entry_tension * np.exp(q)
+    pressure = 2.0 * tension / (arc.width * arc.diameter)
+    # a stuck belt has the friction of vanishing slip available
+    sliding = (s > zone) | (zone == 0.0)
+    tiny = np.copysign(1e-300, np.where(tau == 0.0, arc.side, tau))
+    friction = arc.law.friction(np.where(sliding, slip, tiny), pressure)
+    return Profile(
+        position=s / arc.radius,
+        tension=tension,
+        wrap_pressure=pressure,
+        friction=friction,
+        friction_used=tau / pressure,
+        slip=slip,
+        creep=creep,
+        shear_stress=tau,
+        shear_angle=np.arctan(tau / arc.shear_modulus),
+        sliding=sliding.astype(float),
+    )
+
+
+def _energy(arc: WrapArc, g: float, pull: float, shot: Shot, entry_stress: float) -> Energy:
+    """Loss and wear of a solved arc, per second where the belt speed is known."""
+    _, _, _, stress, work, _, _ = shot
+    shear = 0.5 * arc.shear_compliance * (stress * stress - entry_stress * entry_stress)
+    exact = pull * (g + 0.5 * pull * arc.compliance)
+    miss = arc.width * (work + shear) - exact
+    speed = nan if arc.belt_speed is None else arc.belt_speed / (1.0 - g)
+    power, loss = speed * pull, speed * arc.width * (work + shear)
+    efficiency = nan
+    if abs(pull) > 1e-6 * arc.entry_tension:
+        part = arc.width * (work + shear) / abs(pull)
+        efficiency = 1.0 - part if pull > 0.0 else 1.0 / (1.0 + part)
+    wear = nan
+    if arc.wear_coefficient is not None:
+        wear = 1e6 * arc.wear_coefficient * work
+    return Energy(
+        transmitted_power=power,
+        sliding_power=speed * arc.width * work,
+        shear_loss=speed * arc.width * shear,
+        power_loss=loss,
+        efficiency=efficiency,
+        frictional_energy=work,
+        wear_rate=wear,
+        identity_error=abs(miss) / max(abs(exact), 1e-6 * arc.entry_tension * abs(g), 1e-300),
+    )

@@ -1,0 +1,256 @@
+"""One loaded wrap arc: everything a solver needs to know, in SI."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from wraparc.arc.capacity import Geometry
+from wraparc.arc.march import Law
+from wraparc.arc.shoot import jumps
+from wraparc.arc.stick import onset_stress
+from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+from wraparc.errors import InputError, Problem
+from wraparc.friction import FrictionLaw
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrapArc:
+    """A belt on one pulley in one load case.
+
+    Attributes
+    ----------
+    law
+        Friction law of the lagging.
+    entry_tension, exit_tension
+        T1 and T2, > 0 [N].
+    diameter
+        D over the unloaded lagging [m].
+    wrap_angle
+        phi [rad].
+    width
+        Belt width B [m].
+    axial_stiffness
+        EA = M B [N]; inf for a rigid belt.
+    thickness
+        Thickness h of the lagging that shears [m].
+    shear_modulus
+        G of the lagging [Pa]; inf if it does not shear.
+    compression_modulus
+        Effective compression modulus E_c of the lagging [Pa]; inf if it does not compress.
+    overrun
+        Slip x_c at the entry nip [m], or None for 1.25 delta sqrt(delta/R) with the compression
+        delta = (h/E_c) p1.
+    recovery
+        Whether the lagging recovers along the arc as the pressure falls.
+    creep_limit
+        Creep at the exit that is accepted [m].
+    belt_speed
+        Speed of the belt at the entry [m/s], or None.
+    wear_coefficient
+        Worn volume per frictional energy [m3/J], or None.
+    pulley, load_case
+        Names, for reports.
+    """
+
+    law: FrictionLaw
+    entry_tension: float
+    exit_tension: float
+    diameter: float
+    wrap_angle: float
+    width: float
+    axial_stiffness: float
+    thickness: float = 0.0
+    shear_modulus: float = math.inf
+    compression_modulus: float = math.inf
+    overrun: float | None = None
+    recovery: bool = True
+    creep_limit: float = CREEP_LIMIT
+    belt_speed: float | None = None
+    wear_coefficient: float | None = None
+    pulley: str = ""
+    load_case: str = ""
+
+    def __post_init__(self) -> None:
+        problems = [
+            Problem(key=key, value=f"{value:g} {unit}", message="must be positive and finite")
+            for key, value, unit in (
+                ("entry_tension", self.entry_tension, "N"),
+                ("exit_tension", self.exit_tension, "N"),
+                ("diameter", self.diameter, "m"),
+                ("wrap_angle", self.wrap_angle, "rad"),
+                ("width", self.width, "m"),
+                ("creep_limit", self.creep_limit, "m"),
+            )
+            if not 0.0 < value < math.inf
+        ]
+        problems += [
+            Problem(key=key, value=f"{value:g} {unit}", message="must be 0 or positive, and finite")
+            for key, value, unit in (
+                ("thickness", self.thickness, "m"),
+                ("overrun", self.overrun or 0.0, "m"),
+            )
+            if not 0.0 <= value < math.inf
+        ]
+        problems += [
+            Problem(key=key, value=f"{value:g} {unit}", message="must be positive")
+            for key, value, unit in (
+                ("axial_stiffness", self.axial_stiffness, "N"),
+                ("shear_modulus", self.shear_modulus, "Pa"),
+                ("compression_modulus", self.compression_modulus, "Pa"),
+            )
+            if not value > 0.0
+        ]
+        if not problems:
+            problems = self._law_problems()
+        if problems:
+            raise InputError(problems)
+
+    def _law_problems(self) -> list[Problem]:
+        problems = []
+        top = self.wrap_pressure(max(self.entry_tension, self.exit_tension))
+        if self.shear_compliance * top * self.law.steepest_fall() <= -1.0:
+            fall = -1.0 / (self.shear_compliance * top)
+            problems.append(
+                Problem(
+                    key="lagging",
+                    value=f"post_peak_slope {self.law.steepest_fall():g} 1/m",
+                    message=(
+                        "friction falls so steeply past its peak that slip and shear of the "
+                        f"lagging are not unique; at {top:g} Pa the slope must stay above "
+                        f"{fall:g} 1/m (-G/(h p))"
+                    ),
+                    remedy="Check the unit of the slope, the thickness and the shear modulus.",
+                )
+            )
+        law = self.compact_law()
+        kick = self.entry_overrun
+        if kick > 0.0 and jumps(law):
+            held = self._held_creep(law)
+            if kick > held:
+                problems.append(
+                    Problem(
+                        key="overrun",
+                        value=f"{kick:g} m",
+                        message=(
+                            "this friction law holds the belt without slip up to a creep of "
+                            f"{held:g} m; with an overrun beyond that the creep of a belt that "
+                            "comes to rest again is not unique"
+                        ),
+                        remedy='Set overrun = "0 mm" for this law.',
+                    )
+                )
+        return problems
+
+    def _held_creep(self, law: Law) -> float:
+        compliance = self.shear_compliance + self.law.compact().onset_compliance
+        return compliance * onset_stress(law, self.entry_pressure)[0]
+
+    @classmethod
+    def of(cls, drive: Drive, pulley: Pulley, case: LoadCase) -> WrapArc:
+        """Return the arc of one pulley of a drive in one load case."""
+        lagging, tensions = pulley.lagging, case.tensions[pulley.name]
+        return cls(
+            law=lagging.law,
+            entry_tension=tensions.entry,
+            exit_tension=tensions.exit,
+            diameter=pulley.diameter,
+            wrap_angle=pulley.wrap_angle,
+            width=drive.belt.width,
+            axial_stiffness=drive.belt.axial_stiffness,
+            thickness=lagging.thickness,
+            shear_modulus=lagging.shear_modulus,
+            compression_modulus=lagging.compression_modulus,
+            overrun=pulley.overrun,
+            recovery=pulley.recovery,
+            creep_limit=drive.creep_limit_of(pulley),
+            belt_speed=drive.belt.speed,
+            wear_coefficient=lagging.wear_coefficient,
+            pulley=pulley.name,
+            load_case=case.name,
+        )
+
+    @property
+    def radius(self) -> float:
+        """R = D/2 [m]."""
+        return 0.5 * self.diameter
+
+    @property
+    def length(self) -> float:
+        """L = R phi [m]."""
+        return self.radius * self.wrap_angle
+
+    @property
+    def effective_tension(self) -> float:
+        """T1 - T2 [N]."""
+        return self.entry_tension - self.exit_tension
+
+    @property
+    def side(self) -> float:
+        """+1 on a driving or idling pulley, -1 on a braking one."""
+        return 1.0 if self.entry_tension >= self.exit_tension else -1.0
+
+    def wrap_pressure(self, tension: float) -> float:
+        """p = 2 T/(B D) [Pa]."""
+        return 2.0 * tension / (self.width * self.diameter)
+
+    @property
+    def entry_pressure(self) -> float:
+        """Wrap pressure at the entry nip [Pa]."""
+        return self.wrap_pressure(self.entry_tension)
+
+    @property
+    def shear_compliance(self) -> float:
+        """h/G, shear displacement per shear stress [m/Pa]."""
+        return self.thickness / self.shear_modulus
+
+    @property
+    def compression_compliance(self) -> float:
+        """h/E_c, compression per wrap pressure [m/Pa]."""
+        return self.thickness / self.compression_modulus
+
+    @property
+    def recovery_compliance(self) -> float:
+        """kappa = 2 h/(B D R E_c), extra compliance from the recovery of the lagging [1/N]."""
+        if not self.recovery:
+            return 0.0
+        return 2.0 * self.compression_compliance / (self.width * self.diameter * self.radius)
+
+    @property
+    def compliance(self) -> float:
+        """1/EA' = 1/EA + kappa [1/N]."""
+        return 1.0 / self.axial_stiffness + self.recovery_compliance
+
+    @property
+    def compression(self) -> float:
+        """delta = (h/E_c) p1, compression of the lagging at the entry [m]."""
+        return self.compression_compliance * self.entry_pressure
+
+    @property
+    def entry_overrun(self) -> float:
+        """x_c, the slip at the entry nip that is used [m]."""
+        if self.overrun is not None:
+            return self.overrun
+        return 1.25 * self.compression * math.sqrt(self.compression / self.radius)
+
+    def geometry(self) -> Geometry:
+        """Numbers of the arc for the march, but for the entry tension."""
+        coefficient = 0.0
+        if self.overrun is None:
+            coefficient = 1.25 * self.compression_compliance**1.5 / math.sqrt(self.radius)
+        return (
+            self.side,
+            self.radius,
+            self.wrap_angle,
+            self.width,
+            self.compliance,
+            self.shear_compliance,
+            self.overrun or 0.0,
+            coefficient,
+            self.law.compact().onset_compliance,
+        )
+
+    def compact_law(self) -> Law:
+        """The friction law as the march reads it."""
+        c = self.law.compact()
+        return (c.kind, c.edges, c.coefficients, c.slips)

@@ -1,0 +1,339 @@
+"""The numeric form of a friction law that the solvers read: scalars and flat arrays only.
+
+Every law hands over a :class:`CompactLaw`: a kind, the pressures where its pieces meet, and the
+coefficients of the pieces. The functions below evaluate it for one slip and one pressure with both
+derivatives. They are written for plain floats and anything that can be indexed, so that the same
+source runs in the interpreter on tuples and compiled on arrays.
+
+A *segment* is an interval of pressure: -1 below the lowest tested pressure, 0 .. n - 2 between the
+n edges, n - 1 above the highest. A *branch* is an interval of slip. Both are chosen once per
+integration step and kept through it, so that no kink of a law falls inside a step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import exp, log
+
+Floats = Sequence[float]
+
+LIMIT = 0  # traction limited by mu(p) after an elastic onset: constant, elastic-plastic, power
+KNOTS = 1  # integral-log, peak friction and peak slip as cubics in pressure
+PIECES = 2  # integral-log, A and b as trend lines in pressure
+TABLE = 3  # measured table: cubics in slip, linear in pressure
+
+RISE, LINE, RESIDUAL = 0, 1, 2  # branches of the integral-log law
+
+#: least slip over peak slip at which the logarithm is taken; a trial stage may ask for less
+SMALLEST = 1e-16
+
+#: floats per segment: 4 columns of 4 coefficients; pieces carry 2 form codes a column more, and
+#: the unit of slip of A and b [m]
+KNOT_STRIDE = 16
+PIECE_STRIDE = 25
+
+
+@dataclass(frozen=True)
+class CompactLaw:
+    """A friction law as numbers.
+
+    Attributes
+    ----------
+    kind
+        One of LIMIT, KNOTS, PIECES, TABLE.
+    edges
+        Pressures where the segments meet, ascending [Pa]; empty for a law without a tested range.
+    coefficients
+        The coefficients of the segments, one after the other (SI).
+    slips
+        Slips where the branches of a table meet, ascending from 0 [m]; empty otherwise.
+    onset_compliance
+        Slip per shear stress before the limit of an elastic-plastic law is reached [m/Pa].
+    """
+
+    kind: int
+    edges: tuple[float, ...]
+    coefficients: tuple[float, ...]
+    slips: tuple[float, ...] = ()
+    onset_compliance: float = 0.0
+
+
+def segment_of(edges: Floats, pressure: float) -> int:
+    """Segment of a pressure [Pa]: -1 below the first edge, n - 1 from the last edge on."""
+    n = len(edges)
+    low, high = -1, n - 1
+    if n == 0 or pressure < edges[0]:
+        return -1
+    if pressure >= edges[n - 1]:
+        return n - 1
+    low, high = 0, n - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if pressure >= edges[middle]:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def _cubic(c: Floats, o: int, t: float) -> tuple[float, float]:
+    """Value and derivative of the cubic with coefficients c[o:o+4] at t."""
+    a1, a2, a3 = c[o + 1], c[o + 2], c[o + 3]
+    return c[o] + t * (a1 + t * (a2 + t * a3)), a1 + t * (2.0 * a2 + 3.0 * t * a3)
+
+
+def _trend(c: Floats, o: int, p: float) -> tuple[float, float]:
+    """Value and derivative of a trend line: f(c0 + c1 v + c2 v2 + c3 v3), v = p or ln p, f = identity or exp.
+
+    c[o + 4] = 1 takes v = ln p, c[o + 5] = +-1 takes f = +-exp.
+    """
+    logarithmic = c[o + 4] != 0.0
+    v = log(p) if logarithmic else p
+    y, dy = _cubic(c, o, v)
+    if logarithmic:
+        dy /= p
+    if c[o + 5] != 0.0:
+        y = c[o + 5] * exp(y)
+        dy *= y
+    return y, dy
+
+
+def peak(
+    kind: int, edges: Floats, c: Floats, segment: int, pressure: float
+) -> tuple[float, float, float, float]:
+    """Peak slip [m], peak friction [-] and their derivatives by pressure [m/Pa, 1/Pa], integral-log laws."""
+    last = len(edges) - 1
+    if kind == KNOTS:
+        if segment < 0:
+            return c[0], c[4], 0.0, 0.0
+        if segment >= last:
+            segment, pressure = last - 1, edges[last]
+        o = segment * KNOT_STRIDE
+        t = pressure - edges[segment]
+        slip, slip_p = _cubic(c, o, t)
+        friction, friction_p = _cubic(c, o + 4, t)
+        return slip, friction, slip_p, friction_p
+    held = segment < 0
+    if held:
+        segment, pressure = 0, edges[0]
+    elif segment >= last:
+        segment, pressure = last - 1, edges[last]
+    o = segment * PIECE_STRIDE
+    a, a_p = _trend(c, o, pressure)
+    b, b_p = _trend(c, o + 6, pressure)
+    unit = c[o + 24]
+    number = exp(b / a - 1.0)
+    if held:
+        return unit * number, -a * number, 0.0, 0.0
+    number_p = number * (b_p - b * a_p / a) / a
+    return unit * number, -a * number, unit * number_p, -a_p * number - a * number_p
+
+
+def _tail(
+    kind: int, edges: Floats, c: Floats, segment: int, pressure: float
+) -> tuple[float, float, float, float]:
+    """Post-peak slope [1/m], residual friction [-] and their derivatives by pressure."""
+    last = len(edges) - 1
+    held = segment < 0
+    if held:
+        if kind == KNOTS:
+            return c[8], c[12], 0.0, 0.0
+        segment, pressure = 0, edges[0]
+    elif segment >= last:
+        segment, pressure = last - 1, edges[last]
+    if kind == KNOTS:
+        o = segment * KNOT_STRIDE
+        t = pressure - edges[segment]
+        slope, slope_p = _cubic(c, o + 8, t)
+        residual, residual_p = _cubic(c, o + 12, t)
+    else:
+        o = segment * PIECE_STRIDE
+        slope, slope_p = _trend(c, o + 12, pressure)
+        residual, residual_p = _trend(c, o + 18, pressure)
+    if held:
+        return slope, residual, 0.0, 0.0
+    return slope, residual, slope_p, residual_p
+
+
+def friction_at(
+    kind: int,
+    edges: Floats,
+    c: Floats,
+    slips: Floats,
+    segment: int,
+    branch: int,
+    slip: float,
+    pressure: float,
+) -> tuple[float, float, float]:
+    """Friction of one piece of a law and its derivatives.
+
+    Parameters
+    ----------
+    kind, edges, c, slips
+        A :class:`CompactLaw`, spread out.
+    segment, branch
+        The piece; it is continued smoothly where slip or pressure lie beyond it.
+    slip
+        Magnitude of the slip, > 0 for the integral-log law [m].
+    pressure
+        Wrap pressure [Pa].
+
+    Returns
+    -------
+    mu, mu_x, mu_p
+        Friction [-] and its derivatives by slip [1/m] and pressure [1/Pa]. Below the lowest edge
+        friction is held, above the highest the traction mu p is held.
+    """
+    last = len(edges) - 1
+    if kind == KNOTS and branch == RISE and 0 <= segment < last:
+        # the common case, written out: `peak` and the formula below in one go
+        o = segment * KNOT_STRIDE
+        t = pressure - edges[segment]
+        x1, x2, x3 = c[o + 1], c[o + 2], c[o + 3]
+        m1, m2, m3 = c[o + 5], c[o + 6], c[o + 7]
+        slip_pk = c[o] + t * (x1 + t * (x2 + t * x3))
+        mu_pk = c[o + 4] + t * (m1 + t * (m2 + t * m3))
+        r = slip / slip_pk
+        if r < SMALLEST:
+            r = SMALLEST
+        lr = log(r)
+        form = r - r * lr
+        return (
+            mu_pk * form,
+            -mu_pk * lr / slip_pk,
+            (m1 + t * (2.0 * m2 + 3.0 * t * m3)) * form
+            + mu_pk * lr * r * (x1 + t * (2.0 * x2 + 3.0 * t * x3)) / slip_pk,
+        )
+    above = segment >= last and last >= 0
+    at = pressure
+    if above:
+        at = edges[last]
+    elif segment < 0 and last >= 0:
+        at = edges[0]
+    if kind in (KNOTS, PIECES):
+        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(kind, edges, c, segment, pressure)
+        if branch == RISE:
+            r = max(slip / slip_pk, SMALLEST)
+            lr = log(r)
+            form = r - r * lr
+            mu = mu_pk * form
+            mu_x = -mu_pk * lr / slip_pk
+            mu_p = mu_pk_p * form + mu_pk * lr * r * slip_pk_p / slip_pk
+        else:
+            slope, residual, slope_p, residual_p = _tail(kind, edges, c, segment, pressure)
+            if branch == LINE:
+                d = slip - slip_pk
+                mu = mu_pk + slope * d
+                mu_x = slope
+                mu_p = mu_pk_p + slope_p * d - slope * slip_pk_p
+            else:
+                mu_x = 0.0
+                mu, mu_p = (residual, residual_p) if residual < mu_pk else (mu_pk, mu_pk_p)
+    elif kind == LIMIT:
+        # mu_0 (p / p_0)^-n
+        mu = c[0]
+        mu_x = 0.0
+        mu_p = 0.0
+        if c[2] != 0.0:
+            mu = c[0] * (at / c[1]) ** (-c[2])
+            mu_p = -c[2] * mu / at
+    else:
+        mu, mu_x, mu_p = _table(edges, c, slips, segment, branch, slip, pressure)
+    if above:
+        factor = edges[last] / pressure
+        mu *= factor
+        mu_x *= factor
+        mu_p = -mu / pressure
+    elif segment < 0:
+        mu_p = mu_p if last < 0 else 0.0
+    return mu, mu_x, mu_p
+
+
+def _table(
+    edges: Floats, c: Floats, slips: Floats, segment: int, branch: int, slip: float, pressure: float
+) -> tuple[float, float, float]:
+    """A measured table: a cubic in slip for each pressure, blended linearly in pressure."""
+    last = len(edges) - 1
+    cells = len(slips)  # the last cell is the constant past the last slip
+    t = slip - slips[branch]
+    if last <= 0 or segment < 0:
+        mu, mu_x = _cubic(c, 4 * branch, t)
+        return mu, mu_x, 0.0
+    if segment >= last:
+        mu, mu_x = _cubic(c, 4 * (last * cells + branch), t)
+        return mu, mu_x, 0.0
+    low, low_x = _cubic(c, 4 * (segment * cells + branch), t)
+    high, high_x = _cubic(c, 4 * ((segment + 1) * cells + branch), t)
+    width = edges[segment + 1] - edges[segment]
+    w = (pressure - edges[segment]) / width
+    return low + w * (high - low), low_x + w * (high_x - low_x), (high - low) / width
+
+
+def branch_of(
+    kind: int,
+    edges: Floats,
+    c: Floats,
+    slips: Floats,
+    segment: int,
+    slip: float,
+    pressure: float,
+) -> int:
+    """Branch that holds at a magnitude of slip [m] and a pressure [Pa]."""
+    if kind == LIMIT:
+        return 0
+    if kind == TABLE:
+        n = len(slips)
+        branch = 0
+        while branch < n - 1 and slip >= slips[branch + 1]:
+            branch += 1
+        return branch
+    slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
+    if slip <= slip_pk:
+        return RISE
+    slope, residual, _, _ = _tail(kind, edges, c, segment, pressure)
+    if residual < mu_pk and mu_pk + slope * (slip - slip_pk) < residual:
+        return RESIDUAL
+    return LINE
+
+
+def branch_gap(
+    kind: int,
+    edges: Floats,
+    c: Floats,
+    slips: Floats,
+    segment: int,
+    boundary: int,
+    slip: float,
+    pressure: float,
+) -> float:
+    """Slip beyond the boundary between branches `boundary` and `boundary + 1`, negative before it [m]."""
+    if kind == TABLE:
+        return slip - slips[boundary + 1]
+    slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
+    if boundary == RISE:
+        return slip - slip_pk
+    slope, residual, _, _ = _tail(kind, edges, c, segment, pressure)
+    if slope == 0.0:
+        return -1.0
+    return slip - slip_pk - (residual - mu_pk) / slope
+
+
+def plateau_at(
+    kind: int, edges: Floats, c: Floats, slips: Floats, segment: int, pressure: float
+) -> float:
+    """Largest friction a law offers at a pressure at any slip [-]."""
+    last = len(edges) - 1
+    if kind in (KNOTS, PIECES):
+        _, mu, _, _ = peak(kind, edges, c, segment, pressure)
+        if last >= 0 and segment >= last:
+            mu *= edges[last] / pressure
+        return mu
+    if kind == LIMIT:
+        mu, _, _ = friction_at(kind, edges, c, slips, segment, 0, 0.0, pressure)
+        return mu
+    best = 0.0
+    for branch in range(len(slips)):
+        mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, slips[branch], pressure)
+        best = max(best, mu)
+    return best

@@ -1,0 +1,164 @@
+"""Laws with a fixed limit of friction: constant, elastic-plastic, power of pressure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from wraparc.friction.base import Array, FrictionLaw, TestedRange, check, held_pressure
+from wraparc.friction.compact import LIMIT, CompactLaw
+
+
+def _edges(tested: TestedRange | None) -> tuple[float, ...]:
+    return () if tested is None else (tested.pressure_min, tested.pressure_max)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Constant(FrictionLaw):
+    """Euler-Eytelwein: friction is one number once the belt slips.
+
+    Attributes
+    ----------
+    friction_coefficient
+        mu_0, > 0 [-].
+    tested
+        Range of the measurement behind it, or None.
+    """
+
+    friction_coefficient: float
+    tested: TestedRange | None = None
+
+    def __post_init__(self) -> None:
+        mu = self.friction_coefficient
+        check(
+            (
+                0.0 < mu < np.inf,
+                "friction_coefficient",
+                f"{mu:g}",
+                "friction must be positive and finite",
+            )
+        )
+
+    def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
+        """mu_0 with the sign of the slip, 0 without slip."""
+        x, p = np.broadcast_arrays(np.asarray(slip, float), np.asarray(pressure, float))
+        _, factor = held_pressure(_edges(self.tested), p)
+        return np.asarray(np.sign(x) * self.friction_coefficient * factor)
+
+    def compact(self) -> CompactLaw:
+        """Return the law in the numeric form that the solvers read."""
+        return CompactLaw(LIMIT, _edges(self.tested), (self.friction_coefficient, 1.0, 0.0))
+
+    def steepest_fall(self) -> float:
+        """Return 0: friction does not fall with slip."""
+        return 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class ElasticPlastic(FrictionLaw):
+    """Shear stress rises in proportion to slip up to a friction limit: mu = min(kappa_s x / p, mu_0).
+
+    Attributes
+    ----------
+    stiffness
+        kappa_s, shear stress per slip, > 0 [Pa/m].
+    friction_coefficient
+        mu_0, > 0 [-].
+    tested
+        Range of the measurement behind it, or None.
+    """
+
+    stiffness: float
+    friction_coefficient: float
+    tested: TestedRange | None = None
+
+    def __post_init__(self) -> None:
+        mu, k = self.friction_coefficient, self.stiffness
+        check(
+            (
+                0.0 < mu < np.inf,
+                "friction_coefficient",
+                f"{mu:g}",
+                "friction must be positive and finite",
+            ),
+            (
+                0.0 < k < np.inf,
+                "stiffness",
+                f"{k:g} Pa/m",
+                "the stiffness must be positive and finite",
+            ),
+        )
+
+    def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
+        """min(kappa_s x / p, mu_0) with the sign of the slip."""
+        x, p = np.broadcast_arrays(np.asarray(slip, float), np.asarray(pressure, float))
+        _, factor = held_pressure(_edges(self.tested), p)
+        limit = self.friction_coefficient * factor
+        return np.asarray(np.sign(x) * np.minimum(self.stiffness * np.abs(x) / p, limit))
+
+    def compact(self) -> CompactLaw:
+        """Return the law in the numeric form that the solvers read."""
+        c = (self.friction_coefficient, 1.0, 0.0)
+        return CompactLaw(LIMIT, _edges(self.tested), c, onset_compliance=1.0 / self.stiffness)
+
+    def steepest_fall(self) -> float:
+        """Return 0: friction does not fall with slip."""
+        return 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class PressurePower(FrictionLaw):
+    """Friction falls with a power of pressure: mu = mu_0 (p / p_0)^-n, whatever the slip.
+
+    Attributes
+    ----------
+    friction_coefficient
+        mu_0, friction at the reference pressure, > 0 [-].
+    reference_pressure
+        p_0, > 0 [Pa].
+    exponent
+        n, 0 <= n < 1 [-]: at n = 1 the traction would no longer grow with pressure.
+    tested
+        Range of the measurement behind it, or None.
+    """
+
+    friction_coefficient: float
+    reference_pressure: float
+    exponent: float
+    tested: TestedRange | None = None
+
+    def __post_init__(self) -> None:
+        mu, p, n = self.friction_coefficient, self.reference_pressure, self.exponent
+        check(
+            (
+                0.0 < mu < np.inf,
+                "friction_coefficient",
+                f"{mu:g}",
+                "friction must be positive and finite",
+            ),
+            (
+                0.0 < p < np.inf,
+                "reference_pressure",
+                f"{p:g} Pa",
+                "the pressure must be positive and finite",
+            ),
+            (0.0 <= n < 1.0, "exponent", f"{n:g}", "the exponent must lie in 0 <= n < 1"),
+        )
+
+    def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
+        """mu_0 (p / p_0)^-n with the sign of the slip."""
+        x, p = np.broadcast_arrays(np.asarray(slip, float), np.asarray(pressure, float))
+        at, factor = held_pressure(_edges(self.tested), p)
+        mu = self.friction_coefficient * (at / self.reference_pressure) ** -self.exponent
+        return np.asarray(np.sign(x) * mu * factor)
+
+    def compact(self) -> CompactLaw:
+        """Return the law in the numeric form that the solvers read."""
+        c = (self.friction_coefficient, self.reference_pressure, self.exponent)
+        return CompactLaw(LIMIT, _edges(self.tested), c)
+
+    def steepest_fall(self) -> float:
+        """Return 0: friction does not fall with slip."""
+        return 0.0

@@ -1,0 +1,127 @@
+"""Friction as a measured table of slip and pressure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from wraparc.friction.base import Array, FrictionLaw, TestedRange, check
+from wraparc.friction.compact import TABLE, CompactLaw
+from wraparc.friction.interpolation import evaluate, pchip
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeasuredTable(FrictionLaw):
+    """Friction at a grid of slips and pressures: monotone cubic in slip, linear in pressure.
+
+    Past the last slip friction stays at its last value. A first row at slip 0 that is not 0 makes
+    a law that starts with a jump: below that friction the belt sticks to the lagging.
+
+    Attributes
+    ----------
+    slip
+        Slips of the rows, ascending from 0 [m], shape (m,), m >= 2.
+    pressure
+        Pressures of the columns, ascending, > 0 [Pa], shape (n,), n >= 1.
+    values
+        Friction, one tuple for each pressure, shape (n, m), >= 0, positive past slip 0 [-].
+    """
+
+    slip: tuple[float, ...]
+    pressure: tuple[float, ...]
+    values: tuple[tuple[float, ...], ...]
+
+    def __post_init__(self) -> None:
+        m = len(self.slip)
+        numbers = (*self.slip, *self.pressure, *(v for row in self.values for v in row))
+        check(
+            (all(map(isfinite, numbers)), "values", "", "the table must hold finite numbers only"),
+            (
+                m >= 2 and self.slip[0] == 0.0,
+                "slip",
+                f"{m} slips",
+                "at least two slips, the first of them 0, are needed",
+            ),
+            (_ascending(self.slip), "slip", "", "the slips must be in ascending order"),
+            (
+                bool(self.pressure)
+                and _ascending(self.pressure)
+                and all(p > 0 for p in self.pressure),
+                "pressure",
+                "",
+                "the pressures must be positive and in ascending order",
+            ),
+            (
+                len(self.values) == len(self.pressure)
+                and all(len(row) == m for row in self.values),
+                "friction",
+                "",
+                f"the table must have a row of {m} values for each of {len(self.pressure)} pressures",
+            ),
+            (
+                all(v >= 0 for row in self.values for v in row[:1])
+                and all(v > 0 for row in self.values for v in row[1:]),
+                "friction",
+                "",
+                "friction must be positive past slip 0 and not negative at slip 0",
+            ),
+            (
+                len({row[0] > 0 for row in self.values if row}) <= 1,
+                "friction",
+                "",
+                "friction at slip 0 must be 0 at every pressure or positive at every pressure",
+            ),
+        )
+
+    @property
+    def tested(self) -> TestedRange:  # type: ignore[override]
+        """The range of the table."""
+        return TestedRange(
+            pressure_min=self.pressure[0], pressure_max=self.pressure[-1], slip_max=self.slip[-1]
+        )
+
+    def _cubics(self) -> list[Array]:
+        slip = np.array(self.slip)
+        return [pchip(slip, np.array(row)) for row in self.values]
+
+    def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
+        """Friction with the sign of the slip [-]; see the class for the interpolation."""
+        x, p = np.broadcast_arrays(np.asarray(slip, float), np.asarray(pressure, float))
+        knots = np.array(self.slip)
+        a = np.minimum(np.abs(x), knots[-1])
+        rows = np.array([evaluate(knots, c, a) for c in self._cubics()])
+        edges = np.array(self.pressure)
+        at = np.clip(p, edges[0], edges[-1])
+        factor = np.where(p > edges[-1], edges[-1] / p, 1.0)
+        i = np.clip(np.searchsorted(edges, at, side="right") - 1, 0, max(len(edges) - 2, 0))
+        if len(edges) == 1:
+            mu = rows[0]
+        else:
+            w = (at - edges[i]) / (edges[i + 1] - edges[i])
+            low = np.take_along_axis(rows, i[None], 0)[0]
+            high = np.take_along_axis(rows, i[None] + 1, 0)[0]
+            mu = low + w * (high - low)
+        return np.asarray(np.sign(x) * factor * mu)
+
+    def compact(self) -> CompactLaw:
+        """Return the law in the numeric form that the solvers read."""
+        c: list[float] = []
+        for row, cubics in zip(self.values, self._cubics(), strict=True):
+            c += [*cubics.ravel().tolist(), row[-1], 0.0, 0.0, 0.0]
+        return CompactLaw(TABLE, self.pressure, tuple(c), slips=self.slip)
+
+    def steepest_fall(self) -> float:
+        """Return the steepest fall of the interpolant, <= 0 [1/m]."""
+        knots = np.array(self.slip)
+        fine = np.unique(
+            np.concatenate([np.linspace(a, b, 33) for a, b in zip(knots, knots[1:], strict=False)])
+        )
+        steps = [np.diff(evaluate(knots, c, fine)) / np.diff(fine) for c in self._cubics()]
+        return float(min(0.0, min(s.min() for s in steps)))
+
+
+def _ascending(values: tuple[float, ...]) -> bool:
+    return all(a < b for a, b in zip(values, values[1:], strict=False))
