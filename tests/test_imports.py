@@ -22,14 +22,15 @@ FACADE = "wraparc"
 # Lowest first. The ground floor is itself a stair, one room a step.
 FLOORS: tuple[tuple[str, ...], ...] = (
     ("version", "errors"),
-    ("units",),
+    ("units", "views"),
     ("glossary",),
     ("friction", "provenance"),
     ("drive", "catalogue"),
     ("arc", "shear_test"),
     ("train", "transient"),
     ("study",),
-    ("files", "plot", "report"),
+    ("files", "plot", "present"),
+    ("report",),
     ("cli", "web"),
     ("__main__", FACADE),
 )

@@ -175,6 +175,10 @@ QUANTITIES: tuple[Quantity, ...] = (
         "shear_distance", "h tan(gamma)", "length", "Shear distance of the lagging",
         "Displacement of the lagging surface against the shell, (h/G) tau: creep less slip.",
     ),
+    Quantity(
+        "sliding", "", "number", "Sliding",
+        "Whether the belt slides on the lagging (1) or sticks to it (0).",
+    ),
     # result of one pulley
     Quantity(
         "exit_creep", "u(phi)", "length", "Creep at exit",
@@ -230,6 +234,10 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Exit part of the wrap over which 99 % of the tension change takes place.",
     ),
     Quantity(
+        "stuck_arc", "phi_0", "angle", "Arc at rest",
+        "Entry part of the wrap over which the belt does not slip on the lagging.",
+    ),
+    Quantity(
         "outside_tested_share", "", "number", "Share outside tested range",
         "Fraction of the wrap where pressure or slip lies outside the tested range of the "
         "lagging.",
@@ -277,6 +285,11 @@ QUANTITIES: tuple[Quantity, ...] = (
         "gross_slip_margin", "", "number", "Margin to gross slip",
         "Capacity at gross slip over the actual ratio.",
     ),
+    Quantity(
+        "gross_slip_creep", "", "length", "Creep at gross slip",
+        "Creep at the exit at the capacity at gross slip; without bound for a law that is flat "
+        "past its peak.",
+    ),
     # power, energy and wear
     Quantity(
         "transmitted_power", "P", "power", "Power to the belt",
@@ -303,6 +316,11 @@ QUANTITIES: tuple[Quantity, ...] = (
     Quantity(
         "frictional_energy", "e", "energy_per_area", "Frictional energy per pass",
         "Energy of friction per area of lagging and passage under the belt, int tau dx.",
+    ),
+    Quantity(
+        "identity_error", "", "number", "Energy balance error",
+        "Relative miss of the loss against its exact value (T1 - T2) [g + (T1 - T2)/(2 EA')], a "
+        "check of the solution.",
     ),
     Quantity(
         "wear_rate", "w", "length", "Wear per million passes",

@@ -1,5 +1,12 @@
 """The wrap-arc problem: how a belt creeps, slips and hands over its tension on one pulley."""
 
+from wraparc.arc.constant_friction import (
+    ClassicalDrive,
+    capstan_ratio,
+    classical_drives,
+    slipping_arc,
+    wrap_factor,
+)
 from wraparc.arc.drive_solve import DriveResult, Method, solve
 from wraparc.arc.paper_march import PaperMarch
 from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
@@ -9,6 +16,7 @@ from wraparc.arc.wrap_arc import WrapArc
 __all__ = [
     "ArcResult",
     "Capacities",
+    "ClassicalDrive",
     "Distributed",
     "DriveResult",
     "Energy",
@@ -17,5 +25,9 @@ __all__ = [
     "Profile",
     "Status",
     "WrapArc",
+    "capstan_ratio",
+    "classical_drives",
+    "slipping_arc",
     "solve",
+    "wrap_factor",
 ]

@@ -12,6 +12,7 @@ from wraparc.arc.solver import Distributed
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.drive import Drive
 from wraparc.errors import BreakawayError, ConvergenceError
+from wraparc.views import Viewable
 
 
 class Method(Protocol):
@@ -26,7 +27,7 @@ class Method(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class DriveResult:
+class DriveResult(Viewable):
     """Results of every pulley in every load case, in the order of the drive.
 
     Attributes

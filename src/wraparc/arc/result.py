@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc.wrap_arc import WrapArc
+from wraparc.views import Viewable
 
 Array = NDArray[np.float64]
 nan = math.nan
@@ -36,7 +37,7 @@ class Status(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Profile:
+class Profile(Viewable):
     """Quantities along the arc, from the entry nip to the exit nip; arrays of one shape (n,).
 
     Attributes
@@ -154,7 +155,7 @@ class Energy:
 
 
 @dataclass(frozen=True, eq=False)
-class ArcResult:
+class ArcResult(Viewable):
     """The complete answer for one arc.
 
     A breakaway has the same fields: they describe the belt at the largest tension ratio that the
