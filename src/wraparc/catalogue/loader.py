@@ -6,14 +6,15 @@ import tomllib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
+from pathlib import Path
 from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import parse_quantity
 
-_DATA = resources.files("wraparc.catalogue") / "data"
+# Not importlib.resources: its import alone costs more than all the reading here.
+_DATA = Path(__file__).with_name("data")
 _SUFFIX = ".toml"
 
 

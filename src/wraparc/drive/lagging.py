@@ -159,6 +159,8 @@ class Lagging:
         Where single numbers came from, by field (``law``, ``thickness`` ...), if elsewhere.
     notes
         What a reader must know.
+    description
+        What it looks like.
 
     Raises
     ------
@@ -189,6 +191,7 @@ class Lagging:
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     notes: tuple[str, ...] = ()
+    description: str = ""
 
     def __post_init__(self) -> None:
         problems = name_problems("name", self.name) + name_problems("condition", self.condition)

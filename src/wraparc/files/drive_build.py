@@ -1,0 +1,172 @@
+"""The tables of a drive file, their keys already read, to belt, laggings and pulleys."""
+
+from typing import Any
+
+from wraparc import catalogue
+from wraparc.drive import Belt, Lagging, Pulley
+from wraparc.errors import InputError, Problem
+from wraparc.files.drive_keys import BELT, PULLEY
+from wraparc.files.lagging_build import build_laggings
+from wraparc.files.lagging_file import is_path, lagging_record, pick_condition
+from wraparc.files.lagging_keys import LAGGING_GIVEN
+from wraparc.files.origins import own_provenance, read_sources
+from wraparc.files.problems import Place, Report
+from wraparc.files.tables import Record
+from wraparc.provenance import Provenance
+
+_BELT_KEYS = ("name", "kind", "width", "modulus", "rating", "speed", "least_pulley_diameter")
+_PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter")
+_PULLEY_KEYS = ("name", "diameter", "wrap_angle", "overrun", "recovery", "creep_limit")
+# Keys of a lagging that hold numbers.
+_NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
+    "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
+}  # fmt: skip
+# Keys of which a table may hold one: giving it drops the others of the preset.
+_EITHER = (("compression_modulus", "block"),)
+
+
+def build_belt(record: Record, report: Report) -> Belt | None:
+    """Return the belt of a ``[belt]`` table, or None after reporting."""
+    values: dict[str, Any] = {key: record[key] for key in _BELT_KEYS if key in record}
+    sources = read_sources(record, (e.key for e in BELT.entries), report)
+    own = own_provenance(record, report) or Provenance()
+    provenance = own
+    if "preset" in record:
+        try:
+            preset = catalogue.belt(record["preset"])
+        except InputError as error:
+            report.take(error, (*record.place, "preset"), record["preset"])
+            return None
+        sources = {key: own for key in values if key not in ("name", "kind")} | sources
+        provenance = preset.provenance
+        values = {key: getattr(preset, key) for key in _PRESET_KEYS} | values
+    elif "modulus" not in record and record.sound("modulus"):
+        remedy = 'Write modulus = "12960 kN/m", or choose a belt by preset.'
+        report.add((*record.place, "modulus"), "missing", remedy)
+        return None
+    if not record.sound():
+        return None
+    try:
+        return Belt(**{"name": "belt", **values}, provenance=provenance, sources=sources)
+    except InputError as error:
+        report.take(error, record.place, record.raw)
+        return None
+
+
+class Laggings:
+    """The laggings that a drive file can name: its own, those of the catalogue, files.
+
+    Parameters
+    ----------
+    own
+        Tables of the drive file by name.
+    folder
+        What the path of a lagging file is relative to.
+    allow_paths
+        Whether files may be named at all.
+    report
+        Takes what is wrong.
+    """
+
+    def __init__(self, own: dict[str, Any], folder: str, allow_paths: bool, report: Report) -> None:
+        self._report = report
+        self._folder = folder
+        self._allow_paths = allow_paths
+        self._names = tuple(own)
+        self._own: dict[str, Record | None] = {}
+        self._own = {
+            name: self._merged(record, name) if isinstance(record, Record) else None
+            for name, record in own.items()
+        }
+        self._built = {
+            name: build_laggings(record, report) if record else ()
+            for name, record in self._own.items()
+        }
+
+    def of(self, value: object, place: Place) -> tuple[Lagging, ...]:
+        """Return a lagging in all its conditions, by name, path or table; none if faulty."""
+        if isinstance(value, Record):
+            merged = self._merged(value, "")
+            return build_laggings(merged, self._report) if merged else ()
+        if value in self._built:
+            return self._built[str(value)]
+        record = self._found(str(value), place)
+        return build_laggings(record, self._report) if record else ()
+
+    def _found(self, name: str, place: Place) -> Record | None:
+        """Return what a name or path stands for, outside the drive file or in it."""
+        if name in self._own:
+            return self._own[name]
+        try:
+            known = (*self._names, *catalogue.lagging_names())
+            if not is_path(name) and name not in known:
+                raise catalogue.unknown_name("lagging", name, known, "wraparc laggings")
+            return lagging_record(name, self._folder, self._allow_paths)[0]
+        except InputError as error:
+            self._report.take(_at_home(error), place, name)
+            return None
+
+    def _merged(self, given: Record, name: str) -> Record | None:
+        """Return a lagging table with its preset below it, or None after reporting."""
+        base = None
+        if "preset" in given:
+            base = self._found(given["preset"], (*given.place, "preset"))
+            if base is None:
+                return None
+        values = dict(base or {})
+        for group in _EITHER:
+            if any(key in given for key in group):
+                for key in group:
+                    values.pop(key, None)
+        values = {**values, "name": name or str(given.place[-2]), **values, **given}
+        if base is not None:
+            values |= _merged_origins(base, given)
+        return Record(values, given.place, given.raw, given.faulty)
+
+
+def _merged_origins(base: Record, given: Record) -> dict[str, Any]:
+    """Return provenance and sources of a preset with some of its numbers replaced."""
+    own = given.get("provenance") or _given_instead(given)
+    sources = {key: of for key, of in base.get("sources", {}).items() if key not in given}
+    sources |= {key: own for key in given if key in _NUMBERS}
+    provenance = {"provenance": base["provenance"]} if "provenance" in base else {}
+    return {"sources": sources | given.get("sources", {}), **provenance}
+
+
+def _given_instead(given: Record) -> Record:
+    """Return the provenance of a number that stands in for one of the preset."""
+    note = f"instead of that of {given['preset']}"
+    return Record({"kind": "given", "note": note}, given.place, {})
+
+
+def _at_home(error: InputError) -> InputError:
+    """Return the error of a file that could not be opened as one of the place that named it."""
+    return InputError(
+        problem
+        if problem.key or problem.line or not problem.file
+        else Problem(message=f"{problem.file} {problem.message}", remedy=problem.remedy)
+        for problem in error.problems
+    )
+
+
+def build_pulley(record: Record, laggings: Laggings, report: Report) -> Pulley | None:
+    """Return the pulley of a ``[[pulley]]`` table, or None after reporting."""
+    sources = read_sources(record, (e.key for e in PULLEY.entries), report)
+    conditions: tuple[Lagging, ...] = ()
+    if "lagging" in record:
+        conditions = laggings.of(record["lagging"], (*record.place, "lagging"))
+    if not conditions:
+        return None
+    try:
+        lagging = pick_condition(conditions, record.get("condition"))
+    except InputError as error:
+        report.take(error, record.place, record.raw)
+        return None
+    if not record.sound("lagging", *_PULLEY_KEYS):
+        return None
+    values = {key: record[key] for key in _PULLEY_KEYS if key in record}
+    try:
+        return Pulley(**values, lagging=lagging, sources=sources)
+    except InputError as error:
+        report.take(error, record.place, record.raw)
+        return None

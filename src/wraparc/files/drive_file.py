@@ -1,0 +1,151 @@
+"""Drive files to drives."""
+
+import os
+from typing import cast
+
+from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
+from wraparc.errors import InputError, shown
+from wraparc.files.drive_build import Laggings, build_belt, build_pulley
+from wraparc.files.drive_keys import DRIVE
+from wraparc.files.kinds import nearest
+from wraparc.files.overrides import Overrides, overridden
+from wraparc.files.problems import Report
+from wraparc.files.source import Document, check_format, parse, read_text
+from wraparc.files.tables import Record
+from wraparc.files.tensions import KEYS, Given, complete, resolve
+
+
+def load_drive(
+    path: str | os.PathLike[str], *, overrides: Overrides = (), allow_paths: bool = True
+) -> Drive:
+    """Return the drive of a drive file.
+
+    Parameters
+    ----------
+    path
+        A TOML file; laggings that it names by path are relative to it.
+    overrides
+        Values put over those of the file, by key path: ``{"belt.width": "1400 mm"}`` or
+        texts like ``"belt.width=1400 mm"``.
+    allow_paths
+        Whether the file may name lagging files.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    name = os.fspath(path)
+    return drive_from_text(
+        read_text(path),
+        file=name,
+        folder=os.path.dirname(name),
+        overrides=overrides,
+        allow_paths=allow_paths,
+    )
+
+
+def drive_from_text(
+    text: str,
+    *,
+    file: str = "",
+    folder: str = "",
+    overrides: Overrides = (),
+    allow_paths: bool = False,
+) -> Drive:
+    """Return the drive of the text of a drive file.
+
+    Parameters
+    ----------
+    text
+        The text.
+    file
+        What to call it in messages.
+    folder
+        What the paths of lagging files are relative to.
+    overrides, allow_paths
+        As for `load_drive`; paths are refused unless allowed.
+    """
+    return drive_from_document(
+        parse(text, file), file=file, folder=folder, overrides=overrides, allow_paths=allow_paths
+    )
+
+
+def drive_from_document(
+    document: Document,
+    *,
+    file: str = "",
+    folder: str = "",
+    overrides: Overrides = (),
+    allow_paths: bool = False,
+) -> Drive:
+    """Return the drive of a drive file that is already parsed; the document is not changed."""
+    document = overridden(document, overrides, file=file)
+    check_format(document, file)
+    report = Report(file)
+    record: Record = DRIVE.read(document, (), report)
+    belt_record = record.get("belt")
+    belt = build_belt(belt_record, report) if isinstance(belt_record, Record) else None
+    own = record.get("lagging")
+    laggings = Laggings(own if isinstance(own, dict) else {}, folder, allow_paths, report)
+    records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
+    pulleys = [build_pulley(item, laggings, report) for item in records]
+    cases = _load_cases(record, records, report)
+    report.raise_all()
+    parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
+    try:
+        return Drive(
+            # nothing was reported, so nothing is None
+            belt=cast(Belt, belt),
+            pulleys=tuple(cast(Pulley, pulley) for pulley in pulleys),
+            load_cases=cases,
+            **parts,
+        )
+    except InputError as error:
+        report.take(error, ())
+        raise InputError(report.problems) from None
+
+
+def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[LoadCase, ...]:
+    """Return the load case of the pulleys' own tensions, if they have them, and the others."""
+    belt = record.get("belt")
+    names = [item["name"] for item in pulleys if "name" in item]
+    cases = [item for item in record.get("load_case") or () if isinstance(item, Record)]
+    for problem in repeated("pulley", names):
+        report.take(InputError(problem), ())
+    if len(set(names)) < len(record.get("pulley") or ()) or not isinstance(belt, Record):
+        return ()
+    sure = belt.sound("speed") and all(item.sound("diameter", *KEYS) for item in pulleys)
+    speed = belt.get("speed")
+    own = [Given.of(item["name"], item, item.get("diameter")) for item in pulleys]
+    built = []
+    if not cases or complete(own, speed):
+        tensions = resolve(own, speed, report, sure=sure)
+        built.append(LoadCase(name=DESIGN, tensions=tensions))
+    for case in cases:
+        given = _of_case(case, own, report)
+        whole = sure and case.sound()
+        tensions = resolve(given, speed, report, sure=whole)
+        if "name" in case:
+            built.append(LoadCase(name=case["name"], tensions=tensions))
+    for problem in repeated("load_case", (case.name for case in built)):
+        report.take(InputError(problem), ())
+    return tuple(built)
+
+
+def _of_case(case: Record, own: list[Given], report: Report) -> list[Given]:
+    """Return the tensions of the pulleys with those of a load case put over them."""
+    tables = case.get("pulley", {})
+    names = [item.name for item in own]
+    for name in tables:
+        if name not in names:
+            there = ", ".join(shown(name) for name in names)
+            remedy = nearest(name, names) or f"The pulleys are {there}."
+            report.add((*case.place, "pulley", name), "no such pulley", remedy)
+    given = []
+    for item in own:
+        table = tables.get(item.name)
+        place = (*case.place, "pulley", item.name)
+        over = table if isinstance(table, Record) else Record({}, place, {})
+        given.append(item.overridden(over))
+    return given

@@ -1,0 +1,153 @@
+"""A lagging table, its keys already read, to laggings: one for each of its laws."""
+
+from typing import Any
+
+from wraparc.drive import Block, Cost, Lagging, compression_modulus
+from wraparc.errors import InputError
+from wraparc.files.lagging_keys import LAGGING_FILE
+from wraparc.files.laws import read_fit, read_law
+from wraparc.files.origins import own_provenance, read_sources
+from wraparc.files.problems import Report
+from wraparc.files.tables import Record
+from wraparc.provenance import Provenance
+
+_KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
+_SAME = ("name", "title", "description", "surface", "elastic_modulus", "wear_coefficient")
+_ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")
+
+
+def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
+    """Return the laggings of a table; none if anything was or is reported about it."""
+    found = len(report.problems)
+    sources = read_sources(record, _KEYS, report)
+    common: dict[str, Any] = {key: record[key] for key in _SAME if key in record}
+    common["provenance"] = own_provenance(record, report) or Provenance()
+    common["notes"] = tuple(record.get("notes", ()))
+    common["cost"] = _cost(record, report)
+    common |= _elasticity(record, sources, common["provenance"], report)
+    laws = [law for law in record.get("law", ()) if isinstance(law, Record)]
+    parts = [_law_parts(law, sources, report) for law in laws]
+    _check_conditions(laws, report)
+    if not record.get("law") and record.sound("law"):
+        report.add((*record.place, "law"), "missing", "Add a [law] table, as the examples show.")
+    if len(report.problems) > found or not record.sound():
+        return ()
+    try:
+        return tuple(Lagging(**common, **part) for part in parts)
+    except InputError as error:
+        report.take(error, record.place, record.raw)
+        return ()
+
+
+def _law_parts(law: Record, sources: dict[str, Provenance], report: Report) -> dict[str, Any]:
+    """Return what a law gives to its lagging: the law, its condition, fit and sources."""
+    own = own_provenance(law, report)
+    fit = law.get("fit")
+    return {
+        "law": read_law(law, report),
+        "condition": law.get("condition", "dry"),
+        "fit": read_fit(fit, report) if isinstance(fit, Record) else None,
+        "sources": sources | ({"law": own} if own else {}),
+    }
+
+
+def _check_conditions(laws: list[Record], report: Report) -> None:
+    seen: set[str] = set()
+    for law in laws:
+        condition = law.get("condition", "dry")
+        if condition in seen:
+            message = "a second law for this condition"
+            place = (*law.place, "condition")
+            report.add(place, message, "Give each law its own condition.", condition)
+        seen.add(condition)
+
+
+def _cost(record: Record, report: Report) -> Cost | None:
+    table = record.get("cost")
+    if not isinstance(table, Record) or not table.sound():
+        return None
+    years = table["life_years"]
+    try:
+        return Cost(**{**table, "life_years": (years[0], years[1])})
+    except InputError as error:
+        report.take(error, table.place, table.raw)
+        return None
+
+
+def _elasticity(
+    record: Record, sources: dict[str, Provenance], provenance: Provenance, report: Report
+) -> dict[str, float]:
+    """Return thickness and moduli, those not given estimated from those given.
+
+    What is estimated says so in `sources`: G = E/3 of an incompressible rubber, E = 3 G,
+    and the compression modulus from E and the shape of the blocks, or equal to E.
+    """
+    given = [key for key in _ELASTIC if key in record]
+    if not record.sound("thickness", *_ELASTIC):
+        return {}
+    if "thickness" not in record:
+        if given:
+            place = (*record.place, "thickness")
+            report.add(place, f"missing, where {given[0]} is given", 'Write thickness = "12 mm".')
+        return {}
+    thickness = record["thickness"]
+    if "compression_modulus" in record and "block" in record:
+        message = "given, and the compression modulus as well"
+        report.add((*record.place, "block"), message, "Keep one of them.")
+        return {}
+    if "elastic_modulus" not in record and "shear_modulus" not in record:
+        if thickness > 0.0:
+            place = (*record.place, "shear_modulus")
+            remedy = "Give shear_modulus, or elastic_modulus, of which it is a third."
+            report.add(place, "missing, and the lagging is not rigid", remedy)
+        return {"thickness": thickness}
+    return {"thickness": thickness, **_moduli(record, thickness, sources, provenance, report)}
+
+
+def _moduli(
+    record: Record,
+    thickness: float,
+    sources: dict[str, Provenance],
+    provenance: Provenance,
+    report: Report,
+) -> dict[str, float]:
+    def estimated(part: str, basis: str, note: str) -> None:
+        of = sources.get(basis, provenance)
+        sources.setdefault(part, Provenance(of.kind, of.source, of.date, f"estimated: {note}"))
+
+    if "shear_modulus" in record:
+        shear = record["shear_modulus"]
+    else:
+        shear = record["elastic_modulus"] / 3.0
+        estimated("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber")
+    if "compression_modulus" in record:
+        compression = record["compression_modulus"]
+    else:
+        basis = "elastic_modulus" if "elastic_modulus" in record else "shear_modulus"
+        modulus = record["elastic_modulus"] if basis == "elastic_modulus" else 3.0 * shear
+        block = _block(record, thickness, report)
+        compression = compression_modulus(modulus, block) if block else modulus
+        note = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
+        estimated("compression_modulus", "block" if "block" in sources else basis, note)
+    return {"shear_modulus": shear, "compression_modulus": compression}
+
+
+def _block(record: Record, thickness: float, report: Report) -> Block | None:
+    table = record.get("block")
+    if not isinstance(table, Record):
+        return None
+    try:
+        return Block(**{"height": thickness, **table})
+    except InputError as error:
+        report.take(error, table.place, table.raw)
+        return None
+
+
+def _compression_note(block: Block | None, modulus: str) -> str:
+    if block is None:
+        return f"E_c = {modulus}, no stiffening by the shape of blocks"
+    return (
+        f"E_c from {modulus} and the shape of the blocks, Gent and Lindley (1959), "
+        f"{block.shape}, S = {block.shape_factor:.3g}, k = {block.stiffening:g}, "
+        f"contact fraction {block.contact_fraction:g}"
+    )

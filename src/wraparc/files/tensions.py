@@ -1,0 +1,202 @@
+"""Tensions at the pulleys from any two of the quantities that fix them."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from wraparc.drive import Tensions
+from wraparc.errors import InputError
+from wraparc.files.problems import Place, Report
+from wraparc.files.tables import Record
+from wraparc.units import display
+
+ENTRY, EXIT = "entry_tension", "exit_tension"
+#: Keys that all fix the effective tension.
+EFFECTIVE = ("effective_tension", "torque", "power")
+KEYS = (ENTRY, EXIT, *EFFECTIVE)
+
+_PAIR = "entry_tension, exit_tension and one of effective_tension, torque, power"
+
+
+@dataclass(frozen=True)
+class Given:
+    """What is given of the tensions of one pulley in one load case.
+
+    Parameters
+    ----------
+    name
+        The pulley.
+    place
+        Where the table stands in the file.
+    values
+        What is given by key [SI].
+    raw
+        The table as the user wrote it.
+    diameter
+        Diameter of the pulley [m], or None if it could not be read.
+    inherited
+        Keys that a load case takes over from its pulley.
+    """
+
+    name: str
+    place: Place
+    values: Mapping[str, float]
+    raw: Mapping[str, object]
+    diameter: float | None
+    inherited: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, name: str, record: Record, diameter: float | None) -> "Given":
+        """Return what a table of a file gives."""
+        values = {key: record[key] for key in KEYS if key in record}
+        return cls(name, record.place, values, record.raw, diameter)
+
+    def overridden(self, record: Record) -> "Given":
+        """Return these tensions with those of a load case put over them.
+
+        Two independent quantities replace all; a single one replaces its own kind.
+        """
+        over = Given.of(self.name, record, self.diameter)
+        if len(over.families) >= 2:
+            return over
+        replaced = {*over.values, *(EFFECTIVE if over.effective else ())}
+        kept = {key: value for key, value in self.values.items() if key not in replaced}
+        return Given(
+            self.name, over.place, kept | dict(over.values), over.raw, self.diameter, tuple(kept)
+        )
+
+    @property
+    def effective(self) -> tuple[str, ...]:
+        """The keys given that fix the effective tension."""
+        return tuple(key for key in EFFECTIVE if key in self.values)
+
+    @property
+    def families(self) -> tuple[str, ...]:
+        """One key for each independent quantity given."""
+        return (*(key for key in (ENTRY, EXIT) if key in self.values), *self.effective[:1])
+
+    def pull(self, speed: float | None) -> float | None:
+        """Return the effective tension [N], or None if it is not given or not computable."""
+        for key in self.effective:
+            value = self.values[key]
+            if key == "effective_tension":
+                return value
+            if key == "torque":
+                return None if self.diameter is None else 2.0 * value / self.diameter
+            return None if speed is None else value / speed
+        return None
+
+
+def resolve(
+    given: Sequence[Given], speed: float | None, report: Report, *, sure: bool = True
+) -> dict[str, Tensions]:
+    """Return the tensions of every pulley; a pulley whose tensions are wrong is left out.
+
+    Parameters
+    ----------
+    given
+        What is given, in belt order. An entry tension that is not given is the exit
+        tension of the pulley before, an exit tension the entry tension of the one after.
+    speed
+        Belt speed [m/s], or None.
+    report
+        Takes what is wrong.
+    sure
+        False if something could not be read, so that nothing may be called missing.
+    """
+    fixed = [_contradiction(item, speed, report) for item in given]
+    if any(fixed):
+        return {}
+    if sure and speed is None:
+        for item in (item for item in given if item.effective == ("power",)):
+            place = item.place if "power" in item.inherited else (*item.place, "power")
+            remedy = 'Write speed = "3 m/s" in [belt], or give effective_tension.'
+            report.add(place, "power needs the belt speed", remedy)
+            sure = False
+    tensions = {}
+    for item, (entry, exit_) in zip(given, _spread(given, speed), strict=True):
+        if entry is None or exit_ is None:
+            if sure:
+                report.add(item.place, _missing(item), f"Give two of {_PAIR}.")
+        elif made := _made(item, entry, exit_, report):
+            tensions[item.name] = made
+    return tensions
+
+
+def complete(given: Sequence[Given], speed: float | None) -> bool:
+    """Whether all tensions follow from what is given."""
+    return all(None not in pair for pair in _spread(given, speed))
+
+
+Pair = tuple[float | None, float | None]
+
+
+def _spread(given: Sequence[Given], speed: float | None) -> list[Pair]:
+    """Return entry and exit tensions as far as pulls and neighbours give them."""
+    pairs: list[Pair] = [(item.values.get(ENTRY), item.values.get(EXIT)) for item in given]
+    pulls = [item.pull(speed) for item in given]
+    for _ in range(2 * len(pairs)):
+        for i, pull in enumerate(pulls):
+            entry, exit_ = _filled(pairs[i], pull)
+            if entry is None and i > 0:
+                entry, exit_ = _filled((pairs[i - 1][1], exit_), pull)
+            if exit_ is None and i + 1 < len(pairs):
+                entry, exit_ = _filled((entry, pairs[i + 1][0]), pull)
+            pairs[i] = entry, exit_
+    return pairs
+
+
+def _filled(pair: Pair, pull: float | None) -> Pair:
+    entry, exit_ = pair
+    if pull is not None and exit_ is None and entry is not None:
+        exit_ = entry - pull
+    elif pull is not None and entry is None and exit_ is not None:
+        entry = exit_ + pull
+    return entry, exit_
+
+
+def _contradiction(item: Given, speed: float | None, report: Report) -> bool:
+    """Report more than two independent quantities, or the same one twice."""
+    remedy = "Leave one of them out."
+    if len(item.effective) > 1:
+        message = f"{_listed(item.effective)} each fix the effective tension"
+        report.add(item.place, message, remedy)
+        return True
+    if len(item.families) < 3:
+        return False
+    pull = item.pull(speed)
+    message = f"{_listed(item.families)} are given, and two of them fix the third"
+    between = item.values[ENTRY] - item.values[EXIT]
+    if pull is not None and abs(pull - between) > 1e-6 * abs(between):
+        message = (
+            f"{_listed(item.families)} contradict each other: entry less exit tension is "
+            f"{display(between, 'force')}, {item.effective[0]} makes {display(pull, 'force')}"
+        )
+    if item.inherited:
+        remedy = "Give two of them in the load case: they replace those of the pulley."
+    report.add(item.place, message, remedy)
+    return True
+
+
+def _missing(item: Given) -> str:
+    if not item.families:
+        return "no tensions are given"
+    return f"only {item.families[0]} is given, and it takes two quantities to fix the tensions"
+
+
+def _made(item: Given, entry: float, exit_: float, report: Report) -> Tensions | None:
+    try:
+        return Tensions(entry=entry, exit=exit_)
+    except InputError:
+        side, tension = ("exit", exit_) if exit_ <= 0.0 else ("entry", entry)
+        key = next((k for k in item.effective if k not in item.inherited), "")
+        place = (*item.place, key) if key else item.place
+        what = "a belt cannot push" if tension <= 0.0 else "no belt carries that"
+        message = f"leaves an {side} tension of {display(tension, 'force')}, and {what}"
+        remedy = "Give a smaller pull or a larger tension on the slack side."
+        report.add(place, message, remedy, *([item.raw[key]] if key else []))
+        return None
+
+
+def _listed(keys: Iterable[str]) -> str:
+    *most, last = keys
+    return f"{', '.join(most)} and {last}"
