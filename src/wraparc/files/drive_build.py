@@ -118,7 +118,8 @@ class Laggings:
             if any(key in given for key in group):
                 for key in group:
                     values.pop(key, None)
-        values = {**values, "name": name or str(given.place[-2]), **values, **given}
+        owner = str(given.place[-2]) if len(given.place) > 1 else "lagging"
+        values = {"name": name or owner, **values, **given}
         if base is not None:
             values |= _merged_origins(base, given)
         return Record(values, given.place, given.raw, given.faulty)

@@ -149,14 +149,15 @@ class Flag(Kind):
 
 @dataclass(frozen=True)
 class WordOr(Kind):
-    """A word that stands for None, or a value of another kind."""
+    """A word that stands for a value of its own, or a value of another kind."""
 
     word: str
     kind: Kind
+    meaning: float | None = None
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
-        """Return None for the word, else the value."""
-        return None if raw == self.word else self.kind.read(raw, place, report)
+        """Return what the word means, else the value."""
+        return self.meaning if raw == self.word else self.kind.read(raw, place, report)
 
     def schema(self) -> dict[str, Any]:
         """Either of the two."""

@@ -13,6 +13,7 @@ from wraparc.provenance import Provenance
 
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
 _SAME = ("name", "title", "description", "surface", "elastic_modulus", "wear_coefficient")
+_MEASURED = ("thickness", "shear_modulus", "compression_modulus")
 _ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")
 
 
@@ -90,54 +91,49 @@ def _elasticity(
             place = (*record.place, "thickness")
             report.add(place, f"missing, where {given[0]} is given", 'Write thickness = "12 mm".')
         return {}
-    thickness = record["thickness"]
     if "compression_modulus" in record and "block" in record:
         message = "given, and the compression modulus as well"
         report.add((*record.place, "block"), message, "Keep one of them.")
         return {}
-    if "elastic_modulus" not in record and "shear_modulus" not in record:
-        if thickness > 0.0:
-            place = (*record.place, "shear_modulus")
-            remedy = "Give shear_modulus, or elastic_modulus, of which it is a third."
-            report.add(place, "missing, and the lagging is not rigid", remedy)
-        return {"thickness": thickness}
-    return {"thickness": thickness, **_moduli(record, thickness, sources, provenance, report)}
+    known = "elastic_modulus" in record or "shear_modulus" in record
+    if not known and record["thickness"] > 0.0:
+        place = (*record.place, "shear_modulus")
+        remedy = "Give shear_modulus, or elastic_modulus, of which it is a third."
+        report.add(place, "missing, and the lagging is not rigid", remedy)
+        return {}
+    stated = {key: record[key] for key in _MEASURED if key in record}
+    return _estimated(record, sources, provenance, report) | stated if known else stated
 
 
-def _moduli(
-    record: Record,
-    thickness: float,
-    sources: dict[str, Provenance],
-    provenance: Provenance,
-    report: Report,
+def _estimated(
+    record: Record, sources: dict[str, Provenance], provenance: Provenance, report: Report
 ) -> dict[str, float]:
-    def estimated(part: str, basis: str, note: str) -> None:
+    """Return the moduli that are not given, and say in `sources` how they were estimated."""
+
+    def note(part: str, basis: str, text: str) -> None:
         of = sources.get(basis, provenance)
-        sources.setdefault(part, Provenance(of.kind, of.source, of.date, f"estimated: {note}"))
+        sources.setdefault(part, Provenance(of.kind, of.source, of.date, f"estimated: {text}"))
 
-    if "shear_modulus" in record:
-        shear = record["shear_modulus"]
-    else:
-        shear = record["elastic_modulus"] / 3.0
-        estimated("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber")
-    if "compression_modulus" in record:
-        compression = record["compression_modulus"]
-    else:
+    moduli = {}
+    if "shear_modulus" not in record:
+        moduli["shear_modulus"] = record["elastic_modulus"] / 3.0
+        note("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber")
+    if "compression_modulus" not in record:
         basis = "elastic_modulus" if "elastic_modulus" in record else "shear_modulus"
-        modulus = record["elastic_modulus"] if basis == "elastic_modulus" else 3.0 * shear
-        block = _block(record, thickness, report)
-        compression = compression_modulus(modulus, block) if block else modulus
-        note = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
-        estimated("compression_modulus", "block" if "block" in sources else basis, note)
-    return {"shear_modulus": shear, "compression_modulus": compression}
+        young = record[basis] * (1.0 if basis == "elastic_modulus" else 3.0)
+        block = _block(record, report)
+        moduli["compression_modulus"] = compression_modulus(young, block) if block else young
+        text = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
+        note("compression_modulus", "block" if "block" in sources else basis, text)
+    return moduli
 
 
-def _block(record: Record, thickness: float, report: Report) -> Block | None:
+def _block(record: Record, report: Report) -> Block | None:
     table = record.get("block")
     if not isinstance(table, Record):
         return None
     try:
-        return Block(**{"height": thickness, **table})
+        return Block(**{"height": record["thickness"], **table})
     except InputError as error:
         report.take(error, table.place, table.raw)
         return None

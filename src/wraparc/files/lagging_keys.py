@@ -4,7 +4,7 @@ import math
 
 from wraparc.drive import SHAPES, SURFACES, Block, Cost, Lagging, Limit
 from wraparc.files.common_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known, limited
-from wraparc.files.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text
+from wraparc.files.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text, WordOr
 from wraparc.files.tables import Entry, Table, Variant
 
 _NUMBER = Quantity("number")
@@ -153,6 +153,11 @@ LAW = Variant(
     },
 )
 
+
+def _rigid_or(key: str) -> WordOr:
+    return WordOr("rigid", limited(Lagging.LIMITS, key), math.inf)
+
+
 _LAGGING = (
     Entry("title", Text(), "Title", "Name in words."),
     Entry("description", Text(5000, lines=True)),
@@ -164,8 +169,8 @@ _LAGGING = (
         "Elastic modulus",
         "Young's modulus E of the rubber.",
     ),
-    known("shear_modulus", limited(Lagging.LIMITS, "shear_modulus")),
-    known("compression_modulus", limited(Lagging.LIMITS, "compression_modulus")),
+    known("shear_modulus", _rigid_or("shear_modulus")),
+    known("compression_modulus", _rigid_or("compression_modulus")),
     Entry("block", BLOCK),
     known("wear_coefficient", limited(Lagging.LIMITS, "wear_coefficient")),
     Entry("cost", COST),

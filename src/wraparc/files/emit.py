@@ -1,0 +1,65 @@
+"""Documents to TOML text, laid out for people: short tables on one line, values by tomli_w."""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import tomli_w
+
+_WIDTH = 100
+# Tables that read best on a line of their own.
+_ON_ONE_LINE = ("provenance", "knots", "pieces", "rows")
+_UNDER = (("sources",),)
+
+
+def document_text(document: Mapping[str, Any]) -> str:
+    """Return a document as TOML text."""
+    return "\n".join(_table(document, ())).lstrip("\n") + "\n"
+
+
+def _table(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
+    later: list[tuple[str, Any]] = []
+    for key, value in table.items():
+        if _is_table(key, value, path) or _is_tables(key, value):
+            later.append((key, value))
+        else:
+            yield f"{_key(key)} = {_value(value)}"
+    for key, value in later:
+        below = (*path, key)
+        name = ".".join(map(_key, below))
+        if isinstance(value, list):
+            for item in value:
+                yield f"\n[[{name}]]"
+                yield from _table(item, below)
+        else:
+            if any(not _is_table(k, v, below) for k, v in value.items()) or not value:
+                yield f"\n[{name}]"
+            yield from _table(value, below)
+
+
+def _is_table(key: str, value: object, path: tuple[str, ...]) -> bool:
+    if not isinstance(value, Mapping) or key in _ON_ONE_LINE or path[-1:] in _UNDER:
+        return False
+    return key != "lagging" or not path or len(_value(value)) > _WIDTH
+
+
+def _is_tables(key: str, value: object) -> bool:
+    if not isinstance(value, list) or not value or key in _ON_ONE_LINE:
+        return False
+    return all(isinstance(item, Mapping) for item in value)
+
+
+def _value(value: object) -> str:
+    if isinstance(value, Mapping):
+        pairs = ", ".join(f"{_key(key)} = {_value(item)}" for key, item in value.items())
+        return f"{{ {pairs} }}" if pairs else "{}"
+    if isinstance(value, list | tuple):
+        items = [_value(item) for item in value]
+        line = f"[{', '.join(items)}]"
+        if len(line) <= _WIDTH and not any(isinstance(item, Mapping) for item in value):
+            return line
+        return "[\n" + "".join(f"  {item},\n" for item in items) + "]"
+    return tomli_w.dumps({"k": value}).removeprefix("k = ").removesuffix("\n")
+
+
+def _key(key: str) -> str:
+    return tomli_w.dumps({key: 0}).removesuffix(" = 0\n")

@@ -1,0 +1,285 @@
+"""Drives and laggings to files that read back equal."""
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from wraparc import catalogue
+from wraparc.drive import CREEP_LIMIT, DESIGN, Belt, Drive, Lagging, Limit, LoadCase, Pulley
+from wraparc.errors import InputError, Problem
+from wraparc.files.common_keys import FORMAT
+from wraparc.files.drive_build import Laggings, build_belt
+from wraparc.files.drive_file import drive_from_document
+from wraparc.files.drive_keys import BELT, DRIVE
+from wraparc.files.emit import document_text
+from wraparc.files.keep import kept
+from wraparc.files.lagging_file import load_lagging_conditions
+from wraparc.files.lagging_keys import LAGGING_GIVEN
+from wraparc.files.law_tables import fit_table, law_table
+from wraparc.files.problems import Report
+from wraparc.files.quantity_text import quantity_text
+from wraparc.files.source import Document, write_text
+from wraparc.provenance import Provenance
+
+Tables = dict[str, Any]
+
+
+def drive_text(drive: Drive, *, like: Document | None = None) -> str:
+    """Return the text of a drive file that reads back as this drive.
+
+    Parameters
+    ----------
+    drive
+        The drive. Laggings that are not in the catalogue are written into the file.
+    like
+        A document of the same drive before a change: what still holds is kept as it is
+        written there, units and all.
+    """
+    return document_text(drive_document(drive, like=like))
+
+
+def drive_document(drive: Drive, *, like: Document | None = None) -> Document:
+    """Return the tables of a drive file that reads back as this drive; see `drive_text`."""
+    document = _drive_table(drive)
+    if like is None:
+        return document
+    for candidate in (like, _with_parts_of(like, drive, document), kept(document, like, DRIVE)):
+        if candidate and _reads_as(candidate, drive):
+            return dict(candidate)
+    return document
+
+
+def save_drive(drive: Drive, path: str | os.PathLike[str], *, like: Document | None = None) -> None:
+    """Write a drive file as a whole or not at all; see `drive_text`."""
+    write_text(path, drive_text(drive, like=like))
+
+
+def lagging_text(laggings: Lagging | Sequence[Lagging]) -> str:
+    """Return the text of a lagging file that reads back as this lagging.
+
+    Parameters
+    ----------
+    laggings
+        A lagging, or the same one in several conditions.
+
+    Raises
+    ------
+    InputError
+        If the laggings differ in more than their laws.
+    """
+    return document_text({"format": FORMAT, **_lagging_table(laggings)})
+
+
+def save_lagging(laggings: Lagging | Sequence[Lagging], path: str | os.PathLike[str]) -> None:
+    """Write a lagging file as a whole or not at all; see `lagging_text`."""
+    write_text(path, lagging_text(laggings))
+
+
+def _reads_as(document: Document, drive: Drive) -> bool:
+    try:
+        return drive_from_document(document) == drive
+    except InputError:
+        return False
+
+
+def _with_parts_of(like: Document, drive: Drive, document: Document) -> Document:
+    """Return the document with belt, pulleys and load cases of `like` where they still hold."""
+    try:
+        before = drive_from_document(like)
+    except InputError:
+        return {}
+    result: Document = dict(kept(document, like, DRIVE))
+    if before.belt == drive.belt:
+        result["belt"] = like["belt"]
+    if "lagging" in like:
+        result["lagging"] = like["lagging"]
+    rows = {row.get("name"): row for row in like["pulley"]}
+    same = {p.name for p in drive.pulleys if p in before.pulleys}
+    same &= {name for name in same if _design(before).get(name) == _design(drive).get(name)}
+    laggings = {p.name: p.lagging for p in before.pulleys}
+    result["pulley"] = [
+        rows[pulley.name]
+        if pulley.name in same
+        else {**table, **_lagging_as_in(rows.get(pulley.name), laggings, pulley)}
+        for pulley, table in zip(drive.pulleys, result["pulley"], strict=True)
+    ]
+    cases = {row.get("name"): row for row in like.get("load_case", ())}
+    if "load_case" in result and len(same) == len(drive.pulleys):
+        result["load_case"] = [
+            cases[case["name"]]
+            if _case(before, case["name"]) == _case(drive, case["name"])
+            else case
+            for case in result["load_case"]
+        ]
+    return result
+
+
+def _lagging_as_in(
+    row: Mapping[str, Any] | None, laggings: Mapping[str, Lagging], pulley: Pulley
+) -> Tables:
+    if row is None or laggings.get(pulley.name) != pulley.lagging:
+        return {}
+    return {key: row[key] for key in ("lagging", "condition") if key in row}
+
+
+def _case(drive: Drive, name: str) -> LoadCase | None:
+    return next((case for case in drive.load_cases if case.name == name), None)
+
+
+def _design(drive: Drive) -> Mapping[str, Any]:
+    case = _case(drive, DESIGN)
+    return case.tensions if case else {}
+
+
+def _drive_table(drive: Drive) -> Document:
+    design = _design(drive)
+    document: Document = {"format": FORMAT}
+    document |= {key: text for key in ("title", "description") if (text := getattr(drive, key))}
+    if drive.creep_limit != CREEP_LIMIT:
+        document["creep_limit"] = quantity_text(drive.creep_limit, "length")
+    document["belt"] = _belt_table(drive.belt)
+    document["pulley"] = [_pulley_table(pulley, design) for pulley in drive.pulleys]
+    cases = [case for case in drive.load_cases if case.name != DESIGN]
+    if cases:
+        document["load_case"] = [
+            {"name": c.name, "pulley": {name: _tensions(t) for name, t in c.tensions.items()}}
+            for c in cases
+        ]
+    return document
+
+
+def _belt_table(belt: Belt) -> Tables:
+    texts = {key: getattr(belt, key) for key in ("name", "kind")}
+    explicit = {
+        **{key: text for key, text in texts.items() if text},
+        **_quantities(belt, Belt.LIMITS),
+        **_origins(belt.provenance, belt.sources),
+    }
+    preset = next((b for b in catalogue.belts() if b.name == belt.name), None)
+    if preset is not None:
+        same = {key for key in explicit if getattr(belt, key) == getattr(preset, key, None)}
+        short = {key: value for key, value in explicit.items() if key not in same}
+        short["sources"] = _stated(belt.sources)
+        short = {"preset": preset.name, **{k: v for k, v in short.items() if v}}
+        report = Report()
+        if build_belt(BELT.read(short, (), report), report) == belt:
+            return short
+    return explicit
+
+
+def _pulley_table(pulley: Pulley, design: Mapping[str, Any]) -> Tables:
+    sizes = _quantities(pulley, Pulley.LIMITS)
+    table: Tables = {"name": pulley.name}
+    table |= {key: sizes.pop(key) for key in ("diameter", "wrap_angle")}
+    table |= _lagging_keys(pulley.lagging)
+    if pulley.name in design:
+        table |= _tensions(design[pulley.name])
+    table |= sizes
+    if not pulley.recovery:
+        table["recovery"] = False
+    sources = _stated(pulley.sources, all_of_them=True)
+    return table | ({"sources": sources} if sources else {})
+
+
+def _tensions(tensions: Any) -> Tables:
+    return {
+        "entry_tension": quantity_text(tensions.entry, "force"),
+        "exit_tension": quantity_text(tensions.exit, "force"),
+    }
+
+
+def _lagging_keys(lagging: Lagging) -> Tables:
+    """Return the name of a catalogue lagging, or its whole table."""
+    if lagging.name not in catalogue.lagging_names():
+        return {"lagging": _lagging_table(lagging)}
+    conditions = load_lagging_conditions(lagging.name)
+    if lagging == conditions[0]:
+        return {"lagging": lagging.name}
+    if lagging in conditions:
+        return {"lagging": lagging.name, "condition": lagging.condition}
+    changed = {
+        key: text
+        for key, text in _quantities(lagging, Lagging.LIMITS).items()
+        if getattr(lagging, key) != getattr(conditions[0], key)
+    }
+    of_thickness = {key: text for key, text in changed.items() if key == "thickness"}
+    for keys in (of_thickness, changed):
+        short = {"preset": lagging.name, **keys}
+        report = Report()
+        record = LAGGING_GIVEN.read(short, ("lagging",), report)
+        if Laggings({}, "", False, report).of(record, ())[:1] == (lagging,):
+            return {"lagging": short}
+    return {"lagging": _lagging_table(lagging)}
+
+
+def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
+    several = (laggings,) if isinstance(laggings, Lagging) else tuple(laggings)
+    first = several[0]
+    commons = [_common(lagging) for lagging in several]
+    if any(common != commons[0] for common in commons):
+        message = f"laggings of one file differ in more than their laws: {first.name}"
+        raise InputError(Problem(message=message, remedy="Write them into files of their own."))
+    laws = [_law(lagging) for lagging in several]
+    return {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
+
+
+def _common(lagging: Lagging) -> Tables:
+    texts = {key: getattr(lagging, key) for key in ("title", "description", "surface")}
+    table: Tables = {"name": lagging.name, **{key: text for key, text in texts.items() if text}}
+    moduli = ("shear_modulus", "compression_modulus")
+    rigid = lagging.thickness == 0.0 and all(
+        getattr(lagging, key) == float("inf") for key in moduli
+    )
+    quantities = _quantities(lagging, Lagging.LIMITS)
+    table |= {key: text for key, text in quantities.items() if not (rigid and key in moduli)}
+    if lagging.cost is not None:
+        cost = lagging.cost
+        table["cost"] = {
+            "material": cost.material,
+            "installation": cost.installation,
+            "currency": cost.currency,
+            "area": quantity_text(cost.area, "area"),
+            "life_years": list(cost.life_years),
+        }
+    if lagging.notes:
+        table["notes"] = list(lagging.notes)
+    sources = {key: of for key, of in lagging.sources.items() if key != "law"}
+    return table | _origins(lagging.provenance, sources)
+
+
+def _law(lagging: Lagging) -> Tables:
+    table = {"condition": lagging.condition, **law_table(lagging.law)}
+    if "law" in lagging.sources:
+        table["provenance"] = _provenance(lagging.sources["law"])
+    return table | ({"fit": fit_table(lagging.fit)} if lagging.fit else {})
+
+
+def _quantities(thing: object, limits: Mapping[str, Limit]) -> Tables:
+    """Return the numbers of a description that are not None as texts with units."""
+    values = {key: getattr(thing, key) for key in limits}
+    return {
+        key: "rigid" if value == float("inf") else quantity_text(value, limits[key].dimension)
+        for key, value in values.items()
+        if value is not None
+    }
+
+
+def _origins(provenance: Provenance, sources: Mapping[str, Provenance]) -> Tables:
+    tables: Tables = {}
+    if provenance != Provenance():
+        tables["provenance"] = _provenance(provenance)
+    if sources:
+        tables["sources"] = _stated(sources, all_of_them=True)
+    return tables
+
+
+def _stated(sources: Mapping[str, Provenance], all_of_them: bool = False) -> Tables:
+    """Return sources as tables; without those that reading a preset makes by itself."""
+    return {
+        key: _provenance(of) for key, of in sources.items() if all_of_them or of != Provenance()
+    }
+
+
+def _provenance(provenance: Provenance) -> Tables:
+    texts = {key: getattr(provenance, key) for key in ("source", "date", "note")}
+    return {"kind": provenance.kind.value, **{key: text for key, text in texts.items() if text}}
