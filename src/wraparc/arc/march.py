@@ -18,7 +18,7 @@ law throughout; where it ends in another piece, it is cut at the boundary.
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from math import exp, log, sqrt
+from math import exp, inf, log, sqrt
 
 from wraparc.friction.compact import (
     KNOTS,
@@ -42,8 +42,9 @@ Buffer = MutableSequence[float]
 # places in `par`
 T1, P1, RADIUS, LENGTH, COMPLIANCE, SHEAR, KICK, WIDTH, SIDE, ONSET = range(10)
 
-#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work
-RECORD = 6
+#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work, and
+#: 1 where the law has a kink
+RECORD = 7
 MESH_POWER = 4
 # how near a cut lands on a boundary of the law (ln p, or slip [m]): where only the curvature of the
 # law jumps, the square of the miss counts
@@ -335,6 +336,12 @@ def advance(
         dq = abs(k[0]) * jacobian
         if dq * h > LARGEST_LOG_STEP:
             h = LARGEST_LOG_STEP / dq
+        if kind == TABLE:
+            # a cubic is not to be trusted far outside its cell
+            dx = abs(k[1]) * jacobian
+            cell = slips[branch + 1] - slips[branch] if branch < len(slips) - 1 else inf
+            if dx * h > cell:
+                h = cell / dx
         q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
         if not cut:
             p = par[P1] * exp(q1)
@@ -393,6 +400,7 @@ def advance(
                     origin + span * xi**MESH_POWER,
                     (q, x, work, segment, branch, sign),
                 )
+                out[RECORD * count + 6] = 1.0
                 count += 1
             continue
         q, x, work = q1, x1, work + w1
@@ -406,7 +414,7 @@ def record(law: Law, par: Parameters, out: Buffer, count: int, s: float, state: 
     tau, creep = stress_and_creep(law, par, state)
     i = RECORD * count
     out[i], out[i + 1], out[i + 2] = s, q, x
-    out[i + 3], out[i + 4], out[i + 5] = creep, tau, work
+    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = creep, tau, work, 0.0
 
 
 def stress_and_creep(law: Law, par: Parameters, state: State) -> tuple[float, float]:
@@ -535,7 +543,7 @@ def _mesh(
     length = par[LENGTH]
     span = length - origin
     h = 1.0 / steps
-    cut = steps >= FEWEST_CUT_STEPS
+    cut = steps >= FEWEST_CUT_STEPS or law[0] == TABLE
     if len(out) > 0 and first > 0:
         record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state)
         count += 1
@@ -603,7 +611,8 @@ def sweep(
                 return _mesh(law, par, g, state, s, 1, steps, points, out, n)
         return _mesh(law, par, g, state, 0.0, 0, steps, points, out, count)
     if len(out) > 0:
-        out[0] = out[1] = out[2] = out[3] = out[4] = out[5] = 0.0
+        for i in range(RECORD):
+            out[i] = 0.0
         count = 1
     if g == 0.0:
         p = par[P1]

@@ -1,7 +1,7 @@
 """Numbers read off a marched profile: order, peak shear stress, active arc, share outside tests.
 
 Plain numbers and buffers only, like the march: compiled for batches. A profile is `count` records
-of (s, q, slip, creep, shear stress, friction work), see :mod:`wraparc.arc.march`.
+of (s, q, slip, creep, shear stress, friction work, kink), see :mod:`wraparc.arc.march`.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def peak_stress(out: Buffer, count: int) -> tuple[float, float]:
         if abs(out[RECORD * i + 4]) > abs(out[RECORD * best + 4]):
             best = i
     s, t = out[RECORD * best], abs(out[RECORD * best + 4])
-    if 0 < best < count - 1:
+    if 0 < best < count - 1 and out[RECORD * best + 6] == 0.0:
         a = out[RECORD * (best - 1)] - s
         b = out[RECORD * (best + 1)] - s
         fa = abs(out[RECORD * (best - 1) + 4]) - t

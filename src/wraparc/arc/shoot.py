@@ -9,7 +9,7 @@ stuck zone above that; where that vanishes (no shear of the lagging), the entry 
 
 from __future__ import annotations
 
-from math import asinh, exp, inf, log, sinh
+from math import asinh, exp, inf, log, sinh, sqrt
 
 from wraparc.arc.march import (
     COMPLIANCE,
@@ -21,6 +21,7 @@ from wraparc.arc.march import (
     SHEAR,
     SIDE,
     T1,
+    WIDTH,
     Buffer,
     Law,
     Parameters,
@@ -42,6 +43,7 @@ FOUND, EXHAUSTED, STALLED = 0, 1, 2
 #: entry creep ratio where the scale of z turns from logarithmic to linear
 SMALL_RATIO = 1e-7
 LARGEST_RATIO = 1.0
+LAGS_PER_MESH = 2.0  # shear-lag lengths that the given number of mesh steps resolves
 CREEP_SCALE = (
     6.35e-3  # of the ratio that follows on a vanished rest arc, z in units of it per arc [m]
 )
@@ -82,11 +84,42 @@ def largest_effort(law: Law, par: Parameters) -> float:
     return max(par[LENGTH] / u, 10.0)
 
 
+def lowest_effort(law: Law, par: Parameters) -> float:
+    """Effort below which nothing is sought: creep well beyond the kick towards the tight side."""
+    if jumps(law):
+        return -3.0
+    if par[KICK] > 0.0:
+        return effort_of(par, -par[SIDE] * 1e3 * par[KICK] / par[LENGTH])
+    return -60.0
+
+
+def mesh_steps(law: Law, par: Parameters, steps: int) -> int:
+    """Mesh steps for an arc: more where the belt hands over its tension in a short exit part.
+
+    Creep grows like exp(s/l) where friction is nearly proportional to slip; l follows from the
+    shear of the lagging and the slip at small friction, in series.
+    """
+    kind, edges, c, slips = law
+    p = par[P1]
+    segment = segment_of(edges, p)
+    if kind == LIMIT:
+        return steps
+    if kind == TABLE:
+        mu, _, _ = friction_at(kind, edges, c, slips, segment, 1, slips[1], p)
+        slip = slips[1]
+    else:
+        slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, p)
+        slip, mu = 0.18 * slip_pk, mu_pk
+    lag = sqrt((par[SHEAR] + slip / (mu * p)) / (par[WIDTH] * par[COMPLIANCE]))
+    return int(steps * max(1.0, par[LENGTH] / (LAGS_PER_MESH * lag)))
+
+
 def fire(
     law: Law, par: Parameters, z: float, steps: int, points: int, out: Buffer
 ) -> tuple[Shot, int]:
     """March one arc at effort z; `points` and `out` as :func:`wraparc.arc.march.sweep`."""
     zone = 0.0
+    steps = mesh_steps(law, par, steps)
     if jumps(law):
         length = par[LENGTH]
         compliance = par[SHEAR] + par[ONSET]
@@ -211,7 +244,7 @@ def search(
     """
     top = largest_effort(law, par)
     jump = jumps(law)
-    bottom = -inf
+    bottom = lowest_effort(law, par)
     low, high = bottom, inf
     z = min(z, top)
     shot, _ = fire(law, par, z, steps, 0, none)
@@ -246,21 +279,18 @@ def search(
                 return FOUND, z, slope, shot
             high = z
         new = z - f / slope if slope > 0.0 else z - 1.0
-        if low == -inf or high == inf:
+        if high == inf or (low == bottom and f > 0.0 and z - low > 5.0):
             reach = 2.5 if not jump else max(1.0, 2.0 * z)
             new = min(max(new, z - reach), z + reach, top)
-            if f > 0.0 and not low < new < high:
-                new = 0.5 * (low + high) if low > -inf else z - reach
-        else:
+        elif i % 2 == 0:
             # inside the bracket; halve it when two secant steps have not
-            if i % 2 == 0:
-                if high - low > 0.5 * width:
-                    new = 0.5 * (low + high)
-                width = high - low
-            if not low < new < high:
+            if high - low > 0.5 * width:
                 new = 0.5 * (low + high)
-            if new in (low, high):
-                return STALLED, z, slope, shot
+            width = high - low
+        if not low < new < high:
+            new = 0.5 * (low + high) if high < inf else top
+        if new == z:
+            return STALLED, z, slope, shot
         z_last, f_last = z, f
         z = new
         shot, _ = fire(law, par, z, steps, 0, none)

@@ -104,7 +104,8 @@ def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tu
     scale = (end_creep - par[KICK] * e_end) * exp((s - length) / lag) / (1.0 - e_end * e_end)
     creep = par[KICK] * e + scale * (1.0 - e * e)
     pull = par[KICK] * (1.0 - e) + scale * (1.0 - e) ** 2
-    return par[T1] - pull / (lag * par[COMPLIANCE]), creep
+    # a trial far off the solution may ask for more than all of the tension
+    return max(par[T1] - pull / (lag * par[COMPLIANCE]), 1e-6 * par[T1]), creep
 
 
 def zone_creep_ratio(par: Parameters, length: float, end_creep: float) -> float:
@@ -145,6 +146,7 @@ def stick_slip(
             count += 1
         if zone > 0.0:
             _record_stuck(par, out, count, zone, zone, end_creep)
+            out[RECORD * count + 6] = 1.0
             count += 1
     tension, creep = zone_point(par, zone, zone, end_creep) if zone > 0.0 else (par[T1], 0.0)
     q = log(tension / par[T1])
@@ -172,3 +174,4 @@ def _record_stuck(
     out[i], out[i + 1], out[i + 2] = s, log(tension / par[T1]), par[ONSET] * tau
     out[i + 3], out[i + 4] = creep, tau
     out[i + 5] = 0.5 * par[ONSET] * (tau * tau - entry_tau * entry_tau)
+    out[i + 6] = 0.0
