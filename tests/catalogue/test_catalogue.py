@@ -1,0 +1,132 @@
+"""The data that ships with the program, against its publications and against itself."""
+
+import math
+
+import pytest
+
+from wraparc import InputError, Kind
+from wraparc.catalogue import (
+    CatalogueBelt,
+    belt,
+    belts,
+    design_friction,
+    lagging_costs,
+    lagging_names,
+    lagging_text,
+)
+
+
+def designation(item: CatalogueBelt) -> float:
+    """Breaking strength that the name states: "Plylon Plus 1000/4", "Flexsteel ST2000" [N/m]."""
+    return 1e3 * float(item.name.split()[-1].split("/")[0].removeprefix("ST"))
+
+
+def test_belts_as_published() -> None:
+    """Rows of the maker's catalogue: ends and middle of each table."""
+    rows = {
+        "Plylon 220/2": (39e3, 4.028e6, None),
+        "Plylon Plus 1000/4": (175e3, 12.96e6, None),
+        "Plylon Plus 1800/4": (315e3, 21.9e6, None),
+        "Flexsteel ST800": (120e3, 58e6, 0.8),
+        "Flexsteel ST2000": (300e3, 144e6, 1.0),
+        "Flexsteel ST7000": (1049e3, 504e6, 2.0),
+    }
+    for name, numbers in rows.items():
+        item = belt(name)
+        assert (item.rating, item.modulus, item.least_pulley_diameter) == numbers
+        assert item.provenance.kind is Kind.PUBLISHED
+        assert "Goodyear" in item.provenance.source
+    assert [sum(b.kind == kind for b in belts()) for kind in ("fabric", "steel cord")] == [16, 15]
+    assert len({b.name for b in belts()}) == len(belts())
+
+
+def test_ratings_follow_from_the_designations() -> None:
+    """The safety factor is one number for each class of belt: a slip of a digit would show."""
+    for item in belts():
+        factor = designation(item) / item.rating
+        if item.kind == "fabric":
+            assert factor == pytest.approx(5.70, rel=0.012), item.name
+        else:
+            assert factor == pytest.approx(6.67, rel=0.005), item.name
+            assert item.modulus / designation(item) == pytest.approx(72.0, rel=0.008), item.name
+
+
+def test_least_pulleys_grow_with_the_belt() -> None:
+    sizes = [b.least_pulley_diameter for b in belts() if b.kind == "steel cord"]
+    assert sizes == sorted(s for s in sizes if s is not None)
+
+
+def test_names_are_found_whatever_their_case_and_blanks() -> None:
+    assert belt("flexsteel  st2000") is belt("Flexsteel ST2000")
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        (
+            "ST2000",
+            '"ST2000": the catalogue has no belt of this name. Did you mean "Flexsteel ST2000"? '
+            "The command `wraparc belts` lists them.",
+        ),
+        (
+            "Plylon Plus 1000/6",
+            '"Plylon Plus 1000/6": the catalogue has no belt of this name. Did you mean "Plylon '
+            'Plus 1200/6" or "Plylon Plus 1000/5" or "Plylon Plus 1000/4"? The command `wraparc '
+            "belts` lists them.",
+        ),
+        (
+            "?",
+            '"?": the catalogue has no belt of this name. The command `wraparc belts` lists them.',
+        ),
+    ],
+)
+def test_an_unknown_belt_names_the_nearest(name: str, expected: str) -> None:
+    with pytest.raises(InputError) as caught:
+        belt(name)
+    assert str(caught.value) == expected
+
+
+def test_an_unknown_lagging_names_the_nearest() -> None:
+    with pytest.raises(InputError) as caught:
+        lagging_text("../costs")
+    assert str(caught.value) == (
+        '"../costs": the catalogue has no lagging of this name. '
+        "The command `wraparc laggings` lists them."
+    )
+    assert lagging_names() == ("diamond-rubber", "full-ceramic", "medium-ceramic")
+
+
+def test_ten_year_costs_add_up() -> None:
+    """As published: one lagging and its installation, as often as it is worn out in ten years."""
+    renewals = {"rubber": 6, "ceramic, cold bonded": 1, "ceramic, hot vulcanised": 1}
+    for cost in lagging_costs():
+        assert cost.ten_year_cost == renewals[cost.name] * (cost.material + cost.installation)
+        fewest, most = (math.ceil(10.0 / years) for years in reversed(cost.life_years))
+        assert fewest <= renewals[cost.name] <= most
+        assert cost.area == pytest.approx(math.pi * 1.0 * 2.0)
+        assert "AUD assumed" in cost.provenance.note
+
+
+def test_design_friction_as_published() -> None:
+    values = {(d.standard, d.surface, d.condition): d.friction for d in design_friction()}
+    assert values["CEMA", "rubber", ""] == (0.35, 0.35)
+    assert values["CEMA", "ceramic", ""] == (0.5, 0.5)
+    assert values["DIN 22101", "bare", "wet and dirty"] == (0.05, 0.10)
+    assert values["DIN 22101", "rubber", "dry"] == (0.40, 0.45)
+    assert values["practice", "ceramic", "dry"] == (0.8, 0.8)
+    assert len(values) == len(design_friction()) == 21
+
+
+def test_design_friction_is_plausible() -> None:
+    """Never better when wetter or dirtier; single wet values are marked."""
+    order = ("dry", "wet", "wet and dirty")
+    for d in design_friction():
+        low, high = d.friction
+        assert 0.0 < low <= high < 1.0
+        marked = "IS 11592" in d.provenance.note
+        assert marked == (d.standard == "DIN 22101" and low == high)
+        for other in design_friction():
+            same = (d.standard, d.surface) == (other.standard, other.surface)
+            if same and d.condition and order.index(d.condition) < order.index(other.condition):
+                assert low >= other.friction[0]
+                assert high >= other.friction[1]

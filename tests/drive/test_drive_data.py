@@ -1,0 +1,253 @@
+"""Descriptions of a drive: what they refuse, and the few quantities they compute.
+
+Expected values: by hand from the definitions given with each.
+"""
+
+import math
+import pickle
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from wraparc import InputError, Kind, Provenance
+from wraparc.drive import (
+    DESIGN,
+    Belt,
+    Block,
+    Cost,
+    Drive,
+    Fit,
+    Lagging,
+    LoadCase,
+    Pulley,
+    Tensions,
+    compression_modulus,
+    design_remarks,
+)
+from wraparc.friction import Constant, TestedRange
+
+BELT = Belt(name="belt", width=1.2, modulus=12.96e6, rating=175e3, speed=3.0)
+LAGGING = Lagging(
+    name="rubber",
+    law=Constant(
+        friction_coefficient=0.35,
+        tested=TestedRange(pressure_min=34e3, pressure_max=690e3, slip_max=0.015),
+    ),
+    thickness=0.012,
+    shear_modulus=2.3e6,
+    compression_modulus=1e7,
+)
+PULLEY = Pulley(name="head", diameter=0.8, wrap_angle=math.pi, lagging=LAGGING)
+CASE = LoadCase(name=DESIGN, tensions={"head": Tensions(entry=150e3, exit=60e3)})
+DRIVE = Drive(belt=BELT, pulleys=(PULLEY,), load_cases=(CASE,))
+
+
+def sentences(make: Callable[[], object]) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        make()
+    return [str(problem) for problem in caught.value.problems]
+
+
+def test_derived_quantities() -> None:
+    assert BELT.axial_stiffness == 12.96e6 * 1.2
+    assert LAGGING.shear_compliance == 0.012 / 2.3e6
+    assert LAGGING.compression_compliance == 0.012 / 1e7
+    assert PULLEY.radius == 0.4
+    assert PULLEY.wrap_length == 0.4 * math.pi
+    tensions = CASE.tensions["head"]
+    assert (tensions.effective, tensions.ratio) == (90e3, 2.5)
+    assert DRIVE.creep_limit == 0.25 * 0.0254
+    assert DRIVE.creep_limit_of(PULLEY) == DRIVE.creep_limit
+    assert DRIVE.creep_limit_of(replace(PULLEY, creep_limit=0.01)) == 0.01
+    assert DRIVE.pulley("head") is PULLEY
+
+
+def test_a_drive_survives_pickling() -> None:
+    assert pickle.loads(pickle.dumps(DRIVE)) == DRIVE  # noqa: S301
+    assert hash(DRIVE) == hash(replace(DRIVE))
+
+
+@pytest.mark.parametrize(
+    ("make", "expected"),
+    [
+        (
+            lambda: Belt(name=" ", width=0.0, modulus=-1e6, rating=math.nan, speed=0.0),
+            [
+                'name = " ": must be a printable text of 1 to 60 characters.',
+                "width = 0 mm: must be between 1.00 mm and 1000 m.",
+                "modulus = -1000 kN/m: must be at least 0.00100 kN/m.",
+                "rating = nan kN/m: must be finite.",
+                "speed = 0 m/s: must be more than 0 m/s.",
+            ],
+        ),
+        (
+            lambda: replace(BELT, width="1200 mm"),  # type: ignore[arg-type]
+            ['width = "1200 mm": must be a number [m].'],
+        ),
+        (
+            lambda: replace(PULLEY, diameter=-0.8, wrap_angle=13.0, overrun=-1e-3, creep_limit=0.0),
+            [
+                "diameter = -800.0 mm: must be between 1.00 mm and 1000 m.",
+                "wrap_angle = 744.8 deg: must be more than 0 deg and at most 720 deg.",
+                "overrun = -1.000 mm: must be between 0 mm and 1000 mm.",
+                "creep_limit = 0 mm: must be more than 0 mm.",
+            ],
+        ),
+        (
+            lambda: replace(LAGGING, thickness=-0.012, shear_modulus=0.0, surface="wood"),
+            [
+                "thickness = -12.00 mm: must be between 0 mm and 1000 mm.",
+                "shear_modulus = 0 kPa: must be at least 0.00100 kPa.",
+                'surface = "wood": must be one of bare, rubber, polyurethane, ceramic.',
+            ],
+        ),
+        (
+            lambda: Tensions(entry=math.inf, exit=-5.0),
+            ["entry = inf kN: must be finite.", "exit = -0.005000 kN: must be more than 0 kN and "
+             "at most 1000000 kN."],
+        ),
+        (
+            lambda: Cost(
+                material=-1, installation=0, currency="AUD", area=6.28, life_years=(2.0, 1.0)
+            ),
+            [
+                "material = -1.000: must be at least 0.",
+                "life_years = [2.0, 1.0]: must be the shortest and the longest life in years, "
+                "both more than 0.",
+            ],
+        ),
+        (
+            lambda: Block(shape="round", width=0.0, height=0.01),  # type: ignore[arg-type]
+            [
+                "width = 0 mm: must be at least 0.100 mm.",
+                'shape = "round": must be one of square, strip.',
+            ],
+        ),
+        (
+            lambda: replace(DRIVE, pulleys=()),
+            [
+                "pulley = 0: a drive needs 1 to 10 pulleys.",
+                'load_case.design: tensions for ["head"], which the drive does not have.',
+            ],
+        ),
+        (
+            lambda: replace(
+                DRIVE,
+                pulleys=(PULLEY, PULLEY, replace(PULLEY, name="tail")),
+                load_cases=(CASE, CASE),
+                creep_limit=0.0,
+            ),
+            [
+                "creep_limit = 0 mm: must be more than 0 mm.",
+                'pulley.name = "head": used 2 times. Give each its own name.',
+                'load_case.name = "design": used 2 times. Give each its own name.',
+                'load_case.design: no tensions for ["tail"].',
+                'load_case.design: no tensions for ["tail"].',
+            ],
+        ),
+    ],
+)  # fmt: skip
+def test_everything_wrong_is_told_at_once(make: Callable[[], object], expected: list[str]) -> None:
+    assert sentences(make) == expected
+
+
+def test_an_unknown_pulley_is_a_key_error() -> None:
+    with pytest.raises(KeyError, match="tail"):
+        DRIVE.pulley("tail")
+
+
+# ---- covariance of a fit ----
+
+FIT = Fit(
+    parameters=("knots[1].peak_slip", "knots[1].peak_friction"),
+    values=(0.016, 1.3),
+    covariance=((4e-8, 1e-6), (1e-6, 4e-4)),
+    residual_noise=0.01,
+)
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ({"parameters": ("a", "a")}, "parameters = 2: must name each fitted parameter once."),
+        ({"values": (1.0,)}, "values = 1: must be 2 finite numbers, one for each parameter."),
+        (
+            {"covariance": ((1.0, 0.0),)},
+            "covariance = 1 rows of [2] numbers: must be 2 rows of 2 numbers, one for each "
+            "parameter.",
+        ),
+        ({"covariance": ((1.0, 0.5), (0.4, 1.0))}, "covariance: must be symmetric."),
+        ({"covariance": ((1.0, math.nan), (0.4, 1.0))}, "covariance: must be finite."),
+        (
+            {"covariance": ((4e-8, 1e-5), (1e-5, 4e-4))},
+            "covariance: must have no negative eigenvalue: no variance is negative.",
+        ),
+        ({"residual_noise": -0.1}, "residual_noise = -0.1000: must be at least 0."),
+    ],
+)
+def test_a_covariance_that_is_none_is_refused(change: dict[str, object], expected: str) -> None:
+    assert sentences(lambda: replace(FIT, **change)) == [expected]  # type: ignore[arg-type]
+
+
+def test_a_singular_covariance_is_one() -> None:
+    """Two parameters that vary as one: eigenvalue 0 up to rounding, in any units."""
+    for scale in (1e-9, 1.0, 1e9):
+        v = np.array([1.0, 3.0, -0.7]) * np.array([1.0, scale, 1.0 / scale])
+        covariance = tuple(tuple(row) for row in np.outer(v, v).tolist())
+        Fit(parameters=("a", "b", "c"), values=(1.0, 2.0, 3.0), covariance=covariance)
+
+
+# ---- compression of blocks ----
+
+
+def test_compression_modulus_by_hand() -> None:
+    """S = 38/(4 12) = 0.79167; E_c = 0.85 6.9 (1 + 2 0.54 S^2) = 9.834872 MPa."""
+    square = Block(width=0.038, height=0.012, stiffening=0.54, contact_fraction=0.85)
+    assert square.shape_factor == pytest.approx(38 / 48)
+    assert compression_modulus(6.9e6, square) == pytest.approx(9.834872e6, rel=1e-6)
+    # S = 40/(2 12) = 5/3; E_c = 0.8 (4/3) 6.9 (1 + 0.54 25/9) = 18.4 MPa
+    strip = Block(shape="strip", width=0.04, height=0.012, stiffening=0.54, contact_fraction=0.8)
+    assert strip.shape_factor == pytest.approx(5 / 3)
+    assert compression_modulus(6.9e6, strip) == pytest.approx(18.4e6)
+
+
+def test_tall_blocks_do_not_stiffen() -> None:
+    """Limit of the formula: S -> 0 gives f E."""
+    tall = Block(width=1e-4, height=1.0, contact_fraction=0.5)
+    assert compression_modulus(1e6, tall) == pytest.approx(0.5e6)
+
+
+# ---- remarks ----
+
+
+def test_a_usual_drive_needs_no_remark() -> None:
+    assert design_remarks(DRIVE) == ()
+
+
+def test_remarks() -> None:
+    illustrative = Provenance(Kind.ILLUSTRATIVE)
+    drive = Drive(
+        belt=replace(BELT, width=12.0, least_pulley_diameter=1.0),
+        pulleys=(
+            replace(
+                PULLEY,
+                lagging=replace(LAGGING, provenance=illustrative),
+                sources={"diameter": Provenance(Kind.CALIBRATED)},
+            ),
+        ),
+        load_cases=(LoadCase(name="start", tensions={"head": Tensions(entry=4e6, exit=60e3)}),),
+    )
+    assert design_remarks(drive) == (
+        "The width of belt, 12.00 m, is outside the usual 200.0 mm to 4000 mm: check the unit.",
+        "Pulley head, 800.0 mm, is smaller than the least drive pulley of belt belt, 1000 mm.",
+        "Load case start, pulley head: the tension 4000 kN is above the rating of the belt, "
+        "2100 kN.",
+        "Load case start, pulley head: the wrap pressure at the entry, 833.3 kPa, is outside the "
+        "tested 34.00 kPa to 690.0 kPa of lagging rubber.",
+        "Load case start, pulley head: the wrap pressure at the exit, 12.50 kPa, is outside the "
+        "tested 34.00 kPa to 690.0 kPa of lagging rubber.",
+        "The friction of rubber is illustrative: it describes no real product.",
+        "These inputs are calibrated: diameter of head.",
+    )
