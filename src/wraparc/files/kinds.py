@@ -270,5 +270,8 @@ def nearest(given: object, known: Iterable[str]) -> str:
     """Return "Did you mean ...?" with the nearest of the known words, or nothing."""
     if not isinstance(given, str):
         return ""
-    near = difflib.get_close_matches(given[:100], list(known), n=3, cutoff=0.55)
-    return f"Did you mean {' or '.join(shown(word) for word in near)}?" if near else ""
+    words = list(known)
+    near = [word for word in words if len(given) > 2 and given in word]
+    near += difflib.get_close_matches(given[:100], words, n=3, cutoff=0.55)
+    texts = [shown(word) for word in dict.fromkeys(near)][:3]
+    return f"Did you mean {' or '.join(texts)}?" if texts else ""

@@ -1,0 +1,235 @@
+"""Tensions from any two quantities. Expected values: T1 - T2 = Te = 2 M/D = P/v, by hand."""
+
+from itertools import combinations
+
+import pytest
+
+from wraparc import InputError
+from wraparc.drive import DESIGN
+from wraparc.files import drive_from_text
+
+HEAD = """
+format = 1
+[belt]
+width = "1200 mm"
+modulus = "13 MN/m"
+speed = "3 m/s"
+"""
+
+PULLEY = """
+[[pulley]]
+name = "{name}"
+diameter = "800 mm"
+wrap_angle = "180 deg"
+lagging = "diamond-rubber"
+"""
+
+# 90 kN of pull: 0.4 m times that, 3 m/s times that.
+DRIVING = {
+    "entry_tension": "150 kN",
+    "exit_tension": "60 kN",
+    "effective_tension": "90 kN",
+    "torque": "36 kN m",
+    "power": "270 kW",
+}
+BRAKING = {
+    "entry_tension": "60 kN",
+    "exit_tension": "150 kN",
+    "effective_tension": "-90 kN",
+    "torque": "-36 kN m",
+    "power": "-270 kW",
+}
+SAME = {"effective_tension", "torque", "power"}
+
+
+def drive(*pulleys: dict[str, str], more: str = "") -> str:
+    text = HEAD
+    for number, given in enumerate(pulleys, start=1):
+        text += PULLEY.format(name=f"p{number}")
+        text += "".join(f'{key} = "{value}"\n' for key, value in given.items())
+    return text + more
+
+
+def tensions(text: str, case: str = DESIGN) -> list[tuple[float, float]]:
+    cases = {c.name: c for c in drive_from_text(text).load_cases}
+    return [(t.entry, t.exit) for t in cases[case].tensions.values()]
+
+
+def complaints(text: str) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        drive_from_text(text, file="drive.toml")
+    return [str(problem) for problem in caught.value.problems]
+
+
+@pytest.mark.parametrize("given", [DRIVING, BRAKING], ids=["driving", "braking"])
+@pytest.mark.parametrize("keys", list(combinations(DRIVING, 2)))
+def test_any_two_quantities(given: dict[str, str], keys: tuple[str, str]) -> None:
+    text = drive({key: given[key] for key in keys})
+    if SAME.issuperset(keys):
+        assert complaints(text) == [
+            f"drive.toml: pulley.p1: {keys[0]} and {keys[1]} each fix the effective tension. "
+            "Leave one of them out."
+        ]
+    else:
+        entry = 150e3 if given is DRIVING else 60e3
+        assert tensions(text) == [pytest.approx((entry, 210e3 - entry), rel=1e-12)]
+
+
+@pytest.mark.parametrize("key", list(DRIVING))
+def test_one_quantity_is_not_enough(key: str) -> None:
+    assert complaints(drive({key: DRIVING[key]})) == [
+        f"drive.toml: pulley.p1: only {key} is given, and it takes two quantities to fix the "
+        "tensions. Give two of entry_tension, exit_tension and one of effective_tension, torque, "
+        "power."
+    ]
+
+
+def test_none_at_all() -> None:
+    assert complaints(drive({})) == [
+        "drive.toml: pulley.p1: no tensions are given. Give two of entry_tension, exit_tension and "
+        "one of effective_tension, torque, power."
+    ]
+
+
+def test_three_that_agree_are_still_too_many() -> None:
+    keys = ("entry_tension", "exit_tension", "power")
+    assert complaints(drive({key: DRIVING[key] for key in keys})) == [
+        "drive.toml: pulley.p1: entry_tension, exit_tension and power are given, and two of them "
+        "fix the third. Leave one of them out."
+    ]
+
+
+def test_three_that_contradict_each_other() -> None:
+    given = DRIVING | {"power": "300 kW"}
+    keys = ("entry_tension", "exit_tension", "power")
+    assert complaints(drive({key: given[key] for key in keys})) == [
+        "drive.toml: pulley.p1: entry_tension, exit_tension and power contradict each other: entry "
+        "less exit tension is 90.00 kN, power makes 100.0 kN. Leave one of them out."
+    ]
+
+
+def test_a_pull_beyond_the_tight_side() -> None:
+    text = drive({"entry_tension": "150 kN", "effective_tension": "160 kN"})
+    assert complaints(text) == [
+        'drive.toml: pulley.p1.effective_tension = "160 kN": leaves an exit tension of -10.00 kN, '
+        "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
+    ]
+    text = drive({"exit_tension": "150 kN", "power": "-450 kW"})
+    assert complaints(text) == [
+        'drive.toml: pulley.p1.power = "-450 kW": leaves an entry tension of 0 kN, '
+        "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
+    ]
+
+
+def test_power_needs_the_belt_speed() -> None:
+    text = drive({"exit_tension": "60 kN", "power": "270 kW"}).replace("speed", "# speed")
+    assert complaints(text) == [
+        "drive.toml: pulley.p1.power: power needs the belt speed. "
+        'Write speed = "3 m/s" in [belt], or give effective_tension.'
+    ]
+
+
+def test_a_faulty_speed_is_not_called_missing() -> None:
+    text = drive({"exit_tension": "60 kN", "power": "270 kW"}).replace("3 m/s", "3 mm")
+    assert complaints(text) == [
+        'drive.toml: belt.speed = "3 mm": a length, where a speed is needed. '
+        'Write for example "3 m/s".'
+    ]
+
+
+def test_tensions_pass_from_pulley_to_pulley() -> None:
+    """T1 of a pulley is T2 of the one before, whichever end is known."""
+    first = {"entry_tension": "150 kN", "effective_tension": "50 kN"}
+    text = drive(first, {"power": "120 kW"}, {"exit_tension": "30 kN"})
+    expected = [(150e3, 100e3), (100e3, 60e3), (60e3, 30e3)]
+    assert tensions(text) == expected
+    text = drive(
+        {"effective_tension": "50 kN"}, {"power": "120 kW"},
+        {"effective_tension": "30 kN", "exit_tension": "30 kN"},
+    )  # fmt: skip
+    assert tensions(text) == expected
+    text = drive(first, {}, {"entry_tension": "60 kN", "exit_tension": "30 kN"})
+    assert tensions(text) == expected
+
+
+def test_pulleys_apart_have_tensions_of_their_own() -> None:
+    text = drive(
+        {"entry_tension": "150 kN", "exit_tension": "90 kN"},
+        {"entry_tension": "80 kN", "exit_tension": "30 kN"},
+    )
+    assert tensions(text) == [(150e3, 90e3), (80e3, 30e3)]
+
+
+def test_a_gap_in_the_chain_is_named() -> None:
+    text = drive({"entry_tension": "150 kN", "exit_tension": "90 kN"}, {})
+    assert complaints(text) == [
+        "drive.toml: pulley.p2: no tensions are given. Give two of entry_tension, exit_tension and "
+        "one of effective_tension, torque, power."
+    ]
+
+
+# ---- load cases ----
+
+CASES = """
+[[load_case]]
+name = "empty"
+pulley.p1.power = "90 kW"
+
+[[load_case]]
+name = "moved take-up"
+pulley.p1.exit_tension = "70 kN"
+
+[[load_case]]
+name = "brake"
+pulley.p1 = { entry_tension = "60 kN", torque = "-36 kN m" }
+"""
+
+
+def test_load_cases_override_their_own_kind_or_all() -> None:
+    text = drive({"effective_tension": "90 kN", "exit_tension": "60 kN"}, more=CASES)
+    assert [c.name for c in drive_from_text(text).load_cases] == [
+        DESIGN, "empty", "moved take-up", "brake",
+    ]  # fmt: skip
+    assert tensions(text) == [(150e3, 60e3)]
+    assert tensions(text, "empty") == [(90e3, 60e3)]
+    assert tensions(text, "moved take-up") == [(160e3, 70e3)]
+    assert tensions(text, "brake") == [(60e3, 150e3)]
+
+
+def test_pulleys_without_enough_of_their_own_make_no_load_case() -> None:
+    text = drive({"exit_tension": "60 kN"}, more=CASES.replace("exit_tension", "power", 1))
+    text = text.replace('power = "70 kN"', 'power = "70 kW"')
+    assert [c.name for c in drive_from_text(text).load_cases] == ["empty", "moved take-up", "brake"]
+
+
+def test_a_third_quantity_in_a_load_case() -> None:
+    text = drive({"entry_tension": "150 kN", "exit_tension": "60 kN"}, more=CASES)
+    assert complaints(text) == [
+        "drive.toml: load_case.empty.pulley.p1: entry_tension, exit_tension and power contradict "
+        "each other: entry less exit tension is 90.00 kN, power makes 30.00 kN. Give two of them "
+        "in the load case: they replace those of the pulley."
+    ]
+
+
+def test_faults_of_load_cases() -> None:
+    more = """
+    [[load_case]]
+    name = "empty"
+    pulley.p2.power = "90 kW"
+    [[load_case]]
+    name = "empty"
+    pulley.p1.power = "90 kN"
+    pulley.p1.exit = "60 kN"
+    [[load_case]]
+    pulley.p1.exit_tension = "60 kN"
+    """
+    text = drive({"effective_tension": "90 kN", "exit_tension": "60 kN"}, more=more)
+    assert complaints(text) == [
+        'drive.toml: load_case[2].pulley.p1.exit = "60 kN": unknown key. '
+        'Did you mean "exit_tension"?',
+        'drive.toml: load_case[2].pulley.p1.power = "90 kN": a force, where a power is needed. '
+        'Write for example "250 kW".',
+        'drive.toml: load_case[3].name: missing. Write name = "start".',
+        'drive.toml: load_case[1].pulley.p2: no such pulley. The pulleys are "p1".',
+        'drive.toml: load_case.name = "empty": used 2 times. Give each its own name.',
+    ]
