@@ -1,0 +1,1 @@
+"""Shear tests to a lagging: machine exports, friction curves, law, pressure dependence."""

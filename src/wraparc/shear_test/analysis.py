@@ -1,0 +1,166 @@
+"""A test plan to a lagging: the results, test by test and condition by condition, as data."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from wraparc.drive import Lagging
+from wraparc.errors import Problem
+from wraparc.shear_test.curve_fit import CurveFit
+from wraparc.shear_test.misfit import JudgedFit
+from wraparc.shear_test.plan import PlannedTest, TestPlan
+from wraparc.shear_test.pressure_choice import PressureChoice
+from wraparc.shear_test.pressure_fit import PressureFit
+from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.reduce import FrictionCurve
+from wraparc.shear_test.tails import Tails
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TestResult:
+    """One test, read, reduced and fitted.
+
+    Parameters
+    ----------
+    test
+        As planned.
+    record
+        As read.
+    curve
+        As reduced.
+    judged
+        Its fit, with what the law does not describe.
+    other
+        The fit with the sample's shear treated the other way: left in if it was taken off,
+        taken off if it was left in; None if it is not known.
+    """
+
+    __test__ = False  # not a test class, whatever its name suggests to a test collector
+
+    test: PlannedTest
+    record: MachineRecord
+    curve: FrictionCurve
+    judged: JudgedFit
+    other: CurveFit | None
+
+    @property
+    def fit(self) -> CurveFit:
+        """Its fit."""
+        return self.judged.fit
+
+    @property
+    def name(self) -> str:
+        """What to call it in messages."""
+        return f"{self.test.place} ({self.test.file})"
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeftOut:
+    """A pressure predicted by the law of all others.
+
+    Parameters
+    ----------
+    pressure
+        [Pa].
+    inside
+        Whether other pressures were tested on both sides of it.
+    error
+        Root mean square of predicted less measured friction, over its curves [-].
+    noise
+        Standard deviation of one reading of those curves [-].
+    scatter
+        Standard deviation of friction between samples there, as the law has it [-].
+    peak_slip, peak_friction
+        Predicted [m, -].
+    """
+
+    pressure: float
+    inside: bool
+    error: float
+    noise: float
+    scatter: float
+    peak_slip: float
+    peak_friction: float
+
+    @property
+    def noise_levels(self) -> float:
+        """Error in units of the noise."""
+        return self.error / self.noise if self.noise > 0 else np.inf
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ConditionResult:
+    """The law of one condition.
+
+    Parameters
+    ----------
+    condition
+        ``dry``, ``wet`` ...
+    tests
+        Its tests, pressures ascending.
+    levels
+        Number of the pressure of each test, 0, 1, ..., shape (n,).
+    flagged
+        Whether each test disagrees with its repeats, shape (n,).
+    repeat_distances
+        Distance of each from its repeats [standard deviations], NaN without one, shape (n,).
+    choice
+        Form of the pressure dependence; None for a single pressure.
+    fit
+        The law's fit over pressure, joint over all curves; None for a single pressure.
+    tails
+        What follows the peak.
+    left_out
+        Predictions of left-out pressures.
+    lagging
+        The lagging with this law.
+    misfit
+        Sentences on what the law does not describe.
+    remarks
+        Other sentences.
+    """
+
+    condition: str
+    tests: tuple[TestResult, ...]
+    levels: np.ndarray[tuple[int], np.dtype[np.int64]]
+    flagged: np.ndarray[tuple[int], np.dtype[np.bool_]]
+    repeat_distances: Array
+    choice: PressureChoice | None
+    fit: PressureFit | None
+    tails: Tails
+    left_out: tuple[LeftOut, ...]
+    lagging: Lagging
+    misfit: tuple[str, ...]
+    remarks: tuple[str, ...]
+
+    def level_pressures(self) -> Array:
+        """Mean pressure of each level [Pa]."""
+        pressures = np.array([result.curve.pressure for result in self.tests])
+        return np.array([pressures[self.levels == k].mean() for k in np.unique(self.levels)])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PlanResult:
+    """Everything that came out of a plan.
+
+    Parameters
+    ----------
+    plan
+        The plan.
+    conditions
+        One for each condition, in the order of the plan.
+    left_out
+        Why tests were left out.
+    date
+        When it was computed.
+    """
+
+    plan: TestPlan
+    conditions: tuple[ConditionResult, ...]
+    left_out: tuple[Problem, ...]
+    date: str
+
+    @property
+    def laggings(self) -> tuple[Lagging, ...]:
+        """The lagging in every condition."""
+        return tuple(condition.lagging for condition in self.conditions)

@@ -1,0 +1,222 @@
+"""Which column is the travel, the force, the normal force, the time, and in what unit."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.shear_test.columns import (
+    ROLE_DIMENSION,
+    ColumnUnit,
+    NamedColumn,
+    Role,
+    plain_name,
+    read_unit,
+    suitability,
+)
+from wraparc.shear_test.record import Array, Choices
+from wraparc.units import DIMENSION_TEXT
+
+_NEEDED = (Role.TRAVEL, Role.FORCE)
+_EXAMPLE = {"length": "mm", "force": "N", "time": "s"}
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """The columns in use with their units, and what to say about the choice."""
+
+    columns: dict[Role, tuple[NamedColumn, ColumnUnit]]
+    notes: tuple[str, ...]
+
+
+def choose_columns(
+    named: Sequence[NamedColumn], data: Mapping[int, Array], choices: Choices, file: str
+) -> Chosen:
+    """Choose the columns of a table.
+
+    What the user names is taken; else the column whose name and unit fit best. A column
+    whose numbers never change, or that is mostly no number, is not chosen by itself.
+
+    Raises
+    ------
+    InputError
+        With one problem for each column or unit that must be named.
+    """
+    problems: list[Problem] = []
+    given = _given_units(named, choices, file, problems)
+    columns: dict[Role, tuple[NamedColumn, ColumnUnit]] = {}
+    notes: list[str] = []
+    for role in Role:
+        wanted = getattr(choices, role.value)
+        if wanted is not None:
+            column = find_column(named, wanted)
+            if column is None:
+                problems.append(_unknown_column(named, role.value, wanted, file))
+                continue
+        else:
+            candidates = _candidates(named, data, role, given, columns)
+            if not candidates:
+                if role in _NEEDED:
+                    problems.append(_no_column(named, role, file))
+                continue
+            column = candidates[0]
+            if len(candidates) > 1:
+                notes.append(_choice_note(role, candidates))
+        unit = _unit_of(column, role, given, file, problems)
+        if unit is None and role is Role.TIME and wanted is None:
+            continue
+        if unit is not None:
+            columns[role] = (column, unit)
+            notes.extend(filter(None, [unit.note]))
+    if problems:
+        raise InputError(problems)
+    return Chosen(columns, tuple(notes))
+
+
+def find_column(named: Sequence[NamedColumn], wanted: str | int) -> NamedColumn | None:
+    """Find the column of a name as written (or but for case and accents), or of a number from 1."""
+    for column in named:
+        if wanted == column.label:
+            return column
+    alike = [
+        c for c in named if isinstance(wanted, str) and plain_name(c.label) == plain_name(wanted)
+    ]
+    if len(alike) == 1:
+        return alike[0]
+    text = str(wanted)
+    if text.isascii() and text.isdecimal() and 1 <= int(text) <= len(named):
+        return named[int(text) - 1]
+    return None
+
+
+def _given_units(
+    named: Sequence[NamedColumn], choices: Choices, file: str, problems: list[Problem]
+) -> dict[int, str]:
+    given: dict[int, str] = {}
+    for name, unit in choices.units.items():
+        column = find_column(named, name)
+        if column is None:
+            problems.append(_unknown_column(named, "units", name, file))
+        else:
+            given[column.index] = unit
+    return given
+
+
+def _candidates(
+    named: Sequence[NamedColumn],
+    data: Mapping[int, Array],
+    role: Role,
+    given: Mapping[int, str],
+    taken: Mapping[Role, tuple[NamedColumn, ColumnUnit]],
+) -> list[NamedColumn]:
+    """Columns that may be meant, the best first."""
+    used = {column.index for column, _ in taken.values()}
+    scored: list[tuple[float, int, NamedColumn]] = []
+    for column in named:
+        values = data[column.index]
+        if column.index in used or not _holds_data(values, constant=role is Role.NORMAL_FORCE):
+            continue
+        unit = read_unit(given.get(column.index, column.unit), role)
+        stated = given.get(column.index, column.unit).strip()
+        if unit is not None and unit.dimension != ROLE_DIMENSION[role]:
+            continue
+        if unit is None and stated:
+            continue
+        score = suitability(column.name, role)
+        if score == 0.0 and unit is not None and role in _NEEDED and _free(column):
+            score = 0.5
+        if score > 0.0:
+            scored.append((-(score + (unit is not None)), column.index, column))
+    return [column for _, _, column in sorted(scored, key=lambda item: item[:2])]
+
+
+def _free(column: NamedColumn) -> bool:
+    """Whether the name does not say that the column is something else."""
+    return not any(suitability(column.name, role) > 0 for role in Role)
+
+
+def _holds_data(values: Array, *, constant: bool) -> bool:
+    """Whether a column is mostly numbers, and not the same one throughout unless it may be."""
+    finite = values[np.isfinite(values)]
+    if 2 * len(finite) <= len(values):
+        return False
+    return bool(np.any(finite != 0.0)) if constant else float(np.ptp(finite)) > 0.0
+
+
+def _unit_of(
+    column: NamedColumn,
+    role: Role,
+    given: Mapping[int, str],
+    file: str,
+    problems: list[Problem],
+) -> ColumnUnit | None:
+    dimension = ROLE_DIMENSION[role]
+    text = given.get(column.index, column.unit)
+    unit = read_unit(text, role)
+    stated = read_unit(column.unit, role)
+    if unit is not None and unit.dimension == dimension:
+        if stated is not None and not np.isclose(stated.factor, unit.factor, rtol=1e-9):
+            message = f"the file says {column.unit!r} for this column"
+            problems.append(
+                Problem(
+                    message=message,
+                    remedy="Leave the unit out, or correct the file.",
+                    file=file,
+                    key=f"units[{column.label!r}]",
+                    value=shown(text),
+                )
+            )
+            return None
+        return unit
+    if role is Role.TIME and column.index not in given:
+        return None
+    kind, example = DIMENSION_TEXT[dimension].name, _EXAMPLE[dimension]
+    said = f"has the unit {text!r}, which is not {kind}" if text else "has no unit in the file"
+    problems.append(
+        Problem(
+            message=f"the {role.value.replace('_', ' ')} column {column.label!r} {said}",
+            remedy=f"Give it: --unit '{column.label}={example}' on the command line, or "
+            f"units = {{ {shown(column.label)} = {shown(example)} }} in a plan (or what it is).",
+            file=file,
+        )
+    )
+    return None
+
+
+def _choice_note(role: Role, candidates: Sequence[NamedColumn]) -> str:
+    name = role.value.replace("_", " ")
+    others = ", ".join(repr(c.label) for c in candidates[1:])
+    return (
+        f"the {name} is {candidates[0].label!r}; the file also has {others} "
+        f"(choose with {role.value} = ...)"
+    )
+
+
+def _listed(named: Sequence[NamedColumn]) -> str:
+    shown_columns = [
+        f"{c.index + 1} {c.label!r}" + (f" [{c.unit}]" if c.unit else "") for c in named[:20]
+    ]
+    return ", ".join(shown_columns) + (" ..." if len(named) > 20 else "")
+
+
+def _unknown_column(
+    named: Sequence[NamedColumn], key: str, wanted: str | int, file: str
+) -> Problem:
+    return Problem(
+        message=f"there is no such column; the table has {_listed(named)}",
+        remedy="Write one of these names, or its number.",
+        file=file,
+        key=key,
+        value=shown(wanted),
+    )
+
+
+def _no_column(named: Sequence[NamedColumn], role: Role, file: str) -> Problem:
+    return Problem(
+        message=f"it cannot be told which column is the {role.value}; "
+        f"the table has {_listed(named)}",
+        remedy=f'Name it: --{role.value} NAME on the command line, {role.value} = "NAME" '
+        "in a plan (or its number).",
+        file=file,
+    )

@@ -1,0 +1,161 @@
+"""A test plan to its results: read, reduce, fit each curve, then the law of each condition."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.errors import InputError, Problem
+from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.condition_fit import fit_condition
+from wraparc.shear_test.curve_fit import fit_curve
+from wraparc.shear_test.misfit import judged_fit, with_misfit
+from wraparc.shear_test.plan import PlannedTest, TestPlan
+from wraparc.shear_test.reader import read_machine_file
+from wraparc.shear_test.record import MachineRecord
+from wraparc.shear_test.reduce import Sample, reduce_record
+
+Reader = Callable[[PlannedTest], MachineRecord]
+#: Called with tests done, tests in all, and what was done.
+Progress = Callable[[int, int, str], None]
+# Set pressures that differ by less are one pressure.
+_SAME_PRESSURE = 0.03
+_MEASURED_OFF = 0.05
+
+
+def fit_plan(
+    plan: TestPlan, *, read: Reader | None = None, progress: Progress | None = None
+) -> PlanResult:
+    """Fit all tests of a plan.
+
+    A test that cannot be used is left out and named in ``left_out``; the others go on.
+
+    Parameters
+    ----------
+    plan
+        The plan.
+    read
+        How to read the file of a test; from the disk, relative to the plan's folder, if
+        not given.
+    progress
+        Told after each test.
+
+    Raises
+    ------
+    InputError
+        If no test can be used, with the reasons of all.
+    """
+    reader = read or (lambda test: _from_disk(plan, test))
+    results: list[TestResult] = []
+    problems: list[Problem] = []
+    seen: dict[str, str] = {}
+    for number, test in enumerate(plan.tests, start=1):
+        try:
+            record = reader(test)
+            _refuse_duplicate(record, test, seen)
+            results.append(_one_test(plan, test, record))
+        except InputError as error:
+            problems += [_placed(problem, test) for problem in error.problems]
+        if progress is not None:
+            progress(number, len(plan.tests), test.file)
+    if not results:
+        raise InputError(problems or [Problem(message="the plan has no test", file=plan.file)])
+    conditions = [_condition(plan, name, results) for name in _in_order(results)]
+    return PlanResult(
+        plan=plan,
+        conditions=tuple(conditions),
+        left_out=tuple(problems),
+        date=datetime.now(UTC).date().isoformat(),
+    )
+
+
+def _from_disk(plan: TestPlan, test: PlannedTest) -> MachineRecord:
+    return read_machine_file(Path(plan.folder) / test.file, test.choices)
+
+
+def _refuse_duplicate(record: MachineRecord, test: PlannedTest, seen: dict[str, str]) -> None:
+    first = seen.setdefault(record.digest, test.place)
+    if first != test.place:
+        raise InputError(
+            Problem(
+                message=f"the file holds the same data as {first}: it was counted once",
+                remedy="Name the right file, or take this test out of the plan.",
+                file=record.file,
+            )
+        )
+
+
+def _placed(problem: Problem, test: PlannedTest) -> Problem:
+    key = f"{test.place}.{problem.key}" if problem.key else test.place
+    return replace(problem, key=key, file=problem.file or test.file)
+
+
+def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestResult:
+    known = plan.shear_compliance
+    sample = Sample(
+        area=plan.rig.area,
+        faces=plan.rig.faces,
+        shear_compliance=known,
+        compliance=plan.rig.compliance,
+        normal_force=_set_force(plan, test),
+    )
+    curve = reduce_record(record, sample)
+    rig_only = curve.bending - known * curve.pressure
+    bending, other = curve.bending, rig_only
+    if not plan.removes_shear:
+        bending, other = other, bending
+    judged = judged_fit(curve, plan.rig.largest_lash, bending)
+    for sentence in _set_and_measured(plan, test, curve.pressure):
+        judged = with_misfit(judged, sentence)
+    second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None
+    return TestResult(test=test, record=record, curve=curve, judged=judged, other=second)
+
+
+def _set_force(plan: TestPlan, test: PlannedTest) -> float | None:
+    if test.normal_force is None and test.pressure is not None:
+        return test.pressure * plan.rig.area
+    return test.normal_force
+
+
+def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> list[str]:
+    force = _set_force(plan, test)
+    if force is None or abs(measured * plan.rig.area / force - 1.0) <= _MEASURED_OFF:
+        return []
+    return [
+        f"the measured normal force means {measured / 1e3:.4g} kPa, not the "
+        f"{force / plan.rig.area / 1e3:.4g} kPa that were set; the measured one was used"
+    ]
+
+
+def _in_order(results: Iterable[TestResult]) -> list[str]:
+    return list(dict.fromkeys(result.test.condition for result in results))
+
+
+def _condition(plan: TestPlan, name: str, results: Sequence[TestResult]) -> ConditionResult:
+    own = sorted(
+        (result for result in results if result.test.condition == name),
+        key=lambda result: result.curve.pressure,
+    )
+    levels = pressure_levels(plan, own)
+    order = np.argsort(levels, kind="stable")
+    return fit_condition(plan, name, [own[k] for k in order], levels[order])
+
+
+def pressure_levels(plan: TestPlan, results: Sequence[TestResult]) -> NDArray[np.int64]:
+    """Number the pressures 0, 1, ...: tests named repeats, else set pressures within 3 %."""
+    keys: list[float | str] = []
+    places: dict[float | str, float] = {}
+    for result in results:
+        force = _set_force(plan, result.test)
+        pressure = result.curve.pressure if force is None else force / plan.rig.area
+        key: float | str = result.test.repeat or next(
+            (k for k in places if isinstance(k, float) and abs(pressure / k - 1) < _SAME_PRESSURE),
+            pressure,
+        )
+        places.setdefault(key, result.curve.pressure)
+        keys.append(key)
+    ranked = {key: rank for rank, key in enumerate(sorted(places, key=lambda k: places[k]))}
+    return np.array([ranked[key] for key in keys], dtype=np.int64)

@@ -1,0 +1,103 @@
+"""All curves at once: poorly determined curves borrow from the others, the law gains from all.
+
+A curve whose peak lies far beyond the tested slip has a skewed, not a normal, error. It is
+therefore refitted with what the law of the others says as its prior, and enters the law by
+the part of its likelihood near that solution (the alternation of Lindstrom and Bates 1990
+for mixed-effects models), until the law no longer moves. Curves that fix their peaks by
+themselves are the same before and after.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.shear_test.curve_fit import CurveFit, Prior, fit_curve
+from wraparc.shear_test.pressure_choice import settled
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
+from wraparc.shear_test.record import Array
+from wraparc.shear_test.reduce import FrictionCurve
+from wraparc.shear_test.robust import inflation
+
+# A curve with a smaller error of ln x_pk than this is as good as normal by itself.
+_SURE = 0.02
+_ROUNDS = 4
+_STEADY = 1e-4
+
+
+def curve_points(
+    curves: Sequence[FrictionCurve],
+    fits: Sequence[CurveFit],
+    levels: NDArray[np.int64],
+) -> CurvePoints:
+    """Curves as points over pressure."""
+    return CurvePoints(
+        pressure=np.array([curve.pressure for curve in curves]),
+        value=np.array([_peak(fit) for fit in fits]),
+        covariance=np.array([fit.covariance[:2, :2] for fit in fits]),
+        level=levels,
+    )
+
+
+def _peak(fit: CurveFit) -> Array:
+    return np.array([fit.parameters.ln_peak_slip, fit.parameters.ln_peak_friction])
+
+
+def refine(
+    curves: Sequence[FrictionCurve],
+    fits: Sequence[CurveFit],
+    points: CurvePoints,
+    law: PressureFit,
+    flagged: NDArray[np.bool_],
+) -> tuple[PressureFit, CurvePoints]:
+    """Refine the law with all curves at once.
+
+    Parameters
+    ----------
+    curves, fits
+        Curves and their own fits.
+    points
+        From `curve_points`.
+    law
+        Fit over pressure, whose form is kept.
+    flagged
+        Curves that disagree with their repeats.
+
+    Returns
+    -------
+    law, points
+        After the last round.
+    """
+    unsure = [k for k, fit in enumerate(fits) if fit.error("ln_peak_slip") > _SURE]
+    given = law.transition_pressure if law.transition_given else None
+    for _ in range(_ROUNDS if unsure else 0):
+        value, covariance = points.value.copy(), points.covariance.copy()
+        mean = law.peaks(points.pressure)
+        for k in unsure:
+            value[k], covariance[k] = _informed(curves[k], fits[k], mean[k], law.scatter)
+        points = CurvePoints(points.pressure, value, covariance, points.level)
+        before = law.peaks(points.pressure)
+        law = settled(law, points, flagged, given)
+        if np.abs(law.peaks(points.pressure) - before).max() < _STEADY:
+            break
+    return law, points
+
+
+def _informed(
+    curve: FrictionCurve, own: CurveFit, mean: Array, scatter: Array
+) -> tuple[Array, Array]:
+    """Point and covariance of a curve's likelihood near its solution under the law.
+
+    With the prior N(m, Psi) the solution f obeys S^-1 (y - f) = Psi^-1 (f - m): the data
+    alone, seen from f, say y = f + S Psi^-1 (f - m).
+    """
+    residual = curve.friction - np.interp(
+        curve.travel, curve.binned_travel, own.fitted + own.parameters.zero
+    )
+    # Correlated readings tell less than the weights of the curve's fit assume.
+    repeats = max(1.0, inflation(residual) * len(own.friction) / len(residual))
+    fit = fit_curve(
+        curve, bending=own.bending, start=own, prior=Prior(mean=mean, covariance=scatter / repeats)
+    )
+    found, covariance = _peak(fit), fit.covariance[:2, :2]
+    return found + covariance @ np.linalg.solve(scatter, found - mean), covariance

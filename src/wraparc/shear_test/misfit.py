@@ -1,0 +1,144 @@
+"""Where the law does not describe a curve, in words.
+
+The sentences go into the report and into the lagging file. What the law cannot describe is
+said, never absorbed: a lash that a rig cannot have is refused, not fitted.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from wraparc.shear_test.curve_fit import CurveFit, fit_curve
+from wraparc.shear_test.reduce import FrictionCurve
+
+_LATE = 0.5
+_STRETCHES = 30
+_REMAINDER = 0.02
+_NOISY = 0.05
+_ZERO_LIMIT = 0.05
+_UNKNOWN_PEAK = 0.25
+
+
+@dataclass(frozen=True, kw_only=True)
+class JudgedFit:
+    """A curve's fit, its lash within what the rig can have, and what is to be said of it.
+
+    Parameters
+    ----------
+    fit
+        The fit.
+    misfit
+        Sentences on what the law does not describe.
+    remarks
+        Sentences on what the curve does not tell.
+    """
+
+    fit: CurveFit
+    misfit: tuple[str, ...]
+    remarks: tuple[str, ...]
+
+
+def judged_fit(
+    curve: FrictionCurve, largest_lash: float, bending: float | None = None
+) -> JudgedFit:
+    """Fit a curve, hold its lash to what is possible, and say where the law fails.
+
+    Parameters
+    ----------
+    curve
+        From `reduce_record`.
+    largest_lash
+        Of the rig [m].
+    bending
+        As in `fit_curve`.
+    """
+    free = fit_curve(curve, bending=bending)
+    top = float(np.quantile(curve.binned_friction, 0.98))
+    fit, misfit = _lash_held(curve, free, largest_lash, bending, top)
+    if curve.first_friction > _LATE * top:
+        share = 100 * curve.first_friction / top
+        misfit.append(
+            f"the first reading already has {share:.0f} % of the largest friction: the rise from "
+            "zero was not recorded, and the slip before it is not known"
+        )
+    misfit += _remainder(fit, top)
+    zero = abs(fit.parameters.zero)
+    if zero > _ZERO_LIMIT * top:
+        misfit.append(
+            f"before the slip starts the force is {100 * zero / top:.1f} % of its largest value: "
+            "more than an error of its zero; the rig itself may rub"
+        )
+    return JudgedFit(fit=fit, misfit=tuple(misfit), remarks=_remarks(fit, curve, top))
+
+
+def _lash_held(
+    curve: FrictionCurve, free: CurveFit, largest: float, bending: float | None, top: float
+) -> tuple[CurveFit, list[str]]:
+    """Refit with the lash at its limit where the free one is impossible."""
+    lash, error = free.parameters.lash, free.error("lash")
+    if lash > largest + 2.0 * error:
+        sentence = (
+            f"the curve asks for a lash of {lash * 1e3:.2f} mm, more than the "
+            f"{largest * 1e3:.2g} mm the rig can have: the lash was held there, and the law does "
+            "not describe the start"
+        )
+        return fit_curve(curve, bending=bending, lash=largest), [sentence]
+    loaded = curve.first_friction > max(3.0 * curve.noise / np.sqrt(5.0), 0.01 * top)
+    if lash < -2.0 * error and lash < -1e-3 * curve.travel[-1] and not loaded:
+        sentence = (
+            f"the curve asks for a lash of {lash * 1e3:.2f} mm, the wrong sign: friction rises "
+            "faster from its start than the law does; the lash was held at 0"
+        )
+        return fit_curve(curve, bending=bending, lash=0.0), [sentence]
+    return free, []
+
+
+def _remainder(fit: CurveFit, top: float) -> list[str]:
+    share = fit.remainder / top
+    if share < _REMAINDER:
+        return []
+    stretch = np.minimum((fit.slip / fit.slip_max * _STRETCHES).astype(int), _STRETCHES - 1)
+    off = fit.friction - fit.fitted
+    means = {
+        k: float(np.average(off[stretch == k], weights=fit.weights[stretch == k]))
+        for k in np.unique(stretch[stretch >= 0]).tolist()
+    }
+    worst = max(means, key=lambda k: abs(means[k]))
+    place = (worst + 0.5) / _STRETCHES * fit.slip_max * 1e3
+    return [
+        f"the law leaves a systematic remainder of {100 * share:.1f} % of the largest friction, "
+        f"largest ({means[worst]:+.3f}) near {place:.2g} mm of slip"
+    ]
+
+
+def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]:
+    remarks: list[str] = []
+    q, error = fit.parameters, fit.error("ln_peak_slip")
+    if not fit.peak_inside:
+        tested = f"the tested {fit.slip_max * 1e3:.3g} mm"
+        if error > _UNKNOWN_PEAK:
+            remarks.append(
+                f"the peak lies beyond {tested} and this curve does not determine it "
+                f"(peak slip uncertain by a factor of {np.exp(1.96 * error):.1f})"
+            )
+        else:
+            remarks.append(
+                f"the peak lies beyond {tested}, by extrapolation at {q.peak_slip * 1e3:.3g} mm "
+                f"({196 * error:.2g} % either way)"
+            )
+    if q.lash < 0.0 and "lash" in fit.free:
+        remarks.append(
+            f"the record starts under load: {-q.lash * 1e3:.2f} mm of slip were past by then"
+        )
+    if curve.noise > _NOISY * top:
+        remarks.append(f"the readings scatter by {100 * curve.noise / top:.0f} % of the friction")
+    if "post_peak_slope" in fit.free and "residual_friction" not in fit.free:
+        remarks.append(
+            "friction still falls at the end of the test: its residual level was not reached"
+        )
+    return tuple(remarks)
+
+
+def with_misfit(judged: JudgedFit, sentence: str) -> JudgedFit:
+    """Add a sentence."""
+    return replace(judged, misfit=(*judged.misfit, sentence))

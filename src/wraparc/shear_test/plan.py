@@ -1,0 +1,157 @@
+"""A test plan as data: what was tested, in what rig, under what load, in which files.
+
+Plans are read from TOML by `wraparc.files`; everything here is in SI units.
+"""
+
+from dataclasses import dataclass, field
+
+from wraparc.provenance import Kind, Provenance
+from wraparc.shear_test.pressure_choice import PressureOptions
+from wraparc.shear_test.record import Choices
+
+#: Lash that a rig may have, where the plan does not say [m].
+LARGEST_LASH = 3e-3
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rig:
+    """The rig.
+
+    Parameters
+    ----------
+    area
+        Of one face of the sample [m2].
+    faces
+        Faces that slide.
+    compliance
+        Travel per pulling force that is the rig's own [m/N].
+    largest_lash
+        Lash it can have [m]; a curve that asks for more does not follow the law.
+    name
+        What it is.
+    """
+
+    area: float
+    faces: int = 2
+    compliance: float = 0.0
+    largest_lash: float = LARGEST_LASH
+    name: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlannedTest:
+    """One test.
+
+    Parameters
+    ----------
+    file
+        Its file, relative to the plan.
+    place
+        What to call it in messages, for example ``test[3]``.
+    pressure
+        Set pressure on the sample [Pa], or None.
+    normal_force
+        Set normal force [N], or None.
+    choices
+        Columns, units and the like, where the file does not tell.
+    condition
+        ``dry``, ``wet`` ...: each becomes a law.
+    repeat
+        Tests with the same text here are repeats of each other; by default those of one
+        condition and one set pressure are.
+    temperature
+        [K], or None.
+    speed
+        Of the crosshead [m/s], or None.
+    date
+        When it was done.
+    sample
+        Which sample, for the report.
+    """
+
+    file: str
+    place: str
+    pressure: float | None = None
+    normal_force: float | None = None
+    choices: Choices = field(default_factory=Choices)
+    condition: str = "dry"
+    repeat: str = ""
+    temperature: float | None = None
+    speed: float | None = None
+    date: str = ""
+    sample: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TestPlan:
+    """All tests of one lagging.
+
+    Parameters
+    ----------
+    name, title, description, surface
+        Of the lagging, as in a lagging file.
+    rig
+        The rig.
+    tests
+        The tests.
+    thickness
+        Of the lagging [m], or None.
+    shear_modulus, elastic_modulus, compression_modulus
+        G, E, E_c [Pa], or None; G is E/3 and E_c is E where only E is given.
+    roughness
+        Of lagging and belt together, for the saturation estimate [m], or None.
+    remove_shear
+        Whether the sample's own shear is taken off the travel; None to do so if thickness
+        and shear modulus are known.
+    options
+        How to look for the pressure dependence.
+    provenance
+        Of the law.
+    file, folder
+        Name of the plan's file, and the folder its files are relative to.
+    """
+
+    __test__ = False  # not a test class, whatever its name suggests to a test collector
+
+    name: str
+    rig: Rig
+    tests: tuple[PlannedTest, ...]
+    title: str = ""
+    description: str = ""
+    surface: str = ""
+    thickness: float | None = None
+    shear_modulus: float | None = None
+    elastic_modulus: float | None = None
+    compression_modulus: float | None = None
+    roughness: float | None = None
+    remove_shear: bool | None = None
+    options: PressureOptions = field(default_factory=PressureOptions)
+    provenance: Provenance = field(default_factory=lambda: Provenance(Kind.MEASURED))
+    file: str = ""
+    folder: str = ""
+
+    @property
+    def shear_modulus_used(self) -> float | None:
+        """G, or E/3 of an incompressible rubber [Pa]."""
+        if self.shear_modulus is None and self.elastic_modulus is not None:
+            return self.elastic_modulus / 3.0
+        return self.shear_modulus
+
+    @property
+    def shear_compliance(self) -> float:
+        """h/G of the sample, 0 if it is not known [m/Pa]."""
+        if self.thickness is None or self.shear_modulus_used is None:
+            return 0.0
+        return self.thickness / self.shear_modulus_used
+
+    @property
+    def removes_shear(self) -> bool:
+        """Whether the sample's own shear is taken off."""
+        return self.shear_compliance > 0.0 and self.remove_shear is not False
+
+    @property
+    def saturation_pressure(self) -> float | None:
+        """E * roughness / thickness [Pa]; None if one of them is not given."""
+        if self.elastic_modulus is None or self.roughness is None or self.thickness is None:
+            return None
+        return self.elastic_modulus * self.roughness / self.thickness

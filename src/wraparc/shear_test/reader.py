@@ -1,0 +1,309 @@
+"""Machine files to records: find the table, its columns and units; ask for what is missing."""
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.shear_test.choose import Chosen, choose_columns
+from wraparc.shear_test.columns import Role, name_columns, suitability
+from wraparc.shear_test.numerals import NumeralStyle, looks_numeric, numbers, style_of
+from wraparc.shear_test.record import Array, Choices, ColumnInfo, Dropped, MachineRecord
+from wraparc.shear_test.sentinels import cut_row, sentinel_rows
+from wraparc.shear_test.sniff import decode, is_workbook
+from wraparc.shear_test.tables import DELIMITER_NAMES, RawTable, tables_in_text
+from wraparc.shear_test.workbook import tables_in_workbook
+
+LARGEST_FILE = 512 * 1024 * 1024
+_EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
+
+
+def read_machine_file(path: str | Path, choices: Choices | None = None) -> MachineRecord:
+    """Read the table of one test from a machine's export.
+
+    Text with any delimiter, decimal sign and encoding, and Excel workbooks. See
+    `read_machine_bytes` for what is found and what is asked for.
+
+    Raises
+    ------
+    InputError
+        If the file is missing or too large (512 MB), and as `read_machine_bytes`.
+    """
+    name = str(path)
+    place = Path(path)
+    try:
+        if place.is_dir():
+            raise InputError(
+                Problem(message="this is a folder", remedy="Name the file in it.", file=name)
+            )
+        if place.stat().st_size > LARGEST_FILE:
+            raise InputError(
+                Problem(message="the file is larger than 512 MB", remedy=_EXPORT, file=name)
+            )
+        data = place.read_bytes()
+    except FileNotFoundError:
+        raise InputError(
+            Problem(message="there is no such file", remedy="Correct the name.", file=name)
+        ) from None
+    except (OSError, ValueError) as error:
+        said = getattr(error, "strerror", None) or "its name cannot be used"
+        raise InputError(
+            Problem(
+                message=f"the file cannot be read ({said})", remedy="See its rights.", file=name
+            )
+        ) from None
+    return read_machine_bytes(data, name, choices)
+
+
+def read_machine_bytes(data: bytes, file: str, choices: Choices | None = None) -> MachineRecord:
+    """Read the table of one test from the bytes of a machine's export.
+
+    Delimiter, decimal sign, encoding, the table, its columns and units are found by
+    content. The unit of a column is never inferred: where the file has none, it must be
+    given in ``choices.units``.
+
+    Parameters
+    ----------
+    data
+        The file.
+    file
+        Its name, for notes and errors.
+    choices
+        What the user says about it.
+
+    Raises
+    ------
+    InputError
+        If there is no table, or something cannot be decided: the sentence says what to
+        add, and all that must be added stands in one error.
+    """
+    chosen = choices or Choices()
+    notes: tuple[str, ...] = ()
+    if is_workbook(data):
+        tables = tables_in_workbook(data, file, chosen.sheet)
+        encoding = "workbook"
+    else:
+        decoded = decode(data, file, chosen.encoding)
+        delimiter = _delimiter(chosen, file)
+        tables = tables_in_text(decoded.text, delimiter=delimiter, ended=decoded.ended)
+        encoding, notes = decoded.encoding, decoded.notes
+    table, said = _pick_table(tables, chosen, file)
+    source = _Source(file, encoding, hashlib.sha256(data).hexdigest())
+    return _record(table, chosen, source, (*notes, *said))
+
+
+@dataclass(frozen=True)
+class _Source:
+    file: str
+    encoding: str
+    digest: str
+
+
+def _delimiter(choices: Choices, file: str) -> str | None:
+    if choices.delimiter is None:
+        return None
+    named = {name: sign for sign, name in DELIMITER_NAMES.items()}
+    sign = named.get(choices.delimiter, choices.delimiter)
+    if sign not in DELIMITER_NAMES:
+        raise InputError(
+            Problem(
+                message="no delimiter that is known",
+                remedy=f"Write one of {', '.join(named)}.",
+                file=file,
+                key="delimiter",
+                value=shown(choices.delimiter),
+            )
+        )
+    return sign
+
+
+def _pick_table(
+    tables: Sequence[RawTable], choices: Choices, file: str
+) -> tuple[RawTable, tuple[str, ...]]:
+    if not tables:
+        raise InputError(
+            Problem(
+                message="there is no table in it: no line has two numbers side by side",
+                remedy=_EXPORT,
+                file=file,
+            )
+        )
+    if choices.table is not None:
+        if not 1 <= choices.table <= len(tables):
+            raise InputError(
+                Problem(
+                    message=f"the file has {len(tables)} tables",
+                    remedy=f"Write a number from 1 to {len(tables)}.",
+                    file=file,
+                    key="table",
+                    value=str(choices.table),
+                )
+            )
+        return tables[choices.table - 1], ()
+    best = max(tables, key=_merit)
+    _refuse_ragged(tables, best, file)
+    others = [f"{t.place} ({t.rows} rows)" for t in tables if t is not best and t.rows > 1]
+    if not others:
+        return best, ()
+    number = tables.index(best) + 1
+    listed = ", ".join(others[:5]) + (f" and {len(others) - 5} more" if len(others) > 5 else "")
+    note = (
+        f"the file has {len(tables)} tables; number {number}, {best.place}, was read; "
+        f"the others are {listed}"
+    )
+    return best, (note,)
+
+
+def _merit(table: RawTable) -> tuple[bool, int]:
+    """Tables with a travel and a force by name come first, then the longest."""
+    columns, _ = name_columns(table.header, len(table.columns))
+    known = all(
+        any(suitability(c.name, role) > 0 for c in columns) for role in (Role.TRAVEL, Role.FORCE)
+    )
+    return known and table.rows >= 3, table.rows
+
+
+def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> None:
+    """Rows of changing width are what decimal commas do in a file delimited by commas."""
+    total = sum(table.rows for table in tables)
+    if len(tables) < 6 or best.rows > total / 2 or best.delimiter != ",":
+        return
+    raise InputError(
+        Problem(
+            message="the rows have changing numbers of cells, as decimal commas between "
+            "delimiting commas give, and cannot be told apart",
+            remedy="Export with decimal points, or with semicolons or tabs between the columns.",
+            file=file,
+            line=int(best.lines[0]),
+        )
+    )
+
+
+def _record(
+    table: RawTable, choices: Choices, source: _Source, notes: tuple[str, ...]
+) -> MachineRecord:
+    named, complaint = name_columns(table.header, len(table.columns))
+    if complaint and choices.travel is None:
+        raise InputError(
+            Problem(
+                message=f"{complaint}: it cannot be told which belongs to which",
+                remedy="Name the columns by number: --travel 1 --force 2 with their --unit, or "
+                "export with another delimiter or with decimal points.",
+                file=source.file,
+                line=int(table.lines[0]),
+            )
+        )
+    style, texts = _style(table, choices, source.file)
+    data = {c.index: numbers(table.columns[c.index], style) for c in named}
+    chosen = choose_columns(named, data, choices, source.file)
+    keep, dropped = _kept_rows(table, data, chosen)
+    picked = {role: data[c.index][keep] * u.factor for role, (c, u) in chosen.columns.items()}
+    if not keep.any():
+        raise _no_rows(source.file, dropped)
+    used = {column.index: role.value for role, (column, _) in chosen.columns.items()}
+    stated = {column.index: unit.text for column, unit in chosen.columns.values()}
+    return MachineRecord(
+        file=source.file,
+        place=table.place,
+        encoding=source.encoding,
+        delimiter=DELIMITER_NAMES.get(table.delimiter, ""),
+        decimal=style.decimal,
+        columns=tuple(
+            _info(c.label, stated.get(c.index, c.unit), used.get(c.index, ""), data[c.index])
+            for c in named
+            if c.name or not np.isnan(data[c.index]).all()
+        ),
+        travel=picked[Role.TRAVEL],
+        force=picked[Role.FORCE],
+        normal_force=picked.get(Role.NORMAL_FORCE),
+        time=picked.get(Role.TIME),
+        lines=table.lines[keep],
+        rows=table.rows,
+        dropped=dropped,
+        notes=(*notes, *texts, *chosen.notes),
+        header=tuple(" ".join(filter(None, row)) for row in table.header),
+        digest=source.digest,
+    )
+
+
+def _style(table: RawTable, choices: Choices, file: str) -> tuple[NumeralStyle, tuple[str, ...]]:
+    if choices.decimal is not None:
+        if choices.decimal not in {".", ","}:
+            raise InputError(
+                Problem(
+                    message="no decimal sign",
+                    remedy='Write "." or ",".',
+                    file=file,
+                    key="decimal",
+                    value=shown(choices.decimal),
+                )
+            )
+        if table.style is None or table.style.decimal == choices.decimal:
+            return NumeralStyle(choices.decimal), ()
+        raise InputError(
+            Problem(
+                message=f"the file shows the other one, in {table.style.proof}",
+                remedy="Leave the decimal sign out.",
+                file=file,
+                key="decimal",
+                value=shown(choices.decimal),
+            )
+        )
+    columns = [] if table.style else [_numeric_text(column) for column in table.columns]
+    style = table.style or style_of([column for column in columns if column], file)
+    if style.decimal == ",":
+        return style, (f"the comma is the decimal sign, as {style.proof} shows",)
+    return style, ()
+
+
+def _numeric_text(column: Sequence[object] | Array) -> Sequence[str]:
+    """Cells of a column that holds numbers as text; of a mixed one, those that are text."""
+    step = max(1, len(column) // 50)
+    sample = [cell for cell in column[::step] if isinstance(cell, str) and cell.strip()]
+    if 2 * sum(map(looks_numeric, sample)) < len(sample) or not sample:
+        return ()
+    return [cell for cell in column if isinstance(cell, str)]
+
+
+def _kept_rows(
+    table: RawTable, data: Mapping[int, Array], chosen: Chosen
+) -> tuple[np.ndarray[tuple[int], np.dtype[np.bool_]], tuple[Dropped, ...]]:
+    keep = np.ones(table.rows, dtype=bool)
+    dropped = [Dropped(reason=reason, count=1, line=line) for line, reason in table.skipped[:20]]
+    if len(table.skipped) > 20:
+        line, count = table.skipped[20][0], len(table.skipped) - 20
+        dropped.append(Dropped(reason="further lines that are no rows", count=count, line=line))
+
+    def drop(mask: np.ndarray[tuple[int], np.dtype[np.bool_]], reason: str) -> None:
+        mask = mask & keep
+        if mask.any():
+            first = int(table.lines[mask][0])
+            dropped.append(Dropped(reason=reason, count=int(mask.sum()), line=first))
+            keep[mask] = False
+
+    for role, (column, _) in chosen.columns.items():
+        if role is not Role.TIME:
+            drop(np.isnan(data[column.index]), f"no number in {column.label!r}")
+    travel, force = (data[chosen.columns[r][0].index] for r in (Role.TRAVEL, Role.FORCE))
+    drop(sentinel_rows(travel, force, keep), "a mark of the machine, not a reading")
+    if table.cut:
+        drop(cut_row(travel, force, keep), "the last line is cut short")
+    return keep, tuple(dropped)
+
+
+def _no_rows(file: str, dropped: Sequence[Dropped]) -> InputError:
+    reasons = "; ".join(f"{d.count} rows: {d.reason}" for d in dropped)
+    return InputError(
+        Problem(message=f"no row of the table can be used ({reasons})", remedy=_EXPORT, file=file)
+    )
+
+
+def _info(name: str, unit: str, role: str, values: Array) -> ColumnInfo:
+    if np.isnan(values).all():
+        return ColumnInfo(name=name, unit=unit, role=role)
+    return ColumnInfo(
+        name=name, unit=unit, role=role, low=float(np.nanmin(values)), high=float(np.nanmax(values))
+    )

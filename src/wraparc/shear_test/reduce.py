@@ -1,0 +1,255 @@
+"""A machine record to a friction curve: mu = F_x / (n F_n) over machine travel.
+
+What is taken off is said: force zero, unloading, release, spikes. The lash is not cut here
+but estimated with the curve, because the two depend on each other.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.errors import InputError, Problem
+from wraparc.shear_test.noise import despiked, noise_level
+from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.strokes import Stroke, find_stroke
+
+LEAST_POINTS = 10
+_BINS = 300
+_FINE = 10
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sample:
+    """What was clamped, and in what rig.
+
+    Parameters
+    ----------
+    area
+        Of one face [m2].
+    faces
+        Number of faces that slide.
+    shear_compliance
+        h/G of the lagging, to take its own shear off the travel [m/Pa]; 0 to leave it in.
+    compliance
+        Of the rig [m/N].
+    normal_force
+        Constant normal force [N], where the record has no measured one.
+    """
+
+    area: float
+    faces: int = 2
+    shear_compliance: float = 0.0
+    compliance: float = 0.0
+    normal_force: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FrictionCurve:
+    """Friction over machine travel, ready to be fitted.
+
+    Parameters
+    ----------
+    travel, friction
+        The pull: travel from its first reading [m] and friction [-], shape (n,).
+    binned_travel, binned_friction, counts
+        Means over bins that are narrow where the friction rises, and the readings in each,
+        shape (m,).
+    place
+        Bin of each reading, shape (n,).
+    pressure
+        Mean pressure while sliding [Pa].
+    bending
+        K, travel that friction 1 bends away in sample and rig [m].
+    noise
+        Standard deviation of one reading of friction, from second differences [-].
+    zero
+        Friction shown before the slip starts, an error of the force's zero, first guess [-];
+        None if the record has no such part.
+    first_friction
+        Friction of the first readings [-].
+    onset
+        Travel where the friction has started to rise, a first guess of the lash [m].
+    resolution
+        Typical distance of the readings in travel [m].
+    notes
+        What was taken off or found, as sentences.
+    """
+
+    travel: Array
+    friction: Array
+    binned_travel: Array
+    binned_friction: Array
+    counts: Array
+    place: NDArray[np.int64]
+    pressure: float
+    bending: float
+    noise: float
+    zero: float | None
+    first_friction: float
+    onset: float
+    resolution: float
+    notes: tuple[str, ...]
+
+
+def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
+    """Reduce a record to a friction curve.
+
+    Parameters
+    ----------
+    record
+        The test.
+    sample
+        Area, faces, and what is to be taken off.
+
+    Raises
+    ------
+    InputError
+        If the travel is constant or has no direction, fewer than 10 readings are left, the
+        force is zero throughout, or there is no normal force.
+    """
+    stroke = find_stroke(record.travel, record.force)
+    if stroke is None:
+        raise _refused(
+            record,
+            "the travel does not advance: no pull can be found in it",
+            "See that the travel column is the right one (--travel).",
+        )
+    rows = stroke.rows
+    _check(record, rows)
+    travel = (record.travel[rows] - record.travel[rows[0]]) * stroke.direction
+    order = np.argsort(travel, kind="stable")
+    rows, travel = rows[order], travel[order]
+    normal = _normal_force(record, sample)[rows]
+    pull = record.force[rows]
+    sign = 1.0 if np.median(pull[len(pull) // 5 :]) >= 0 else -1.0
+    friction = sign * pull / (sample.faces * normal)
+    onset, zero = _start(travel, friction)
+    keep = despiked(friction)
+    travel, friction, normal = (a[keep] for a in (travel, friction, normal))
+    notes = _notes(record, stroke, int((~keep).sum()))
+    mean_normal = float(normal.mean())
+    pressure = mean_normal / sample.area
+    bins = _binned(travel, friction, onset)
+    return FrictionCurve(
+        travel=travel,
+        friction=friction,
+        binned_travel=bins[0],
+        binned_friction=bins[1],
+        counts=bins[2],
+        place=bins[3],
+        pressure=pressure,
+        bending=sample.shear_compliance * pressure + sample.compliance * sample.faces * mean_normal,
+        noise=noise_level(friction),
+        zero=zero,
+        first_friction=float(np.median(friction[:5])),
+        onset=onset,
+        resolution=float(np.median(np.diff(travel))),
+        notes=notes,
+    )
+
+
+def _check(record: MachineRecord, rows: np.ndarray[tuple[int], np.dtype[np.int64]]) -> None:
+    if len(rows) < LEAST_POINTS:
+        raise _refused(
+            record,
+            f"only {len(rows)} readings of the pull can be used; {LEAST_POINTS} are needed",
+            "Record the test at a higher rate, or see why rows were dropped: wraparc read FILE.",
+        )
+    if not np.any(record.force[rows]):
+        raise _refused(
+            record,
+            "the force is zero throughout",
+            "See that the force column is the right one (--force).",
+        )
+    if len(np.unique(record.travel[rows])) < LEAST_POINTS:
+        raise _refused(
+            record,
+            "the travel has fewer than 10 different values",
+            "See that the travel column is the right one (--travel).",
+        )
+
+
+def _normal_force(record: MachineRecord, sample: Sample) -> Array:
+    if record.normal_force is not None:
+        measured = np.abs(record.normal_force)
+        if float(np.median(measured)) <= 0.0 or not np.all(measured > 0.0):
+            raise _refused(
+                record,
+                "the measured normal force is zero in places",
+                "Name the right column, or give the normal force in the plan.",
+            )
+        return measured
+    if sample.normal_force is None:
+        raise _refused(
+            record,
+            "there is no normal force: none is measured in the file and none is given",
+            "Give pressure, normal_force or normal_force_column for this test in the plan.",
+        )
+    return np.full(len(record.travel), sample.normal_force)
+
+
+def _start(travel: Array, friction: Array) -> tuple[float, float | None]:
+    """Travel where friction starts to rise, and the friction before it, None if never flat.
+
+    Before the lash is taken up the record is flat: its level is an error of the force's zero.
+    """
+    top = float(np.quantile(friction, 0.98))
+    base = float(np.median(friction[: max(5, len(friction) // 200)]))
+    if abs(base) > 0.5 * abs(top):
+        return 0.0, None
+    spread = max(noise_level(friction), 1e-4 * abs(top))
+    width = max(3, len(friction) // 500)
+    smooth = np.convolve(friction, np.ones(width) / width, mode="valid")
+    above = smooth > base + max(0.03 * (top - base), 4.0 * spread / np.sqrt(width))
+    # The start of a lasting rise, not a wiggle.
+    lasting = np.convolve(above, np.ones(5), mode="valid") >= 5
+    first = int(np.argmax(lasting)) if lasting.any() else 0
+    onset = float(travel[min(first + width // 2, len(travel) - 1)])
+    flat = friction[travel < 0.75 * onset]
+    if len(flat) < 8 or onset < 0.004 * travel[-1]:
+        return onset, None
+    rise = np.polyfit(np.arange(len(flat)), flat, 1)[0] * len(flat)
+    error = 1.25 * spread / np.sqrt(len(flat))
+    if abs(rise) > max(0.01 * top, 6.0 * error):
+        return onset, None
+    return onset, float(np.median(flat))
+
+
+def _binned(
+    travel: Array, friction: Array, onset: float
+) -> tuple[Array, Array, Array, NDArray[np.int64]]:
+    """Means over bins of equal travel, ten times narrower around the onset.
+
+    Bins make a record that is dense in places (slow start, fast end) count by travel.
+    """
+    end = float(travel[-1])
+    width = end / _BINS
+    low, high = onset - 0.02 * end, onset + 0.08 * end
+    coarse = np.linspace(0.0, end, _BINS + 1)
+    fine = np.arange(max(0.0, low), min(high, end), width / _FINE)
+    edges = np.concatenate([coarse[(coarse < low) | (coarse > high)], fine])
+    edges = np.unique(np.append(edges, [0.0, end]))
+    place = np.searchsorted(edges, travel, side="right") - 1
+    _, place = np.unique(np.clip(place, 0, len(edges) - 2), return_inverse=True)
+    counts = np.bincount(place).astype(float)
+    means = [np.bincount(place, weights=values) / counts for values in (travel, friction)]
+    return means[0], means[1], counts, place
+
+
+def _notes(record: MachineRecord, stroke: Stroke, spikes: int) -> tuple[str, ...]:
+    notes: list[str] = []
+    if stroke.unloading:
+        notes.append(f"{stroke.unloading} rows of the way back or of other strokes were left out")
+    if stroke.released:
+        notes.append(f"{stroke.released} rows after the force collapsed were left out")
+    if spikes:
+        notes.append(f"{spikes} readings far off their neighbours were left out")
+    if stroke.direction < 0:
+        notes.append("the machine counts its travel downwards; the sign was turned")
+    return tuple(notes)
+
+
+def _refused(record: MachineRecord, message: str, remedy: str) -> InputError:
+    line = int(record.lines[0]) if len(record.lines) else None
+    return InputError(Problem(message=message, remedy=remedy, file=record.file, line=line))

@@ -1,0 +1,121 @@
+"""The stroke of a record: where the machine pulls, where it turns back, where it lets go."""
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.shear_test.record import Array
+
+Index = NDArray[np.int64]
+# A turn back counts as one if it is longer than this part of the whole travel.
+_TURN = 0.02
+_DROP = 0.6
+
+
+@dataclass(frozen=True, eq=False)
+class Stroke:
+    """Rows of the pull, in order.
+
+    Parameters
+    ----------
+    rows
+        Indices into the record.
+    direction
+        +1 or -1: sign of the travel while it pulls.
+    unloading
+        Rows that belong to other strokes or ways back.
+    released
+        Rows at the end after the force has collapsed.
+    """
+
+    rows: Index
+    direction: int
+    unloading: int
+    released: int
+
+
+def find_stroke(travel: Array, force: Array) -> Stroke | None:
+    """Find the longest pull in a record; None if the travel does not advance.
+
+    The travel is cut where it turns back by more than 2 % of its range. Of the parts, the
+    one of the largest advance under load is the pull; of equal ones the first.
+    """
+    span = float(np.ptp(travel))
+    if len(travel) < 2 or span <= 0.0:
+        return None
+    turns = _turning_points(travel, _TURN * span)
+    parts = list(itertools.pairwise(turns))
+    start, stop = _pull(parts, travel, np.abs(force))
+    advance = float(travel[stop] - travel[start])
+    direction = 1 if advance > 0 else -1
+    rows = np.arange(start, stop + 1)
+    # Up and down in turn, a record of no direction: no part of it is a pull.
+    if abs(advance) < 0.3 * span or len(rows) < 3:
+        return None
+    kept = _before_release(np.abs(force[rows]), np.abs(travel[rows] - travel[start]))
+    unloading = len(travel) - len(rows)
+    return Stroke(rows[:kept], direction, unloading, len(rows) - kept)
+
+
+def _pull(parts: list[tuple[int, int]], travel: Array, load: Array) -> tuple[int, int]:
+    """The first of the long parts that is not run without load, as an approach is."""
+    advances = [abs(float(travel[b] - travel[a])) for a, b in parts]
+    loads = [float(np.median(load[a : b + 1])) for a, b in parts]
+    for part, advance, mean in zip(parts, advances, loads, strict=True):
+        if advance >= 0.8 * max(advances) and mean >= 0.2 * max(loads):
+            return part
+    return parts[advances.index(max(advances))]
+
+
+def _turning_points(travel: Array, tolerance: float) -> list[int]:
+    """Indices of the start, of each turn larger than `tolerance`, and of the end."""
+    turns = [0]
+    place, direction = 0, 0
+    blocks = max(1, len(travel) // 4000)
+    # Turns are few: look for them in thinned rows, then place them exactly.
+    picked = np.unique(np.append(np.arange(0, len(travel), blocks), len(travel) - 1))
+    for k in picked.tolist():
+        step = travel[k] - travel[place]
+        if direction == 0:
+            if abs(step) > tolerance:
+                direction = 1 if step > 0 else -1
+                place = k
+        elif step * direction > 0:
+            place = k
+        elif abs(step) > tolerance:
+            turns.append(_exact(travel, place, blocks, direction))
+            direction, place = -direction, k
+    end = _exact(travel, place, blocks, direction or 1)
+    if end > turns[-1]:
+        turns.append(end)
+    if turns[-1] != len(travel) - 1 and len(turns) == 1:
+        turns.append(len(travel) - 1)
+    return turns
+
+
+def _exact(travel: Array, place: int, reach: int, direction: int) -> int:
+    first = max(0, place - reach)
+    window = travel[first : place + reach + 1] * direction
+    return first + int(np.argmax(window))
+
+
+def _before_release(force: Array, travel: Array) -> int:
+    """Number of rows before a collapse of the force near the end of the pull."""
+    count = len(force)
+    tail = int(np.searchsorted(travel, 0.9 * travel[-1])) if travel[-1] > 0 else count
+    tail = min(tail, count - 3)
+    if tail < 10:
+        return count
+    level = float(np.median(force[max(0, tail - count // 10) : tail]))
+    low = np.flatnonzero(force[tail:] < _DROP * level)
+    if len(low) == 0:
+        return count
+    first = tail + int(low[0])
+    # A spike comes back; a release does not.
+    if np.median(force[first:]) > 0.8 * level:
+        return count
+    while first > tail and force[first - 1] < 0.97 * level:
+        first -= 1
+    return first

@@ -1,0 +1,347 @@
+"""Text to raw tables: delimiter, header, names, units, cells. Knows no brand.
+
+A table is a run of lines that have the same number of cells, at least two of them
+numbers. What stands above it is its header; whole lines in quotes are unwrapped.
+"""
+
+import csv
+import itertools
+import re
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.shear_test.bulk import Bulk, read_bulk
+from wraparc.shear_test.numerals import NumeralStyle, looks_numeric
+from wraparc.shear_test.record import Array
+
+Cells = Sequence[object] | Array
+_DELIMITERS = ("\t", ";", "|", ",", " ")
+DELIMITER_NAMES = {"\t": "tab", ";": "semicolon", "|": "bar", ",": "comma", " ": "blanks"}
+_SAMPLE = 200
+_HEAD = 150
+_LARGEST_GAP = 2
+_HEADER_KEPT = 40
+_ALL_NUMERIC = re.compile(r'[-+\u22120-9eE.,;|\t "]*[0-9][-+\u22120-9eE.,;|\t "]*')
+_EMPTY = ' ;,|\t"'
+_WHOLE_LINE_QUOTED = re.compile(r'"(?:[^"]|"")*"')
+
+
+@dataclass(frozen=True, eq=False)
+class RawTable:
+    """One table of a file, its cells as written.
+
+    Parameters
+    ----------
+    place
+        Where it stands, for example ``"lines 13 to 2196"`` or ``"sheet 'Data'"``.
+    header
+        Lines above it, as cells; the nearest is the last.
+    columns
+        Cells, column by column.
+    lines
+        Line (or sheet row) of each row, counted from 1.
+    skipped
+        Line and reason of each line inside the table that is no row of it.
+    delimiter
+        What stands between the cells; empty for a workbook.
+    cut
+        Whether the last row ends the file without a line end.
+    sheet
+        Name of the sheet in a workbook.
+    style
+        Decimal sign, where the columns hold numbers converted already.
+    """
+
+    place: str
+    header: tuple[tuple[str, ...], ...]
+    columns: tuple[Cells, ...]
+    lines: NDArray[np.int64]
+    skipped: tuple[tuple[int, str], ...] = ()
+    delimiter: str = ""
+    cut: bool = False
+    sheet: str = ""
+    style: NumeralStyle | None = None
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return len(self.lines)
+
+
+def tables_in_text(
+    text: str, *, delimiter: str | None = None, ended: bool = True
+) -> list[RawTable]:
+    """Find every table in `text`.
+
+    Parameters
+    ----------
+    text
+        The file, its line ends those of Unix.
+    delimiter
+        What stands between cells (a blank: any run of blanks), if it is not to be found.
+    ended
+        Whether the last line has its line end.
+
+    Returns
+    -------
+    Tables in the order of the file; none if no line looks like a row of numbers.
+    """
+    lines = _unwrapped(text.split("\n"))
+    while lines and not lines[-1].strip():
+        lines.pop()
+    sign = delimiter or _delimiter_of(lines)
+    if sign is None:
+        return []
+    head = lines[:_HEAD]
+    cells = _split_all(head, sign)
+    runs = _runs(cells, _row_widths(head, cells))
+    bulk = None
+    if len(lines) > _HEAD and runs and runs[-1].last == len(head) - 1 and not runs[-1].skipped:
+        bulk = read_bulk("\n".join(lines[runs[-1].first :]), sign, runs[-1].width)
+    if bulk is None and len(lines) > _HEAD:
+        cells = _split_all(lines, sign)
+        runs = _runs(cells, _row_widths(lines, cells))
+    tables = []
+    for run, start in zip(runs, [0, *(run.last + 1 for run in runs)], strict=False):
+        above = [line for line in lines[start : run.first] if line.strip(_EMPTY)]
+        header = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
+        if bulk is not None and run is runs[-1]:
+            tables.append(_bulk_table(bulk, run.first, header, sign, cut=not ended))
+        else:
+            cut = not ended and run.last >= len(lines) - 2
+            tables.append(_text_table(cells, run, header, sign, cut=cut))
+    return tables
+
+
+def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str) -> list[RawTable]:
+    """Find every table in the rows of a worksheet; cells are text or numbers."""
+    widths = np.array([_mixed_width(row) for row in rows], dtype=np.int64)
+    texts = [[_text(cell) for cell in row] for row in rows]
+    runs = _runs(texts, widths)
+    starts = [0, *(run.last + 1 for run in runs)]
+    tables = []
+    for run, start in zip(runs, starts, strict=False):
+        above = [tuple(row) for row in texts[start : run.first] if any(row)]
+        picked = [rows[k] for k in run.rows]
+        tables.append(
+            RawTable(
+                place=f"sheet {sheet!r}, rows {run.first + 1} to {run.last + 1}",
+                header=tuple(above[-_HEADER_KEPT:]),
+                columns=tuple(zip(*picked, strict=True)),
+                lines=np.array(run.rows, dtype=np.int64) + 1,
+                skipped=tuple((k + 1, reason) for k, reason in run.skipped),
+                sheet=sheet,
+            )
+        )
+    return tables
+
+
+def _text(cell: object) -> str:
+    return "" if cell is None else str(cell).strip()
+
+
+def _mixed_width(row: Sequence[object]) -> int:
+    numeric = sum(
+        looks_numeric(cell)
+        if isinstance(cell, str)
+        else isinstance(cell, int | float) and not isinstance(cell, bool)
+        for cell in row
+    )
+    if numeric >= 2:
+        return len(row)
+    return -1 if any(_text(cell) for cell in row) else 0
+
+
+def _text_table(
+    cells: Sequence[list[str]],
+    run: "_Run",
+    header: tuple[tuple[str, ...], ...],
+    sign: str,
+    *,
+    cut: bool,
+) -> RawTable:
+    return RawTable(
+        place=f"lines {run.first + 1} to {run.last + 1}",
+        header=header,
+        columns=tuple(zip(*[cells[k] for k in run.rows], strict=True)),
+        lines=np.array(run.rows, dtype=np.int64) + 1,
+        skipped=tuple((k + 1, reason) for k, reason in run.skipped),
+        delimiter=sign,
+        cut=cut,
+    )
+
+
+def _bulk_table(
+    bulk: Bulk, first: int, header: tuple[tuple[str, ...], ...], sign: str, *, cut: bool
+) -> RawTable:
+    count = len(bulk.values)
+    return RawTable(
+        place=f"lines {first + 1} to {first + count}",
+        header=header,
+        columns=tuple(bulk.values.T),
+        lines=np.arange(first + 1, first + count + 1),
+        delimiter=sign,
+        cut=cut,
+        style=bulk.style,
+    )
+
+
+def _header_cells(line: str, sign: str, width: int) -> tuple[str, ...]:
+    if sign != " ":
+        return tuple(cell.strip() for cell in _splitter(sign)(line))
+    # Blanks also stand inside names: prefer the reading that fits the number of columns.
+    for pattern in (r"\S+(?: \S+)*", r"[^\s\[(]+\s*[\[(][^\])]*[\])]|\S+"):
+        parts = re.findall(pattern, line)
+        if len(parts) == width:
+            return tuple(parts)
+    return tuple(line.split())
+
+
+def _unwrapped(lines: list[str]) -> list[str]:
+    """Take off the quotes of lines that stand in quotes as a whole."""
+    sample = [line.strip() for line in lines[:: max(1, len(lines) // _SAMPLE)] if line.strip()]
+    whole = sum(_is_wrapped(line) for line in sample)
+    if not sample or whole < 0.6 * len(sample):
+        return lines
+    return [
+        line.strip()[1:-1].replace('""', '"') if _is_wrapped(line.strip()) else line
+        for line in lines
+    ]
+
+
+def _is_wrapped(line: str) -> bool:
+    inner = line[1:-1]
+    return (
+        _WHOLE_LINE_QUOTED.fullmatch(line) is not None
+        and any(d in inner for d in _DELIMITERS)
+        and not looks_numeric(inner)
+    )
+
+
+def _splitter(delimiter: str) -> Callable[[str], list[str]]:
+    if delimiter == " ":
+        return str.split
+
+    def split(line: str) -> list[str]:
+        if '"' not in line:
+            return line.split(delimiter)
+        # A lone quote is a sign for inch or a mistake: such a line is taken literally.
+        if line.count('"') % 2:
+            return line.split(delimiter)
+        try:
+            return next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))
+        except (csv.Error, StopIteration):
+            return line.split(delimiter)
+
+    return split
+
+
+def _split_all(lines: Sequence[str], delimiter: str) -> list[list[str]]:
+    if delimiter != " " and any('"' in line for line in lines[:: max(1, len(lines) // 50)]):
+        balanced = [line if line.count('"') % 2 == 0 else line.replace('"', "") for line in lines]
+        try:
+            rows = list(csv.reader(balanced, delimiter=delimiter, skipinitialspace=True))
+        except csv.Error:
+            rows = []
+        # The reader passes over nothing and joins nothing where quotes are balanced.
+        if len(rows) == len(lines):
+            return rows
+    return list(map(_splitter(delimiter), lines))
+
+
+def _delimiter_of(lines: Sequence[str]) -> str | None:
+    later = lines[len(lines) // 4 :] if len(lines) > 40 else lines
+    thinned = later[:: max(1, len(later) // _SAMPLE)]
+    sample = [line for line in thinned if any(c.isdigit() for c in line)]
+    scored = [(_fit_of(sample, sign), -k, sign) for k, sign in enumerate(_DELIMITERS)]
+    best = max(scored, default=(0.0, 0, ""))
+    return best[2] if best[0] > 0 else None
+
+
+def _fit_of(sample: Sequence[str], delimiter: str) -> float:
+    """Share of the lines that are rows of one width, times the share of numbers in them."""
+    split = _splitter(delimiter)
+    widths: Counter[int] = Counter()
+    shares: dict[int, float] = {}
+    for line in sample:
+        cells = [cell for cell in split(line) if cell.strip()]
+        numeric = sum(map(looks_numeric, cells))
+        if numeric >= 2:
+            widths[len(cells)] += 1
+            shares[len(cells)] = shares.get(len(cells), 0.0) + numeric / len(cells)
+    if not widths:
+        return 0.0
+    width = max(widths, key=lambda w: shares[w])
+    return shares[width] / len(sample)
+
+
+def _row_widths(lines: Sequence[str], cells: Sequence[Sequence[str]]) -> NDArray[np.int64]:
+    """Cells of each line that is a row of numbers; 0 for an empty line, -1 for any other."""
+    widths = np.fromiter(map(len, cells), dtype=np.int64, count=len(cells))
+    matches = _ALL_NUMERIC.fullmatch
+    plain = np.fromiter((matches(x) is not None for x in lines), dtype=bool, count=len(lines))
+    for k in np.flatnonzero(~plain | (widths < 2)).tolist():
+        if widths[k] < 2 or sum(map(looks_numeric, cells[k])) < 2:
+            widths[k] = -1 if lines[k].strip(_EMPTY) else 0
+    return widths
+
+
+@dataclass
+class _Run:
+    """Rows of one width under each other, being collected."""
+
+    first: int
+    last: int
+    width: int
+    rows: list[int] = field(default_factory=list)
+    skipped: list[tuple[int, str]] = field(default_factory=list)
+
+
+def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64]) -> list[_Run]:
+    """Group rows into tables; a line or two that is no row does not end a table."""
+    bounds = [0, *(np.flatnonzero(np.diff(widths)) + 1).tolist(), len(widths)]
+    stretches = [
+        (a, b, int(widths[a])) for a, b in itertools.pairwise(bounds) if b > a and widths[a] != 0
+    ]
+    found: list[_Run] = []
+    gap: list[int] = []
+    for place, (start, stop, width) in enumerate(stretches):
+        run = found[-1] if found else None
+        following = [w for _, _, w in stretches[place + 1 :][:2] if w > 0]
+        if width < 0:
+            gap.extend(range(start, stop))
+            continue
+        if run and width == run.width and not _ends_table(gap, cells, width):
+            run.skipped.extend((k, f"not a row of numbers: {_shown(cells[k])}") for k in gap)
+            run.rows.extend(range(start, stop))
+            run.last = stop - 1
+        elif (
+            run and not gap and stop - start <= _LARGEST_GAP and following[:1] in ([], [run.width])
+        ):
+            run.skipped.extend(
+                (k, f"{width} cells instead of {run.width}") for k in range(start, stop)
+            )
+            run.last = stop - 1
+        else:
+            found.append(_Run(start, stop - 1, width, list(range(start, stop))))
+        gap = []
+    if found and len(gap) == 1 and gap[0] == len(widths) - 1:
+        found[-1].skipped.append((gap[0], f"not a row of numbers: {_shown(cells[gap[0]])}"))
+    return found
+
+
+def _ends_table(gap: Sequence[int], cells: Sequence[Sequence[str]], width: int) -> bool:
+    if len(gap) > _LARGEST_GAP:
+        return True
+    return any(
+        len(cells[k]) == width and sum(bool(cell.strip()) for cell in cells[k]) >= 2 for k in gap
+    )
+
+
+def _shown(row: Sequence[str]) -> str:
+    text = " ".join(cell.strip() for cell in row if cell.strip())
+    return text if len(text) <= 40 else text[:37] + "..."
