@@ -4,7 +4,6 @@ from itertools import pairwise
 
 from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.kinds import nearest
 from wraparc.files.problems import Report
 from wraparc.files.tables import Record
 from wraparc.files.trends import read_trend
@@ -21,7 +20,7 @@ from wraparc.friction import (
     TestedRange,
     Trend,
 )
-from wraparc.units import Dimension, dimension_of, unit_factor
+from wraparc.units import Dimension, unit_factor
 
 # Keys of the file by the names that the laws use in their errors.
 _FILE_KEYS = {
@@ -215,10 +214,11 @@ def _unit(record: Record, key: str, dimension: Dimension, example: str) -> float
         remedy = f'Write {key} = "{example}" or the unit that A and b were fitted in.'
         raise _problem(key, "missing, and A and b mean nothing without it", remedy)
     unit: str = record[key]
-    if dimension_of(unit) is None:
-        remedy = nearest(unit, ("mm", "cm", "m", "in", "ft", "Pa", "kPa", "MPa", "bar", "psi"))
-        raise _problem(key, "unknown unit", remedy or f'Write for example "{example}".')
-    return unit_factor(unit, dimension)
+    try:
+        return unit_factor(unit, dimension)
+    except InputError as error:
+        remedy = f'Write for example "{example}".'
+        raise _problem(key, error.problems[0].message, remedy) from None
 
 
 def _table(record: Record) -> MeasuredTable:

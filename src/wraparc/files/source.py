@@ -28,7 +28,7 @@ def read_text(path: str | os.PathLike[str]) -> str:
     InputError
         If it cannot be read, or is something else.
     """
-    file = shown(os.fspath(path))[1:-1]
+    file = printable(os.fspath(path))
     try:
         status = os.stat(path)
         if stat.S_ISDIR(status.st_mode):
@@ -48,6 +48,11 @@ def read_text(path: str | os.PathLike[str]) -> str:
         reason = getattr(error, "strerror", None) or str(error)
         raise _file_problem(file, f"cannot be read: {reason}", "Check the path.") from None
     return decoded(data, file)
+
+
+def printable(path: str) -> str:
+    """Return a path as messages show it, with its control characters escaped."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in path)
 
 
 def decoded(data: bytes, file: str = "") -> str:
@@ -138,7 +143,7 @@ def write_text(path: str | os.PathLike[str], text: str) -> None:
     InputError
         If it cannot be written; what was there before is then untouched.
     """
-    file = shown(os.fspath(path))[1:-1]
+    file = printable(os.fspath(path))
     target = Path(os.path.realpath(path))
     draft = target.with_name(f".{target.name}.{os.getpid()}.tmp")
     try:

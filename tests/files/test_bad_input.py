@@ -1,0 +1,479 @@
+"""Every wrong input is answered by sentences: file, key, value, what is allowed, remedy."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from wraparc import InputError
+from wraparc.files import drive_from_text, lagging_from_text, load_drive, load_lagging
+
+DRIVE = """format = 1
+title = "Head drive"
+[belt]
+preset = "Plylon Plus 1000/4"
+width = "1200 mm"
+speed = "3 m/s"
+[[pulley]]
+name = "head"
+diameter = "800 mm"
+wrap_angle = "180 deg"
+lagging = "diamond-rubber"
+entry_tension = "150 kN"
+exit_tension = "60 kN"
+"""
+
+LAGGING = """format = 1
+name = "mine"
+thickness = "12 mm"
+elastic_modulus = "6.9 MPa"
+[law]
+kind = "integral-log"
+tested_slip = "15 mm"
+knots = [
+  { pressure = "34 kPa", peak_friction = 1.3, peak_slip = "16 mm" },
+  { pressure = "690 kPa", peak_friction = 0.4, peak_slip = "26 mm" },
+]
+"""
+
+TENSION_KEYS = "entry_tension, exit_tension, effective_tension, torque, power"
+
+
+def problems(text: str, *swaps: tuple[str, str]) -> list[str]:
+    for old, new in swaps:
+        assert text.count(old) >= 1, old
+        text = text.replace(old, new)
+    read = lagging_from_text if text.startswith(LAGGING[:22]) else drive_from_text
+    with pytest.raises(InputError) as caught:
+        read(text, file="in.toml")
+    assert all(problem.file == "in.toml" for problem in caught.value.problems)
+    return [str(problem).removeprefix("in.toml: ") for problem in caught.value.problems]
+
+
+def test_the_samples_are_good() -> None:
+    assert drive_from_text(DRIVE).title == "Head drive"
+    assert lagging_from_text(LAGGING)[0].name == "mine"
+
+
+def between(low: str, high: str) -> str:
+    return f"must be between {low} and {high}."
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        # missing and unknown keys
+        (
+            'width = "1200 mm"',
+            "",
+            'belt.width: missing. Write for example width = "1200 mm".',
+        ),
+        ("title", "titel", 'titel = "Head drive": unknown key. Did you mean "title"?'),
+        (
+            'speed = "3 m/s"',
+            'colour = "black"',
+            'belt.colour = "black": unknown key. The keys here are preset, name, kind, width, '
+            "modulus, rating, speed, least_pulley_diameter, provenance, sources.",
+        ),
+        ('name = "head"', "", 'pulley[1].name: missing. Write name = "head".'),
+        # dimensions
+        (
+            '"1200 mm"',
+            '"1200 kN"',
+            'belt.width = "1200 kN": a force, where a length is needed. '
+            'Write for example "1200 mm".',
+        ),
+        (
+            '"1200 mm"',
+            "1200",
+            "belt.width = 1200: no unit, where a length is needed. "
+            'Write the unit too, for example "1200 mm".',
+        ),
+        (
+            '"180 deg"',
+            '"180 Deg"',
+            'pulley.head.wrap_angle = "180 Deg": unknown unit "Deg". Did you mean deg?',
+        ),
+        # numbers that can be read in two ways, or are none
+        (
+            '"150 kN"',
+            '"1,5 kN"',
+            'pulley.head.entry_tension = "1,5 kN": a comma can mean a decimal point or a thousands '
+            'separator. Write "1.5 kN".',
+        ),
+        (
+            '"60 kN"',
+            '"1 800 N"',
+            'pulley.head.exit_tension = "1 800 N": digits in groups can be read as one number or '
+            'as several. Write "1800 N".',
+        ),
+        (
+            '"150 kN"',
+            '"nan kN"',
+            'pulley.head.entry_tension = "nan kN": not a finite number. Give the size that was '
+            "measured or meant.",
+        ),
+        (
+            '"150 kN"',
+            '"1e400 kN"',
+            'pulley.head.entry_tension = "1e400 kN": not a finite number. Give the size that was '
+            "measured or meant.",
+        ),
+        (
+            '"150 kN"',
+            "inf",
+            "pulley.head.entry_tension = Infinity: no unit, where a force is needed. "
+            'Write the unit too, for example "150 kN".',
+        ),
+        # sizes
+        ('"1200 mm"', '"-1200 mm"', f'belt.width = "-1200 mm": {between("1.00 mm", "1000 m")}'),
+        ('"800 mm"', '"0 mm"', f'pulley.head.diameter = "0 mm": {between("1.00 mm", "1000 m")}'),
+        (
+            '"3 m/s"',
+            '"0 m/s"',
+            'belt.speed = "0 m/s": must be more than 0 m/s.',
+        ),
+        (
+            '"60 kN"',
+            '"0 kN"',
+            'pulley.head.exit_tension = "0 kN": must be more than 0 kN and at most 1000000 kN.',
+        ),
+        (
+            '"60 kN"',
+            '"-60 kN"',
+            'pulley.head.exit_tension = "-60 kN": must be more than 0 kN and at most 1000000 kN.',
+        ),
+        *(
+            (
+                '"180 deg"',
+                f'"{angle}"',
+                f'pulley.head.wrap_angle = "{angle}": must be more than 0 deg and at most 720 deg.',
+            )
+            for angle in ("0 deg", "720.1 deg", "-180 deg", "2.1 turn")
+        ),
+        # tensions: see test_tensions for all of them
+        (
+            'exit_tension = "60 kN"',
+            'effective_tension = "150 kN"',
+            'pulley.head.effective_tension = "150 kN": leaves an exit tension of 0 kN, and a belt '
+            "cannot push. Give a smaller pull or a larger tension on the slack side.",
+        ),
+        # names
+        (
+            "Plylon Plus 1000/4",
+            "Plylon 1000/4",
+            'belt.preset = "Plylon 1000/4": the catalogue has no belt of this name. Did you mean '
+            '"Plylon Plus 1000/4" or "Plylon Plus 1800/4" or "Plylon Plus 1000/5"? '
+            "The command `wraparc belts` lists them.",
+        ),
+        (
+            'preset = "Plylon Plus 1000/4"',
+            "",
+            'belt.modulus: missing. Write modulus = "12960 kN/m", or choose a belt by preset.',
+        ),
+        (
+            "diamond-rubber",
+            "diamond",
+            'pulley.head.lagging = "diamond": the catalogue has no lagging of this name. Did you '
+            'mean "diamond-rubber"? The command `wraparc laggings` lists them.',
+        ),
+        (
+            '"diamond-rubber"',
+            '"diamond-rubber"\ncondition = "wet"',
+            'pulley.head.condition = "wet": lagging "diamond-rubber" has no law for this '
+            'condition, only for "dry". Choose one of them, or add a law to its file.',
+        ),
+        (
+            "diamond-rubber",
+            "../secret.toml",
+            'pulley.head.lagging = "../secret.toml": the path of a file cannot be used here. '
+            "Choose one of diamond-rubber, full-ceramic, medium-ceramic, or put the lagging into "
+            "the drive file as a [lagging.NAME] table.",
+        ),
+        # kinds of values
+        (
+            '"60 kN"',
+            '"60 kN"\nrecovery = "no"',
+            'pulley.head.recovery = "no": must be true or false. Write it without quotes.',
+        ),
+        (
+            '"60 kN"',
+            '"60 kN"\noverrun = "-0.1 mm"',
+            f'pulley.head.overrun = "-0.1 mm": {between("0 mm", "1000 mm")}',
+        ),
+        ('"Head drive"', "1", "title = 1: must be text. Put it in quotes."),
+        (
+            '"Head drive"',
+            '"\\u001b[2J"',
+            'title = "\\u001b[2J": holds characters that cannot be printed. Remove them.',
+        ),
+        (
+            '"diamond-rubber"',
+            "[1]",
+            "pulley.head.lagging = [1]: must be text. Put it in quotes.",
+        ),
+        # format
+        (
+            "format = 1",
+            "format = 2",
+            "format = 2: the file is of a newer format; this version of wraparc reads up to 1. "
+            "Update wraparc.",
+        ),
+        (
+            "format = 1",
+            'format = "1"',
+            'format = "1": must be a whole number from 1. Write format = 1.',
+        ),
+        ("format = 1", "", "format: missing. Write format = 1."),
+        # provenance
+        (
+            '"3 m/s"',
+            '"3 m/s"\nprovenance = { kind = "published" }',
+            "belt.provenance: a published number without a source. "
+            "Name the publication, or call the number given or illustrative.",
+        ),
+        (
+            '"3 m/s"',
+            '"3 m/s"\nsources = { wdith = { kind = "measured" } }',
+            'belt.sources.wdith: is no key of this table. Did you mean "width"?',
+        ),
+    ],
+)
+def test_one_fault_of_a_drive_file(old: str, new: str, expected: str) -> None:
+    assert problems(DRIVE, (old, new)) == [expected]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        (
+            '"690 kPa"',
+            '"20 kPa"',
+            'law.knots[2].pressure = "20 kPa": not above the pressure of the row before, "34 kPa". '
+            "Write the rows in order of rising pressure.",
+        ),
+        (
+            "peak_friction = 0.4",
+            "peak_friction = -0.4",
+            "law.knots[2].peak_friction = -0.4: must be more than 0.",
+        ),
+        (
+            '"26 mm"',
+            '"0 mm"',
+            'law.knots[2].peak_slip = "0 mm": must be more than 0 mm.',
+        ),
+        (
+            'peak_slip = "26 mm"',
+            'peak_slip = "26 mm", post_peak_slope = "0.01 1/mm"',
+            'law.knots[2].post_peak_slope = "0.01 1/mm": must be at most 0 1/mm.',
+        ),
+        (
+            '"integral-log"',
+            '"integral-lag"',
+            'law.kind = "integral-lag": must be one of "integral-log", "constant", '
+            '"elastic-plastic", "power", "table". Did you mean "integral-log"?',
+        ),
+        (
+            'kind = "integral-log"',
+            "",
+            'law.kind: missing. Write one of "integral-log", "constant", "elastic-plastic", '
+            '"power", "table".',
+        ),
+        (
+            'tested_slip = "15 mm"',
+            'tested_slip = "15 mm"\nslip_unit = "mm"',
+            'law.slip_unit = "mm": belongs to pieces; each number of knots has its own unit.',
+        ),
+        (
+            'elastic_modulus = "6.9 MPa"',
+            "",
+            "shear_modulus: missing, and the lagging is not rigid. "
+            "Give shear_modulus, or elastic_modulus, of which it is a third.",
+        ),
+        (
+            'thickness = "12 mm"',
+            "",
+            'thickness: missing, where elastic_modulus is given. Write thickness = "12 mm".',
+        ),
+        (
+            'thickness = "12 mm"',
+            'thickness = "12 mm"\ncompression_modulus = "10 MPa"\nblock = { width = "3 cm" }',
+            "block: given, and the compression modulus as well. Keep one of them.",
+        ),
+        (
+            'thickness = "12 mm"',
+            'thickness = "12 mm"\ncost = { material = 1, installation = 2, currency = "AUD", '
+            'area = "6 m2", life_years = [2, 1] }',
+            "cost.life_years = [2.0, 1.0]: must be the shortest and the longest life in years, "
+            "both more than 0.",
+        ),
+        (
+            'tested_slip = "15 mm"',
+            'tested_slip = "15 mm"\nfit = { parameters = ["a"], values = [1], '
+            "covariance = [[-1]] }",
+            "law.fit.covariance: must have no negative eigenvalue: no variance is negative.",
+        ),
+    ],
+)
+def test_one_fault_of_a_lagging_file(old: str, new: str, expected: str) -> None:
+    assert problems(LAGGING, (old, new)) == [expected]
+
+
+def test_laws_of_one_condition() -> None:
+    law = '\n[[law]]\nkind = "constant"\nfriction = 0.3\n'
+    head = LAGGING[: LAGGING.index("[law]")]
+    assert problems(head + law + law) == [
+        'law[2].condition = "dry": a second law for this condition. '
+        "Give each law its own condition."
+    ]
+    assert problems(head) == ["law: missing. Add a [law] table, as the examples show."]
+
+
+def test_all_faults_at_once_and_in_the_order_of_the_file() -> None:
+    swaps = [
+        ("title", "titel"),
+        ("Plylon Plus", "Plylon Minus"),
+        ("1200 mm", "1200 kN"),
+        ("800 mm", "0 mm"),
+        ("diamond-rubber", "diamond-ruber"),
+        ("150 kN", "1,5 kN"),
+    ]
+    found = problems(DRIVE, *swaps)
+    assert [line.split(" ")[0] for line in found] == [
+        "titel",
+        "belt.width",
+        "pulley.head.diameter",
+        "pulley.head.entry_tension",
+        "belt.preset",
+        "pulley.head.lagging",
+    ]
+
+
+def test_faults_of_tables_that_are_otherwise_right() -> None:
+    """An unknown key does not hide what is wrong between the known ones."""
+    found = problems(DRIVE, ("exit_tension", 'torqe = "1 kN m"\npower = "1 W"\nexit_tension'))
+    assert [line.split(":")[0] for line in found] == ['pulley.head.torqe = "1 kN m"', "pulley.head"]
+
+
+def test_repeated_pulleys() -> None:
+    second = DRIVE[DRIVE.index("[[pulley]]") :]
+    assert problems(DRIVE + second) == [
+        'pulley.name = "head": used 2 times. Give each its own name.'
+    ]
+    more = "".join(second.replace("head", f"head {i}") for i in range(10))
+    assert problems(DRIVE + more) == ["pulley: must have 1 to 10 entries, and has 11."]
+
+
+def test_a_flood_of_faults_is_cut() -> None:
+    text = DRIVE + "".join(f"x{i} = 1\n" for i in range(1000))
+    found = problems(text)
+    assert len(found) == 51
+    assert found[-1] == "950 more problems are not listed."
+
+
+# ---- text that is no TOML ----
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "reason"),
+    [
+        (DRIVE.replace('"1200 mm"', "1200 mm"), 5, "expected newline or end of document"),
+        (DRIVE + "x = [1, 2\n", 15, "unclosed array"),
+        (DRIVE + 'title = "again"\ntitle = "and again"', 15, "cannot overwrite a value"),
+        (DRIVE + "x = 2024-13-45\n", 14, "expected newline"),
+    ],
+)
+def test_broken_text(text: str, line: int, reason: str) -> None:
+    """The middle of the sentence is the TOML reader's own."""
+    with pytest.raises(InputError) as caught:
+        drive_from_text(text, file="in.toml")
+    sentence = str(caught.value)
+    assert sentence.startswith(f"in.toml, line {line}: not valid TOML: ")
+    assert reason in sentence
+    assert sentence.endswith('Text needs quotes, and so does a quantity: width = "1200 mm".')
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("a = " + "[" * 100_000, "in.toml: is nested too deeply. Is it the right file?"),
+        (
+            "x = " + "9" * 5000,
+            "in.toml: holds a whole number of thousands of digits. Is it the right file?",
+        ),
+        ("a." * 41 + "b = 1", "in.toml, line 1: a key of more than 40 parts."),
+        ("# " + "x" * 5_000_000, "in.toml: is too large. Is it the right file?"),
+    ],
+)
+def test_text_that_would_choke_the_reader(text: str, expected: str) -> None:
+    with pytest.raises(InputError) as caught:
+        drive_from_text(text, file="in.toml")
+    assert str(caught.value) == expected
+
+
+def test_an_empty_file() -> None:
+    assert [line.split(":")[0] for line in problems("")] == ["format", "belt", "pulley"]
+
+
+# ---- files that cannot be read ----
+
+
+def load_error(path: Path) -> str:
+    with pytest.raises(InputError) as caught:
+        load_drive(path)
+    return str(caught.value).replace(str(path), "PATH")
+
+
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+    file = tmp_path / "drive.toml"
+    assert load_error(file) == "PATH: cannot be read: No such file or directory. Check the path."
+    assert load_error(tmp_path) == "PATH: is a folder. Give the path of a file in it."
+    file.write_bytes(b"x" * 5_000_001)
+    assert load_error(file) == "PATH: is 5.0 MB large, more than 5 MB. Is it the right file?"
+    file.write_bytes(b'format = 1\ntitle = "F\xf6rderer"\n')
+    assert load_error(file) == (
+        "PATH, line 2: is not UTF-8 text: byte 0xf6 at position 21. Save it as UTF-8."
+    )
+    file.write_bytes(b"")
+    assert "format: missing" in load_error(file)
+    assert "cannot be read" in load_error(tmp_path / "a\0b")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes on this system")
+def test_a_pipe_is_refused_without_waiting(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    assert load_error(tmp_path / "pipe") == (
+        "PATH: is not a plain file. Give the path of a text file."
+    )
+
+
+def test_a_byte_order_mark_is_no_fault(tmp_path: Path) -> None:
+    file = tmp_path / "drive.toml"
+    file.write_text(DRIVE, "utf-8-sig")
+    assert load_drive(file).title == "Head drive"
+
+
+def test_lagging_files_are_relative_to_the_drive_file(tmp_path: Path) -> None:
+    (tmp_path / "laggings").mkdir()
+    (tmp_path / "laggings" / "mine.toml").write_text(LAGGING)
+    file = tmp_path / "drive.toml"
+    file.write_text(DRIVE.replace("diamond-rubber", "laggings/mine.toml"))
+    assert load_drive(file).pulleys[0].lagging == load_lagging(tmp_path / "laggings" / "mine.toml")
+    with pytest.raises(InputError, match="the path of a file cannot be used here"):
+        load_drive(file, allow_paths=False)
+    with pytest.raises(InputError, match="the path of a file cannot be used here"):
+        load_lagging(tmp_path / "laggings" / "mine.toml", allow_paths=False)
+
+
+def test_faults_of_a_lagging_file_name_that_file(tmp_path: Path) -> None:
+    file, lagging = tmp_path / "drive.toml", tmp_path / "mine.toml"
+    file.write_text(DRIVE.replace("diamond-rubber", "mine.toml"))
+    assert load_error(file).replace(str(tmp_path), "DIR") == (
+        'PATH: pulley.head.lagging = "mine.toml": DIR/mine.toml cannot be read: '
+        "No such file or directory. Check the path."
+    )
+    lagging.write_text(LAGGING.replace("12 mm", "12 kN"))
+    assert load_error(file).replace(str(tmp_path), "DIR") == (
+        'DIR/mine.toml: thickness = "12 kN": a force, where a length is needed. '
+        'Write for example "1200 mm".'
+    )

@@ -1,0 +1,480 @@
+"""Lagging files: every kind of law, conditions, presets, what is estimated and what is given.
+
+Expected friction: the equations of the file written out here, in the units of the file.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from wraparc import InputError, Kind
+from wraparc.drive import Cost, Fit, Lagging
+from wraparc.files import drive_from_text, lagging_from_text, load_lagging
+from wraparc.friction import (
+    Constant,
+    ElasticPlastic,
+    IntegralLog,
+    MeasuredTable,
+    PressurePower,
+    TestedRange,
+)
+
+HEAD = """format = 1
+name = "mine"
+thickness = "12 mm"
+shear_modulus = "2.3 MPa"
+compression_modulus = "10 MPa"
+"""
+
+
+def read(law: str, head: str = HEAD) -> Lagging:
+    (lagging,) = lagging_from_text(head + law)
+    return lagging
+
+
+def faults(law: str, head: str = HEAD) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        lagging_from_text(head + law)
+    return [str(problem) for problem in caught.value.problems]
+
+
+# ---- laws ----
+
+
+def test_simple_laws() -> None:
+    constant = '[law]\nkind = "constant"\nfriction = 0.35\n'
+    assert read(constant).law == Constant(friction_coefficient=0.35)
+    tested = 'tested_pressure = ["34 kPa", "0.69 MPa"]\ntested_slip = "15 mm"\n'
+    assert read(constant + tested).law.tested == TestedRange(
+        pressure_min=34e3, pressure_max=690e3, slip_max=0.015
+    )
+    assert read(
+        '[law]\nkind = "elastic-plastic"\nfriction = 0.5\nstiffness = "190 kPa/mm"\n'
+    ).law == ElasticPlastic(friction_coefficient=0.5, stiffness=190e6)
+    assert read(
+        '[law]\nkind = "power"\nfriction = 0.5\nreference_pressure = "2 bar"\nexponent = 0.4\n'
+    ).law == PressurePower(friction_coefficient=0.5, reference_pressure=200e3, exponent=0.4)
+
+
+def test_a_measured_table() -> None:
+    law = read("""
+        [law]
+        kind = "table"
+        slip = ["0 mm", "5 mm", "0.5 in"]
+        rows = [
+          { pressure = "10 psi", friction = [0, 0.5, 0.6] },
+          { pressure = "200 kPa", friction = [0, 0.4, 0.5] },
+        ]
+    """).law
+    assert law == MeasuredTable(
+        slip=(0.0, 0.005, 0.0127),
+        pressure=(68947.57293168362, 200e3),
+        values=((0.0, 0.5, 0.6), (0.0, 0.4, 0.5)),
+    )
+
+
+def test_knots() -> None:
+    """At a knot, mu = mu_pk r (1 - ln r) up to the peak, then the line down to the residual."""
+    lagging = read(
+        """
+        [law]
+        kind = "integral-log"
+        tested_slip = "15 mm"
+        knots = [
+          { pressure = "34 kPa", peak_friction = 1.42, peak_slip = "5 mm",
+            post_peak_slope = "-0.016 1/mm", residual_friction = 1.27 },
+          { pressure = "172 kPa", peak_friction = 1.06, peak_slip = "0.65 in" },
+        ]
+    """.replace(",\n            post", ", post")
+    )
+    law = lagging.law
+    r = 2.0 / 5.0
+    assert law.friction(2e-3, 34e3) == pytest.approx(1.42 * r * (1 - math.log(r)), rel=1e-12)
+    assert law.friction(8e-3, 34e3) == pytest.approx(1.42 - 0.016 * 3, rel=1e-12)
+    assert law.friction(50e-3, 34e3) == pytest.approx(1.27, rel=1e-12)
+    assert law.friction(0.65 * 25.4e-3, 172e3) == pytest.approx(1.06, rel=1e-12)
+    assert law.friction(1.0, 172e3) == pytest.approx(1.06, rel=1e-12)
+    assert law.tested == TestedRange(pressure_min=34e3, pressure_max=172e3, slip_max=15e-3)
+
+
+# The equations of a figure: A and b for slip in mm, pressure in kPa; inches and psi besides.
+FORMS: list[tuple[str, str, Callable[[float], float], Callable[[float], float]]] = [
+    (
+        "-0.12 + 1.1e-4 p",
+        "-0.50 + 5.0e-4 p",
+        lambda p: -0.12 + 1.1e-4 * p,
+        lambda p: -0.50 + 5.0e-4 * p,
+    ),
+    (
+        "0.0203 ln(p) - 0.2",
+        "0.062 ln(p) - 0.75",
+        lambda p: 0.0203 * math.log(p) - 0.2,
+        lambda p: 0.062 * math.log(p) - 0.75,
+    ),
+    (
+        "-0.45 p^-0.35",
+        "-1.9 p^-0.36",
+        lambda p: -0.45 * p**-0.35,
+        lambda p: -1.9 * p**-0.36,
+    ),
+    (
+        "-0.1 exp(-0.002 p)",
+        "-0.40 + 1e-3 p - 8e-7 p^2",
+        lambda p: -0.1 * math.exp(-0.002 * p),
+        lambda p: -0.40 + 1e-3 * p - 8e-7 * p**2,
+    ),
+]
+UNITS = [("mm", "kPa", 1e-3, 1e3), ("in", "psi", 0.0254, 6894.757293168361), ("m", "Pa", 1.0, 1.0)]
+
+
+@pytest.mark.parametrize(("a_text", "b_text", "a", "b"), FORMS)
+@pytest.mark.parametrize(("slip_unit", "pressure_unit", "metre", "pascal"), UNITS)
+def test_printed_equations_are_converted_exactly(
+    a_text: str,
+    b_text: str,
+    a: Callable[[float], float],
+    b: Callable[[float], float],
+    slip_unit: str,
+    pressure_unit: str,
+    metre: float,
+    pascal: float,
+) -> None:
+    """mu = A x ln x - b x in the units of the equations, whatever their forms."""
+    law = read(f"""
+        [law]
+        kind = "integral-log"
+        slip_unit = "{slip_unit}"
+        pressure_unit = "{pressure_unit}"
+        pieces = [
+          {{ from = "{34 * pascal!r} Pa", to = "{172 * pascal!r} Pa", A = "{a_text}", b = "{b_text}" }},
+        ]
+    """).law
+    for p in (34.0, 50.0, 100.0, 172.0):
+        peak = math.exp(b(p) / a(p) - 1.0)
+        for x in peak * np.array([1e-3, 0.1, 0.5, 0.999]):
+            expected = a(p) * x * math.log(x) - b(p) * x
+            assert law.friction(x * metre, p * pascal) == pytest.approx(expected, rel=1e-11)
+            assert law.friction(-x * metre, p * pascal) == pytest.approx(-expected, rel=1e-11)
+        flat = law.friction(2 * peak * metre, p * pascal)
+        assert flat == pytest.approx(-a(p) * peak, rel=1e-11)
+        assert isinstance(law, IntegralLog)
+        at = law.coefficients_ab(p * pascal, metre)
+        assert at == pytest.approx((a(p), b(p)), rel=1e-9, abs=1e-12)
+
+
+PIECES = """
+[law]
+kind = "integral-log"
+slip_unit = "mm"
+pressure_unit = "kPa"
+tested_slip = "15 mm"
+pieces = [
+  { from = "34 kPa", to = "172 kPa", A = "-0.08 + 2.2e-4 p", b = "-0.30 + 8e-4 p", post_peak_slope = "-0.02 + 1e-5 p", residual_friction = "0.3 p^-0.1" },
+  { from = "172 kPa", to = "690 kPa", A = "-0.04676 + 2.6512e-5 p", b = "-0.1754 + 7.56e-5 p" },
+]
+"""  # noqa: E501
+
+
+def test_pieces_with_a_tail_meet_at_the_transition() -> None:
+    law = read(PIECES).law
+    peak = math.exp((-0.30 + 0.08) / (-0.08 + 0.022) - 1.0)  # at 100 kPa
+    top = (0.08 - 0.022) * peak
+    line = top + (-0.02 + 1e-3) * 3.0
+    assert law.friction((peak + 3.0) * 1e-3, 100e3) == pytest.approx(line, rel=1e-11)
+    assert law.friction(1.0, 100e3) == pytest.approx(0.3 * 100**-0.1, rel=1e-11)
+    below, above = (float(law.friction(4e-3, p)) for p in (171.999e3, 172.001e3))
+    assert below == pytest.approx(above, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        (
+            'slip_unit = "mm"\n',
+            "",
+            'law.slip_unit: missing, and A and b mean nothing without it. Write slip_unit = "mm" '
+            "or the unit that A and b were fitted in.",
+        ),
+        (
+            '"kPa"\n',
+            '"kpa"\n',
+            'law.pressure_unit = "kpa": unknown unit. Did you mean "kPa" or "Pa" or "MPa"?',
+        ),
+        (
+            'slip_unit = "mm"',
+            'slip_unit = "kN"',
+            'law.slip_unit = "kN": a force, where a length is needed. Write for example "1200 mm".',
+        ),
+        (
+            'from = "172 kPa"',
+            'from = "180 kPa"',
+            'law.pieces[2].from = "180 kPa": not where the piece before ends, "172 kPa". Let the '
+            "pieces follow each other without gap or overlap.",
+        ),
+        (
+            "-0.08 + 2.2e-4 p",
+            "0.08 + 2.2e-4 p",
+            'law.pieces[1].A = "0.08 + 2.2e-4 p": A must be negative between 34000 and 172000 Pa, '
+            "else the law gives no positive friction.",
+        ),
+        (
+            "-0.1754",
+            "-0.2754",
+            "law.pieces[2]: peak slip jumps at the transition pressure 172000 Pa",
+        ),
+    ],
+)
+def test_faults_of_pieces(old: str, new: str, expected: str) -> None:
+    assert PIECES.count(old) == 1
+    assert any(f.startswith(expected) for f in faults(PIECES.replace(old, new)))
+
+
+def test_equations_that_are_none() -> None:
+    found = faults(PIECES.replace("-0.30 + 8e-4 p", "-0,30").replace("0.3 p^-0.1", "0.3 x"))
+    assert [f.split(": ")[:2] for f in found] == [
+        ['law.pieces[1].b = "-0,30"', "no equation over the pressure p. Write it over the "
+         "pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 "
+         "ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."],
+        ['law.pieces[1].residual_friction = "0.3 x"', found[0].split(": ")[1]],
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("law", "expected"),
+    [
+        (
+            '[law]\nkind = "integral-log"\n',
+            "law: an integral-log law with neither knots nor pieces. Give one of the two.",
+        ),
+        (
+            PIECES.replace('tested_slip = "15 mm"', 'tested_pressure = ["34 kPa", "690 kPa"]'),
+            'law.tested_pressure = ["34 kPa", "690 kPa"]: the tested pressures are the ends of the '
+            "knots or pieces. Leave it out.",
+        ),
+        (
+            '[law]\nkind = "constant"\nfriction = 0.3\ntested_slip = "15 mm"\n',
+            "law.tested_pressure: missing, where tested_slip is given. Give both or none.",
+        ),
+        (
+            '[law]\nkind = "power"\nfriction = 0.3\nreference_pressure = "2 bar"\nexponent = 1.5\n',
+            "law.exponent = 1.5: the exponent must lie in 0 <= n < 1.",
+        ),
+        (
+            '[law]\nkind = "table"\nslip = ["1 mm", "2 mm"]\n'
+            'rows = [{ pressure = "1 bar", friction = [0.1, 0.2] }]\n',
+            "law.slip = 2 slips: at least two slips, the first of them 0, are needed.",
+        ),
+        (
+            '[law]\nkind = "table"\nslip = ["0 mm", "2 mm"]\n'
+            'rows = [{ pressure = "1 bar", friction = [0.1, 0.2, 0.3] }]\n',
+            "law.friction: the table must have a row of 2 values for each of 1 pressures.",
+        ),
+    ],
+)
+def test_faults_of_laws(law: str, expected: str) -> None:
+    assert faults(law) == [expected]
+
+
+# ---- conditions ----
+
+TWO = """
+[[law]]
+condition = "dry"
+kind = "constant"
+friction = 0.6
+[[law]]
+condition = "wet and dirty"
+kind = "constant"
+friction = 0.25
+provenance = { kind = "measured", source = "own tests", date = "2024" }
+"""
+
+
+def test_conditions_are_laws_of_one_lagging() -> None:
+    dry, wet = lagging_from_text(HEAD + TWO)
+    assert (dry.condition, wet.condition) == ("dry", "wet and dirty")
+    assert wet.law == Constant(friction_coefficient=0.25)
+    assert wet.source_of("law").kind is Kind.MEASURED
+    assert dry.source_of("law").kind is Kind.GIVEN
+    assert (dry.thickness, dry.shear_modulus) == (wet.thickness, wet.shear_modulus)
+
+
+def test_a_condition_that_the_catalogue_has_not() -> None:
+    with pytest.raises(InputError) as caught:
+        load_lagging("full-ceramic", "wet")
+    assert str(caught.value) == (
+        'condition = "wet": lagging "full-ceramic" has no law for this condition, only for "dry". '
+        "Choose one of them, or add a law to its file."
+    )
+
+
+# ---- elasticity ----
+
+CONSTANT = '[law]\nkind = "constant"\nfriction = 0.4\n'
+
+
+def elastic(*lines: str) -> Lagging:
+    return read(CONSTANT, 'format = 1\nname = "mine"\n' + "".join(line + "\n" for line in lines))
+
+
+def test_what_is_not_given_is_estimated_and_says_so() -> None:
+    lagging = elastic('thickness = "12 mm"', 'elastic_modulus = "6.9 MPa"')
+    assert lagging.shear_modulus == pytest.approx(2.3e6)
+    assert lagging.compression_modulus == 6.9e6
+    assert lagging.source_of("shear_modulus").note == ("estimated: G = E/3, incompressible rubber")
+    assert lagging.source_of("compression_modulus").note == (
+        "estimated: E_c = E, no stiffening by the shape of blocks"
+    )
+    assert "thickness" not in lagging.sources
+
+
+def test_the_blocks_of_a_thicker_lagging_are_softer() -> None:
+    """The height of the blocks is the thickness unless given: S = 40/(4 h), k = 0.5, E = 3 G."""
+    block = 'block = { width = "40 mm", stiffening = 0.5 }'
+    for h in (10, 20):
+        lagging = elastic(f'thickness = "{h} mm"', 'shear_modulus = "2 MPa"', block)
+        assert lagging.compression_modulus == pytest.approx(6e6 * (1 + (10 / h) ** 2))
+    fixed = block.replace("stiff", 'height = "10 mm", stiff')
+    lagging = elastic('thickness = "20 mm"', 'shear_modulus = "2 MPa"', fixed)
+    assert lagging.compression_modulus == pytest.approx(12e6)
+
+
+def test_a_surface_that_does_not_yield() -> None:
+    lagging = elastic()
+    assert (lagging.thickness, lagging.shear_compliance, lagging.compression_compliance) == (
+        0,
+        0,
+        0,
+    )
+    lagging = elastic('thickness = "5 mm"', 'shear_modulus = "rigid"')
+    assert (lagging.shear_modulus, lagging.compression_modulus) == (math.inf, math.inf)
+
+
+# ---- cost and fit ----
+
+
+def test_cost_wear_and_fit_travel_with_the_lagging() -> None:
+    lagging = read(
+        """
+        [law]
+        kind = "constant"
+        friction = 0.4
+        [law.fit]
+        parameters = ["friction"]
+        values = [0.4]
+        covariance = [[1e-4]]
+        residual_noise = 0.01
+        date = "2024-05-01"
+        method = "robust"
+        misfit = ["first point already near the peak"]
+        """,
+        HEAD + 'wear_coefficient = "0.05 mm3/J"\ncost = { material = 625, installation = 4000, '
+        'currency = "AUD", area = "6.28 m2", life_years = [1, 2] }\n',
+    )
+    assert lagging.wear_coefficient == 0.05e-9
+    assert lagging.cost == Cost(
+        material=625, installation=4000, currency="AUD", area=6.28, life_years=(1, 2)
+    )
+    assert lagging.fit == Fit(
+        parameters=("friction",), values=(0.4,), covariance=((1e-4,),), residual_noise=0.01,
+        date="2024-05-01", method="robust", misfit=("first point already near the peak",),
+    )  # fmt: skip
+
+
+# ---- laggings inside a drive file ----
+
+DRIVE = """format = 1
+[belt]
+width = "1 m"
+modulus = "10 MN/m"
+[[pulley]]
+name = "head"
+diameter = "800 mm"
+wrap_angle = "180 deg"
+entry_tension = "100 kN"
+exit_tension = "50 kN"
+"""
+
+
+def inline(lagging: str, more: str = "") -> Lagging:
+    return drive_from_text(f"{DRIVE}lagging = {lagging}\n{more}").pulleys[0].lagging
+
+
+def test_an_inline_lagging_for_comparison() -> None:
+    lagging = inline('"cema"', '[lagging.cema]\nlaw = { kind = "constant", friction = 0.35 }\n')
+    assert lagging.name == "cema"
+    assert lagging.law == Constant(friction_coefficient=0.35)
+    assert lagging.shear_compliance == 0.0
+
+
+def test_a_preset_is_overridden_key_by_key() -> None:
+    base = load_lagging("full-ceramic")
+    thick = inline('{ preset = "full-ceramic", thickness = "20 mm" }')
+    assert (thick.name, thick.thickness, thick.law) == (base.name, 0.02, base.law)
+    assert thick.shear_modulus == base.shear_modulus
+    # S = 40/(2 20) = 1: E_c = 0.8 (4/3) 6.9 (1 + 0.54) MPa
+    assert thick.compression_modulus == pytest.approx(0.8 * 4 / 3 * 6.9e6 * 1.54)
+    assert thick.source_of("thickness").kind is Kind.GIVEN
+    assert thick.source_of("thickness").note == "instead of that of full-ceramic"
+    assert thick.source_of("elastic_modulus").kind is Kind.PUBLISHED
+    assert thick.source_of("law").kind is Kind.ILLUSTRATIVE
+    stiff = inline('{ preset = "full-ceramic", compression_modulus = "30 MPa" }')
+    assert stiff.compression_modulus == 30e6
+    assert stiff.source_of("compression_modulus").note == "instead of that of full-ceramic"
+
+
+def test_another_law_for_a_preset() -> None:
+    other = inline(
+        '{ preset = "full-ceramic", law = { condition = "wet", kind = "constant", friction = 0.4 } }'
+    )
+    assert (other.condition, other.law) == ("wet", Constant(friction_coefficient=0.4))
+    assert other.source_of("law").kind is Kind.GIVEN
+
+
+def test_a_named_table_below_a_table_of_a_pulley() -> None:
+    more = '[lagging.worn]\npreset = "diamond-rubber"\nthickness = "6 mm"\n'
+    assert inline('"worn"', more).thickness == 0.006
+    softer = inline('{ preset = "worn", shear_modulus = "1 MPa" }', more)
+    assert (softer.name, softer.thickness, softer.shear_modulus) == ("diamond-rubber", 0.006, 1e6)
+
+
+@pytest.mark.parametrize(
+    ("lagging", "more", "expected"),
+    [
+        (
+            '"wron"',
+            '[lagging.worn]\npreset = "diamond-rubber"\n',
+            'pulley.head.lagging = "wron": the catalogue has no lagging of this name. Did you mean '
+            '"worn"? The command `wraparc laggings` lists them.',
+        ),
+        (
+            '"worn"',
+            '[lagging.worn]\npreset = "rubber-diamonds"\n',
+            'lagging.worn.preset = "rubber-diamonds": the catalogue has no lagging of this name. '
+            'Did you mean "diamond-rubber"? The command `wraparc laggings` lists them.',
+        ),
+        (
+            '"worn"',
+            '[lagging.worn]\nthickness = "6 mm"\n[lagging.worn.law]\nkind = "constant"\n'
+            "friction = 0.3\n",
+            "lagging.worn.shear_modulus: missing, and the lagging is not rigid. "
+            "Give shear_modulus, or elastic_modulus, of which it is a third.",
+        ),
+        (
+            '{ preset = "diamond-rubber", thicknes = "6 mm" }',
+            "",
+            'pulley.head.lagging.thicknes = "6 mm": unknown key. Did you mean "thickness"?',
+        ),
+        (
+            '{ thickness = "6 mm", elastic_modulus = "6 MPa" }',
+            "",
+            "pulley.head.lagging.law: missing. Add a [law] table, as the examples show.",
+        ),
+    ],
+)
+def test_faults_of_inline_laggings(lagging: str, more: str, expected: str) -> None:
+    with pytest.raises(InputError) as caught:
+        inline(lagging, more)
+    assert [str(p) for p in caught.value.problems] == [expected]
