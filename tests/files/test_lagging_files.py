@@ -70,7 +70,7 @@ def test_a_measured_table() -> None:
     """).law
     assert law == MeasuredTable(
         slip=(0.0, 0.005, 0.0127),
-        pressure=(68947.57293168362, 200e3),
+        pressure=(10 * 6894.757293168361, 200e3),
         values=((0.0, 0.5, 0.6), (0.0, 0.4, 0.5)),
     )
 
@@ -142,13 +142,14 @@ def test_printed_equations_are_converted_exactly(
     pascal: float,
 ) -> None:
     """mu = A x ln x - b x in the units of the equations, whatever their forms."""
+    low, high = 34 * pascal, 172 * pascal
     law = read(f"""
         [law]
         kind = "integral-log"
         slip_unit = "{slip_unit}"
         pressure_unit = "{pressure_unit}"
         pieces = [
-          {{ from = "{34 * pascal!r} Pa", to = "{172 * pascal!r} Pa", A = "{a_text}", b = "{b_text}" }},
+          {{ from = "{low} Pa", to = "{high} Pa", A = "{a_text}", b = "{b_text}" }},
         ]
     """).law
     for p in (34.0, 50.0, 100.0, 172.0):
@@ -200,12 +201,12 @@ def test_pieces_with_a_tail_meet_at_the_transition() -> None:
         (
             '"kPa"\n',
             '"kpa"\n',
-            'law.pressure_unit = "kpa": unknown unit. Did you mean "kPa" or "Pa" or "MPa"?',
+            'law.pressure_unit = "kpa": unknown unit "kpa". Write for example "kPa".',
         ),
         (
             'slip_unit = "mm"',
             'slip_unit = "kN"',
-            'law.slip_unit = "kN": a force, where a length is needed. Write for example "1200 mm".',
+            'law.slip_unit = "kN": a force, where a length is needed. Write for example "mm".',
         ),
         (
             'from = "172 kPa"',
@@ -222,13 +223,14 @@ def test_pieces_with_a_tail_meet_at_the_transition() -> None:
         (
             "-0.1754",
             "-0.2754",
-            "law.pieces[2]: peak slip jumps at the transition pressure 172000 Pa",
+            "law.pieces[2] = 17.3223 and 184.554: peak slip jumps at the transition pressure "
+            "172000 Pa; pieces must meet within 2 %.",
         ),
     ],
 )
 def test_faults_of_pieces(old: str, new: str, expected: str) -> None:
     assert PIECES.count(old) == 1
-    assert any(f.startswith(expected) for f in faults(PIECES.replace(old, new)))
+    assert faults(PIECES.replace(old, new))[-1] == expected
 
 
 def test_equations_that_are_none() -> None:
@@ -427,7 +429,8 @@ def test_a_preset_is_overridden_key_by_key() -> None:
 
 def test_another_law_for_a_preset() -> None:
     other = inline(
-        '{ preset = "full-ceramic", law = { condition = "wet", kind = "constant", friction = 0.4 } }'
+        '{ preset = "full-ceramic", law = { condition = "wet", kind = "constant", '
+        "friction = 0.4 } }"
     )
     assert (other.condition, other.law) == ("wet", Constant(friction_coefficient=0.4))
     assert other.source_of("law").kind is Kind.GIVEN
@@ -451,8 +454,8 @@ def test_a_named_table_below_a_table_of_a_pulley() -> None:
         ),
         (
             '"worn"',
-            '[lagging.worn]\npreset = "rubber-diamonds"\n',
-            'lagging.worn.preset = "rubber-diamonds": the catalogue has no lagging of this name. '
+            '[lagging.worn]\npreset = "diamond_rubber"\n',
+            'lagging.worn.preset = "diamond_rubber": the catalogue has no lagging of this name. '
             'Did you mean "diamond-rubber"? The command `wraparc laggings` lists them.',
         ),
         (
