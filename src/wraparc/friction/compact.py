@@ -130,7 +130,7 @@ def peak(
     return unit * number, -a * number, unit * number_p, -a_p * number - a * number_p
 
 
-def _tail(
+def tail(
     kind: int, edges: Floats, c: Floats, segment: int, pressure: float
 ) -> tuple[float, float, float, float]:
     """Post-peak slope [1/m], residual friction [-] and their derivatives by pressure."""
@@ -221,7 +221,7 @@ def friction_at(
             mu_x = -mu_pk * lr / slip_pk
             mu_p = mu_pk_p * form + mu_pk * lr * r * slip_pk_p / slip_pk
         else:
-            slope, residual, slope_p, residual_p = _tail(kind, edges, c, segment, pressure)
+            slope, residual, slope_p, residual_p = tail(kind, edges, c, segment, pressure)
             if branch == LINE:
                 d = slip - slip_pk
                 mu = mu_pk + slope * d
@@ -291,8 +291,8 @@ def branch_of(
     slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
     if slip <= slip_pk:
         return RISE
-    slope, residual, _, _ = _tail(kind, edges, c, segment, pressure)
-    if residual < mu_pk and mu_pk + slope * (slip - slip_pk) < residual:
+    slope, residual, _, _ = tail(kind, edges, c, segment, pressure)
+    if mu_pk + slope * (slip - slip_pk) < min(residual, mu_pk):
         return RESIDUAL
     return LINE
 
@@ -313,10 +313,10 @@ def branch_gap(
     slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
     if boundary == RISE:
         return slip - slip_pk
-    slope, residual, _, _ = _tail(kind, edges, c, segment, pressure)
+    slope, residual, _, _ = tail(kind, edges, c, segment, pressure)
     if slope == 0.0:
         return -1.0
-    return slip - slip_pk - (residual - mu_pk) / slope
+    return slip - slip_pk - min(residual - mu_pk, 0.0) / slope
 
 
 def plateau_at(

@@ -468,9 +468,10 @@ class IntegralLog(FrictionLaw):
         return CompactLaw(KNOTS, c.pressure, tuple(block.ravel().tolist()))
 
     def steepest_fall(self) -> float:
-        """Return the steepest post-peak slope, <= 0 [1/m]."""
+        """Return the steepest post-peak slope, <= 0 [1/m]; 0 where no residual level allows a fall."""
         c = self.coefficients
         if isinstance(c, PressureKnots):
-            return min(c.post_peak_slope, default=0.0)
-        p = np.linspace(c.pressure[0], c.pressure[-1], 501)
-        return float(np.min(c.at(p)[2]))
+            _, _, peak, slope, residual = c.columns()
+        else:
+            _, peak, slope, residual = c.at(np.linspace(c.pressure[0], c.pressure[-1], 501))
+        return float(np.min(slope)) if np.any(residual < peak) else 0.0

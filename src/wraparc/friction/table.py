@@ -115,12 +115,14 @@ class MeasuredTable(FrictionLaw):
 
     def steepest_fall(self) -> float:
         """Return the steepest fall of the interpolant, <= 0 [1/m]."""
-        knots = np.array(self.slip)
-        fine = np.unique(
-            np.concatenate([np.linspace(a, b, 33) for a, b in zip(knots, knots[1:], strict=False)])
-        )
-        steps = [np.diff(evaluate(knots, c, fine)) / np.diff(fine) for c in self._cubics()]
-        return float(min(0.0, min(s.min() for s in steps)))
+        width = np.diff(np.array(self.slip))
+        falls = [0.0]
+        for _, c1, c2, c3 in (c.T for c in self._cubics()):
+            with np.errstate(divide="ignore", invalid="ignore"):
+                vertex = np.nan_to_num(-c2 / (3.0 * c3), posinf=0.0, neginf=0.0)
+            for t in (0.0 * width, np.clip(vertex, 0.0, width), width):
+                falls.append(float(np.min(c1 + t * (2.0 * c2 + 3.0 * c3 * t))))
+        return min(falls)
 
 
 def _ascending(values: tuple[float, ...]) -> bool:
