@@ -29,15 +29,15 @@ TRENDS = IntegralLog(
         pressure=(34e3, 172e3, 690e3),
         pieces=(
             Piece(
-                # -0.05 sqrt(172 kPa / p), and a b that makes the peak slip fall below 172 kPa
+                # -0.05 (172 kPa / p)^0.9, and a b that makes the peak slip fall below 172 kPa
                 a=Trend(
                     form="power",
-                    coefficients=(math.log(0.05) + 0.5 * math.log(172e3), -0.5),
+                    coefficients=(math.log(0.05) + 0.9 * math.log(172e3), -0.9),
                     sign=-1,
                 ),
-                b=Trend(form="logarithmic", coefficients=(-0.195 + 0.03 * math.log(172e3), -0.03)),
+                b=Trend(form="logarithmic", coefficients=(-0.195 - 0.224 * math.log(172e3), 0.224)),
                 post_peak_slope=Trend(coefficients=(-9.0, 9.0 / 172e3)),
-                residual_friction=Trend(form="exponential", coefficients=(0.2, -1e-6)),
+                residual_friction=Trend(form="exponential", coefficients=(0.05, -1e-6)),
             ),
             Piece(
                 a=Trend(form="exponential", coefficients=(math.log(0.05) + 0.172, -1e-6), sign=-1),

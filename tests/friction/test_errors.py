@@ -1,0 +1,236 @@
+"""What the laws refuse, in whole sentences. Expected values: the words of the errors themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf, nan
+
+import pytest
+
+from arc.drives import RANGE
+from wraparc import InputError
+from wraparc.friction import (
+    CoefficientPieces,
+    Constant,
+    ElasticPlastic,
+    IntegralLog,
+    MeasuredTable,
+    Piece,
+    PressureKnots,
+    PressurePower,
+    TestedRange,
+    Trend,
+)
+
+
+def problems(make: Callable[[], object]) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        make()
+    return [str(problem) for problem in caught.value.problems]
+
+
+def flat(value: float) -> Trend:
+    return Trend(coefficients=(value,))
+
+
+CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
+    "tested range": (
+        lambda: TestedRange(pressure_min=3e5, pressure_max=2e5, slip_max=0.0),
+        [
+            "pressure = 300000 .. 200000 Pa: the tested pressures must be positive, finite and in "
+            "order.",
+            "slip_max = 0 m: the largest tested slip must be positive and finite.",
+        ],
+    ),
+    "constant": (
+        lambda: Constant(friction_coefficient=-0.4),
+        ["friction_coefficient = -0.4: friction must be positive and finite."],
+    ),
+    "not a number": (
+        lambda: Constant(friction_coefficient=nan),
+        ["friction_coefficient = nan: friction must be positive and finite."],
+    ),
+    "elastic-plastic": (
+        lambda: ElasticPlastic(stiffness=inf, friction_coefficient=0.0),
+        [
+            "friction_coefficient = 0: friction must be positive and finite.",
+            "stiffness = inf Pa/m: the stiffness must be positive and finite.",
+        ],
+    ),
+    "power": (
+        lambda: PressurePower(friction_coefficient=0.0, reference_pressure=-1.0, exponent=1.0),
+        [
+            "friction_coefficient = 0: friction must be positive and finite.",
+            "reference_pressure = -1 Pa: the pressure must be positive and finite.",
+            "exponent = 1: the exponent must lie in 0 <= n < 1.",
+        ],
+    ),
+    "knots out of order": (
+        lambda: PressureKnots(
+            pressure=(2e5, 1e5), peak_friction=(0.8, -0.7), peak_slip=(0.01, 0.0)
+        ),
+        [
+            "pressure = 200000, 100000 Pa: the pressures of the knots must be positive and in "
+            "ascending order.",
+            "peak_friction = 0.8, -0.7: friction must be positive.",
+            "peak_slip = 0.01, 0 m: slip at the peak must be positive.",
+        ],
+    ),
+    "tails": (
+        lambda: PressureKnots(
+            pressure=(1e5,),
+            peak_friction=(0.8,),
+            peak_slip=(0.01,),
+            post_peak_slope=(3.0,),
+            residual_friction=(0.0,),
+        ),
+        [
+            "post_peak_slope = 3 1/m: the slope past the peak must be 0 or negative.",
+            "residual_friction = 0: residual friction must be positive.",
+        ],
+    ),
+    "columns of different length": (
+        lambda: PressureKnots(
+            pressure=(1e5, 2e5),
+            peak_friction=(0.8,),
+            peak_slip=(0.01, 0.01),
+            post_peak_slope=(-1.0,),
+        ),
+        [
+            "peak_friction = 1 values: must have 2 values, one for each pressure.",
+            "post_peak_slope = 1 values: must have 2 values, one for each pressure.",
+        ],
+    ),
+    "no knots": (
+        lambda: PressureKnots(pressure=(), peak_friction=(), peak_slip=()),
+        ["pressure = 0: at least one knot is needed."],
+    ),
+    "ends of the tested range": (
+        lambda: IntegralLog(
+            coefficients=PressureKnots(
+                pressure=(4e4, 5e5), peak_friction=(0.8, 0.7), peak_slip=(0.01, 0.01)
+            ),
+            tested=RANGE,
+        ),
+        [
+            "tested = 40000 .. 600000 Pa: the tested pressures must be the ends of the law, "
+            "40000 .. 500000 Pa.",
+        ],
+    ),
+    "trend": (
+        lambda: Trend(form="cubic", coefficients=(), sign=2),  # type: ignore[arg-type]
+        [
+            "form = cubic: the form must be one of polynomial, logarithmic, power, exponential.",
+            "coefficients = 0: one to four coefficients are needed.",
+            "sign = 2: the sign must be 1 or -1.",
+        ],
+    ),
+    "trend with an infinite coefficient": (
+        lambda: Trend(coefficients=(1.0, inf)),
+        ["coefficients = (1.0, inf): must be finite."],
+    ),
+    "transition pressures": (
+        lambda: CoefficientPieces(
+            pressure=(2e5, 1e5, 3e5), pieces=(Piece(a=flat(-1), b=flat(-3)),), slip_unit=0.0
+        ),
+        [
+            "pressure = 200000, 100000, 300000 Pa: must have 2 pressures, the ends of 1 pieces.",
+            "slip_unit = 0 m: the unit of slip must be positive and finite.",
+            "pressure = 200000, 100000, 300000 Pa: the transition pressures must be positive, "
+            "finite and in ascending order.",
+        ],
+    ),
+    "negative friction": (
+        lambda: CoefficientPieces(
+            pressure=(1e5, 2e5, 3e5),
+            pieces=(
+                Piece(a=flat(0.5), b=flat(-3)),
+                Piece(
+                    a=flat(-1),
+                    b=flat(-3),
+                    post_peak_slope=flat(1.0),
+                    residual_friction=flat(-0.1),
+                ),
+            ),
+        ),
+        [
+            "pieces[1].a = 0.5 1/m: A must be negative between 100000 and 200000 Pa, else the law "
+            "gives no positive friction.",
+            "pieces[2].post_peak_slope = 1 1/m: the slope past the peak must be 0 or negative "
+            "between 200000 and 300000 Pa.",
+            "pieces[2].residual_friction = -0.1: residual friction must be positive between 200000 "
+            "and 300000 Pa.",
+        ],
+    ),
+    "peak at no finite slip": (
+        lambda: CoefficientPieces(pressure=(1e5, 2e5), pieces=(Piece(a=flat(-1e-3), b=flat(-3)),)),
+        [
+            "pieces[1].b = -3 1/m: the slip at the peak exp(b/A - 1) must be finite between 100000 "
+            "and 200000 Pa.",
+        ],
+    ),
+    "pieces that do not meet": (
+        lambda: CoefficientPieces(
+            pressure=(1e5, 2e5, 3e5),
+            pieces=(Piece(a=flat(-1), b=flat(-3)), Piece(a=flat(-1), b=flat(-3.1))),
+        ),
+        [
+            "pieces[2] = 7.38906 and 8.16617: peak friction jumps at the transition pressure "
+            "200000 Pa; pieces must meet within 2 %.",
+            "pieces[2] = 7.38906 and 8.16617: peak slip jumps at the transition pressure "
+            "200000 Pa; pieces must meet within 2 %.",
+        ],
+    ),
+    "table": (
+        lambda: MeasuredTable(
+            slip=(1e-3, 5e-3), pressure=(2e5, 1e5), values=((0.1, 0.2), (0.1, -0.2, 0.3))
+        ),
+        [
+            "slip = 2 slips: at least two slips, the first of them 0, are needed.",
+            "pressure: the pressures must be positive and in ascending order.",
+            "friction: the table must have a row of 2 values for each of 2 pressures.",
+            "friction: friction must be positive past slip 0 and not negative at slip 0.",
+        ],
+    ),
+    "table with a jump at one pressure only": (
+        lambda: MeasuredTable(
+            slip=(0.0, 5e-3, 4e-3),
+            pressure=(1e5, 2e5),
+            values=((0.0, 0.2, 0.3), (0.1, 0.2, nan)),
+        ),
+        [
+            "values: the table must hold finite numbers only.",
+            "slip: the slips must be in ascending order.",
+            "friction: friction must be positive past slip 0 and not negative at slip 0.",
+            "friction: friction at slip 0 must be 0 at every pressure or positive at every "
+            "pressure.",
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize(("make", "sentences"), CASES.values(), ids=CASES.keys())
+def test_sentence(make: Callable[[], object], sentences: list[str]) -> None:
+    assert problems(make) == sentences
+
+
+def test_all_errors_at_once() -> None:
+    make, sentences = CASES["knots out of order"]
+    with pytest.raises(InputError) as caught:
+        make()
+    assert str(caught.value) == "3 problems:\n" + "\n".join(f"  - {s}" for s in sentences)
+
+
+def test_rounded_coefficients_may_miss_by_what_is_allowed() -> None:
+    # b moves the peak by exp(0.019): 1.9 %, inside the 2 % that printed coefficients are allowed
+    pieces = (Piece(a=flat(-1), b=flat(-3)), Piece(a=flat(-1), b=flat(-3.019)))
+    law = CoefficientPieces(pressure=(1e5, 2e5, 3e5), pieces=pieces)
+    assert law.continuity == 0.02
+    assert (
+        len(
+            problems(
+                lambda: CoefficientPieces(pressure=(1e5, 2e5, 3e5), pieces=pieces, continuity=0.01)
+            )
+        )
+        == 2
+    )
