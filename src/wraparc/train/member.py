@@ -1,0 +1,169 @@
+"""One pulley of a train as numbers: what goes in at the entry nip, what comes out.
+
+The unknown of a pulley is its *effort* y, a number of order one that grows with the creep towards
+the slack side. For laws that rise from zero friction the entry creep ratio is g = 1e-7 sinh(y); for
+laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.shoot`, with its sign.
+Both are continuous where the pulley changes from driving to braking.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import asinh, cosh, exp, log1p, sinh
+
+from wraparc.arc import WrapArc
+from wraparc.arc.capacity import STUCK, Geometry, parameters_at, solve_tension
+from wraparc.arc.march import KICK, ONSET, SHEAR, Law, Parameters
+from wraparc.arc.shoot import FOUND, SMALL_RATIO, effort_of, fire, jumps, largest_effort
+
+# mesh steps: to search, to search among pieces of a law, and those of `Distributed`
+COARSE, SHARP, FINE = 8, 16, 24
+_STEP = 1e-4  # of effort and of ln(tension), for differences
+
+
+@dataclass(frozen=True)
+class Passage:
+    """One pulley passed by the belt.
+
+    Attributes
+    ----------
+    entry, exit
+        Tensions [N].
+    effort
+        y [-].
+    ratio
+        Entry creep ratio g [-].
+    creep, slip
+        At the exit [m].
+    held
+        Whether the belt still sticks somewhere on the wrap.
+    """
+
+    entry: float
+    exit: float
+    effort: float
+    ratio: float
+    creep: float
+    slip: float
+    held: bool
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """How a passage answers to its entry tension a and its effort y: exit tension b and ratio g."""
+
+    exit_by_entry: float
+    exit_by_effort: float
+    ratio_by_entry: float
+    ratio_by_effort: float
+
+
+@dataclass(frozen=True)
+class Member:
+    """A pulley of a train.
+
+    Attributes
+    ----------
+    law, geometry
+        As the kernel of :mod:`wraparc.arc` reads them.
+    radius
+        R over the unloaded lagging [m].
+    stretch
+        1/EA of the belt [1/N].
+    squeeze
+        Compression of the lagging at the entry per tension there, 2 h/(E_c B D) [m/N].
+    """
+
+    law: Law
+    geometry: Geometry
+    radius: float
+    stretch: float
+    squeeze: float
+
+    @classmethod
+    def of(cls, arc: WrapArc) -> Member:
+        """Return the member of an arc, whose tensions do not matter."""
+        squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
+        stretch = 1.0 / arc.axial_stiffness
+        return cls(arc.compact_law(), arc.geometry(), arc.radius, stretch, squeeze)
+
+    @property
+    def holds(self) -> bool:
+        """Whether the law holds the belt without slip."""
+        return jumps(self.law)
+
+    @property
+    def rests(self) -> bool:
+        """Whether the belt can rest without any creep (a held belt, nothing that shears)."""
+        par = parameters_at(1.0, self.geometry)
+        return self.holds and par[SHEAR] + par[ONSET] == 0.0
+
+    def parameters(self, entry: float, side: float) -> Parameters:
+        """Return the numbers of the march at an entry tension [N] and a side (+1, -1)."""
+        return parameters_at(entry, (side, *self.geometry[1:]))
+
+    def arm(self, entry: float) -> float:
+        """R - delta, the lever of the belt on the shaft [m]."""
+        return self.radius - self.squeeze * entry
+
+    def stretch_log(self, entry: float) -> float:
+        """ln(1 + T1/EA) - ln(1 - delta/R): surface speed over belt speed without creep [-]."""
+        return log1p(entry * self.stretch) - log1p(-self.squeeze * entry / self.radius)
+
+    def stretch_slope(self, entry: float) -> float:
+        """Change of `stretch_log` with tension, about 1/EA + delta/(R T1) [1/N]."""
+        return self.stretch / (1.0 + entry * self.stretch) + self.squeeze / self.arm(entry)
+
+    def effort_at(self, ratio: float) -> float:
+        """Effort of an entry creep ratio; for laws that rise from zero friction."""
+        return asinh(ratio / SMALL_RATIO)
+
+    def passage(self, entry: float, effort: float, steps: int) -> Passage:
+        """Send the belt over the pulley at an effort."""
+        side = 1.0 if effort >= 0.0 else -1.0
+        if self.holds:
+            par = self.parameters(entry, side)
+            z = abs(effort) - (0.0 if self.rests else 1.0)
+            z = min(z, largest_effort(self.law, par))
+        else:
+            if self.parameters(entry, 1.0)[KICK] > 0.0:
+                side = 1.0
+            par = self.parameters(entry, side)
+            z = effort_of(par, SMALL_RATIO * sinh(effort))
+        shot, _ = fire(self.law, par, z, steps, 0, [])
+        ratio = shot[5] if self.holds else SMALL_RATIO * sinh(effort)
+        return Passage(entry, entry * exp(shot[0]), effort, ratio, shot[2], shot[1], shot[6] > 0.0)
+
+    def between(self, entry: float, exit_: float, steps: int = FINE) -> Passage | None:
+        """Send the belt over the pulley between two tensions; None if friction cannot."""
+        side = 1.0 if entry >= exit_ else -1.0
+        par = self.parameters(entry, side)
+        outcome, z, shot = solve_tension(self.law, par, exit_, steps, [])
+        if outcome == STUCK and z < -1.0:  # an overrun may turn the creep of a light load around
+            side = -side
+            par = self.parameters(entry, side)
+            outcome, z, shot = solve_tension(self.law, par, exit_, steps, [])
+        if outcome not in (FOUND, STUCK):
+            return None
+        if self.holds:
+            effort = side * max(z + (0.0 if self.rests else 1.0), 0.0)
+        else:
+            effort = self.effort_at(shot[5])
+        return Passage(entry, exit_, effort, shot[5], shot[2], shot[1], shot[6] > 0.0)
+
+    def slopes(self, at: Passage, steps: int = FINE) -> Slopes:
+        """Slopes of a passage, by differences."""
+        rise = at.entry * _STEP
+        sign = 1.0 if at.effort >= 0.0 else -1.0
+        further = self.passage(at.entry, at.effort + sign * _STEP, steps)
+        tighter = self.passage(at.entry + rise, at.effort, steps)
+        here = self.passage(at.entry, at.effort, steps)
+        by_effort = SMALL_RATIO * cosh(at.effort)
+        if self.holds:
+            by_effort = (further.ratio - here.ratio) / (sign * _STEP)
+        return Slopes(
+            exit_by_entry=(tighter.exit - here.exit) / rise,
+            exit_by_effort=(further.exit - here.exit) / (sign * _STEP),
+            ratio_by_entry=(tighter.ratio - here.ratio) / rise if self.holds else 0.0,
+            ratio_by_effort=by_effort,
+        )

@@ -1,0 +1,227 @@
+"""All equations of a train at once, by Newton's method, and how the shares answer to the speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf, isnan, log
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.train.member import FINE, Passage, Slopes
+from wraparc.train.system import System
+
+Array = NDArray[np.float64]
+
+#: Miss of a speed equation and of the logarithm of the last tension that counts as none.
+TOLERANCE = 1e-13
+#: Weight of a speed equation beside that of the last tension, for comparing misses only.
+_SPEED_WEIGHT = 1e3
+_LARGEST_STEP = 1.5  # of an effort
+
+
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """The equations near a state: unknowns are the efforts and the level.
+
+    Attributes
+    ----------
+    matrix
+        Slopes of the equations: one per drive, and the last exit tension; (n + 1, n + 1).
+    pulls
+        Slopes of T1 - T2 of each pulley; (n, n + 1) [N].
+    follows
+        Which drives follow the torque of another.
+    """
+
+    matrix: Array
+    pulls: Array
+    follows: tuple[bool, ...]
+
+    def share_slopes(self, total: float) -> Array:
+        """Slopes d share_i / d ln(speed of drive j), (n, n) [-]; nan where nothing is shared.
+
+        A drive whose torque follows another has no speed of its own: its column is 0.
+        """
+        count = len(self.pulls)
+        if total == 0.0:
+            return np.full((count, count), np.nan)
+        right = np.zeros((count + 1, count))
+        right[:count] = np.diag([0.0 if f else 1.0 for f in self.follows])
+        try:
+            return np.asarray(self.pulls @ np.linalg.solve(self.matrix, right) / total)
+        except np.linalg.LinAlgError:
+            return np.full((count, count), np.nan)
+
+
+@dataclass(frozen=True, eq=False)
+class Settled:
+    """A state that meets all equations.
+
+    Attributes
+    ----------
+    passages
+        One for each pulley.
+    level
+        ln(V/v0) [-].
+    linear
+        The equations near it.
+    rising
+        Whether each drive pulls more if it creeps more; where not, it is past its peak.
+    """
+
+    passages: tuple[Passage, ...]
+    level: float
+    linear: Linear
+    rising: tuple[bool, ...]
+
+    @property
+    def stable(self) -> bool:
+        """Whether every drive is on the rising side of its peak."""
+        return all(self.rising)
+
+
+def linearized(system: System, passages: Sequence[Passage]) -> tuple[Linear, tuple[bool, ...]]:
+    """Return the equations near a state, and whether each drive rises with its creep."""
+    count = len(passages)
+    matrix = np.zeros((count + 1, count + 1))
+    pulls = np.zeros((count, count + 1))
+    torques = np.zeros((count, count + 1))
+    entry = np.zeros(count + 1)  # slopes of the entry tension
+    slopes = [m.slopes(at) for m, at in zip(system.members, passages, strict=True)]
+    for i, (at, s) in enumerate(zip(passages, slopes, strict=True)):
+        member = system.members[i]
+        leaving = s.exit_by_entry * entry
+        leaving[i] += s.exit_by_effort
+        pulls[i] = entry - leaving
+        torques[i] = pulls[i] * member.arm(at.entry)
+        torques[i] -= (at.entry - at.exit) * member.squeeze * entry
+        if not system.lines[i].follows:
+            matrix[i] = _speed_row(system, i, at, s, entry, torques[i])
+        entry = leaving
+    for i, line in enumerate(system.lines):
+        if line.follows:
+            matrix[i] = (torques[i] - line.ratio * torques[line.master]) / system.torque_scale
+    matrix[count] = entry / passages[-1].exit
+    rising = tuple(s.exit_by_effort <= 0.0 for s in slopes)
+    return Linear(matrix, pulls, tuple(line.follows for line in system.lines)), rising
+
+
+def _speed_row(
+    system: System, i: int, at: Passage, s: Slopes, entry: Array, torque: Array
+) -> Array:
+    creep = s.ratio_by_entry * entry
+    creep[i] += s.ratio_by_effort
+    row = creep / (1.0 - at.ratio) + system.members[i].stretch_slope(at.entry) * entry
+    there = system.torque(i, at.entry, at.exit)
+    row = row - system.lines[i].log_speed_slope(there) * torque
+    row[-1] -= 1.0
+    return np.asarray(row)
+
+
+def settle(system: System, passages: Sequence[Passage], level: float) -> Settled | None:
+    """Meet all equations from a state nearby; None if that fails.
+
+    Slopes serve for several steps, as long as the misses shrink fast.
+    """
+    efforts = _efforts(system, passages)
+    if efforts is None:
+        return None
+    at = _Point.of(system, efforts, level)
+    for _ in range(30):
+        linear, rising = linearized(system, at.state)
+        first = at
+        for k in range(10):
+            if at.size <= TOLERANCE * _SPEED_WEIGHT:
+                if not _near(first.state, at.state):
+                    linear, rising = linearized(system, at.state)
+                return Settled(at.state, at.level, linear, rising)
+            new = at.stepped(system, linear, search=k == 0)
+            if new is None or new.size >= at.size:
+                break
+            slow = new.size > 0.3 * at.size
+            at = new
+            if slow:
+                break
+        if at is first:  # no step is any better: rounding, or no solution
+            done = at.size <= 1e3 * TOLERANCE * _SPEED_WEIGHT
+            return Settled(at.state, at.level, linear, rising) if done else None
+    return None
+
+
+@dataclass(frozen=True, eq=False)
+class _Point:
+    """A point of the iteration."""
+
+    efforts: tuple[float, ...]
+    level: float
+    state: tuple[Passage, ...]
+    misses: Array
+
+    @classmethod
+    def of(cls, system: System, efforts: Sequence[float], level: float) -> _Point:
+        state = _state(system, efforts)
+        return cls(tuple(efforts), level, state, _misses(system, state, level))
+
+    @property
+    def size(self) -> float:
+        """Largest miss, weighted; inf where something is not finite."""
+        if not np.all(np.isfinite(self.misses)):
+            return inf
+        return float(max(_SPEED_WEIGHT * np.max(np.abs(self.misses[:-1])), abs(self.misses[-1])))
+
+    def stepped(self, system: System, linear: Linear, search: bool) -> _Point | None:
+        """Take the step of the linear equations, shortened until it helps if `search`."""
+        try:
+            step = np.linalg.solve(linear.matrix, -self.misses)
+        except np.linalg.LinAlgError:
+            return None
+        if not np.all(np.isfinite(step)):
+            return None
+        scale = min(1.0, _LARGEST_STEP / max(float(np.max(np.abs(step[:-1]))), 1e-300))
+        for _ in range(15 if search else 1):
+            efforts = [e + scale * float(d) for e, d in zip(self.efforts, step, strict=False)]
+            new = _Point.of(system, efforts, self.level + scale * float(step[-1]))
+            if new.size < self.size:
+                return new
+            scale *= 0.5
+        return None
+
+
+def _efforts(system: System, passages: Sequence[Passage]) -> list[float] | None:
+    """Efforts of passages; those known by their tensions only are solved for them."""
+    efforts = []
+    for member, at in zip(system.members, passages, strict=True):
+        known: Passage | None = at
+        if isnan(at.effort):
+            known = member.between(at.entry, at.exit)
+        if known is None:
+            return None
+        efforts.append(known.effort)
+    return efforts
+
+
+def _state(system: System, efforts: Sequence[float]) -> tuple[Passage, ...]:
+    entry, state = system.entry, []
+    for member, effort, run in zip(system.members, efforts, system.runs, strict=True):
+        at = member.passage(max(entry, 1e-6 * system.entry), effort, FINE)
+        state.append(at)
+        entry = at.exit + run
+    return tuple(state)
+
+
+def _misses(system: System, state: Sequence[Passage], level: float) -> Array:
+    torques = [system.torque(i, at.entry, at.exit) for i, at in enumerate(state)]
+    misses = [
+        (torques[i] - line.ratio * torques[line.master]) / system.torque_scale
+        if line.follows
+        else system.speed_miss(i, state[i], level)
+        for i, line in enumerate(system.lines)
+    ]
+    return np.array([*misses, log(state[-1].exit / system.exit)])
+
+
+def _near(a: Sequence[Passage], b: Sequence[Passage]) -> bool:
+    """Whether two states are so near that slopes of one serve for the other."""
+    return all(abs(x.exit / y.exit - 1.0) < 1e-3 for x, y in zip(a, b, strict=True))

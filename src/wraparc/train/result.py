@@ -1,0 +1,261 @@
+"""Everything a solve of a train has to say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from enum import StrEnum
+from math import isfinite, nan
+
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.drive import Drive, LoadCase, Tensions
+from wraparc.train.train import Train, TrainCase
+
+
+class TrainStatus(StrEnum):
+    """How the solve of a load case ended; `CaseResult.reason` says more."""
+
+    SOLVED = "The drives carry the load."
+    BREAKAWAY = (
+        "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension "
+        "(take-up), bring the speeds closer together, or choose a lagging with more friction."
+    )
+    BEYOND_MOTOR = (
+        "No operating point: a motor would have to work beyond its curve. Change its set speed or "
+        "gear, or choose another motor."
+    )
+    UNSOLVED = (
+        "The solver did not reach its accuracy on this train. Please report the drive file; until "
+        "then change a value slightly."
+    )
+
+    @property
+    def solved(self) -> bool:
+        """Whether the drives carry the load."""
+        return self is TrainStatus.SOLVED
+
+
+@dataclass(frozen=True)
+class MotorPoint:
+    """Where each motor on a drum works.
+
+    Attributes
+    ----------
+    motor_load
+        Torque over rated torque [-].
+    motor_torque
+        Shaft torque [N m].
+    motor_speed
+        Speed on the motor side of the gear; with a fluid coupling, of the turbine [rad/s].
+    motor_power
+        Shaft power there [W].
+    """
+
+    motor_load: float
+    motor_torque: float
+    motor_speed: float
+    motor_power: float
+
+
+@dataclass(frozen=True, eq=False)
+class MemberResult:
+    """One drive of a train in one load case.
+
+    Speeds and powers are nan where no belt speed is known. The terms are those of the first order:
+    speed_ratio - 1 = contraction + extra_creep, and with the compression that of the shafts of
+    equal drums.
+
+    Attributes
+    ----------
+    arc
+        Everything that a single pulley reports.
+    share
+        Part of the total effective tension [-]; nan where the total is 0.
+    speed_ratio
+        v_i/v_1 of the loaded lagging surfaces at the entry nips, exactly [-].
+    contraction
+        -(T_1 - T_i)/EA: the belt is shorter where its tension is lower [-].
+    extra_creep
+        g_i - g_1: this pulley creeps more than the first [-].
+    compression
+        delta_i/R_i - delta_1/R_1: a less compressed lagging makes a larger drum [-].
+    surface_speed
+        v_i [m/s].
+    rotation_speed
+        omega_i = v_i/(R_i - delta_i) of the drum [rad/s].
+    speed_trim
+        omega_i D_i/(omega_1 D_1) with the nominal diameters [-].
+    drum_torque
+        (T1 - T2)(R - delta), the power of the surface over the speed of the drum [N m].
+    drum_power
+        Power at the lagging surface, v_i (T1 - T2) [W].
+    motor
+        Where its motors work, or None.
+    """
+
+    arc: ArcResult
+    share: float
+    speed_ratio: float
+    contraction: float
+    extra_creep: float
+    compression: float
+    surface_speed: float
+    rotation_speed: float
+    speed_trim: float
+    drum_torque: float
+    drum_power: float
+    motor: MotorPoint | None = None
+
+    @property
+    def name(self) -> str:
+        """Name of the pulley."""
+        return self.arc.arc.pulley
+
+    @property
+    def first_order_speed_ratio(self) -> float:
+        """1 + contraction + extra_creep [-]."""
+        return 1.0 + self.contraction + self.extra_creep
+
+    def scalars(self) -> dict[str, float]:
+        """Numbers of the drive within the train by their names in the glossary [SI]."""
+        named = {
+            f.name: getattr(self, f.name)
+            for f in fields(self)
+            if isinstance(getattr(self, f.name), float)
+        }
+        if self.motor is not None:
+            named.update({f.name: getattr(self.motor, f.name) for f in fields(self.motor)})
+        return named
+
+
+@dataclass(frozen=True, eq=False)
+class CaseResult:
+    """A train in one load case.
+
+    Attributes
+    ----------
+    case
+        What was solved.
+    status
+        How it ended.
+    reason
+        A sentence on what stands in the way, empty when solved.
+    members
+        The drives in belt order. When not solved, at the largest pull that there is, or what else
+        comes nearest.
+    sensitivity
+        d share_i / d ln(speed of drive j), row i and column j [-].
+    belt_speed
+        At the first entry nip [m/s]; nan where not known.
+    other_splits
+        Shares of other solutions of the same speeds, all of them unstable.
+    tension_error
+        Largest relative miss of continuity of the tensions [-].
+    speed_error
+        Largest miss of the speeds, or of the torque of a motor, asked for [-].
+    """
+
+    case: TrainCase
+    status: TrainStatus
+    reason: str
+    members: tuple[MemberResult, ...]
+    sensitivity: tuple[tuple[float, ...], ...]
+    belt_speed: float
+    other_splits: tuple[tuple[float, ...], ...] = ()
+    tension_error: float = 0.0
+    speed_error: float = 0.0
+
+    def __iter__(self) -> Iterator[MemberResult]:
+        return iter(self.members)
+
+    def __getitem__(self, pulley: str) -> MemberResult:
+        for member in self.members:
+            if member.name == pulley:
+                return member
+        raise KeyError(pulley)
+
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """Shares in belt order [-]."""
+        return tuple(m.share for m in self.members)
+
+    @property
+    def power_loss(self) -> float:
+        """Power lost to creep on all pulleys [W]."""
+        return sum(m.arc.energy.power_loss for m in self.members)
+
+    @property
+    def loss_ratio(self) -> float:
+        """Loss on all pulleys over the power at their surfaces, for any belt speed [-]."""
+        loss = power = 0.0
+        for m in self.members:
+            pull = m.arc.effective_tension
+            mean = m.arc.entry_creep_ratio + 0.5 * pull * m.arc.arc.compliance
+            loss += m.speed_ratio * pull * mean
+            power += m.speed_ratio * pull
+        return loss / abs(power) if power != 0.0 else nan
+
+    def share_per_trim(self, drive: int, trimmed: int | None = None, trim: float = 1e-3) -> float:
+        """Change of a share for a change of trim, by default of the same drive by 0.1 % [-]."""
+        return trim * self.sensitivity[drive][drive if trimmed is None else trimmed]
+
+    @property
+    def within_creep_limit(self) -> bool:
+        """Whether it is solved and every creep within its limit."""
+        return self.status.solved and all(m.arc.within_creep_limit for m in self.members)
+
+
+@dataclass(frozen=True, eq=False)
+class TrainResult:
+    """A train in all its load cases, in their order."""
+
+    train: Train
+    cases: tuple[CaseResult, ...]
+
+    def __iter__(self) -> Iterator[CaseResult]:
+        return iter(self.cases)
+
+    def __len__(self) -> int:
+        return len(self.cases)
+
+    def __getitem__(self, case: str) -> CaseResult:
+        for result in self.cases:
+            if result.case.name == case:
+                return result
+        raise KeyError(case)
+
+    @property
+    def solved(self) -> bool:
+        """Whether the drives carry the load in every load case."""
+        return all(c.status.solved for c in self.cases)
+
+    @property
+    def governing(self) -> CaseResult:
+        """The load case that is nearest to, or furthest beyond, its limits."""
+
+        def severity(case: CaseResult) -> tuple[bool, float]:
+            creeps = [abs(m.arc.exit_creep) / m.arc.arc.creep_limit for m in case.members]
+            return not case.status.solved, max(c if isfinite(c) else 0.0 for c in creeps)
+
+        return max(self.cases, key=severity)
+
+    def drive_result(self) -> DriveResult:
+        """Return the pulleys one by one, as `wraparc.solve` gives them for a drive."""
+        drive = Drive(
+            title=self.train.title,
+            description=self.train.description,
+            belt=self.train.belt,
+            pulleys=self.train.pulleys,
+            creep_limit=self.train.creep_limit,
+            load_cases=tuple(
+                LoadCase(
+                    name=result.case.name,
+                    tensions={
+                        m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
+                        for m in result.members
+                    },
+                )
+                for result in self.cases
+            ),
+        )
+        return DriveResult(drive, tuple(m.arc for case in self.cases for m in case.members))
