@@ -22,7 +22,7 @@ FACADE = "wraparc"
 # Lowest first. The ground floor is itself a stair, one room a step.
 FLOORS: tuple[tuple[str, ...], ...] = (
     ("version", "errors"),
-    ("units", "views"),
+    ("saving", "units", "views"),
     ("glossary",),
     ("friction", "provenance"),
     ("drive", "catalogue"),

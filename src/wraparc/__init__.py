@@ -1,24 +1,123 @@
-"""Belt-conveyor drive pulleys: creep, slip, lagging shear and traction capacity."""
+"""Belt-conveyor drive pulleys: creep, slip, lagging shear and traction capacity.
 
-from wraparc.errors import (
-    BreakawayError,
-    ConvergenceError,
-    InputError,
-    MissingExtraError,
-    Problem,
-    WraparcError,
-)
-from wraparc.provenance import Kind, Provenance
-from wraparc.version import __version__
+Every name below is imported when it is first used, so that ``import wraparc`` costs next to
+nothing.
+"""
+
+import importlib
+import typing
+
+from wraparc import views
+
+if typing.TYPE_CHECKING:
+    from wraparc.arc import (
+        ArcResult,
+        Capacities,
+        ClassicalDrive,
+        Distributed,
+        DriveResult,
+        Energy,
+        PaperMarch,
+        Profile,
+        Status,
+        WrapArc,
+        solve,
+    )
+    from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Tensions
+    from wraparc.errors import (
+        BreakawayError,
+        ConvergenceError,
+        InputError,
+        MissingExtraError,
+        Problem,
+        WraparcError,
+    )
+    from wraparc.files import load_drive, load_lagging
+    from wraparc.friction import (
+        CoefficientPieces,
+        Constant,
+        ElasticPlastic,
+        FrictionLaw,
+        IntegralLog,
+        MeasuredTable,
+        Piece,
+        PressureKnots,
+        PressurePower,
+        TestedRange,
+        Trend,
+    )
+    from wraparc.provenance import Kind, Provenance
+    from wraparc.version import __version__
 
 __all__ = [
+    "ArcResult",
+    "Belt",
     "BreakawayError",
+    "Capacities",
+    "ClassicalDrive",
+    "CoefficientPieces",
+    "Constant",
     "ConvergenceError",
+    "Distributed",
+    "Drive",
+    "DriveResult",
+    "ElasticPlastic",
+    "Energy",
+    "FrictionLaw",
     "InputError",
+    "IntegralLog",
     "Kind",
+    "Lagging",
+    "LoadCase",
+    "MeasuredTable",
     "MissingExtraError",
+    "PaperMarch",
+    "Piece",
+    "PressureKnots",
+    "PressurePower",
     "Problem",
+    "Profile",
     "Provenance",
+    "Pulley",
+    "Status",
+    "Tensions",
+    "TestedRange",
+    "Trend",
+    "WrapArc",
     "WraparcError",
     "__version__",
+    "load_drive",
+    "load_lagging",
+    "solve",
 ]
+
+_ROOMS = {
+    "arc": (
+        "ArcResult Capacities ClassicalDrive Distributed DriveResult Energy PaperMarch Profile "
+        "Status WrapArc solve"
+    ),
+    "drive": "Belt Drive Lagging LoadCase Pulley Tensions",
+    "errors": ("BreakawayError ConvergenceError InputError MissingExtraError Problem WraparcError"),
+    "files": "load_drive load_lagging",
+    "friction": (
+        "CoefficientPieces Constant ElasticPlastic FrictionLaw IntegralLog MeasuredTable Piece "
+        "PressureKnots PressurePower TestedRange Trend"
+    ),
+    "provenance": "Kind Provenance",
+    "version": "__version__",
+}
+_ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}
+
+views.install(html="wraparc.present:html", plot="wraparc.plot:plot", frame="wraparc.present:frame")
+
+
+def __getattr__(name: str) -> object:
+    if name not in _ROOM_OF:
+        raise AttributeError(f"module 'wraparc' has no attribute {name!r}")
+    value: object = getattr(importlib.import_module(f"wraparc.{_ROOM_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return list(__all__)

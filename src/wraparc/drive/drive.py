@@ -10,6 +10,7 @@ from wraparc.drive.limits import Limit, limit_problems, raise_all
 from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import Problem, shown
+from wraparc.views import Viewable
 
 #: Conservative limit of creep, 1/4 inch [m] (B. DeVries, "A model of lagging friction").
 CREEP_LIMIT = 6.35e-3
@@ -17,7 +18,7 @@ MOST_PULLEYS = 10
 
 
 @dataclass(frozen=True, kw_only=True)
-class Drive:
+class Drive(Viewable):
     """The drive of a conveyor, complete and checked.
 
     Parameters

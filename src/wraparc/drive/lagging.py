@@ -12,6 +12,7 @@ from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.errors import Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
+from wraparc.views import Viewable
 
 #: Surfaces that published design values of friction are given for.
 SURFACES = ("bare", "rubber", "polyurethane", "ceramic")
@@ -123,7 +124,7 @@ class Cost:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Lagging:
+class Lagging(Viewable):
     """A lagging in one condition (dry, wet ...).
 
     Parameters

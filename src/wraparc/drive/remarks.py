@@ -7,7 +7,7 @@ from wraparc.drive.drive import Drive
 from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
 from wraparc.provenance import Kind
-from wraparc.units import Dimension, display
+from wraparc.units import Dimension, System, display
 
 # Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
 _USUAL: dict[str, tuple[Dimension, float, float]] = {
@@ -19,7 +19,7 @@ _USUAL: dict[str, tuple[Dimension, float, float]] = {
 _ROUNDING = 1e-9
 
 
-def design_remarks(drive: Drive) -> tuple[str, ...]:
+def design_remarks(drive: Drive, system: System = "si") -> tuple[str, ...]:
     """Return remarks on a drive that need no solving, one sentence each.
 
     Sizes far from usual ones, tensions above the belt's rating, pulleys below the belt's
@@ -27,46 +27,46 @@ def design_remarks(drive: Drive) -> tuple[str, ...]:
     data is illustrative or calibrated.
     """
     return (
-        *_unusual("belt", drive.belt, "width", "modulus", "speed"),
-        *(remark for pulley in drive.pulleys for remark in _pulley_remarks(drive, pulley)),
+        *_unusual("belt", drive.belt, system, "width", "modulus", "speed"),
+        *(remark for pulley in drive.pulleys for remark in _pulley_remarks(drive, pulley, system)),
         *(
             remark
             for case in drive.load_cases
             for pulley in drive.pulleys
-            for remark in _tension_remarks(drive.belt, pulley, case)
+            for remark in _tension_remarks(drive.belt, pulley, case, system)
         ),
         *_origin_remarks(drive),
     )
 
 
-def _unusual(owner: str, thing: object, *fields: str) -> Iterator[str]:
+def _unusual(owner: str, thing: object, system: System, *fields: str) -> Iterator[str]:
     for name in fields:
         value = getattr(thing, name)
         dimension, least, most = _USUAL[name]
         if value is not None and not least <= value <= most:
-            size = display(value, dimension)
-            usual = f"{display(least, dimension)} to {display(most, dimension)}"
+            size = display(value, dimension, system)
+            usual = f"{display(least, dimension, system)} to {display(most, dimension, system)}"
             yield f"The {name} of {owner}, {size}, is outside the usual {usual}: check the unit."
 
 
-def _pulley_remarks(drive: Drive, pulley: Pulley) -> Iterator[str]:
-    yield from _unusual(f"pulley {pulley.name}", pulley, "diameter")
+def _pulley_remarks(drive: Drive, pulley: Pulley, system: System) -> Iterator[str]:
+    yield from _unusual(f"pulley {pulley.name}", pulley, system, "diameter")
     least = drive.belt.least_pulley_diameter
     if least is not None and pulley.diameter < least * (1.0 - _ROUNDING):
         yield (
-            f"Pulley {pulley.name}, {display(pulley.diameter, 'length')}, is smaller than "
-            f"the least drive pulley of belt {drive.belt.name}, {display(least, 'length')}."
+            f"Pulley {pulley.name}, {display(pulley.diameter, 'length', system)}, is smaller than "
+            f"the least drive pulley of belt {drive.belt.name}, {display(least, 'length', system)}."
         )
 
 
-def _tension_remarks(belt: Belt, pulley: Pulley, case: LoadCase) -> Iterator[str]:
+def _tension_remarks(belt: Belt, pulley: Pulley, case: LoadCase, system: System) -> Iterator[str]:
     where = f"Load case {case.name}, pulley {pulley.name}"
     tensions = case.tensions[pulley.name]
     highest = max(tensions.entry, tensions.exit)
     if belt.rating is not None and highest > belt.rating * belt.width * (1.0 + _ROUNDING):
         yield (
-            f"{where}: the tension {display(highest, 'force')} is above the rating of the "
-            f"belt, {display(belt.rating * belt.width, 'force')}."
+            f"{where}: the tension {display(highest, 'force', system)} is above the rating of the "
+            f"belt, {display(belt.rating * belt.width, 'force', system)}."
         )
     tested = pulley.lagging.law.tested
     if tested is None:
@@ -75,10 +75,12 @@ def _tension_remarks(belt: Belt, pulley: Pulley, case: LoadCase) -> Iterator[str
     for side, tension in (("entry", tensions.entry), ("exit", tensions.exit)):
         pressure = 2.0 * tension / (belt.width * pulley.diameter)
         if not low * (1.0 - _ROUNDING) <= pressure <= high * (1.0 + _ROUNDING):
+            found, least, most = (
+                display(value, "pressure", system) for value in (pressure, low, high)
+            )
             yield (
-                f"{where}: the wrap pressure at the {side}, {display(pressure, 'pressure')}, is "
-                f"outside the tested {display(low, 'pressure')} to {display(high, 'pressure')} "
-                f"of lagging {pulley.lagging.name}."
+                f"{where}: the wrap pressure at the {side}, {found}, is outside the tested "
+                f"{least} to {most} of lagging {pulley.lagging.name}."
             )
 
 

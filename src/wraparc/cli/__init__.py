@@ -1,0 +1,93 @@
+"""The command line: reads arguments, calls the library, shows what comes back.
+
+Exit codes: 0 solved, 1 a drive cannot carry its load, 2 bad input, 3 a fault of the program,
+130 interrupted, 141 the reader of the output went away.
+"""
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+import click
+
+from wraparc.cli.group import LazyGroup
+from wraparc.errors import InputError, MissingExtraError
+from wraparc.version import __version__
+
+BAD_INPUT, FAULT, INTERRUPTED, NO_READER = 2, 3, 130, 141
+
+_EXIT_CODES = """\b
+Exit codes:
+  0  solved (also when the creep exceeds its limit: the verdict says so)
+  1  a drive cannot carry its load; the result is printed
+  2  bad input: nothing was solved
+  3  a fault of the program"""
+
+
+@click.group(
+    cls=LazyGroup,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    epilog=_EXIT_CODES,
+)
+@click.version_option(__version__, prog_name="wraparc", message="%(prog)s %(version)s")
+@click.option("--debug", is_flag=True, help="Show where in the program a fault happened.")
+def wraparc(debug: bool) -> None:
+    """Belt-conveyor drive pulleys: creep, slip, lagging shear and traction capacity."""
+
+
+def main(arguments: Sequence[str] | None = None) -> NoReturn:
+    """Run the command line and leave with its exit code."""
+    sys.exit(run(sys.argv[1:] if arguments is None else arguments))
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run the command line; return its exit code.
+
+    Whatever goes wrong is told in a sentence on the error stream; a traceback is shown only with
+    ``--debug``.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # a console that lacks a letter shows another instead
+            stream.reconfigure(errors="replace")
+    try:
+        code = _invoke(list(arguments))
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # the interpreter would complain again when it flushes at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return NO_READER
+    return code
+
+
+def _invoke(arguments: list[str]) -> int:
+    try:
+        returned = wraparc.main(args=arguments, prog_name="wraparc", standalone_mode=False)
+        return returned if isinstance(returned, int) else 0
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("Interrupted.", err=True)
+        return INTERRUPTED
+    except (InputError, MissingExtraError) as error:
+        click.echo(f"Error: {error}", err=True)
+        return BAD_INPUT
+    except BrokenPipeError:
+        raise
+    except Exception as error:
+        if "--debug" in arguments:
+            raise
+        _tell_fault(error)
+        return FAULT
+
+
+def _tell_fault(error: Exception) -> None:
+    from wraparc.errors import shown
+
+    what = f"{type(error).__name__}: {shown(str(error))[1:-1]}"
+    click.echo(
+        f"Error: a fault in wraparc {__version__} ({what}). Please report it with the input and "
+        "with what the same command prints after `wraparc --debug`.",
+        err=True,
+    )

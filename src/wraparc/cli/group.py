@@ -1,0 +1,60 @@
+"""The commands by name, each imported only when it is called: start-up stays short."""
+
+from importlib import import_module
+from typing import NamedTuple
+
+import click
+
+
+class Command(NamedTuple):
+    """Where a command is, and what it is for."""
+
+    where: str
+    help: str
+
+
+#: Every command, in the order of the help: name -> (module:function, one line of help).
+COMMANDS: dict[str, Command] = {
+    "solve": Command("wraparc.cli.solve:solve", "Solve a drive file and print the answer."),
+    "check": Command("wraparc.cli.solve:check", "Read a drive file and say what is wrong with it."),
+    "laggings": Command("wraparc.cli.catalogue:laggings", "List the laggings of the catalogue."),
+    "lagging": Command("wraparc.cli.catalogue:lagging", "Show one lagging and its friction law."),
+    "belts": Command("wraparc.cli.catalogue:belts", "List the belts of the catalogue."),
+    "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
+}
+
+
+class LazyGroup(click.Group):
+    """A group whose commands are imported when they are called."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the names of the commands."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return a command."""
+        if cmd_name not in COMMANDS:
+            return None
+        module, _, function = COMMANDS[cmd_name].where.partition(":")
+        command: click.Command = getattr(import_module(module), function)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command that the arguments begin with; a near miss is told."""
+        try:
+            return super().resolve_command(ctx, args)
+        except click.UsageError as error:
+            import difflib
+
+            near = difflib.get_close_matches(args[0], COMMANDS, n=3)
+            if not near:
+                raise
+            text = f"No such command {args[0]!r}. Did you mean {' or '.join(near)}?"
+            raise click.UsageError(text, error.ctx) from None
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the list of commands without importing any."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, command.help) for name, command in COMMANDS.items()])

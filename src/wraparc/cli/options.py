@@ -1,0 +1,59 @@
+"""Options that several commands share, and the checks that go before any work."""
+
+import os
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+import click
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.saving import saving_problems
+
+_F = TypeVar("_F", bound=Callable[..., Any])
+
+#: Written to standard output instead of a file.
+STANDARD_OUTPUT = "-"
+
+
+def units_option(command: _F) -> _F:
+    """Add ``--units``."""
+    return click.option(
+        "--units",
+        type=click.Choice(["si", "us"]),
+        default="si",
+        show_default=True,
+        envvar="WRAPARC_UNITS",
+        show_envvar=True,
+        help="Units to show results in.",
+    )(command)
+
+
+def check_outputs(
+    outputs: dict[str, tuple[str | None, tuple[str, ...]]], inputs: Sequence[str] = ()
+) -> None:
+    """Refuse files that cannot be written, before anything is solved.
+
+    Parameters
+    ----------
+    outputs
+        By option: the path given or None, and the endings it may have.
+    inputs
+        Files that are read.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    problems: list[Problem] = []
+    taken: dict[str, str] = {}
+    for option, (path, suffixes) in outputs.items():
+        if not path or path == STANDARD_OUTPUT:
+            continue
+        problems += saving_problems(path, suffixes=suffixes, inputs=inputs, key=option)
+        other = taken.setdefault(os.path.realpath(path), option)
+        if other != option:
+            message, remedy = f"{other} writes to the same file", "Name two files."
+            problems.append(Problem(key=option, value=shown(path), message=message, remedy=remedy))
+    if problems:
+        raise InputError(problems)

@@ -1,0 +1,163 @@
+"""``wraparc solve`` and ``wraparc check``."""
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import click
+
+from wraparc.arc import Distributed, DriveResult, Method, PaperMarch, Status
+from wraparc.arc import solve as solve_drive
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.drive import Drive
+from wraparc.errors import InputError, Problem, shown
+from wraparc.files import load_drive
+from wraparc.present.document import json_text, result_document
+from wraparc.present.drive_sheet import drive_sheet, input_sheet
+from wraparc.present.profile_csv import profile_csv
+from wraparc.saving import save_file
+from wraparc.units import System, parse_quantity
+
+#: Methods by the name they have on the command line.
+METHODS: dict[str, tuple[type[Method], ...]] = {
+    "distributed": (Distributed,),
+    "paper": (PaperMarch,),
+    "both": (Distributed, PaperMarch),
+}
+SOLVED, CANNOT_CARRY, FAULT = 0, 1, 3
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "--method",
+    type=click.Choice(list(METHODS)),
+    default="distributed",
+    show_default=True,
+    help="The main solver, the paper's march, or both side by side.",
+)
+@units_option
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help='Put a value over that of the file: --set pulley.head.exit_tension="55 kN".',
+)
+@click.option("--load-case", metavar="NAME", help="Solve this load case only.")
+@click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
+@click.option("--all", "everything", is_flag=True, help="Show every arc in full.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+@click.option("--csv", "csv_file", metavar="FILE", help="Write the profiles as CSV; - prints them.")
+@click.option("--decimal-comma", is_flag=True, help="CSV with decimal commas and semicolons.")
+@click.option("--plot", "plot_file", metavar="FILE", help="Draw the result: .svg, .png or .pdf.")
+def solve(
+    file: str,
+    method: str,
+    units: System,
+    settings: tuple[str, ...],
+    load_case: str | None,
+    creep_limit: str | None,
+    everything: bool,
+    json_file: str | None,
+    csv_file: str | None,
+    decimal_comma: bool,
+    plot_file: str | None,
+) -> int:
+    """Solve every pulley of a drive FILE in every load case and print the answer.
+
+    The arc that governs is shown in full, all others in one line each.
+    """
+    outputs = {
+        "--json": (json_file, (".json",)),
+        "--csv": (csv_file, (".csv",)),
+        "--plot": (plot_file, (".svg", ".png", ".pdf")),
+    }
+    check_outputs(outputs, [file])
+    draw = _drawing() if plot_file else None
+    drive = load_drive(file, overrides=settings)
+    drive = _with_limit(_with_case(drive, load_case, file), creep_limit)
+    results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
+    texts = {}
+    if json_file:
+        texts[json_file] = json_text(result_document(results, file=file))
+    if csv_file:
+        arcs = [arc for result in results for arc in result]
+        texts[csv_file] = profile_csv(arcs, units, decimal_comma=decimal_comma)
+    if STANDARD_OUTPUT in texts:
+        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
+    else:
+        _show(results, units, everything or load_case is not None)
+    if plot_file and draw:
+        draw(results, units).save(plot_file)
+    for path, text in texts.items():
+        save_file(path, text)
+    return exit_code(results[0])
+
+
+def exit_code(result: DriveResult) -> int:
+    """Return the exit code that tells of a result."""
+    if any(arc.status is Status.UNSOLVED for arc in result):
+        return FAULT
+    return SOLVED if result.solved else CANNOT_CARRY
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@units_option
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+def check(file: str, units: System, settings: tuple[str, ...]) -> int:
+    """Read a drive FILE, say everything that is wrong with it, and solve nothing."""
+    from wraparc.cli.show import show
+
+    show(input_sheet(load_drive(file, overrides=settings), units))
+    return SOLVED
+
+
+def _show(results: Sequence[DriveResult], units: System, everything: bool) -> None:
+    from wraparc.cli.show import show
+
+    detail = range(len(results[0])) if everything else None
+    show(drive_sheet(results, units, detail))
+
+
+def _drawing() -> Any:
+    """Return what draws results; it asks for matplotlib at once, before anything is solved."""
+    from wraparc.plot import plot_drive, require_matplotlib
+
+    require_matplotlib()
+    return plot_drive
+
+
+def _with_case(drive: Drive, name: str | None, file: str) -> Drive:
+    if name is None:
+        return drive
+    chosen = tuple(case for case in drive.load_cases if case.name == name)
+    if not chosen:
+        names = [case.name for case in drive.load_cases]
+        near = difflib.get_close_matches(name, names, n=2)
+        there = ", ".join(map(shown, names))
+        meant = f"Did you mean {' or '.join(map(shown, near))}? " if near else ""
+        raise InputError(
+            Problem(
+                message="the drive has no such load case",
+                remedy=f"{meant}It has {there}.",
+                file=file,
+                key="--load-case",
+                value=shown(name),
+            )
+        )
+    return replace(drive, load_cases=chosen)
+
+
+def _with_limit(drive: Drive, text: str | None) -> Drive:
+    if text is None:
+        return drive
+    try:
+        limit = parse_quantity(text, "length")
+        pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in drive.pulleys)
+        return replace(drive, creep_limit=limit, pulleys=pulleys)
+    except InputError as error:
+        problem = replace(error.problems[0], key="--creep-limit", value=shown(text))
+        raise InputError(problem) from None

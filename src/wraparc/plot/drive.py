@@ -1,0 +1,107 @@
+"""The picture of a solved arc: the pulley at the left, the profiles at the right."""
+
+import textwrap
+from collections.abc import Sequence
+
+from wraparc.arc import ArcResult, DriveResult, Status
+from wraparc.drive import design_remarks
+from wraparc.plot.budget import draw_budget
+from wraparc.plot.picture import Picture, styled
+from wraparc.plot.profiles import draw_profiles
+from wraparc.plot.pulley import draw_pulley
+from wraparc.units import System, display
+from wraparc.version import __version__
+
+
+def plot_drive(
+    results: Sequence[DriveResult], system: System = "si", *, quantity: str = "shear_stress"
+) -> Picture:
+    """Return the picture of the governing arc of a drive.
+
+    Parameters
+    ----------
+    results
+        The drive solved by one method or by two; the second is drawn thin over the first.
+    system
+        Units to show.
+    quantity
+        What the pulley is coloured by, a column of the profile.
+    """
+    first = results[0]
+    position = first.arcs.index(first.governing)
+    arcs = [result.arcs[position] for result in results]
+    title = first.drive.title or "Drive"
+    return plot_arc(
+        arcs, system, quantity=quantity, title=title, remarks=design_remarks(first.drive, system)
+    )
+
+
+def plot_arc(
+    results: Sequence[ArcResult],
+    system: System = "si",
+    *,
+    quantity: str = "shear_stress",
+    title: str = "",
+    remarks: Sequence[str] = (),
+) -> Picture:
+    """Return the picture of one arc: pulley and profiles.
+
+    Parameters
+    ----------
+    results
+        The arc by one method or by two.
+    system
+        Units to show.
+    quantity
+        What the pulley is coloured by, a column of the profile.
+    title
+        Heading, before what the arc is called.
+    remarks
+        Sentences a reader must not miss, put at the foot.
+    """
+    with styled():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(12.0, 8.0))
+        # the drawing has an aspect of its own, so it does not take part in the grid
+        drawing = figure.add_axes((0.02, 0.385, 0.43, 0.53))
+        draw_pulley(drawing, results[0], system, quantity)
+        indent = 0.02 if len(results) == 1 else 0.095
+        height = 0.045 * len(results)
+        budget = figure.add_axes((indent, 0.29 - height, 0.45 - indent, height))
+        draw_budget(budget, results, system)
+        rows = figure.add_gridspec(
+            4, 1, hspace=0.34, left=0.535, right=0.935, top=0.885, bottom=0.125
+        )
+        axes = [figure.add_subplot(rows[i]) for i in range(4)]
+        draw_profiles(axes, results, system)
+        figure.align_ylabels(axes)
+        figure.text(0.02, 0.965, _title(results[0], title), fontsize=13, weight="bold")
+        figure.text(0.02, 0.932, caption(results[0], system), fontsize=10)
+        figure.text(0.02, 0.018, _foot(remarks), fontsize=7.5, color="#444444", va="bottom")
+        return Picture(figure)
+
+
+def _title(result: ArcResult, title: str) -> str:
+    arc = result.arc
+    place = f"pulley {arc.pulley}, load case {arc.load_case}" if arc.pulley else ""
+    return " - ".join(part for part in (title, place) if part) or "Wrap arc"
+
+
+def caption(result: ArcResult, system: System) -> str:
+    """Return the answer in one line."""
+    if result.status is Status.BREAKAWAY:
+        return (
+            "Breakaway: the friction cannot carry this load. Drawn at the largest tension ratio it "
+            f"can carry, {display(result.tension_ratio, 'number', digits=3)}."
+        )
+    creep = display(abs(result.exit_creep), "length", system, digits=3)
+    limit = display(result.arc.creep_limit, "length", system, digits=3)
+    within = "within" if result.within_creep_limit else "more than"
+    angle = display(result.peak_shear_angle, "angle", digits=3)
+    return f"Creep at exit {creep}, {within} the limit of {limit}; peak shear angle {angle}."
+
+
+def _foot(remarks: Sequence[str]) -> str:
+    text = " ".join((*remarks, f"wraparc {__version__}."))
+    return "\n".join(textwrap.wrap(text, 190, max_lines=3, placeholder=" ..."))

@@ -1,0 +1,104 @@
+"""A finished picture: shown in a notebook, saved by the ending of its name."""
+
+import io
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from wraparc.errors import InputError, MissingExtraError
+from wraparc.saving import save_file, saving_problems
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SUFFIXES = (".svg", ".png", ".pdf")
+_DPI = 150
+
+# Lines that are told apart by colour and by dashes; the colours are those of Okabe and Ito,
+# which also the colour-blind tell apart, and differ in lightness when printed grey.
+BLUE, ORANGE, GREEN, RED, GREY = "#0072b2", "#d55e00", "#009e73", "#a50f15", "#666666"
+_STYLE: dict[str, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.0,
+    "axes.titlesize": 10.0,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.labelsize": 9.0,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": "#444444",
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.6,
+    "lines.linewidth": 1.8,
+    "legend.frameon": False,
+    "legend.fontsize": 8.0,
+    "legend.handlelength": 2.6,
+    "hatch.linewidth": 0.5,
+    "figure.facecolor": "white",
+    "svg.hashsalt": "wraparc",
+    "pdf.fonttype": 42,
+}
+
+
+def require_matplotlib() -> None:
+    """Raise `MissingExtraError` unless matplotlib is there."""
+    try:
+        import matplotlib.figure  # noqa: F401
+    except ImportError as error:
+        raise MissingExtraError("matplotlib", "plot") from error
+
+
+@contextmanager
+def styled() -> Iterator[None]:
+    """Draw in the style of these pictures, whatever the reader's own settings."""
+    require_matplotlib()
+    import matplotlib as mpl
+
+    with mpl.rc_context():
+        mpl.rcdefaults()
+        settings: Any = mpl.rcParams
+        settings.update(_STYLE)
+        yield
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture, ready to be shown or saved.
+
+    Attributes
+    ----------
+    figure
+        The matplotlib figure, for changes of one's own.
+    """
+
+    figure: "Figure"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Save as SVG, PNG or PDF, by the ending of the name; whole or not at all.
+
+        The same picture gives the same bytes.
+
+        Raises
+        ------
+        InputError
+            If the ending is another or the file cannot be written.
+        """
+        problems = saving_problems(path, suffixes=SUFFIXES)
+        if problems:
+            raise InputError(problems)
+        save_file(path, self.to_bytes(os.path.splitext(path)[1].lower().lstrip(".")))
+
+    def to_bytes(self, kind: str) -> bytes:
+        """Return the picture as a file of a kind: ``svg``, ``png`` or ``pdf``."""
+        stamps = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
+        data = io.BytesIO()
+        with styled():
+            self.figure.savefig(data, format=kind, dpi=_DPI, metadata=stamps.get(kind))
+        return data.getvalue()
+
+    def _repr_svg_(self) -> str:
+        return self.to_bytes("svg").decode("utf-8")

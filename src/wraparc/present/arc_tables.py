@@ -1,0 +1,199 @@
+"""The tables of one solved arc, by one method or by several side by side."""
+
+import math
+from collections.abc import Callable, Iterable
+
+from wraparc.arc import ArcResult
+from wraparc.present.sheet import NONE, Level, Row, Table, named, percent, row_of
+from wraparc.units import System
+
+Results = tuple[ArcResult, ...]
+
+#: What a method is called in headings.
+METHOD_TITLES = {"distributed": "distributed", "paper": "paper's march"}
+
+
+def heads(results: Results) -> tuple[str, ...]:
+    """Return the headings of value columns; one method alone, if the main one, needs none."""
+    if len(results) == 1 and results[0].method == "distributed":
+        return ("",)
+    return tuple(METHOD_TITLES.get(r.method, r.method) for r in results)
+
+
+def belongs(result: ArcResult) -> str:
+    """Return where a result belongs, ``pulley head, load case full``."""
+    return f"pulley {result.arc.pulley}, load case {result.arc.load_case}"
+
+
+def _values(results: Results, of: Callable[[ArcResult], str]) -> tuple[str, ...]:
+    return tuple(of(result) for result in results)
+
+
+def answer_table(results: Results, system: System) -> Table:
+    """Creep, slip, shear and pressure of one arc."""
+
+    def row(name: str, note: str = "", level: Level | None = None) -> Row:
+        values = (getattr(result, name) for result in results)
+        return row_of(name, *values, system=system, note=note, level=level)
+
+    first = results[0]
+    limit = first.arc.creep_limit
+    share = f"{percent(abs(first.exit_creep) / limit)} of the limit"
+    forward = "; negative: with the belt" if first.exit_creep < 0.0 else ""
+    where = f"at {named('peak_shear_position', first.peak_shear_position, system)} from the entry"
+    pressure = Row(
+        "Wrap pressure, entry to exit",
+        _values(results, lambda r: _span(r.profile.wrap_pressure, "wrap_pressure", system)),
+        "p",
+    )
+    rows = [
+        row(
+            "exit_creep",
+            f"{share}, {named('creep_limit', limit, system)}{forward}",
+            _creep_level(first),
+        ),
+        row("exit_slip"),
+        row("peak_shear_angle", where),
+        row("peak_shear_stress"),
+        pressure,
+        row("mean_friction", "a constant friction over the whole wrap would have to be this"),
+        row("active_arc", "the exit part that takes 99 % of the tension change"),
+    ]
+    if any(result.stuck_arc > 0.0 for result in results):
+        rows.append(row("stuck_arc", "the entry part where the belt does not slip"))
+    if not all(math.isnan(result.outside_tested_share) for result in results):
+        rows.append(_outside_row(results))
+    if len(results) == 1:
+        g = f"{percent(first.entry_creep_ratio)} to {percent(first.exit_creep_ratio)}"
+        note = "the belt runs slower than the lagging surface by this, entry to exit"
+        rows.append(Row("Creep ratio", (g,), "g", note))
+    return Table(f"Result: {belongs(first)}", tuple(rows), heads(results))
+
+
+def _span(values: Iterable[float], name: str, system: System) -> str:
+    ordered = list(values)
+    return f"{named(name, ordered[0], system)} to {named(name, ordered[-1], system)}"
+
+
+def _creep_level(result: ArcResult) -> Level | None:
+    if not result.status.solved:
+        return None
+    return Level.GOOD if result.within_creep_limit else Level.WARNING
+
+
+def _outside_row(results: Results) -> Row:
+    texts = _values(results, lambda r: f"{percent(r.outside_tested_share)} of the wrap")
+    outside = any(result.outside_tested_share > 0.0 for result in results)
+    note = "the friction law is an extrapolation there" if outside else ""
+    level = Level.WARNING if outside else None
+    return Row("Outside the tested range", texts, "", note, "outside_tested_share", level)
+
+
+def creep_table(results: Results, system: System) -> Table:
+    """Where the creep at the exit comes from."""
+    rows = []
+    for name, note in (
+        ("creep_shrinkage", "the belt sheds tension and shortens"),
+        ("creep_compression", "the lagging is squeezed at the entry and recovers"),
+        ("creep_global", "the uniform rest that makes the friction add up"),
+    ):
+        texts = _values(results, lambda r, name=name: _part(r, name, system))  # type: ignore[misc]
+        row = row_of(name, 0.0)
+        rows.append(Row(row.title, texts, row.symbol, note, name))
+    rows.append(row_of("exit_creep", *(r.exit_creep for r in results), system=system))
+    return Table("Creep by source", tuple(rows), heads(results))
+
+
+def _part(result: ArcResult, name: str, system: System) -> str:
+    part = getattr(result, name)
+    if result.exit_creep == 0.0:
+        return named(name, part, system)
+    return f"{named(name, part, system)} ({percent(part / result.exit_creep, 2)})"
+
+
+def capacity_table(result: ArcResult, system: System) -> Table | None:
+    """How much more the pulley could carry; None where the method does not say."""
+    c, arc = result.capacities, result.arc
+    if math.isnan(c.gross_slip_capacity) and math.isnan(c.creep_limit_capacity):
+        return None
+    driving = arc.side > 0.0
+    tight, slack = ("T1", "T2") if driving else ("T2", "T1")
+    held = named("tension", max(arc.entry_tension, arc.exit_tension), system)
+
+    def ratio(name: str, margin: float, note: str) -> Row:
+        value = getattr(c, name)
+        shown = "" if math.isnan(margin) else f"margin {named('tension_ratio', margin)}"
+        return row_of(name, value, system=system, note="; ".join(n for n in (shown, note) if n))
+
+    rows = [
+        ratio("creep_limit_capacity", c.creep_limit_margin, "the design number"),
+        row_of("equivalent_friction", c.equivalent_friction, note="to set beside design values"),
+        *_slack_rows(result, slack, system),
+    ]
+    if arc.law.tested is not None:
+        slip = named("slip", arc.law.tested.slip_max, system)
+        note = f"where the slip reaches the largest tested, {slip}"
+        rows.append(ratio("tested_slip_capacity", c.tested_slip_margin, note))
+    rows.append(ratio("gross_slip_capacity", c.gross_slip_margin, _gross_note(result, system)))
+    note = (
+        f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
+        f"actual ratio, {named('tension_ratio', _actual(result))}."
+    )
+    return Table("Capacity", tuple(rows), note=note)
+
+
+def _actual(result: ArcResult) -> float:
+    ratio = result.arc.entry_tension / result.arc.exit_tension
+    return max(ratio, 1.0 / ratio)
+
+
+def _slack_rows(result: ArcResult, slack: str, system: System) -> Iterable[Row]:
+    c, arc = result.capacities, result.arc
+    least, given = c.least_exit_tension, min(arc.entry_tension, arc.exit_tension)
+    pull = abs(arc.effective_tension)
+    if pull == 0.0:
+        return
+    carried = f"for the same {named('effective_tension', pull, system)} within the creep limit"
+    if math.isnan(least):
+        yield Row(
+            row_of("least_exit_tension", 0.0).title,
+            (NONE,),
+            f"{slack}_min",
+            f"none {carried} with the tight side in the tested pressures",
+            "least_exit_tension",
+            Level.WARNING,
+        )
+        if not math.isnan(c.largest_effective_tension):
+            most = c.largest_effective_tension
+            yield row_of("largest_effective_tension", most, system=system, note="carried so")
+        return
+    level = Level.GOOD if least <= given else Level.WARNING
+    note = f"{carried}; given {named('tension', given, system)}"
+    row = row_of("least_exit_tension", least, system=system, note=note, level=level)
+    yield Row(row.title, row.values, f"{slack}_min", row.note, row.name, row.level)
+
+
+def _gross_note(result: ArcResult, system: System) -> str:
+    creep = result.capacities.gross_slip_creep
+    if math.isinf(creep):
+        return "an extrapolation: no finite creep attains it"
+    return f"an extrapolation, at {named('gross_slip_creep', creep, system)} of creep"
+
+
+def energy_table(result: ArcResult, system: System) -> Table:
+    """Power, losses and wear."""
+    e = result.energy
+    rows = [
+        row_of(name, getattr(e, name), system=system)
+        for name in ("transmitted_power", "sliding_power", "shear_loss", "power_loss")
+        if not math.isnan(getattr(e, name))
+    ]
+    if not math.isnan(e.efficiency):
+        entry = row_of("efficiency", 0.0)
+        rows.append(Row(entry.title, (percent(e.efficiency, 4),), entry.symbol, "", "efficiency"))
+    note = "drives wear of lagging and belt"
+    rows.append(row_of("frictional_energy", e.frictional_energy, system=system, note=note))
+    if not math.isnan(e.wear_rate):
+        rows.append(row_of("wear_rate", e.wear_rate, system=system))
+    needs = "" if result.arc.belt_speed else "Powers need the speed of the belt."
+    return Table("Energy and wear", tuple(rows), note=needs)

@@ -1,0 +1,189 @@
+"""Sheets of what the catalogue holds: laggings and belts."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from wraparc import catalogue
+from wraparc.drive import Lagging
+from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
+from wraparc.glossary import GLOSSARY
+from wraparc.present.inputs import lagging_rows
+from wraparc.present.sheet import NONE, Row, Sheet, Table, named, quantity
+from wraparc.present.sources import Sources
+from wraparc.provenance import Kind
+from wraparc.units import System, display, display_unit
+
+#: Slips of the friction table [m], in steps that read well in either system.
+_SLIPS = {"si": (0.5e-3, 1e-3, 2e-3, 4e-3, 6e-3, 10e-3, 15e-3),
+          "us": tuple(i * 0.0254 for i in (0.02, 0.04, 0.08, 0.16, 0.25, 0.4, 0.6))}  # fmt: skip
+_FEW = 8
+
+
+def laggings_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
+    """List laggings, a row for each condition."""
+    of = Sources()
+    rows = tuple(
+        Row(
+            lagging.name,
+            (
+                lagging.condition,
+                lagging.surface or NONE,
+                named("lagging_thickness", lagging.thickness, system),
+                _reference_friction(lagging, system),
+            ),
+            note=of.note(lagging.provenance),
+        )
+        for lagging in laggings
+    )
+    pressure, slip = named("wrap_pressure", 207e3, system), named("slip", 6.35e-3, system)
+    heads = ("condition", "surface", "thickness", "friction")
+    table = Table("Laggings", rows, heads, f"Friction at {pressure} and a slip of {slip}.")
+    remarks = (
+        ("An illustrative lagging describes no real product.",)
+        if any(lagging.provenance.kind is Kind.ILLUSTRATIVE for lagging in laggings)
+        else ()
+    )
+    return Sheet("Laggings of the catalogue", "", None, (table,), remarks, of.listed())
+
+
+def _reference_friction(lagging: Lagging, system: System) -> str:
+    return f"{float(lagging.law.friction(6.35e-3, 207e3)):.2f}"
+
+
+def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
+    """Return everything known of one lagging in its conditions."""
+    of = Sources()
+    first = laggings[0]
+    tables = []
+    for lagging in laggings:
+        of_condition = f" ({lagging.condition})" if len(laggings) > 1 else ""
+        tables.append(Table(f"Lagging{of_condition}", lagging_rows(lagging, system, of)))
+        tables.append(_friction_table(lagging, system, of_condition))
+        if isinstance(lagging.law, IntegralLog):
+            tables.append(_coefficient_table(lagging.law, system, of_condition))
+    design = [d for d in catalogue.design_friction() if d.surface == first.surface]
+    tables += [_design_table(first.surface, system, of)] if design else []
+    tables += [_cost_table(first)] if first.cost else []
+    remarks = [*first.notes]
+    if first.source_of("law").kind is Kind.ILLUSTRATIVE and not remarks:
+        remarks.append("Illustrative: it describes no real product.")
+    remarks += [m for lagging in laggings if lagging.fit for m in lagging.fit.misfit]
+    return Sheet(
+        first.title or first.name,
+        str(first.provenance),
+        None,
+        tuple(tables),
+        tuple(remarks),
+        of.listed(),
+    )
+
+
+def _pressures(law: FrictionLaw) -> list[float]:
+    """Pressures to tabulate a law at: its knots, thinned, or its tested range in steps."""
+    if isinstance(law, IntegralLog):
+        knots = law.coefficients.pressure
+        if isinstance(law.coefficients, CoefficientPieces):
+            knots = tuple(np.unique(np.r_[np.geomspace(knots[0], knots[-1], _FEW), knots]))
+        if len(knots) > 1:
+            step = -(-len(knots) // 12)
+            return [float(p) for p in (*knots[:-1:step], knots[-1])]
+    if law.tested is None:
+        return [50e3, 100e3, 200e3, 400e3, 700e3]
+    return [float(p) for p in np.geomspace(law.tested.pressure_min, law.tested.pressure_max, _FEW)]
+
+
+def _friction_table(lagging: Lagging, system: System, of_condition: str) -> Table:
+    slips = _SLIPS[system]
+    unit, factor = display_unit("length", system)
+    rows = tuple(
+        Row(
+            named("wrap_pressure", pressure, system),
+            tuple(f"{mu:.3f}" for mu in lagging.law.friction(np.array(slips), pressure).tolist()),
+        )
+        for pressure in _pressures(lagging.law)
+    )
+    heads = tuple(display(slip / factor, "number", digits=2) for slip in slips)
+    note = f"Columns: slip [{unit}]; rows: wrap pressure."
+    if lagging.law.tested is not None and lagging.law.tested.slip_max < slips[-1] * (1 - 1e-9):
+        note += f" Tested up to a slip of {named('slip', lagging.law.tested.slip_max, system)}."
+    return Table(f"Friction mu(x, p){of_condition}", rows, heads, note)
+
+
+def _coefficient_table(law: IntegralLog, system: System, of_condition: str) -> Table:
+    unit, factor = display_unit("length", system)
+    ends = law.coefficients.pressure
+    at = np.array(_pressures(law))
+    slip, peak, slope, residual = law.parameters(at)
+    rows = []
+    for i, pressure in enumerate(at.tolist()):
+        a, b = law.coefficients_ab(pressure, factor)
+        values = (
+            f"{a:.5f}",
+            f"{b:.5f}",
+            named("peak_slip", float(slip[i]), system),
+            f"{peak[i]:.3f}",
+            named("post_peak_slope", float(slope[i]), system),
+            f"{residual[i]:.3f}",
+        )
+        rows.append(Row(named("wrap_pressure", pressure, system), values))
+    heads = (
+        f"A [1/{unit}]",
+        f"b [1/{unit}]",
+        *(GLOSSARY[n].symbol for n in ("peak_slip", "peak_friction", "post_peak_slope")),
+        GLOSSARY["residual_friction"].symbol,
+    )
+    kind = "monotone cubics between knots" if isinstance(law.coefficients, PressureKnots) else ""
+    if isinstance(law.coefficients, CoefficientPieces):
+        met = ", ".join(named("wrap_pressure", p, system) for p in ends[1:-1]) or "none"
+        kind = f"pieces of A(p) and b(p), transition pressures: {met}"
+    note = f"mu = A x ln(x) - b x up to its peak, x in {unit}; {kind}."
+    return Table(f"Coefficients of the integral-log law{of_condition}", tuple(rows), heads, note)
+
+
+def _design_table(surface: str, system: System, of: Sources) -> Table:
+    rows = []
+    for design in catalogue.design_friction():
+        if design.surface == surface:
+            low, high = design.friction
+            text = f"{low:.2f}" if low == high else f"{low:.2f} to {high:.2f}"
+            title = ", ".join(part for part in (design.standard, design.condition) if part)
+            rows.append(Row(title, (text,), note=of.note(design.provenance)))
+    return Table(f"Design values of friction, {surface}", tuple(rows))
+
+
+def _cost_table(lagging: Lagging) -> Table:
+    cost = lagging.cost
+    if cost is None:
+        return Table("Cost", ())
+    short, long = cost.life_years
+    rows = (
+        Row("Material", (f"{cost.material:g} {cost.currency}",)),
+        Row("Installation", (f"{cost.installation:g} {cost.currency}",)),
+        Row("For an area of", (quantity(cost.area, "area"),)),
+        Row("Life", (f"{short:g} to {long:g} years" if short != long else f"{short:g} years",)),
+    )
+    return Table("Cost", rows)
+
+
+def belts_sheet(system: System = "si") -> Sheet:
+    """List the belts of the catalogue."""
+    of = Sources()
+    tables = []
+    belts = catalogue.belts()
+    for kind in dict.fromkeys(belt.kind for belt in belts):
+        rows: list[Row] = []
+        notes: dict[str, None] = {}
+        for belt in belts:
+            if belt.kind == kind:
+                notes[of.note(belt.provenance)] = None
+                least = belt.least_pulley_diameter
+                values = (
+                    quantity(belt.rating, "force_per_width", system),
+                    quantity(belt.modulus, "force_per_width", system),
+                    NONE if least is None else quantity(least, "length", system),
+                )
+                rows.append(Row(belt.name, values))
+        heads = ("rating", "modulus M", "least drive pulley")
+        tables.append(Table(f"Belts, {kind}", tuple(rows), heads, "; ".join(notes)))
+    return Sheet("Belts of the catalogue", "", None, tuple(tables), (), of.listed())

@@ -1,0 +1,95 @@
+"""A result beside constant friction: Euler and Eytelwein, CEMA, DIN 22101, practice."""
+
+import math
+
+from wraparc.arc import ArcResult, ClassicalDrive, classical_drives
+from wraparc.drive import Lagging
+from wraparc.present.sheet import NONE, Level, Row, Table, named, percent
+from wraparc.present.sources import Sources
+from wraparc.units import System, display
+
+_HEADS = ("friction", "T1/T2 up to", "slack side", "slipping arc")
+
+
+def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: Sources) -> Table:
+    """Set the arc beside what constant friction asks for."""
+    arc, c = result.arc, result.capacities
+    given = min(arc.entry_tension, arc.exit_tension)
+    ratio = max(arc.entry_tension, arc.exit_tension) / given
+    mean = math.log(ratio) / arc.wrap_angle
+    asked = _texts(mean, ratio, given, arc.wrap_angle if mean else 0.0, system)
+    rows = [Row("This load, over the whole wrap", asked)]
+    if not math.isnan(c.equivalent_friction):
+        limit = _texts(
+            c.equivalent_friction,
+            c.creep_limit_capacity,
+            c.least_exit_tension,
+            math.nan,
+            system,
+        )
+        rows.append(Row("At the creep limit, as computed", limit))
+    rows += [_design_row(classical, result, system, of) for classical in known(result, lagging)]
+    if lagging.surface:
+        note = (
+            "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
+            "ln(T1/T2)/mu. Design values are constant and know no creep."
+        )
+    else:
+        note = "The lagging does not say what its surface is, so no design values are known of it."
+    return Table("Beside constant friction", tuple(rows), _HEADS, note)
+
+
+def known(result: ArcResult, lagging: Lagging) -> tuple[ClassicalDrive, ...]:
+    """Return the design values of the lagging's surface."""
+    return classical_drives(result.arc, lagging)
+
+
+def _texts(mu: float, ratio: float, slack: float, arc: float, system: System) -> tuple[str, ...]:
+    return (
+        NONE if math.isnan(mu) else display(mu, "number", digits=3),
+        named("tension_ratio", ratio),
+        named("tension", slack, system),
+        named("active_arc", arc, system),
+    )
+
+
+def _design_row(drive: ClassicalDrive, result: ArcResult, system: System, of: Sources) -> Row:
+    design, arc = drive.design, result.arc
+    standard = design.standard[0].upper() + design.standard[1:]
+    slips = drive.slipping_arc[0] > arc.wrap_angle
+    low, high = design.friction
+    values = (
+        f"{low:.2f}" if low == high else f"{low:.2f}-{high:.2f}",
+        _pair("tension_ratio", drive.ratio, system),
+        _pair("tension", drive.slack_tension, system),
+        "slips through" if slips else _pair("active_arc", drive.slipping_arc, system),
+    )
+    note = of.note(design.provenance)
+    title = ", ".join(part for part in (standard, design.surface, design.condition) if part)
+    return Row(title, values, note=note, level=Level.WARNING if slips else None)
+
+
+def _pair(name: str, ends: tuple[float, float], system: System) -> str:
+    first, last = (named(name, end, system) for end in ends)
+    if first == last:
+        return first
+    number, _, unit = first.partition(" ")
+    return f"{number if last.endswith(unit) else first}-{last}"
+
+
+def comparison_sentence(result: ArcResult, lagging: Lagging, system: System) -> str:
+    """Return what the comparison comes to in words, or nothing if there is none to make."""
+    least = result.capacities.least_exit_tension
+    drives = [d for d in known(result, lagging) if d.design.standard == "CEMA"]
+    if not drives or math.isnan(least):
+        return ""
+    asked = drives[0].safe_slack_tension
+    value = f"CEMA's design value {drives[0].design.friction[0]:.2f} for {lagging.surface}"
+    less = f"{value} asks for {named('tension', asked, system)} on the slack side"
+    needed = named("tension", least, system)
+    difference = percent(abs(least / asked - 1.0), 2)
+    if least > asked * 1.005:
+        return f"{less}; within the creep limit this pulley needs {needed}, {difference} more."
+    if least < asked * 0.995:
+        return f"{less}; within the creep limit this pulley needs {needed}, {difference} less."
+    return f"{less}, as much as this pulley needs within the creep limit."

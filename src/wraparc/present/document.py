@@ -1,0 +1,216 @@
+"""A result as plain data, for JSON: SI numbers under the names of the glossary."""
+
+import json
+import math
+import platform
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import fields
+from importlib.metadata import version
+from typing import Any
+
+from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
+from wraparc.drive import Belt, Drive, Lagging, design_remarks
+from wraparc.glossary import GLOSSARY
+from wraparc.present.words import verdict
+from wraparc.provenance import Provenance
+from wraparc.units import DIMENSION_TEXT
+from wraparc.version import __version__
+
+#: Counts up when a name goes or changes its meaning, not when one is added.
+DOCUMENT_FORMAT = 1
+
+Data = dict[str, Any]
+
+
+def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
+    """Return a solved drive as plain data.
+
+    Numbers are SI (metres, newtons, pascals, radians, watts), under the names of the glossary;
+    the unit of every name is listed under ``units``. What has no number is None, and so is what
+    has no bound: its name is then listed under ``unbounded``.
+
+    Parameters
+    ----------
+    results
+        The drive solved by one method or by several.
+    file
+        Where the drive was read from.
+    """
+    drive = results[0].drive
+    told = verdict(results[0])
+    arcs = [_arc_data(arc, drive) for result in results for arc in result]
+    return {
+        "format": DOCUMENT_FORMAT,
+        "program": {"name": "wraparc", "version": __version__},
+        "libraries": {"python": platform.python_version(), "numpy": version("numpy")},
+        "drive": _drive_data(drive, file),
+        "solved": results[0].solved,
+        "within_creep_limit": results[0].within_creep_limit,
+        "governing": _place(results[0].governing),
+        "verdict": {
+            "level": told.level.value,
+            "headline": told.headline,
+            "sentences": list(told.sentences),
+        },
+        "remarks": list(design_remarks(drive)),
+        "arcs": arcs,
+        "sources": _sources(drive),
+        "units": _units(arcs),
+    }
+
+
+def json_text(document: Mapping[str, Any]) -> str:
+    """Return a document as JSON that every reader takes: no NaN, no Infinity."""
+    return json.dumps(_plain(document), allow_nan=False, indent=1, ensure_ascii=False) + "\n"
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def _place(result: ArcResult) -> Data:
+    arc = result.arc
+    return {"load_case": arc.load_case, "pulley": arc.pulley, "method": result.method}
+
+
+def _arc_data(result: ArcResult, drive: Drive) -> Data:
+    scalars = result.scalars()
+    lagging = drive.pulley(result.arc.pulley).lagging
+    return {
+        **_place(result),
+        "status": result.status.name.lower(),
+        "status_text": str(result.status),
+        "within_creep_limit": result.within_creep_limit,
+        "inputs": _inputs(result.arc),
+        **scalars,
+        "unbounded": [name for name, value in scalars.items() if math.isinf(value)],
+        "classical": [_classical_data(c) for c in classical_drives(result.arc, lagging)],
+        "profile": {name: column.tolist() for name, column in result.profile.columns()},
+    }
+
+
+def _inputs(arc: WrapArc) -> Data:
+    return {
+        "entry_tension": arc.entry_tension,
+        "exit_tension": arc.exit_tension,
+        "diameter": arc.diameter,
+        "wrap_angle": arc.wrap_angle,
+        "belt_width": arc.width,
+        "axial_stiffness": arc.axial_stiffness,
+        "lagging_thickness": arc.thickness,
+        "shear_modulus": arc.shear_modulus,
+        "compression_modulus": arc.compression_modulus,
+        "overrun": arc.entry_overrun,
+        "overrun_by_formula": arc.overrun is None,
+        "recovery": arc.recovery,
+        "creep_limit": arc.creep_limit,
+        "belt_speed": arc.belt_speed,
+        "wear_coefficient": arc.wear_coefficient,
+    }
+
+
+def _classical_data(classical: ClassicalDrive) -> Data:
+    design = classical.design
+    return {
+        "standard": design.standard,
+        "surface": design.surface,
+        "condition": design.condition,
+        "friction": list(design.friction),
+        "tension_ratio": list(classical.ratio),
+        "wrap_factor": list(classical.wrap_factor),
+        "slack_tension": list(classical.slack_tension),
+        "slipping_arc": list(classical.slipping_arc),
+        "source": _origin(design.provenance),
+    }
+
+
+def _drive_data(drive: Drive, file: str) -> Data:
+    belt = drive.belt
+    return {
+        "file": file,
+        "title": drive.title,
+        "creep_limit": drive.creep_limit,
+        "belt": {
+            "name": belt.name,
+            "kind": belt.kind,
+            "belt_width": belt.width,
+            "belt_modulus": belt.modulus,
+            "rating": belt.rating,
+            "belt_speed": belt.speed,
+        },
+        "pulleys": [
+            {
+                "name": pulley.name,
+                "diameter": pulley.diameter,
+                "wrap_angle": pulley.wrap_angle,
+                "lagging": _lagging_data(pulley.lagging),
+            }
+            for pulley in drive.pulleys
+        ],
+        "load_cases": [case.name for case in drive.load_cases],
+    }
+
+
+def _lagging_data(lagging: Lagging) -> Data:
+    tested = lagging.law.tested
+    ends = {} if tested is None else {f.name: getattr(tested, f.name) for f in fields(tested)}
+    return {
+        "name": lagging.name,
+        "title": lagging.title,
+        "condition": lagging.condition,
+        "surface": lagging.surface,
+        "law": type(lagging.law).__name__,
+        "tested": ends or None,
+        "lagging_thickness": lagging.thickness,
+        "shear_modulus": lagging.shear_modulus,
+        "compression_modulus": lagging.compression_modulus,
+    }
+
+
+def _sources(drive: Drive) -> list[Data]:
+    """Return where every input came from, with what it is the source of."""
+    found: list[Data] = []
+    for of, thing in _sourced(drive):
+        found.append({"of": of, "part": "", **_origin(thing.provenance)})
+        found += [
+            {"of": of, "part": part, **_origin(origin)} for part, origin in thing.sources.items()
+        ]
+    for pulley in drive.pulleys:
+        found += [
+            {"of": f"pulley {pulley.name}", "part": part, **_origin(origin)}
+            for part, origin in pulley.sources.items()
+        ]
+    return found
+
+
+def _sourced(drive: Drive) -> Iterable[tuple[str, Belt | Lagging]]:
+    yield f"belt {drive.belt.name}", drive.belt
+    laggings = {pulley.lagging.name: pulley.lagging for pulley in drive.pulleys}
+    for name, lagging in laggings.items():
+        yield f"lagging {name}", lagging
+
+
+def _origin(provenance: Provenance) -> Data:
+    return {
+        "kind": provenance.kind.value,
+        "source": provenance.source,
+        "date": provenance.date,
+        "note": provenance.note,
+    }
+
+
+def _units(arcs: Iterable[Data]) -> dict[str, str]:
+    """Return the SI unit of every name of the glossary that the arcs use, 1 for plain numbers."""
+    names = {name for arc in arcs for part in (arc, arc["inputs"], arc["profile"]) for name in part}
+    names |= {"belt_modulus", "wrap_factor"}
+    return {
+        name: DIMENSION_TEXT[GLOSSARY[name].dimension].si_unit or "1"
+        for name in sorted(names)
+        if name in GLOSSARY
+    }

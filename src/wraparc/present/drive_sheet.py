@@ -1,0 +1,139 @@
+"""The sheet of a solved drive."""
+
+from collections.abc import Iterator, Sequence
+
+from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.drive import Drive, design_remarks
+from wraparc.present.arc_tables import (
+    METHOD_TITLES,
+    Results,
+    answer_table,
+    belongs,
+    capacity_table,
+    creep_table,
+    energy_table,
+)
+from wraparc.present.design_values import comparison_table
+from wraparc.present.inputs import input_table
+from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent
+from wraparc.present.sources import Sources
+from wraparc.present.words import level_of, short, verdict
+from wraparc.units import System
+
+_SUMMARY = ("T1", "T2", "T1/T2", "creep", "of limit", "shear", "least slack", "")
+
+
+def drive_sheet(
+    results: Sequence[DriveResult], system: System = "si", detail: Sequence[int] | None = None
+) -> Sheet:
+    """Return everything to show of a solved drive.
+
+    Parameters
+    ----------
+    results
+        The drive solved by one method, or by several; the first gives the verdict.
+    system
+        Units to show.
+    detail
+        Positions in `DriveResult.arcs` to show in full; the governing arc unless given.
+    """
+    first = results[0]
+    if detail is None:
+        detail = [first.arcs.index(first.governing)]
+    of = Sources()
+    tables = [_summary(results, system)] if len(first) > 1 else []
+    for position in detail:
+        tables += _arc(first.drive, tuple(r.arcs[position] for r in results), system, of)
+    return Sheet(
+        title=first.drive.title or "Drive",
+        subtitle=first.drive.description,
+        verdict=verdict(first, system),
+        tables=tuple(tables),
+        remarks=(*design_remarks(first.drive, system), *_method_remarks(results)),
+        sources=of.listed(),
+    )
+
+
+def input_sheet(drive: Drive, system: System = "si") -> Sheet:
+    """Return what was read of a drive, and what there is to remark on it before it is solved."""
+    of = Sources()
+    tables = [
+        input_table(drive, pulley, WrapArc.of(drive, pulley, case), system, of)
+        for case in drive.load_cases[:1]
+        for pulley in drive.pulleys
+    ]
+    counted = f"{len(drive.pulleys)} {'pulley' if len(drive.pulleys) == 1 else 'pulleys'}, "
+    counted += f"load cases: {', '.join(case.name for case in drive.load_cases)}."
+    told = Verdict(Level.GOOD, f"The drive file is in order: {counted}")
+    remarks = design_remarks(drive, system)
+    return Sheet(drive.title or "Drive", "", told, tuple(tables), remarks, of.listed())
+
+
+def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
+    """Return what there is to show of one arc without its drive."""
+    tables = [answer_table((result,), system), creep_table((result,), system)]
+    capacity = capacity_table(result, system)
+    tables += [capacity] if capacity else []
+    return Sheet(
+        title=belongs(result) if result.arc.pulley else "Wrap arc",
+        subtitle=str(result.status),
+        tables=tuple(tables),
+    )
+
+
+def _arc(drive: Drive, results: Results, system: System, of: Sources) -> list[Table]:
+    first = results[0]
+    pulley = drive.pulley(first.arc.pulley)
+    solved = tuple(result for result in results if result.status.solved)
+    tables = []
+    if solved:
+        tables += [answer_table(solved, system), creep_table(solved, system)]
+    capacity = capacity_table(first, system)
+    tables += [capacity] if capacity else []
+    tables.append(comparison_table(first, pulley.lagging, system, of))
+    if first.status.solved:
+        tables.append(energy_table(first, system))
+    tables.append(input_table(drive, pulley, first.arc, system, of))
+    return tables
+
+
+def _summary(results: Sequence[DriveResult], system: System) -> Table:
+    rows = []
+    for result in results:
+        for arc in result:
+            method = f", {METHOD_TITLES[arc.method]}" if len(results) > 1 else ""
+            title = f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
+            rows.append(Row(title, _summary_values(arc, system), level=level_of(arc)))
+    return Table("All load cases and pulleys", tuple(rows), _SUMMARY)
+
+
+def _summary_values(result: ArcResult, system: System) -> tuple[str, ...]:
+    arc = result.arc
+    asked = (
+        named("entry_tension", arc.entry_tension, system),
+        named("exit_tension", arc.exit_tension, system),
+        named("tension_ratio", arc.entry_tension / arc.exit_tension),
+    )
+    least = named("least_exit_tension", result.capacities.least_exit_tension, system)
+    if not result.status.solved:
+        return (*asked, "-", "-", "-", least, short(result))
+    return (
+        *asked,
+        named("exit_creep", result.exit_creep, system),
+        percent(abs(result.exit_creep) / arc.creep_limit),
+        named("peak_shear_angle", result.peak_shear_angle, system),
+        least,
+        short(result),
+    )
+
+
+def _method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:
+    for other in results[1:]:
+        for arc in other:
+            if not arc.status.solved:
+                yield f"{belongs(arc)}, by the {METHOD_TITLES[arc.method]}: {arc.status}"
+    if any(result.arcs[0].method == "paper" for result in results):
+        yield (
+            "The paper's march lumps the shrinkage of the belt over the whole wrap and overstates "
+            "the creep of soft belts; it finds no capacities."
+        )

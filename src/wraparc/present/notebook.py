@@ -1,0 +1,131 @@
+"""Results in a notebook: HTML tables and data frames."""
+
+from functools import singledispatch
+from html import escape
+from typing import Any
+
+from wraparc.arc import ArcResult, DriveResult, Profile
+from wraparc.drive import Drive, Lagging
+from wraparc.errors import MissingExtraError
+from wraparc.present.catalogue_sheets import lagging_sheet
+from wraparc.present.drive_sheet import arc_sheet, drive_sheet, input_sheet
+from wraparc.present.sheet import Sheet, Table
+
+
+@singledispatch
+def sheet_of(thing: Any) -> Sheet:
+    """Return what there is to show of a result; a room above registers its own results."""
+    raise TypeError(f"nothing known to show of {type(thing).__name__}")
+
+
+@sheet_of.register
+def _(thing: ArcResult) -> Sheet:
+    return arc_sheet(thing)
+
+
+@sheet_of.register
+def _(thing: DriveResult) -> Sheet:
+    return drive_sheet([thing])
+
+
+@sheet_of.register
+def _(thing: Drive) -> Sheet:
+    return input_sheet(thing)
+
+
+@sheet_of.register
+def _(thing: Lagging) -> Sheet:
+    return lagging_sheet([thing])
+
+
+@sheet_of.register
+def _(thing: Profile) -> Sheet:
+    return Sheet(f"Profile of {len(thing)} points", "to_frame() gives them as a data frame")
+
+
+def html(thing: Any) -> str:
+    """Return a result as a piece of HTML."""
+    return sheet_html(sheet_of(thing))
+
+
+def sheet_html(sheet: Sheet) -> str:
+    """Return a sheet as a piece of HTML, without styles of its own."""
+    parts = [f"<h3>{escape(sheet.title)}</h3>"]
+    parts += [f"<p>{escape(sheet.subtitle)}</p>"] if sheet.subtitle else []
+    if sheet.verdict:
+        told = sheet.verdict
+        parts.append(f"<p><strong>{told.level}. {escape(told.headline)}</strong></p>")
+        parts += [f"<p>{escape(' '.join(told.sentences))}</p>"] if told.sentences else []
+    parts += map(_table_html, sheet.tables)
+    parts += [_list_html("ul", sheet.remarks), _list_html("ol", sheet.sources)]
+    return f'<div class="wraparc">{"".join(parts)}</div>'
+
+
+def _table_html(table: Table) -> str:
+    heads = ["", *(["symbol"] if table.has_symbols else []), *table.heads]
+    heads += ["note"] if table.has_notes else []
+    head = "".join(f"<th>{escape(text)}</th>" for text in heads)
+    lines = []
+    for row in table.rows:
+        mark = f"{row.level}: " if row.level else ""
+        cells = [row.symbol] if table.has_symbols else []
+        cells += row.values
+        cells += [mark + row.note] if table.has_notes else []
+        line = "".join(f"<td>{escape(cell)}</td>" for cell in cells)
+        lines.append(f'<tr><th scope="row">{escape(row.title)}</th>{line}</tr>')
+    note = f"<p>{escape(table.note)}</p>" if table.note else ""
+    caption = f"<caption>{escape(table.title)}</caption>"
+    body = f"<thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody>"
+    return f"<table>{caption}{body}</table>{note}"
+
+
+def _list_html(tag: str, sentences: tuple[str, ...]) -> str:
+    items = "".join(f"<li>{escape(sentence)}</li>" for sentence in sentences)
+    return f"<{tag}>{items}</{tag}>" if items else ""
+
+
+@singledispatch
+def frame(thing: Any) -> Any:
+    """Return the numbers of a result as a pandas DataFrame [SI].
+
+    A profile has a row for each point; an arc is its profile; a drive has a row for each load
+    case and pulley with every scalar.
+
+    Raises
+    ------
+    MissingExtraError
+        Without pandas.
+    """
+    raise TypeError(f"no data frame of {type(thing).__name__}")
+
+
+@frame.register
+def _(thing: Profile) -> Any:
+    return _pandas().DataFrame(dict(thing.columns()))
+
+
+@frame.register
+def _(thing: ArcResult) -> Any:
+    return frame(thing.profile)
+
+
+@frame.register
+def _(thing: DriveResult) -> Any:
+    rows = [
+        {
+            "load_case": result.arc.load_case,
+            "pulley": result.arc.pulley,
+            "status": result.status.name.lower(),
+            **result.scalars(),
+        }
+        for result in thing
+    ]
+    return _pandas().DataFrame(rows).set_index(["load_case", "pulley"])
+
+
+def _pandas() -> Any:
+    try:
+        import pandas as pd
+    except ImportError as error:
+        raise MissingExtraError("pandas", "notebook") from error
+    return pd

@@ -1,0 +1,163 @@
+"""What there is to show, before anybody decides how: sheets of labelled rows.
+
+Command line, notebook, web page and documents all draw the same sheets, so that a number has one
+label, one unit and one remark wherever it appears.
+"""
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+
+from wraparc.glossary import GLOSSARY
+from wraparc.units import Dimension, System, display
+
+#: What stands where there is no number.
+NONE = "-"
+
+
+class Level(StrEnum):
+    """How good news is: the value is the word that says it without colour."""
+
+    GOOD = "OK"
+    WARNING = "ATTENTION"
+    BAD = "FAILS"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of a table.
+
+    Attributes
+    ----------
+    title
+        What it is.
+    values
+        One text for each column of the table, with units.
+    symbol
+        Letter of the equations.
+    note
+        What to know about it.
+    name
+        Name in the glossary, or empty.
+    level
+        Whether it is good or bad news, or None.
+    """
+
+    title: str
+    values: tuple[str, ...]
+    symbol: str = ""
+    note: str = ""
+    name: str = ""
+    level: Level | None = None
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under one heading.
+
+    Attributes
+    ----------
+    title
+        Heading.
+    rows
+        Lines; each has as many values as `heads`.
+    heads
+        Headings of the value columns; a single empty one needs no line of its own.
+    note
+        What to know about the whole table.
+    """
+
+    title: str
+    rows: tuple[Row, ...]
+    heads: tuple[str, ...] = ("",)
+    note: str = ""
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether any row has a symbol."""
+        return any(row.symbol for row in self.rows)
+
+    @property
+    def has_notes(self) -> bool:
+        """Whether any row has a note."""
+        return any(row.note for row in self.rows)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The answer in words.
+
+    Attributes
+    ----------
+    level
+        How good it is.
+    headline
+        One sentence.
+    sentences
+        What follows from it: how far from a limit, what to do, what limits the answer.
+    """
+
+    level: Level
+    headline: str
+    sentences: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Everything to show of one thing.
+
+    Attributes
+    ----------
+    title, subtitle
+        Headings.
+    verdict
+        The answer in words, or None where nothing was asked.
+    tables
+        The tables, most important first.
+    remarks
+        Sentences a reader must not miss.
+    sources
+        Where numbers came from; a note ``[2]`` in a row refers to the second.
+    """
+
+    title: str
+    subtitle: str = ""
+    verdict: Verdict | None = None
+    tables: tuple[Table, ...] = ()
+    remarks: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()
+
+
+def quantity(value: float, dimension: Dimension, system: System = "si") -> str:
+    """Return a value [SI] with its unit, `NONE` for nan and words for infinity."""
+    if math.isnan(value):
+        return NONE
+    if math.isinf(value):
+        return "without bound"
+    return display(value, dimension, system)
+
+
+def named(name: str, value: float, system: System = "si") -> str:
+    """Return the value [SI] of a quantity of the glossary with its unit."""
+    return quantity(value, GLOSSARY[name].dimension, system)
+
+
+def row_of(
+    name: str,
+    *values: float,
+    system: System = "si",
+    note: str = "",
+    title: str = "",
+    level: Level | None = None,
+) -> Row:
+    """Return the row of a quantity of the glossary, its words taken from there."""
+    entry = GLOSSARY[name]
+    texts = tuple(named(name, value, system) for value in values)
+    return Row(title or entry.title, texts, entry.symbol, note, name, level)
+
+
+def percent(share: float, digits: int = 3) -> str:
+    """Return a share as percent, `NONE` for nan."""
+    if math.isnan(share):
+        return NONE
+    return f"{display(100.0 * share, 'number', digits=digits)} %"
