@@ -17,6 +17,7 @@ from wraparc.arc.march import (
     Law,
     Parameters,
     parameters,
+    room,
 )
 from wraparc.arc.shoot import (
     CREEP,
@@ -24,22 +25,31 @@ from wraparc.arc.shoot import (
     STALLED,
     TENSION,
     Shot,
+    attempt,
     climb,
     effort_of,
     fire,
     first_guess,
     jumps,
     largest_effort,
+    mesh_steps,
+    ratio_of,
     search,
+    tension_shot,
     value_of,
 )
 from wraparc.arc.stick import held_exit, zone_end
+from wraparc.arc.profile import sort
+from wraparc.arc.tension_march import ARRIVED, STEP, TABLE, applies, march, open_table
 from wraparc.friction.compact import plateau_at, segment_of
 
 #: side, radius, wrap angle, width, 1/EA', h/G, kick, kick coefficient, onset: `parameters` but for T1
 Geometry = tuple[float, float, float, float, float, float, float, float, float]
 
+#: largest |ln(T1/T2)| that a march in tension goes to
+LARGEST_LOG = 8.0
 COARSE_STEPS = 8
+MEET_STEPS = 12
 COARSE_TOLERANCE = 1e-4  # relative
 TOLERANCE = 1e-10
 
@@ -80,14 +90,25 @@ def solve_tension(
 def refine(
     law: Law, par: Parameters, target: int, goal: float, z: float, steps: int, none: Buffer
 ) -> tuple[int, float, Shot]:
-    """Meet a target on a coarse mesh, then on the fine one starting from there."""
+    """Meet a target: by marches in tension where they apply, else in position, coarse then fine."""
     size = max(abs(goal), 1e-2) if target == TENSION else abs(goal)
+    if applies(law, par) and goal > 0.0:
+        table, scratch = room(TABLE), room(STEP)
+        fine = mesh_steps(law, par, steps)
+        open_table(law, par, goal if target == TENSION else LARGEST_LOG, fine, table)
+        outcome, z_met, _, shot = search(
+            law, par, target, goal, z, 0.0, steps, TOLERANCE * size, table, scratch, none
+        )
+        if outcome == FOUND:
+            return outcome, z_met, shot
     outcome, z, slope, shot = search(
-        law, par, target, goal, z, 0.0, COARSE_STEPS, COARSE_TOLERANCE * size, none
+        law, par, target, goal, z, 0.0, COARSE_STEPS, COARSE_TOLERANCE * size, none, none, none
     )
     if outcome != FOUND:
         slope = 0.0
-    outcome, z, _, shot = search(law, par, target, goal, z, slope, steps, TOLERANCE * size, none)
+    outcome, z, _, shot = search(
+        law, par, target, goal, z, slope, steps, TOLERANCE * size, none, none, none
+    )
     if outcome == STALLED and abs(value_of(par, shot, target) - goal) < 1e-8 * size:
         outcome = FOUND
     return outcome, z, shot
@@ -213,25 +234,23 @@ def meet(
     """
     t = log(entry)
     j11 = j12 = j21 = j22 = 0.0
-    mesh, fresh = COARSE_STEPS, True
-    r1, r2, shot = _misses(law, geometry, target, goal, of_pull, tension, t, z, mesh, none)
+    table, scratch = room(TABLE), room(STEP)
+    mesh, fresh = MEET_STEPS, True
+    case = (target, goal, of_pull, tension)
+    r1, r2, shot = _misses(law, geometry, case, t, z, mesh, table, scratch, none)
     for _ in range(60):
         size = max(abs(r1), abs(r2))
         if mesh == steps and size < TOLERANCE * 10.0:
             det = j11 * j22 - j12 * j21
             return True, z, exp(t), shot, det * (1.0 if j11 > 0.0 else -1.0)
-        if mesh == COARSE_STEPS and size < 3e-4:
+        if mesh < steps and size < 3e-4:
             mesh = steps
-            r1, r2, shot = _misses(law, geometry, target, goal, of_pull, tension, t, z, mesh, none)
+            r1, r2, shot = _misses(law, geometry, case, t, z, mesh, table, scratch, none)
             continue
         if fresh:
             dz, dt = 1e-4, 1e-4
-            a1, a2, _ = _misses(
-                law, geometry, target, goal, of_pull, tension, t, z + dz, mesh, none
-            )
-            b1, b2, _ = _misses(
-                law, geometry, target, goal, of_pull, tension, t + dt, z, mesh, none
-            )
+            a1, a2, _ = _misses(law, geometry, case, t, z + dz, mesh, table, scratch, none)
+            b1, b2, _ = _misses(law, geometry, case, t + dt, z, mesh, table, scratch, none)
             j11, j21 = (a1 - r1) / dz, (a2 - r2) / dz
             j12, j22 = (b1 - r1) / dt, (b2 - r2) / dt
         det = j11 * j22 - j12 * j21
@@ -241,9 +260,9 @@ def meet(
         scale = min(1.0, 1.5 / max(abs(dz), 1e-300), 0.5 / max(abs(dt), 1e-300))
         dz, dt = scale * dz, scale * dt
         z, t = z + dz, t + dt
-        n1, n2, shot = _misses(law, geometry, target, goal, of_pull, tension, t, z, mesh, none)
+        n1, n2, shot = _misses(law, geometry, case, t, z, mesh, table, scratch, none)
         shrunk = max(abs(n1), abs(n2)) < 0.3 * size
-        fresh = mesh == COARSE_STEPS and not shrunk
+        fresh = mesh < steps and not shrunk
         # Broyden's update
         square = dz * dz + dt * dt
         if square > 0.0:
@@ -258,23 +277,46 @@ def meet(
 def _misses(
     law: Law,
     geometry: Geometry,
-    target: int,
-    goal: float,
-    of_pull: bool,
-    tension: float,
+    case: tuple[int, float, bool, float],
     t: float,
     z: float,
     steps: int,
+    table: Buffer,
+    scratch: Buffer,
     none: Buffer,
 ) -> tuple[float, float, Shot]:
     """Relative misses of the target and of the tension, for ln T1 = t and effort z."""
+    target, goal, of_pull, tension = case
     par = parameters_at(exp(t), geometry)
-    shot, _ = fire(law, par, z, steps, 0, none)
-    miss = value_of(par, shot, target) / goal - 1.0
+    went = False
+    if applies(law, par):
+        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+        went, miss, shot = attempt(law, par, target, goal, z, steps, table, scratch, none)
+    if not went:
+        _, miss, shot = attempt(law, par, target, goal, z, steps, none, none, none)
+    miss /= goal
     if not of_pull:
         return miss, t + shot[0] - log(tension), shot
     pull = par[T1] * abs(1.0 - exp(shot[0]))
     return miss, log(max(pull, 1e-9 * tension) / tension), shot
+
+
+def trace(
+    law: Law, par: Parameters, exit_tension: float, z: float, steps: int, points: int, out: Buffer
+) -> tuple[Shot, int]:
+    """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
+    goal = par[SIDE] * log(par[T1] / exit_tension)
+    if applies(law, par) and goal > 0.0:
+        table, scratch = room(TABLE), room(STEP)
+        open_table(law, par, goal, mesh_steps(law, par, steps), table)
+        gamma = par[SIDE] * ratio_of(par, z)
+        status, q, s, a, work, count = march(law, par, gamma, False, table, scratch, points, out)
+        if status == ARRIVED and abs(s / par[LENGTH] - 1.0) < TOLERANCE * 100.0:
+            sort(out, count)
+            return tension_shot(law, par, gamma, q, a, work), count
+    shot, count = fire(law, par, z, steps, points, out)
+    sort(out, count)
+    return shot, count
 
 
 def largest_ratio(

@@ -53,6 +53,11 @@ FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each s
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
 
 
+def room(size: int) -> list[float]:
+    """A buffer of zeros. Compiled code replaces it by an array."""
+    return [0.0] * size
+
+
 def parameters(
     entry_tension: float,
     side: float,
@@ -198,7 +203,7 @@ def step(
     )
 
 
-def _hermite(f: float, h: float, a: float, da: float, b: float, db: float) -> float:
+def hermite(f: float, h: float, a: float, da: float, b: float, db: float) -> float:
     """Cubic through a and b with slopes da and db over h, at the fraction f."""
     e = 1.0 - f
     return e * e * ((1.0 + 2.0 * f) * a + f * h * da) + f * f * ((3.0 - 2.0 * f) * b - e * h * db)
@@ -254,8 +259,8 @@ def _first_crossing(
             # regula falsi (Illinois) on the Hermite cubics of the step
             for _ in range(60):
                 m = (a * fb - b * fa) / (fb - fa)
-                qm = _hermite(m, h, start[0], start[2], end[0], end[2])
-                xm = _hermite(m, h, start[1], start[3], end[1], end[3])
+                qm = hermite(m, h, start[0], start[2], end[0], end[2])
+                xm = hermite(m, h, start[1], start[3], end[1], end[3])
                 fm = _beyond(law, par, segment, branch, side, qm, sign * xm)
                 if fm * fb <= 0.0:
                     a, fa = b, fb

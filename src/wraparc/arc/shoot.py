@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from math import asinh, exp, inf, log, sinh, sqrt
 
+from wraparc.arc import tension_march
 from wraparc.arc.march import (
     COMPLIANCE,
     KICK,
@@ -38,7 +39,7 @@ CREEP = 1  # creep at the exit towards the slack side [m]
 SLIP = 2  # slip at the exit towards the slack side [m]
 
 # outcomes
-FOUND, EXHAUSTED, STALLED = 0, 1, 2
+FOUND, EXHAUSTED, STALLED, LOST = 0, 1, 2, 4
 
 #: entry creep ratio where the scale of z turns from logarithmic to linear
 SMALL_RATIO = 1e-7
@@ -207,6 +208,41 @@ def _slip_for(law: Law, pressure: float, friction: float) -> float:
     return slips[len(slips) - 1]
 
 
+def attempt(
+    law: Law,
+    par: Parameters,
+    target: int,
+    goal: float,
+    z: float,
+    steps: int,
+    table: Buffer,
+    scratch: Buffer,
+    none: Buffer,
+) -> tuple[bool, float, Shot]:
+    """March at effort z, in tension where there is a table: whether it went, value - goal, shot."""
+    if len(table) == 0:
+        shot, _ = fire(law, par, z, steps, 0, none)
+        return True, value_of(par, shot, target) - goal, shot
+    gamma = par[SIDE] * ratio_of(par, z)
+    status, q, s, a, work, _ = tension_march.march(
+        law, par, gamma, target != TENSION, table, scratch, 0, none
+    )
+    shot = tension_shot(law, par, gamma, q, a, work)
+    if status != tension_march.ARRIVED:
+        return False, 0.0, shot
+    if target == TENSION:
+        # the tensions are met at s; they would be at the exit if s were L
+        return True, goal * log(par[LENGTH] / s), shot
+    return True, value_of(par, shot, target) - goal, shot
+
+
+def tension_shot(law: Law, par: Parameters, gamma: float, q: float, a: float, work: float) -> Shot:
+    """Exit quantities of a march in tension."""
+    side = par[SIDE]
+    tau, creep = tension_march.exit_state(law, par, q, a)
+    return (-side * q, side * a, side * creep, side * tau, work, side * gamma, 0.0)
+
+
 def search(
     law: Law,
     par: Parameters,
@@ -216,6 +252,8 @@ def search(
     slope: float,
     steps: int,
     tolerance: float,
+    table: Buffer,
+    scratch: Buffer,
     none: Buffer,
 ) -> tuple[int, float, float, Shot]:
     """Least effort at which the value of a target meets its goal.
@@ -233,6 +271,9 @@ def search(
         Mesh steps of a march.
     tolerance
         Largest distance from the goal.
+    table, scratch
+        Buffers of a march in tension, see :mod:`wraparc.arc.tension_march`; empty for one in
+        position.
     none
         An empty buffer.
 
@@ -240,21 +281,22 @@ def search(
     -------
     outcome, z, slope, shot
         FOUND; EXHAUSTED: no effort gives the goal, z gives the largest value; STALLED: the goal
-        lies between two neighbouring numbers.
+        lies between two neighbouring numbers; LOST: the march in tension does not apply.
     """
     top = largest_effort(law, par)
     jump = jumps(law)
     bottom = lowest_effort(law, par)
     low, high = bottom, inf
     z = min(z, top)
-    shot, _ = fire(law, par, z, steps, 0, none)
-    f = value_of(par, shot, target) - goal
+    went, f, shot = attempt(law, par, target, goal, z, steps, table, scratch, none)
     z_last, f_last = z, 0.0
     if slope <= 0.0:
         slope = 0.8 * max(f + goal, 0.2 * goal)
     width = inf
     climbed = False
     for i in range(120):
+        if not went:
+            return LOST, z, slope, shot
         if abs(f) <= tolerance:
             return FOUND, z, slope, shot
         if f < 0.0:
@@ -264,7 +306,7 @@ def search(
         if i > 0 and z != z_last and f != f_last:
             slope = (f - f_last) / (z - z_last)
         if f < 0.0 and high == inf and (slope < 1e-12 or z >= top):
-            if climbed or target != TENSION:
+            if climbed or target != TENSION or len(table) > 0:
                 return EXHAUSTED, z, slope, shot
             climbed = True
             peak_low, peak_high = min(z, z_last) - 6.0, min(max(z, z_last) + 1.0, top)
@@ -293,8 +335,7 @@ def search(
             return STALLED, z, slope, shot
         z_last, f_last = z, f
         z = new
-        shot, _ = fire(law, par, z, steps, 0, none)
-        f = value_of(par, shot, target) - goal
+        went, f, shot = attempt(law, par, target, goal, z, steps, table, scratch, none)
     return STALLED, z, slope, shot
 
 

@@ -15,11 +15,12 @@ from wraparc.arc.capacity import (
     least_slack,
     parameters_at,
     solve_tension,
+    trace,
 )
 from wraparc.arc.march import RECORD, Law, Parameters
-from wraparc.arc.profile import active_length, peak_stress, share_outside, sort
+from wraparc.arc.profile import active_length, peak_stress, share_outside
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
-from wraparc.arc.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot, fire
+from wraparc.arc.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan
@@ -70,8 +71,7 @@ class Distributed:
         out = [0.0] * (RECORD * (2 * self.points + 8 * self.steps + 400))
         count = 0
         if z > -math.inf:
-            shot, count = fire(law, par, z, self.steps, self.points, out)
-            sort(out, count)
+            shot, count = trace(law, par, arc.exit_tension, z, self.steps, self.points, out)
         else:
             for i in range(self.points + 1):
                 out[RECORD * i] = arc.length * i / self.points
