@@ -74,6 +74,7 @@ class Laggings:
         self._allow_paths = allow_paths
         self._names = tuple(own)
         self._own: dict[str, Record | None] = {}
+        self._built: dict[str, tuple[Lagging, ...]] = {}
         self._own = {
             name: self._merged(record, name) if isinstance(record, Record) else None
             for name, record in own.items()
@@ -96,7 +97,7 @@ class Laggings:
     def _found(self, name: str, place: Place) -> Record | None:
         """Return what a name or path stands for, outside the drive file or in it."""
         if name in self._own:
-            return self._own[name]
+            return self._own[name] if self._built[name] else None
         try:
             known = (*self._names, *catalogue.lagging_names())
             if not is_path(name) and name not in known:

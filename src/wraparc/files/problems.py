@@ -1,6 +1,5 @@
 """Places in a document, and the problems found there, collected so that all are told at once."""
 
-import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -11,7 +10,7 @@ from wraparc.errors import InputError, Problem, shown
 #: A place in a document: keys, names of tables in arrays, and positions counted from 1.
 Place = tuple[str | int, ...]
 
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
+_BARE = re.compile(r"[A-Za-z0-9_-]{1,60}")
 _STEP = re.compile(r"\.?([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]")
 _MOST = 50
 
@@ -32,7 +31,7 @@ def place_text(place: Place) -> str:
         if isinstance(step, int):
             text += f"[{step}]"
             continue
-        key = step if _BARE.fullmatch(step) else json.dumps(step, ensure_ascii=False)
+        key = step if _BARE.fullmatch(step) else shown(step)
         text += f".{key}" if text else key
     return text
 

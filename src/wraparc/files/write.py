@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from wraparc import catalogue
-from wraparc.drive import CREEP_LIMIT, DESIGN, Belt, Drive, Lagging, Limit, LoadCase, Pulley
+from wraparc.drive import DESIGN, Belt, Drive, Lagging, Limit, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.files.common_keys import FORMAT
 from wraparc.files.drive_build import Laggings, build_belt
@@ -135,8 +135,7 @@ def _drive_table(drive: Drive) -> Document:
     design = _design(drive)
     document: Document = {"format": FORMAT}
     document |= {key: text for key in ("title", "description") if (text := getattr(drive, key))}
-    if drive.creep_limit != CREEP_LIMIT:
-        document["creep_limit"] = quantity_text(drive.creep_limit, "length")
+    document["creep_limit"] = quantity_text(drive.creep_limit, "length")
     document["belt"] = _belt_table(drive.belt)
     document["pulley"] = [_pulley_table(pulley, design) for pulley in drive.pulleys]
     cases = [case for case in drive.load_cases if case.name != DESIGN]
@@ -227,9 +226,8 @@ def _common(lagging: Lagging) -> Tables:
     texts = {key: getattr(lagging, key) for key in ("title", "description", "surface")}
     table: Tables = {"name": lagging.name, **{key: text for key, text in texts.items() if text}}
     moduli = ("shear_modulus", "compression_modulus")
-    rigid = lagging.thickness == 0.0 and all(
-        getattr(lagging, key) == float("inf") for key in moduli
-    )
+    rigid = lagging.thickness == 0.0 and lagging.elastic_modulus is None
+    rigid = rigid and all(getattr(lagging, key) == float("inf") for key in moduli)
     quantities = _quantities(lagging, Lagging.LIMITS)
     table |= {key: text for key, text in quantities.items() if not (rigid and key in moduli)}
     if lagging.cost is not None:
