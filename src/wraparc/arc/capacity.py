@@ -196,7 +196,7 @@ def carry(
     par = parameters_at(0.6 * tight, geometry)
     guess = z if z == z else first_guess(law, par, target, goal)
     met, z, entry, shot, _ = meet(
-        law, geometry, target, goal, False, tight, 0.6 * tight, guess, steps, none
+        law, geometry, target, goal, False, tight, 0.6 * tight, guess, inf, steps, none
     )
     return (FOUND if met else STALLED), z, entry, shot
 
@@ -210,6 +210,7 @@ def meet(
     tension: float,
     entry: float,
     z: float,
+    most: float,
     steps: int,
     none: Buffer,
 ) -> tuple[bool, float, float, Shot, float]:
@@ -226,6 +227,8 @@ def meet(
         True: |T1 - T2| is `tension`; False: the exit tension is [N].
     entry, z
         First guess of the entry tension [N] and the effort.
+    most
+        Entry tension beyond which the search is given up [N].
 
     Returns
     -------
@@ -260,6 +263,8 @@ def meet(
         scale = min(1.0, 1.5 / max(abs(dz), 1e-300), 0.5 / max(abs(dt), 1e-300))
         dz, dt = scale * dz, scale * dt
         z, t = z + dz, t + dt
+        if t > log(most):
+            return False, z, exp(t), shot, 0.0
         n1, n2, shot = _misses(law, geometry, case, t, z, mesh, table, scratch, none)
         shrunk = max(abs(n1), abs(n2)) < 0.3 * size
         fresh = mesh < steps and not shrunk
@@ -332,36 +337,57 @@ def largest_ratio(
     A law flat past its peak has a supremum, with the friction of its plateau everywhere and no
     finite creep (inf). A softening law has a largest ratio over entry creep ratios below 1.
     """
-    radius, wrap, width = geometry[1], geometry[2], geometry[3]
+    side, radius, wrap, width = geometry[0], geometry[1], geometry[2], geometry[3]
+    supremum = plateau_capacity(law, tight / (width * radius), wrap)
     if not softening:
-        return plateau_capacity(law, tight / (width * radius), wrap), inf
-    entry = tight
-    best, creep, z = 0.0, 0.0, 0.0
-    for mesh, tolerance in ((COARSE_STEPS, 1e-4), (steps, 1e-9)):
-        for _ in range(60):
+        return supremum, inf
+    table, scratch = room(TABLE), room(STEP)
+    best, creep, z, miss_last = supremum, 0.0, -inf, 0.0
+    entry = tight if side > 0.0 else tight * exp(-best)
+    for mesh in (MEET_STEPS, steps):
+        last = log(entry)
+        for i in range(30):
             par = parameters_at(entry, geometry)
-            new, creep, z = _peak_of(law, par, z if best > 0.0 else -inf, mesh, none)
-            done = abs(new - best) < tolerance or geometry[0] > 0.0
-            best = new
-            if geometry[0] < 0.0:
-                entry = tight * exp(-best)
-            if done:
+            new, creep, z = _peak_of(law, par, z, mesh, table, scratch, none)
+            change, best = new - best, new
+            if side > 0.0 or abs(change) < (1e-4 if mesh < steps else 1e-10):
                 break
+            # braking: ln T1 = ln T2 - best(T1), by secants after the first substitution
+            aim = log(tight) - best
+            miss = aim - log(entry)
+            if i > 0 and miss != miss_last:
+                aim = log(entry) - miss * (log(entry) - last) / (miss - miss_last)
+            last, miss_last = log(entry), miss
+            entry = exp(aim)
     return best, creep
 
 
 def _peak_of(
-    law: Law, par: Parameters, near: float, steps: int, none: Buffer
+    law: Law,
+    par: Parameters,
+    near: float,
+    steps: int,
+    table: Buffer,
+    scratch: Buffer,
+    none: Buffer,
 ) -> tuple[float, float, float]:
     """Largest ln(tight/slack) over effort, the creep there [m] and the effort.
 
     `near` narrows the search to the neighbourhood of an earlier result.
     """
     top = largest_effort(law, par)
-    low, high = (0.0, top) if jumps(law) else (effort_of(par, par[SIDE] * 1e-5), top)
+    if jumps(law):
+        low, high = 0.0, top
+    else:
+        low, high = effort_of(par, par[SIDE] * 1e-5), top
+    width = 5e-2
     if near > -inf:
-        low, high = max(low, near - 0.1), min(high, near + 0.1)
-    z, shot = climb(law, par, low, high, 1e-4, steps, none)
+        low, high, width = max(low, near - 0.2), min(high, near + 0.2), 1e-2
+    buffer = none
+    if applies(law, par):
+        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+        buffer = table
+    z, shot = climb(law, par, low, high, width, steps, buffer, scratch, none)
     return value_of(par, shot, TENSION), par[SIDE] * shot[2], z
 
 
@@ -397,41 +423,41 @@ def least_slack(
         The smallest root [N] and nan; without a root nan and the largest pull there is [N].
     """
     met, z_met, entry_met, shot, growth = meet(
-        law, geometry, CREEP, limit, True, pull, entry, z, steps, none
+        law, geometry, CREEP, limit, True, pull, entry, z, 1.5 * tight_max, steps, none
     )
     if met and growth > 0.0:
         found = max(entry_met, entry_met * exp(shot[0]))
         if found <= tight_max:
             return found - pull, nan
-    # off the easy road: look for the first pull that is enough, from the slack end of the range
-    low, high = log(pull) + 1e-4, log(tight_max)
+    # off the easy road: does the pull still rise with tension at the top of the range?
+    low, high = max(log(pull) + 1e-4, log(tight_max) - 3.0), log(tight_max)
     if low >= high:
-        return nan, _pull(law, geometry, tight_max, limit, z, COARSE_STEPS, none)[0]
-    parts = 24
-    best_t, best_p, z = high, 0.0, nan
-    last_t = low
-    for i in range(parts + 1):
-        t = low + (high - low) * i / parts
-        p, z = _pull(law, geometry, exp(t), limit, z, COARSE_STEPS, none)
-        if p > best_p:
-            best_t, best_p = t, p
-        if p >= pull:
-            entry = exp(0.5 * (last_t + t))
-            if geometry[0] < 0.0:
-                entry -= min(pull, 0.9 * entry)
-            met, _, entry_met, shot, _ = meet(
-                law, geometry, CREEP, limit, True, pull, entry, z, steps, none
-            )
-            found = max(entry_met, entry_met * exp(shot[0]))
-            if met and found <= tight_max * (1.0 + 1e-9):
-                return found - pull, nan
-            return nan, nan
-        last_t = t
-    width = (high - low) / parts
-    most = _most(
-        law, geometry, limit, max(best_t - width, low), min(best_t + width, high), steps, none
+        return nan, _pull(law, geometry, tight_max, limit, z, steps, none)[0]
+    p_top, z_top = _pull(law, geometry, exp(high), limit, nan, MEET_STEPS, none)
+    step = 0.02 * (high - low)
+    p_in, _ = _pull(law, geometry, exp(high - step), limit, z_top, MEET_STEPS, none)
+    if p_in > p_top:
+        high, p_top = _most(law, geometry, limit, low, high, MEET_STEPS, none)
+    if p_top < pull:
+        return nan, _pull(law, geometry, exp(high), limit, z_top, steps, none)[0]
+    z_last = nan
+    for _ in range(60):
+        t = 0.5 * (low + high)
+        p, z_last = _pull(law, geometry, exp(t), limit, z_last, MEET_STEPS, none)
+        if p < pull:
+            low = t
+        else:
+            high = t
+        if high - low < 0.02:
+            break
+    entry = exp(high) if geometry[0] > 0.0 else exp(high) - pull
+    met, _, entry_met, shot, _ = meet(
+        law, geometry, CREEP, limit, True, pull, entry, z_last, inf, steps, none
     )
-    return nan, most
+    found = max(entry_met, entry_met * exp(shot[0]))
+    if met and found <= tight_max * (1.0 + 1e-9):
+        return found - pull, nan
+    return nan, nan
 
 
 def _pull(
@@ -450,15 +476,14 @@ def _pull(
 
 def _most(
     law: Law, geometry: Geometry, limit: float, a: float, b: float, steps: int, none: Buffer
-) -> float:
-    """Largest pull at a creep limit over ln(tight side) in [a, b] [N], by golden section."""
+) -> tuple[float, float]:
+    """ln(tight side) in [a, b] of the largest pull at a creep limit, and the pull [N]."""
     ratio = 0.6180339887498949
     z = nan
     c, d = b - ratio * (b - a), a + ratio * (b - a)
     p_c, z = _pull(law, geometry, exp(c), limit, z, steps, none)
     p_d, z = _pull(law, geometry, exp(d), limit, z, steps, none)
-    end, z = _pull(law, geometry, exp(b), limit, z, steps, none)
-    while b - a > 1e-4 and max(p_c, p_d) >= end:
+    while b - a > 1e-2:
         if p_c >= p_d:
             b, d, p_d = d, c, p_c
             c = b - ratio * (b - a)
@@ -467,4 +492,4 @@ def _most(
             a, c, p_c = c, d, p_d
             d = a + ratio * (b - a)
             p_d, z = _pull(law, geometry, exp(d), limit, z, steps, none)
-    return max(p_c, p_d, end)
+    return (c, p_c) if p_c >= p_d else (d, p_d)

@@ -43,7 +43,7 @@ def peak_stress(out: Buffer, count: int) -> tuple[float, float]:
             k = (fb / b - fa / a) / (b - a)
             m = fa / a - k * a
             y = -0.5 * m / k
-            if abs(y) < 0.5 * min(-a, b):
+            if a < y < b:
                 return t - 0.25 * m * m / k, s + y
     return t, s
 

@@ -35,6 +35,7 @@ from wraparc.arc.march import (
     slip_at_entry,
 )
 from wraparc.friction.compact import (
+    KNOT_STRIDE,
     KNOTS,
     LINE,
     PIECES,
@@ -52,9 +53,9 @@ from wraparc.friction.compact import (
 NODE = 11
 #: a step: its end Q, its segment, then nodes at 0, 1/3, 1/2, 2/3 and 1 of the step
 STEP = 2 + 5 * NODE
-#: a table: number of steps, Q reached, segment there, last Q, graded steps, step, entry pressure;
-#: then the steps
-HEAD = 7
+#: a table: number of steps, Q reached, segment there, last Q, graded steps, step, entry pressure,
+#: a spare, weight of the last node; then the steps
+HEAD = 9
 TABLE = HEAD + 320 * STEP
 GRADED_END = 0.1  # Q_a
 GRADED_POWER = 10
@@ -95,33 +96,56 @@ def _node(
 ) -> None:
     """Numbers of the law at Q in one of its segments, with dQ (times a Jacobian) as weight."""
     kind, edges, c, _ = law
-    sigma, shear = par[SIDE], par[SHEAR]
+    t1, p1, radius, _, compliance, shear, _, _, sigma, _ = par
     fall = exp(-sigma * q)
-    p = par[P1] * fall
-    slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(kind, edges, c, segment, p)
+    p = p1 * fall
     last = len(edges) - 1
+    if kind == KNOTS and 0 <= segment < last:
+        # the common case of `peak`, written out
+        k = segment * KNOT_STRIDE
+        t = p - edges[segment]
+        x1, x2, x3 = c[k + 1], c[k + 2], c[k + 3]
+        m1, m2, m3 = c[k + 5], c[k + 6], c[k + 7]
+        slip_pk = c[k] + t * (x1 + t * (x2 + t * x3))
+        mu_pk = c[k + 4] + t * (m1 + t * (m2 + t * m3))
+        slip_pk_p = x1 + t * (2.0 * x2 + 3.0 * t * x3)
+        mu_pk_p = m1 + t * (2.0 * m2 + 3.0 * t * m3)
+        softens = c[k + 8] != 0.0 or c[k + 9] != 0.0 or c[k + 10] != 0.0 or c[k + 11] != 0.0
+    else:
+        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(kind, edges, c, segment, p)
+        softens = True
     held = 1.0
-    if last >= 0 and segment >= last:
+    if segment >= last >= 0:
         held = edges[last] / p  # traction held: mu falls as 1/p
         mu_pk, mu_pk_p, slip_pk_p = mu_pk * held, -mu_pk * held / p, 0.0
-    r_mu = weight * par[RADIUS] / mu_pk
     bend = weight * sigma * shear * p
+    r_mu = weight * radius / mu_pk
     table[o] = 1.0 / slip_pk
     table[o + 1] = r_mu
-    table[o + 2] = r_mu * par[T1] * abs(1.0 - fall) * par[COMPLIANCE]
+    table[o + 2] = r_mu * t1 * abs(1.0 - fall) * compliance
     table[o + 3] = bend * (mu_pk + p * mu_pk_p)
     table[o + 4] = bend * p * mu_pk * slip_pk_p / slip_pk
     table[o + 5] = shear * p * mu_pk / slip_pk
     table[o + 6] = mu_pk * p
-    slope, residual, slope_p, residual_p = tail(kind, edges, c, segment, p)
     table[o + 7] = table[o + 8] = table[o + 10] = 0.0
     table[o + 9] = 1.0
+    if not softens:
+        return
+    slope, residual, slope_p, residual_p = tail(kind, edges, c, segment, p)
     mu_0, mu_0_p = mu_pk / held, (mu_pk_p if held == 1.0 else 0.0)
     if slope < 0.0 and residual < mu_0:
         table[o + 7] = slope * slip_pk / mu_0
         table[o + 8] = bend * p * mu_pk * slip_pk * (slope_p - slope * mu_0_p / mu_0) / mu_0
         table[o + 9] = residual / mu_0
         table[o + 10] = bend * p * mu_pk * (residual_p - residual * mu_0_p / mu_0) / mu_0
+
+
+def _weight(graded: bool, top: float, e: float, h: float) -> float:
+    """dQ of a step h at e: h, times dQ/d eta in the graded part."""
+    if not graded:
+        return h
+    e3 = e * e * e
+    return GRADED_POWER * top * e3 * e3 * e3 * h
 
 
 def _fill(
@@ -134,16 +158,25 @@ def _fill(
     h: float,
     table: Buffer,
     o: int,
+    known: int,
 ) -> None:
-    """Nodes of one step, from eta (graded) or Q = start over h."""
-    for i in range(5):
-        part = 0.0 if i == 0 else (1.0 if i == 4 else (2.0 + i - 1.0) / 6.0)
+    """Nodes of one step, from eta (graded) or Q = start over h.
+
+    `known` is the place of the end node of the step before, if that has the same segment, or -1.
+    """
+    first = 0
+    if known >= 0:
+        # the same node, but for its weight, the first of its numbers
+        scale = _weight(graded, top, start, h) / table[8]
+        for k in range(NODE):
+            scaled = k in (1, 2, 3, 4, 8, 10)
+            table[o + k] = table[known + k] * scale if scaled else table[known + k]
+        first = 1
+    for i in range(first, 5):
+        part = 0.0 if i == 0 else (1.0 if i == 4 else (1.0 + i) / 6.0)
         e = start + h * part
-        if graded:
-            e7 = e ** (GRADED_POWER - 1)
-            _node(law, par, segment, top * e7 * e, GRADED_POWER * top * e7 * h, table, o + NODE * i)
-        else:
-            _node(law, par, segment, e, h, table, o + NODE * i)
+        q = top * e**GRADED_POWER if graded else e
+        _node(law, par, segment, q, _weight(graded, top, e, h), table, o + NODE * i)
 
 
 def extend(law: Law, par: Parameters, table: Buffer) -> bool:
@@ -161,16 +194,19 @@ def extend(law: Law, par: Parameters, table: Buffer) -> bool:
     elif sigma < 0.0 and segment < len(edges) - 1:
         wall = min(end, log(edges[segment + 1] / par[P1]))
     table[o + 1] = table[2]
+    known = o - NODE if n > 0 and table[o - STEP + 1] == table[2] else -1
     if q < top * (1.0 - 1e-12):
         power = 1.0 / GRADED_POWER
         eta, part = (q / top) ** power, 1.0 / table[4]
         most = (min(wall, top) / top) ** power
         to = most if most - eta < 1.3 * part else eta + part
-        _fill(law, par, segment, True, top, eta, to - eta, table, o + 2)
+        _fill(law, par, segment, True, top, eta, to - eta, table, o + 2, known)
+        table[8] = _weight(True, top, to, to - eta)
         q = min(wall, top) if to == most else top * to**GRADED_POWER
     else:
         h = table[5] if wall - q > 1.3 * table[5] else wall - q
-        _fill(law, par, segment, False, top, q, h, table, o + 2)
+        _fill(law, par, segment, False, top, q, h, table, o + 2, known)
+        table[8] = h
         q = wall if q + h >= wall * (1.0 - 1e-13) else q + h
     if q >= wall * (1.0 - 1e-13) and wall < end:
         table[2] += -1.0 if sigma > 0.0 else 1.0
@@ -232,6 +268,9 @@ def _start(
     Without a kick the first step is closed analytically: at constant pressure
     Q gamma R = int mu du = mu_pk x_pk r^2 (3/4 - ln(r)/2) + c p mu^2 / 2.
     """
+    if gamma * par[LENGTH] < -0.1 * par[KICK]:
+        # the mesh expects slip to grow; a kick that is used up is for the march in position
+        return ASTRAY, 0, 0.0, 0.0, 0.0
     if par[KICK] > 0.0:
         return ARRIVED, 0, 0.0, slip_at_entry(law, par, par[KICK], 0.0), 0.0
     if gamma <= 1e-12:
@@ -336,7 +375,7 @@ def march(
         count = 1
     segment = segment_of(law[1], par[P1])
     branch = branch_of(law[0], law[1], law[2], law[3], segment, a, par[P1])
-    least = 0.02 * a if i == 0 else 0.0
+    least = 0.5 * a if i == 0 else 0.0
     inside = False  # whether q lies within step i
     for _ in range(4000):
         if i >= int(table[0]) and not extend(law, par, table):
@@ -345,7 +384,7 @@ def march(
         q_end, segment = table[o], int(table[o + 1])
         t, o = table, o + 2
         if inside:
-            _fill(law, par, segment, False, 1.0, q, q_end - q, scratch, 0)
+            _fill(law, par, segment, False, 1.0, q, q_end - q, scratch, 0, -1)
             t, o = scratch, 0
         if branch == RISE and t[o + 4 * NODE + 7] < 0.0 and a * t[o] > 1.0 + 1e-9:
             branch = LINE
@@ -370,10 +409,18 @@ def march(
             )  # fmt: skip
             q1, kink = q + part * (q1 - q), False
         if len(out) > 0:
-            count = _between(
-                law, par, gamma, segment, branch, (q, s, a, work), (q1, s1, a1, work1),
-                points, out, count,
-            )  # fmt: skip
+            start, end = (q, s, a, work), (q1, s1, a1, work1)
+            if _divided(par, points, s, s1):
+                # halve the step: cubics through its ends and middle are good to 1e-6
+                half = 0.5 * (q1 - q)
+                _fill(law, par, segment, False, 1.0, q, half, scratch, 0, -1)
+                sm, am, work_m = _step(scratch, 0, branch, gamma, s, a, work)
+                middle = (q + half, sm, am, work_m)
+                count = _between(
+                    law, par, gamma, segment, branch, start, middle, points, out, count
+                )
+                start = middle
+            count = _between(law, par, gamma, segment, branch, start, end, points, out, count)
             _record(law, par, q1, s1, a1, work1, out, count)
             out[RECORD * count + 6] = 1.0 if kink else 0.0
             count += 1
@@ -399,6 +446,13 @@ def _record(
     out[i + 3], out[i + 4], out[i + 5], out[i + 6] = side * creep, side * tau, work, 0.0
 
 
+def _divided(par: Parameters, points: int, s: float, s_end: float) -> bool:
+    """Whether a point of the equal division of the arc lies inside a step."""
+    part = par[LENGTH] / max(points, 1)
+    j = int(s / part * (1.0 + 1e-12)) + 1
+    return j < points and j * part < s_end * (1.0 - 1e-12)
+
+
 def _between(
     law: Law,
     par: Parameters,
@@ -414,9 +468,9 @@ def _between(
     """Record the points of the equal division inside a step (Q, s, a, work): cubics in s."""
     length = par[LENGTH]
     s, ds = start[1], end[1] - start[1]
-    j = int(s / length * points * (1.0 + 1e-12)) + 1
-    if j >= points or j * length / points >= end[1] * (1.0 - 1e-12):
+    if not _divided(par, points, s, end[1]):
         return count
+    j = int(s / length * points * (1.0 + 1e-12)) + 1
     d0 = _slopes(law, par, gamma, segment, branch, start[0], start[2])
     d1 = _slopes(law, par, gamma, segment, branch, end[0], end[2])
     while j < points and j * length / points < end[1] * (1.0 - 1e-12):
@@ -468,21 +522,34 @@ def _cut(
     part, s1, a1, work1 = 0.0, s, a, work
     if gap_0 >= 0.0:
         return part, s1, a1, work1
+    part = gap_0 / (gap_0 - gap_1)
     for _ in range(60):
-        part = (low * f_high - high * f_low) / (f_high - f_low)
-        _fill(law, par, segment, False, 1.0, q, part * (q_end - q), scratch, 0)
+        _fill(law, par, segment, False, 1.0, q, part * (q_end - q), scratch, 0, -1)
         s1, a1, work1 = _step(scratch, 0, branch, gamma, s, a, work)
-        gap = s1 / par[LENGTH] - 1.0 if to < 0 else _gap(scratch, 4 * NODE, branch, to, a1)
+        ds, da, _ = _rates(scratch, 4 * NODE, branch, gamma, a1)
+        if to < 0:
+            gap, slope = s1 / par[LENGTH] - 1.0, ds / (part * par[LENGTH])
+        else:
+            gap = _gap(scratch, 4 * NODE, branch, to, a1)
+            slope = (gap - f_low) / (part - low) if low > 0.0 or part < 1.0 else 0.0
         if abs(gap) < LANDING or high - low < 1e-15:
             break
         if gap > 0.0:
-            if f_high * gap > 0.0 and part != high:
-                f_low *= 0.5
             high, f_high = part, gap
         else:
-            if f_low * gap > 0.0 and low > 0.0:
-                f_high *= 0.5
             low, f_low = part, gap
+        if to >= 0:
+            slope = (f_high - f_low) / (high - low)
+            part = low - f_low / slope
+            # regula falsi keeps one end: halve its weight (Illinois)
+            if gap > 0.0:
+                f_low *= 0.5
+            else:
+                f_high *= 0.5
+        else:
+            part -= gap / slope
+        if not low < part < high:
+            part = 0.5 * (low + high)
     return part, s1, a1, work1
 
 
