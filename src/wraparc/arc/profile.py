@@ -25,26 +25,33 @@ def sort(out: Buffer, count: int) -> None:
 def peak_stress(out: Buffer, count: int) -> tuple[float, float]:
     """Largest magnitude of shear stress [Pa] and where it is, s [m].
 
-    Inside the arc it is the vertex of the parabola through the largest record and its neighbours;
-    kinks of the law are records themselves.
+    The vertex of the parabola through the largest record and its neighbours, or through the last
+    three if the largest is the last; kinks of the law are records themselves.
     """
     best = 0
     for i in range(1, count):
         if abs(out[RECORD * i + 4]) > abs(out[RECORD * best + 4]):
             best = i
     s, t = out[RECORD * best], abs(out[RECORD * best + 4])
-    if 0 < best < count - 1 and out[RECORD * best + 6] == 0.0:
-        a = out[RECORD * (best - 1)] - s
-        b = out[RECORD * (best + 1)] - s
-        fa = abs(out[RECORD * (best - 1) + 4]) - t
-        fb = abs(out[RECORD * (best + 1) + 4]) - t
-        if a < 0.0 < b and fa < 0.0 and fb < 0.0:
-            # t + m y + k y^2 through both neighbours
-            k = (fb / b - fa / a) / (b - a)
-            m = fa / a - k * a
-            y = -0.5 * m / k
-            if a < y < b:
-                return t - 0.25 * m * m / k, s + y
+    i, j = best - 1, best + 1
+    kink = out[RECORD * best + 6] == 1.0
+    if best == count - 1:
+        i, j = best - 2, best - 1
+        kink = i >= 0 and out[RECORD * j + 6] == 1.0
+    if i < 0 or kink:
+        return t, s
+    a, fa = out[RECORD * i] - s, abs(out[RECORD * i + 4]) - t
+    b, fb = out[RECORD * j] - s, abs(out[RECORD * j + 4]) - t
+    if a == 0.0 or b == 0.0 or a == b:
+        return t, s
+    # t + m y + k y^2 through both
+    k = (fb / b - fa / a) / (b - a)
+    m = fa / a - k * a
+    if k >= 0.0:
+        return t, s
+    y = -0.5 * m / k
+    if a < y < max(b, 0.0):
+        return t - 0.25 * m * m / k, s + y
     return t, s
 
 
