@@ -1,11 +1,12 @@
 """Files written as a whole or not at all, and told beforehand where that cannot be done."""
 
+import json
 import os
 import stat
 from collections.abc import Iterable
 from pathlib import Path
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem
 
 Location = str | os.PathLike[str]
 
@@ -59,11 +60,12 @@ def saving_problems(
     allowed = tuple(suffixes)
     if allowed and not name.lower().endswith(allowed):
         message = f"the kind of file is told by its ending, which must be {' or '.join(allowed)}"
-        remedy = f"Write for example {shown((os.path.splitext(name)[0] or 'file') + allowed[0])}."
-        return [Problem(key=key, value=shown(name), message=message, remedy=remedy)]
+        remedy = f"Write for example {_quoted((os.path.splitext(name)[0] or 'file') + allowed[0])}."
+        return [Problem(key=key, value=_quoted(name), message=message, remedy=remedy)]
     if any(_same(name, given) for given in inputs):
         message = "is the file that is read, and would be written over"
-        return [Problem(key=key, value=shown(name), message=message, remedy="Choose another name.")]
+        remedy = "Choose another name."
+        return [Problem(key=key, value=_quoted(name), message=message, remedy=remedy)]
     problem = _trial(name)
     return [] if problem is None else [_with_key(problem, key)]
 
@@ -81,11 +83,11 @@ def _trial(name: str) -> Problem | None:
         target = Path(os.path.realpath(name))
         if target.is_dir():
             return Problem(
-                value=shown(name), message="is a folder", remedy="Name a file in that folder."
+                value=_quoted(name), message="is a folder", remedy="Name a file in that folder."
             )
         if not target.parent.is_dir():
-            message = f"there is no folder {shown(str(target.parent))}"
-            return Problem(value=shown(name), message=message, remedy="Make the folder first.")
+            message = f"there is no folder {_quoted(str(target.parent))}"
+            return Problem(value=_quoted(name), message=message, remedy="Make the folder first.")
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(0, "Permission denied")
         if not target.exists() or stat.S_ISREG(target.stat().st_mode):
@@ -101,7 +103,13 @@ def _unwritable(path: Location, error: Exception) -> Problem:
     reason = getattr(error, "strerror", None) or str(error)
     message = f"cannot be written: {reason}"
     remedy = "Choose another place."
-    return Problem(value=shown(os.fspath(path)), message=message, remedy=remedy)
+    return Problem(value=_quoted(os.fspath(path)), message=message, remedy=remedy)
+
+
+def _quoted(path: str) -> str:
+    """Return a path for a message: whole, so that it can be found, and printable."""
+    text = json.dumps(path, ensure_ascii=False)
+    return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
 
 
 def _with_key(problem: Problem, key: str) -> Problem:

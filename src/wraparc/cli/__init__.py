@@ -11,7 +11,7 @@ from typing import NoReturn
 
 import click
 
-from wraparc.cli.group import LazyGroup
+from wraparc.cli.group import LazyGroup, NoReaderError
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 
@@ -53,7 +53,7 @@ def run(arguments: Sequence[str]) -> int:
     try:
         code = _invoke(list(arguments))
         sys.stdout.flush()
-    except BrokenPipeError:
+    except (NoReaderError, BrokenPipeError):
         # the interpreter would complain again when it flushes at its end
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return NO_READER
@@ -73,7 +73,7 @@ def _invoke(arguments: list[str]) -> int:
     except (InputError, MissingExtraError) as error:
         click.echo(f"Error: {error}", err=True)
         return BAD_INPUT
-    except BrokenPipeError:
+    except NoReaderError:
         raise
     except Exception as error:
         if "--debug" in arguments:

@@ -30,11 +30,12 @@ def lagging(name: str, units: System, plot_file: str | None) -> None:
     read = [name] if os.path.exists(name) else []
     check_outputs({"--plot": (plot_file, (".svg", ".png", ".pdf"))}, read)
     conditions = load_lagging_conditions(name)
+    show(lagging_sheet(conditions, units))
     if plot_file:
         from wraparc.plot import plot_lagging
 
         plot_lagging(conditions[0], units).save(plot_file)
-    show(lagging_sheet(conditions, units))
+        click.echo(f"Wrote {plot_file}", err=True)
 
 
 @click.command()

@@ -1,7 +1,7 @@
 """The commands by name, each imported only when it is called: start-up stays short."""
 
 from importlib import import_module
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import click
 
@@ -20,12 +20,26 @@ COMMANDS: dict[str, Command] = {
     "laggings": Command("wraparc.cli.catalogue:laggings", "List the laggings of the catalogue."),
     "lagging": Command("wraparc.cli.catalogue:lagging", "Show one lagging and its friction law."),
     "belts": Command("wraparc.cli.catalogue:belts", "List the belts of the catalogue."),
+    "read": Command("wraparc.cli.shear_test:read", "Show what a machine file was understood as."),
+    "fit": Command("wraparc.cli.shear_test:fit", "Fit a lagging's friction law to shear tests."),
+    "rig": Command("wraparc.cli.shear_test:rig", "Make virtual shear tests of a known law."),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 
 
+class NoReaderError(Exception):
+    """Whoever read the output has gone away."""
+
+
 class LazyGroup(click.Group):
     """A group whose commands are imported when they are called."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run a command; click would end the process if the reader of a pipe went away."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError as error:
+            raise NoReaderError from error
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names of the commands."""

@@ -3,6 +3,7 @@
 import io
 import os
 import sys
+from typing import Literal
 
 from rich.console import Console
 from rich.padding import Padding
@@ -73,20 +74,21 @@ def _show_table(out: Console, table: Table) -> None:
     out.print()
     out.print(Text(table.title, style="bold"))
     if table.rows:
-        out.print(Padding(_grid(out, table), (0, 0, 0, 1)))
+        out.print(Padding(_grid(table), (0, 0, 0, 1)))
     if table.note:
         out.print(Padding(Text(table.note, style="dim"), (0, 0, 0, 2)))
 
 
-def _grid(out: Console, table: Table) -> Grid:
+def _grid(table: Table) -> Grid:
     grid = Grid(box=None, show_header=any(table.heads), pad_edge=False, padding=(0, 1))
-    grid.add_column("", no_wrap=len(table.heads) == 1 or out.width >= _PIPED_WIDTH)
+    grid.add_column("", overflow="fold")
     if table.has_symbols:
-        grid.add_column("", style="dim", no_wrap=True)
+        grid.add_column("", style="dim", overflow="fold")
     for head in table.heads:
-        grid.add_column(Text(head), justify="right" if len(table.heads) > 1 else "left")
+        side: Literal["left", "right"] = "right" if len(table.heads) > 1 else "left"
+        grid.add_column(Text(head), justify=side, overflow="fold")
     if table.has_notes:
-        grid.add_column("")
+        grid.add_column("", overflow="fold")
     for row in table.rows:
         cells = [Text(row.title)]
         cells += [Text(row.symbol)] if table.has_symbols else []
@@ -98,7 +100,7 @@ def _grid(out: Console, table: Table) -> Grid:
 
 def _value(row: Row, text: str) -> Text:
     style = _STYLES[row.level] if row.level in (Level.WARNING, Level.BAD) else "bold"
-    return Text(text, style=style, no_wrap=len(text) < 24)
+    return Text(text, style=style)
 
 
 def _note(row: Row) -> Text:

@@ -13,9 +13,7 @@ from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files import load_drive
-from wraparc.present.document import json_text, result_document
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
-from wraparc.present.profile_csv import profile_csv
 from wraparc.saving import save_file
 from wraparc.units import System, parse_quantity
 
@@ -81,19 +79,33 @@ def solve(
     results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
     texts = {}
     if json_file:
-        texts[json_file] = json_text(result_document(results, file=file))
+        texts[json_file] = _json(results, file)
     if csv_file:
-        arcs = [arc for result in results for arc in result]
-        texts[csv_file] = profile_csv(arcs, units, decimal_comma=decimal_comma)
+        texts[csv_file] = _csv(results, units, decimal_comma)
     if STANDARD_OUTPUT in texts:
         click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
     else:
         _show(results, units, everything or load_case is not None)
     if plot_file and draw:
         draw(results, units).save(plot_file)
+        click.echo(f"Wrote {plot_file}", err=True)
     for path, text in texts.items():
         save_file(path, text)
+        click.echo(f"Wrote {path}", err=True)
     return exit_code(results[0])
+
+
+def _json(results: Sequence[DriveResult], file: str) -> str:
+    from wraparc.present.document import json_text, result_document
+
+    return json_text(result_document(results, file=file))
+
+
+def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:
+    from wraparc.present.profile_csv import profile_csv
+
+    arcs = [arc for result in results for arc in result]
+    return profile_csv(arcs, units, decimal_comma=decimal_comma)
 
 
 def exit_code(result: DriveResult) -> int:

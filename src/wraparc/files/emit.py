@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import tomli_w
-
 _WIDTH = 100
 # Tables that read best on a line of their own.
 _ON_ONE_LINE = ("provenance", "knots", "pieces", "rows")
@@ -58,8 +56,14 @@ def _value(value: object) -> str:
         if len(line) <= _WIDTH and not any(isinstance(item, Mapping) for item in value):
             return line
         return "[\n" + "".join(f"  {item},\n" for item in items) + "]"
-    return tomli_w.dumps({"k": value}).removeprefix("k = ").removesuffix("\n")
+    return _dumped("k", value).removeprefix("k = ")
 
 
 def _key(key: str) -> str:
-    return tomli_w.dumps({key: 0}).removesuffix(" = 0\n")
+    return _dumped(key, 0).removesuffix(" = 0")
+
+
+def _dumped(key: str, value: object) -> str:
+    import tomli_w  # reading a file needs none of it, and start-up is short
+
+    return tomli_w.dumps({key: value}).removesuffix("\n")

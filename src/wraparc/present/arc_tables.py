@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable
 
 from wraparc.arc import ArcResult
-from wraparc.present.sheet import NONE, Level, Row, Table, named, percent, row_of
+from wraparc.present.sheet import NONE, Level, Row, Table, between, named, percent, row_of
 from wraparc.units import System
 
 Results = tuple[ArcResult, ...]
@@ -43,7 +43,7 @@ def answer_table(results: Results, system: System) -> Table:
     where = f"at {named('peak_shear_position', first.peak_shear_position, system)} from the entry"
     pressure = Row(
         "Wrap pressure, entry to exit",
-        _values(results, lambda r: _span(r.profile.wrap_pressure, "wrap_pressure", system)),
+        _values(results, lambda r: _pressures(r, system)),
         "p",
     )
     rows = [
@@ -70,9 +70,9 @@ def answer_table(results: Results, system: System) -> Table:
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results))
 
 
-def _span(values: Iterable[float], name: str, system: System) -> str:
-    ordered = list(values)
-    return f"{named(name, ordered[0], system)} to {named(name, ordered[-1], system)}"
+def _pressures(result: ArcResult, system: System) -> str:
+    pressure = result.profile.wrap_pressure
+    return between("wrap_pressure", float(pressure[0]), float(pressure[-1]), system)
 
 
 def _creep_level(result: ArcResult) -> Level | None:

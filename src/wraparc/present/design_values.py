@@ -4,7 +4,7 @@ import math
 
 from wraparc.arc import ArcResult, ClassicalDrive, classical_drives
 from wraparc.drive import Lagging
-from wraparc.present.sheet import NONE, Level, Row, Table, named, percent
+from wraparc.present.sheet import NONE, Level, Row, Table, between, named, percent
 from wraparc.present.sources import Sources
 from wraparc.units import System, display
 
@@ -70,11 +70,7 @@ def _design_row(drive: ClassicalDrive, result: ArcResult, system: System, of: So
 
 
 def _pair(name: str, ends: tuple[float, float], system: System) -> str:
-    first, last = (named(name, end, system) for end in ends)
-    if first == last:
-        return first
-    number, _, unit = first.partition(" ")
-    return f"{number if last.endswith(unit) else first}-{last}"
+    return between(name, *ends, system, by="-")
 
 
 def comparison_sentence(result: ArcResult, lagging: Lagging, system: System) -> str:

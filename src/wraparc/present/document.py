@@ -2,11 +2,13 @@
 
 import json
 import math
-import platform
+import re
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
-from importlib.metadata import version
 from typing import Any
+
+import numpy as np
 
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
 from wraparc.drive import Belt, Drive, Lagging, design_remarks
@@ -18,6 +20,11 @@ from wraparc.version import __version__
 
 #: Counts up when a name goes or changes its meaning, not when one is added.
 DOCUMENT_FORMAT = 1
+
+_PYTHON = ".".join(map(str, sys.version_info[:3]))
+
+# An array of numbers as `json` indents it, to be put on one line.
+_NUMBERS = re.compile(r"\[\s+(?:-?[0-9.eE+-]+|null)(?:,\s+(?:-?[0-9.eE+-]+|null))*\s+\]")
 
 Data = dict[str, Any]
 
@@ -42,7 +49,7 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     return {
         "format": DOCUMENT_FORMAT,
         "program": {"name": "wraparc", "version": __version__},
-        "libraries": {"python": platform.python_version(), "numpy": version("numpy")},
+        "libraries": {"python": _PYTHON, "numpy": np.__version__},
         "drive": _drive_data(drive, file),
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
@@ -61,7 +68,8 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
 
 def json_text(document: Mapping[str, Any]) -> str:
     """Return a document as JSON that every reader takes: no NaN, no Infinity."""
-    return json.dumps(_plain(document), allow_nan=False, indent=1, ensure_ascii=False) + "\n"
+    text = json.dumps(_plain(document), allow_nan=False, indent=1, ensure_ascii=False)
+    return _NUMBERS.sub(lambda found: " ".join(found[0].split()), text) + "\n"
 
 
 def _plain(value: Any) -> Any:

@@ -1,5 +1,6 @@
 """The sheet of a solved drive."""
 
+import math
 from collections.abc import Iterator, Sequence
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
@@ -15,12 +16,10 @@ from wraparc.present.arc_tables import (
 )
 from wraparc.present.design_values import comparison_table
 from wraparc.present.inputs import input_table
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent
+from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, number, percent
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
-from wraparc.units import System
-
-_SUMMARY = ("T1", "T2", "T1/T2", "creep", "of limit", "shear", "least slack", "")
+from wraparc.units import System, display_unit
 
 
 def drive_sheet(
@@ -98,31 +97,36 @@ def _arc(drive: Drive, results: Results, system: System, of: Sources) -> list[Ta
 
 
 def _summary(results: Sequence[DriveResult], system: System) -> Table:
+    """One line for each arc and method; units stand in the heads, to keep the lines short."""
+    force, length = (display_unit(d, system)[0] for d in ("force", "length"))
+    heads = (
+        f"T1 [{force}]",
+        f"T2 [{force}]",
+        "T1/T2",
+        f"creep [{length}]",
+        "of limit",
+        f"least slack side [{force}]",
+        "",
+    )
     rows = []
     for result in results:
         for arc in result:
             method = f", {METHOD_TITLES[arc.method]}" if len(results) > 1 else ""
             title = f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
             rows.append(Row(title, _summary_values(arc, system), level=level_of(arc)))
-    return Table("All load cases and pulleys", tuple(rows), _SUMMARY)
+    return Table("All load cases and pulleys", tuple(rows), heads)
 
 
 def _summary_values(result: ArcResult, system: System) -> tuple[str, ...]:
-    arc = result.arc
-    asked = (
-        named("entry_tension", arc.entry_tension, system),
-        named("exit_tension", arc.exit_tension, system),
-        named("tension_ratio", arc.entry_tension / arc.exit_tension),
-    )
-    least = named("least_exit_tension", result.capacities.least_exit_tension, system)
-    if not result.status.solved:
-        return (*asked, "-", "-", "-", least, short(result))
+    arc, solved = result.arc, result.status.solved
+    creep = result.exit_creep if solved else math.nan
     return (
-        *asked,
-        named("exit_creep", result.exit_creep, system),
-        percent(abs(result.exit_creep) / arc.creep_limit),
-        named("peak_shear_angle", result.peak_shear_angle, system),
-        least,
+        number("entry_tension", arc.entry_tension, system),
+        number("exit_tension", arc.exit_tension, system),
+        number("tension_ratio", arc.entry_tension / arc.exit_tension, system),
+        number("exit_creep", creep, system),
+        percent(abs(creep) / arc.creep_limit),
+        number("least_exit_tension", result.capacities.least_exit_tension, system),
         short(result),
     )
 

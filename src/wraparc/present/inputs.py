@@ -4,7 +4,7 @@ import math
 
 from wraparc.arc import WrapArc
 from wraparc.drive import Belt, Drive, Lagging, Pulley
-from wraparc.present.sheet import Row, Table, named, percent, quantity, row_of
+from wraparc.present.sheet import Row, Table, between, named, percent, quantity, row_of
 from wraparc.present.sources import Sources
 from wraparc.units import System
 
@@ -77,11 +77,9 @@ def lagging_rows(lagging: Lagging, system: System, of: Sources) -> tuple[Row, ..
         rows.append(row_of("wear_coefficient", lagging.wear_coefficient, system=system, note=note))
     tested = lagging.law.tested
     if tested is not None:
-        low, high = (
-            named("wrap_pressure", p, system) for p in (tested.pressure_min, tested.pressure_max)
-        )
+        ends = between("wrap_pressure", tested.pressure_min, tested.pressure_max, system)
         slip = named("slip", tested.slip_max, system)
-        rows.append(Row("Tested range", (f"{low} to {high}",), "p", f"slip up to {slip}"))
+        rows.append(Row("Tested range", (ends,), "p", f"slip up to {slip}"))
     return tuple(rows)
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from wraparc.glossary import GLOSSARY
-from wraparc.units import Dimension, System, display
+from wraparc.units import Dimension, System, display, display_unit
 
 #: What stands where there is no number.
 NONE = "-"
@@ -140,6 +140,21 @@ def quantity(value: float, dimension: Dimension, system: System = "si") -> str:
 def named(name: str, value: float, system: System = "si") -> str:
     """Return the value [SI] of a quantity of the glossary with its unit."""
     return quantity(value, GLOSSARY[name].dimension, system)
+
+
+def number(name: str, value: float, system: System = "si") -> str:
+    """Return the value [SI] of a quantity of the glossary in the unit of its tables, bare."""
+    _, size = display_unit(GLOSSARY[name].dimension, system)
+    return quantity(value / size, "number")
+
+
+def between(name: str, first: float, last: float, system: System = "si", by: str = " to ") -> str:
+    """Return two values [SI] of a quantity of the glossary, ``387.5 to 125.0 kPa``."""
+    texts = [named(name, value, system) for value in (first, last)]
+    if texts[0] == texts[1]:
+        return texts[0]
+    number, _, unit = texts[0].partition(" ")
+    return f"{number if texts[1].endswith(' ' + unit) else texts[0]}{by}{texts[1]}"
 
 
 def row_of(

@@ -38,7 +38,7 @@ def short(result: ArcResult) -> str:
         return "breaks away"
     if result.status is Status.UNSOLVED:
         return "not solved"
-    return "carries" if result.within_creep_limit else "creep over limit"
+    return "carries" if result.within_creep_limit else "over limit"
 
 
 def _count(result: DriveResult) -> str:

@@ -1,0 +1,180 @@
+"""``wraparc read``, ``wraparc fit`` and ``wraparc rig``: shear tests to a lagging file."""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import click
+
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.show import show
+from wraparc.errors import InputError, Problem, shown
+from wraparc.units import System
+
+_DONE = 0
+
+
+@click.command()
+@click.argument("files", type=click.Path(), nargs=-1, required=True)
+@click.option("--travel", metavar="COLUMN", help="Column of the travel, by name or number.")
+@click.option("--force", metavar="COLUMN", help="Column of the pulling force.")
+@click.option("--normal-force", metavar="COLUMN", help="Column of the measured normal force.")
+@click.option("--time", metavar="COLUMN", help="Column of the time.")
+@click.option(
+    "--unit",
+    "units",
+    multiple=True,
+    metavar="COLUMN=UNIT",
+    help="Unit of a column where the file has none: --unit Load=N.",
+)
+@click.option("--decimal", type=click.Choice([".", ","]), help="Decimal sign.")
+@click.option("--delimiter", metavar="WORD", help="tab, semicolon, comma, bar or blanks.")
+@click.option("--encoding", metavar="NAME", help="For example cp1250.")
+@click.option("--sheet", metavar="NAME", help="Sheet of a workbook.")
+@click.option("--table", type=int, metavar="N", help="Which table of the file, from 1.")
+def read(files: tuple[str, ...], units: tuple[str, ...], **said: Any) -> int:
+    """Read machine FILES and show what was understood: columns, units, ranges, rows.
+
+    What a file does not say is asked for, never guessed.
+    """
+    from wraparc.report.shear_test_record import record_sheet
+    from wraparc.shear_test import Choices, read_machine_file
+
+    choices = Choices(units=_units(units), **said)
+    problems: list[Problem] = []
+    for number, file in enumerate(files):
+        try:
+            record = read_machine_file(file, choices)
+        except InputError as error:
+            problems += error.problems
+            continue
+        if number:
+            click.echo()
+        show(record_sheet(record))
+    if problems:
+        raise InputError(problems)
+    return _DONE
+
+
+def _units(given: tuple[str, ...]) -> dict[str, str]:
+    units = {}
+    for text in given:
+        column, sign, unit = text.rpartition("=")
+        if not sign or not column.strip() or not unit.strip():
+            raise InputError(
+                Problem(
+                    message="must be a column and its unit",
+                    remedy="Write for example --unit Load=N.",
+                    key="--unit",
+                    value=shown(text),
+                )
+            )
+        units[column.strip()] = unit.strip()
+    return units
+
+
+@click.command()
+@click.argument("plan", type=click.Path())
+@click.option("-o", "--output", metavar="FILE", help="Write the lagging file, .toml.")
+@click.option(
+    "--report",
+    "reports",
+    multiple=True,
+    metavar="FILE",
+    help="Write the report: .pdf, .png or .html; may be given more than once.",
+)
+@click.option("--bayes", is_flag=True, help="Sample the law's parameters with emcee.")
+@units_option
+def fit(plan: str, output: str | None, reports: tuple[str, ...], bayes: bool, units: System) -> int:
+    """Fit the friction law of a lagging to the tests of a PLAN.
+
+    Tests that cannot be used are left out and named; the law is that of the others.
+    """
+    from wraparc.files.plan_file import load_plan
+    from wraparc.files.write import save_lagging
+    from wraparc.report.shear_test import SUFFIXES, make_report
+    from wraparc.report.shear_test_tables import plan_sheet
+    from wraparc.shear_test import fit_plan
+
+    outputs: dict[str, tuple[str | None, tuple[str, ...]]] = {
+        f"--report {name}": (name, SUFFIXES) for name in reports
+    }
+    outputs["--output"] = (output, (".toml",))
+    check_outputs(outputs, [plan])
+    result = fit_plan(load_plan(plan), progress=_progress())
+    if bayes:
+        from wraparc.shear_test.bayes import sampled
+
+        result = sampled(result)
+    show(plan_sheet(result, units))
+    if output:
+        save_lagging(result.laggings, output)
+        click.echo(f"\nLagging file: {output}")
+    report = make_report(result, units) if reports else None
+    for name in reports:
+        if report is not None:
+            report.save(name)
+            click.echo(f"Report: {name}")
+    return _DONE
+
+
+def _progress() -> Any:
+    """Return what tells of progress on a terminal, or None."""
+    import sys
+
+    if not sys.stderr.isatty():
+        return None
+
+    def tell(done: int, total: int, what: str) -> None:
+        end = "\r" if done < total else "\r" + " " * 79 + "\r"
+        click.echo(f"{done}/{total} {what[-60:]:<60}" + end, err=True, nl=False)
+
+    return tell
+
+
+@click.command()
+@click.argument("folder", type=click.Path())
+@click.option(
+    "--lagging",
+    default="diamond-rubber",
+    show_default=True,
+    help="Lagging to test, of the catalogue or a file.",
+)
+@click.option(
+    "--pressures",
+    default="34 69 103 138 207 276 414 690",
+    show_default=True,
+    help="Set pressures [kPa].",
+)
+@click.option("--repeats", type=click.IntRange(1, 20), default=3, show_default=True)
+@click.option("--points", type=click.IntRange(20, 200_000), default=400, show_default=True)
+@click.option("--noise", type=click.FloatRange(0, 0.5), default=0.01, show_default=True)
+@click.option("--lash", type=click.FloatRange(0, 5), default=0.5, show_default=True, help="[mm]")
+@click.option("--scatter", type=click.FloatRange(0, 0.5), default=0.02, show_default=True)
+@click.option(
+    "--dialect",
+    "dialects",
+    multiple=True,
+    help="How machines write; several are taken in turn. All but the workbook if left out.",
+)
+@click.option("--seed", type=int, default=1, show_default=True)
+def rig(folder: str, lagging: str, pressures: str, dialects: tuple[str, ...], **said: Any) -> int:
+    """Make a FOLDER of virtual shear tests of a known law, with the plan to fit them.
+
+    For trying the reader and the fit, and for teaching: the files look as if machines had
+    written them, the truth is in the lagging they were made from.
+    """
+    from wraparc.cli.virtual_tests import write_virtual_tests
+
+    path = Path(folder)
+    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+        raise InputError(
+            Problem(
+                message="is there already and not an empty folder",
+                remedy="Name a new folder.",
+                value=shown(os.fspath(folder)),
+            )
+        )
+    plan = write_virtual_tests(path, lagging, pressures, dialects, **said)
+    click.echo(f"Plan: {plan}\nFit it:  wraparc fit {plan} -o {path / 'lagging.toml'}")
+    return _DONE

@@ -1,0 +1,128 @@
+"""A folder of virtual tests with its plan."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from wraparc.drive import Lagging
+from wraparc.errors import InputError, Problem, shown
+from wraparc.files import load_lagging
+from wraparc.files.emit import document_text
+from wraparc.files.quantity_text import quantity_text
+from wraparc.provenance import Kind
+from wraparc.saving import save_file
+from wraparc.shear_test import DIALECTS, Dialect, VirtualRig, run_virtual_test
+from wraparc.units import parse_number
+
+_AREA = 0.04
+_TEXT_DIALECTS = tuple(name for name in DIALECTS if name != "excel")
+
+
+def write_virtual_tests(
+    folder: Path, lagging: str, pressures: str, dialects: Sequence[str], **said: Any
+) -> Path:
+    """Write tests and plan; return the path of the plan.
+
+    Parameters
+    ----------
+    folder
+        Made if it is not there.
+    lagging
+        Name in the catalogue or path of a file.
+    pressures
+        Numbers in kPa, separated by blanks.
+    dialects
+        Names of `DIALECTS`, taken in turn.
+    **said
+        ``repeats``, ``points``, ``noise``, ``lash`` [mm], ``scatter``, ``seed``.
+    """
+    of = load_lagging(lagging)
+    values = _pressures(pressures)
+    writers = _dialects(dialects)
+    rig = VirtualRig(
+        law=of.law,
+        area=_AREA,
+        shear_compliance=of.shear_compliance,
+        lash=said["lash"] * 1e-3,
+        points=said["points"],
+        noise=said["noise"],
+        wander=0.003,
+        scatter_friction=said["scatter"],
+        scatter_slip=1.5 * said["scatter"],
+    )
+    folder.mkdir(parents=True, exist_ok=True)
+    tests: list[dict[str, Any]] = []
+    for pressure in values:
+        for repeat in range(1, said["repeats"] + 1):
+            dialect = writers[len(tests) % len(writers)]
+            test = run_virtual_test(rig, pressure, said["seed"] * 100_000 + len(tests))
+            name = f"{pressure / 1e3:04.0f}kPa-{repeat}{dialect.suffix}"
+            save_file(folder / name, dialect.write(test))
+            tests.append({"file": name, "pressure": quantity_text(pressure, "pressure")})
+            if dialect.units:
+                tests[-1]["units"] = dict(dialect.units)
+    plan = folder / "plan.toml"
+    save_file(plan, document_text(_plan(of, tests, said)))
+    return plan
+
+
+def _plan(lagging: Lagging, tests: list[dict[str, Any]], said: dict[str, Any]) -> dict[str, Any]:
+    sample: dict[str, Any] = {
+        "name": f"{lagging.name}-virtual"[:60],
+        "title": f"Virtual tests of {lagging.title or lagging.name}"[:200],
+    }
+    if lagging.surface:
+        sample["surface"] = lagging.surface
+    if lagging.thickness > 0.0 and lagging.shear_modulus < float("inf"):
+        sample["thickness"] = quantity_text(lagging.thickness, "length")
+        sample["shear_modulus"] = quantity_text(lagging.shear_modulus, "pressure")
+        if lagging.elastic_modulus:
+            sample["elastic_modulus"] = quantity_text(lagging.elastic_modulus, "pressure")
+        if lagging.compression_modulus < float("inf"):
+            modulus = quantity_text(lagging.compression_modulus, "pressure")
+            sample["compression_modulus"] = modulus
+        sample["roughness"] = "0.3 mm"
+    note = (
+        f"made by the virtual rig from the law of {lagging.name}: noise {said['noise']:g}, "
+        f"lash {said['lash']:g} mm, scatter between samples {said['scatter']:g}"
+    )
+    return {
+        "format": 1,
+        "lagging": sample,
+        "rig": {"name": "virtual rig", "sample_area": quantity_text(_AREA, "area"), "faces": 2},
+        "provenance": {"kind": Kind.ILLUSTRATIVE.value, "source": "virtual rig", "note": note},
+        "test": tests,
+    }
+
+
+def _pressures(text: str) -> list[float]:
+    try:
+        values = [parse_number(part) * 1e3 for part in text.split()]
+    except InputError as error:
+        raise InputError(
+            [Problem(message=p.message, remedy=p.remedy, key="--pressures") for p in error.problems]
+        ) from None
+    if not values or not all(0.0 < value <= 1e7 for value in values):
+        raise InputError(
+            Problem(
+                message="must be pressures in kPa, more than 0 and at most 10000",
+                remedy='Write for example --pressures "69 138 276".',
+                key="--pressures",
+                value=shown(text),
+            )
+        )
+    return sorted(set(values))
+
+
+def _dialects(names: Sequence[str]) -> list[Dialect]:
+    unknown = [name for name in names if name not in DIALECTS]
+    if unknown:
+        raise InputError(
+            Problem(
+                message="no dialect that is known",
+                remedy=f"The dialects are {', '.join(DIALECTS)}.",
+                key="--dialect",
+                value=shown(unknown[0]),
+            )
+        )
+    return [DIALECTS[name] for name in names or _TEXT_DIALECTS]

@@ -1,0 +1,78 @@
+"""``wraparc laggings``, ``lagging`` and ``belts``: everything there, with its source."""
+
+from pathlib import Path
+
+import pytest
+
+from cli.running import wraparc
+from wraparc import catalogue, load_lagging
+
+
+def test_laggings_lists_all_with_their_origin() -> None:
+    ran = wraparc("laggings")
+    assert ran.code == 0
+    for name in catalogue.lagging_names():
+        mu = float(load_lagging(name).law.friction(6.35e-3, 207e3))
+        assert f"{name} dry" in ran.words
+        assert f" {mu:.2f} illustrative [1]" in ran.words
+    assert "An illustrative lagging describes no real product." in ran.words
+
+
+def test_lagging_shows_law_coefficients_and_design_values() -> None:
+    """Expected A and b: A = -mu_pk/x_pk, b = A (1 + ln x_pk) of the knot 1.24, 16.5 mm."""
+    ran = wraparc("lagging", "full-ceramic")
+    assert ran.code == 0
+    assert "207.0 kPa -0.07515 -0.28583 16.50 mm 1.240 0 1/mm 1.240" in ran.words
+    assert "CEMA 0.50 published [3], dimpled ceramic" in ran.words
+    assert "Illustrative: it describes no product." in ran.words
+
+
+def test_lagging_in_us_units() -> None:
+    """A_in = 25.4 A_mm; 16.5 mm = 0.6496 in."""
+    ran = wraparc("lagging", "full-ceramic", "--units", "us")
+    assert f"30.02 psi {-1.24 / 16.5 * 25.4:.5f}" in ran.words
+    assert "0.6496 in" in ran.words
+
+
+def test_lagging_of_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(
+        'format = 1\nname = "mine"\nthickness = "0 mm"\n[[law]]\nkind = "constant"\n'
+        'friction = 0.4\n[[law]]\ncondition = "wet"\nkind = "constant"\nfriction = 0.25\n',
+        "utf-8",
+    )
+    ran = wraparc("lagging", path)
+    assert ran.code == 0
+    assert "Lagging (dry)" in ran.out
+    assert "Friction mu(x, p) (wet)" in ran.out
+    assert "0.250 0.250" in ran.words
+
+
+def test_lagging_draws(tmp_path: Path) -> None:
+    ran = wraparc("lagging", "diamond-rubber", "--plot", tmp_path / "a.pdf")
+    assert (ran.code, ran.err) == (0, f"Wrote {tmp_path / 'a.pdf'}\n")
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["diamond-ruber"], 'Error: "diamond-ruber": the catalogue has no lagging of this name. '
+         'Did you mean "diamond-rubber"? The command `wraparc laggings` lists them.\n'),
+        (["diamond-rubber", "--plot", "x.gif"], 'Error: --plot = "x.gif": the kind of file is told '
+         'by its ending, which must be .svg or .png or .pdf. Write for example "x.svg".\n'),
+        (["x.toml"], "Error: x.toml: cannot be read: No such file or directory. Check the path.\n"),
+    ],
+)  # fmt: skip
+def test_bad_names(arguments: list[str], sentence: str) -> None:
+    assert wraparc("lagging", *arguments) == (2, "", sentence)
+
+
+def test_belts_lists_all_by_kind() -> None:
+    ran = wraparc("belts")
+    assert ran.code == 0
+    for belt in catalogue.belts():
+        assert belt.name in ran.out
+    assert "Flexsteel ST2000 300.0 kN/m 144000 kN/m 1000 mm" in ran.words
+    assert "Plylon Plus 1000/4 175.0 kN/m 12960 kN/m -" in ran.words
+    assert "[1] Goodyear EP conveyor belt catalogue, 2012" in ran.words

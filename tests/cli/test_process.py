@@ -1,0 +1,191 @@
+"""The command line as a program: what it imports, how it ends, what it prints where."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import click
+import pytest
+
+from cli.running import DRIVE, drive_file, wraparc, wraparc_process
+from wraparc import __version__
+from wraparc.cli.group import COMMANDS, LazyGroup
+
+HEAVY = {"scipy", "numba", "pandas", "matplotlib", "pydantic", "PIL", "tomli_w"}
+
+_TELL_MODULES = """
+import atexit, json, sys
+atexit.register(lambda: print(json.dumps(sorted(sys.modules)), file=sys.stderr))
+"""
+
+
+def loaded_by(*arguments: object) -> set[str]:
+    """Return the modules that are loaded when a command has run."""
+    ran = wraparc_process(*arguments, code=_TELL_MODULES)
+    assert ran.returncode == 0, ran.stderr
+    return set(json.loads(ran.stderr.splitlines()[-1]))
+
+
+def test_solving_loads_nothing_heavy(tmp_path: Path) -> None:
+    path = drive_file(tmp_path)
+    loaded = loaded_by("solve", path, "--json", tmp_path / "a.json", "--csv", tmp_path / "a.csv")
+    tops = {name.partition(".")[0] for name in loaded}
+    assert "wraparc.arc.solver" in loaded
+    assert tops & HEAVY == set()
+
+
+def test_help_loads_neither_numbers_nor_commands() -> None:
+    for arguments in (("--help",), ("--version",), ()):
+        ran = wraparc_process(*arguments, code=_TELL_MODULES)
+        loaded = set(json.loads(ran.stderr.splitlines()[-1]))
+        tops = {name.partition(".")[0] for name in loaded}
+        assert tops & (HEAVY | {"numpy", "rich"}) == set()
+        assert "wraparc.cli.solve" not in loaded
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_of_the_list_is_there(name: str) -> None:
+    group = LazyGroup()
+    command = group.get_command(click.Context(group), name)
+    assert isinstance(command, click.Command)
+    assert command.help
+    assert COMMANDS[name].help.endswith(".")
+    ran = wraparc(name, "--help")
+    assert ran.code == 0
+    assert ran.out.startswith(f"Usage: wraparc {name} ")
+
+
+def test_help_lists_every_command_and_the_exit_codes() -> None:
+    ran = wraparc("--help")
+    assert ran.code == 0
+    for name, command in COMMANDS.items():
+        assert f"{name} {command.help}" in ran.words
+    assert "1 a drive cannot carry its load; the result is printed" in ran.words
+
+
+def test_version() -> None:
+    assert wraparc("--version") == (0, f"wraparc {__version__}\n", "")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["solv"], "Error: No such command 'solv'. Did you mean solve?\n"),
+        (["xyzzy"], "Error: No such command 'xyzzy'.\n"),
+        (["solve"], "Error: Missing argument 'FILE'.\n"),
+        (
+            ["solve", "a.toml", "--units", "metric"],
+            "'--units' (env var: 'WRAPARC_UNITS'): 'metric' is not one of 'si', 'us'.\n",
+        ),
+    ],
+)
+def test_wrong_usage_gives_exit_code_2(arguments: list[str], sentence: str) -> None:
+    ran = wraparc(*arguments)
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err.endswith(sentence)
+
+
+def test_the_usual_units_can_be_set_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("WRAPARC_UNITS", "us")
+    assert "0.2500 in" in wraparc("solve", drive_file(tmp_path)).out
+
+
+def test_an_interrupt_ends_quietly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupt(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("wraparc.cli.solve.solve_drive", interrupt)
+    assert wraparc("solve", drive_file(tmp_path)) == (130, "", "\nInterrupted.\n")
+
+
+def test_a_fault_is_one_line_and_a_traceback_only_on_request(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fault(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("by\nzero")
+
+    monkeypatch.setattr("wraparc.cli.solve.solve_drive", fault)
+    ran = wraparc("solve", drive_file(tmp_path))
+    assert (ran.code, ran.out) == (3, "")
+    assert ran.err == (
+        f"Error: a fault in wraparc {__version__} (ZeroDivisionError: by\\nzero). Please report it "
+        "with the input and with what the same command prints after `wraparc --debug`.\n"
+    )
+    with pytest.raises(ZeroDivisionError):
+        wraparc("--debug", "solve", drive_file(tmp_path))
+
+
+def test_a_reader_that_goes_away_is_no_fault() -> None:
+    script = "from wraparc.cli import main; main(['belts'])"
+    process = subprocess.Popen(
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    assert process.stdout is not None
+    assert process.stderr is not None
+    process.stdout.close()
+    error = process.stderr.read()
+    process.stderr.close()
+    assert process.wait() == 141
+    assert error == b""
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
+def test_a_console_that_lacks_letters_shows_others(tmp_path: Path, encoding: str) -> None:
+    path = drive_file(tmp_path, DRIVE.replace("Head drive", "Förderband ✓ Ω"))
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    ran = wraparc_process("solve", path, env=environment)
+    assert (ran.returncode, ran.stderr) == (0, b"")
+    title = ran.stdout.splitlines()[0]
+    assert title == "Förderband ✓ Ω".encode(encoding, "replace")
+    bad = wraparc_process("solve", tmp_path / "✓.toml", env=environment)
+    assert bad.returncode == 2
+    assert b"cannot be read" in bad.stderr
+
+
+def test_what_is_piped_is_plain_text(tmp_path: Path) -> None:
+    """No colour codes, no drawn lines, no blanks at line ends: whatever the words need is words."""
+    ran = wraparc_process("solve", drive_file(tmp_path))
+    text = ran.stdout.decode("ascii")
+    assert "\x1b" not in text
+    assert all(line == line.rstrip() for line in text.splitlines())
+    assert max(map(len, text.splitlines())) <= 110
+
+
+def test_the_width_of_a_pipe_can_be_given(tmp_path: Path) -> None:
+    ran = wraparc_process("solve", drive_file(tmp_path), env=os.environ | {"COLUMNS": "70"})
+    text = ran.stdout.decode("ascii")
+    assert max(map(len, text.splitlines())) <= 70
+    for words in ("Slip at exit", "2.500", "150.0", "carries"):
+        assert words in " ".join(text.split())
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
+@pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
+def test_a_terminal_gets_colour_unless_it_wants_none(
+    tmp_path: Path, no_color: str, coloured: bool
+) -> None:
+    import pty
+
+    environment = os.environ | {"TERM": "xterm-256color", "COLUMNS": "120"}
+    environment.pop("NO_COLOR", None)
+    if no_color:
+        environment["NO_COLOR"] = no_color
+    ours, theirs = pty.openpty()
+    script = f"from wraparc.cli import main; main(['solve', {str(drive_file(tmp_path))!r}])"
+    with subprocess.Popen([sys.executable, "-c", script], stdout=theirs, env=environment) as run:
+        os.close(theirs)
+        parts = []
+        try:
+            while part := os.read(ours, 65536):
+                parts.append(part)
+        except OSError:  # Linux ends a pseudo-terminal with an error
+            pass
+        run.wait()
+    os.close(ours)
+    text = b"".join(parts).decode()
+    assert run.returncode == 0
+    assert ("\x1b[1;33m" in text) is coloured
+    # the answer once more at the end, where the eye is
+    assert text.count("1 creeps more than the limit") == 2
