@@ -1,5 +1,7 @@
 """Drive and lagging files: the only place that knows their formats."""
 
+from typing import TYPE_CHECKING, Any
+
 from wraparc.files.drive_file import drive_from_document, drive_from_text, load_drive
 from wraparc.files.lagging_file import (
     lagging_from_document,
@@ -8,14 +10,16 @@ from wraparc.files.lagging_file import (
     load_lagging_conditions,
 )
 from wraparc.files.overrides import overridden, parse_override
-from wraparc.files.schema import json_schema
-from wraparc.files.write import (
-    drive_document,
-    drive_text,
-    lagging_text,
-    save_drive,
-    save_lagging,
-)
+
+if TYPE_CHECKING:
+    from wraparc.files.schema import json_schema
+    from wraparc.files.write import (
+        drive_document,
+        drive_text,
+        lagging_text,
+        save_drive,
+        save_lagging,
+    )
 
 __all__ = [
     "drive_document",
@@ -34,3 +38,12 @@ __all__ = [
     "save_drive",
     "save_lagging",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Import what writes files only where files are written: reading must start fast."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from wraparc.files import schema, write
+
+    return getattr(schema if name == "json_schema" else write, name)

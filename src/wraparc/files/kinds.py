@@ -17,6 +17,8 @@ from wraparc.errors import InputError, shown
 from wraparc.files.problems import NOTHING, Place, Report
 from wraparc.units import DIMENSION_TEXT, Dimension, display_unit, parse_quantity
 
+# The kinds are constants of the key modules. They are not frozen because making a frozen
+# dataclass takes five times as long, and every run of the command line makes them all.
 _CONTROLS_ALLOWED = frozenset("\n\t")
 
 
@@ -32,7 +34,7 @@ class Kind(ABC):
         """Return its JSON Schema; what forms need beyond the standard is in ``x-`` keys."""
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Quantity(Kind):
     """A number with its unit, read to SI."""
 
@@ -69,7 +71,7 @@ class Quantity(Kind):
         return schema
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Text(Kind):
     """Printable text."""
 
@@ -93,7 +95,7 @@ class Text(Kind):
         return {"type": "string", "maxLength": self.longest}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Name(Kind):
     """A name that other places refer to."""
 
@@ -112,7 +114,7 @@ class Name(Kind):
         return {"type": "string", "minLength": 1, "maxLength": self.longest}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Choice(Kind):
     """One of a few words."""
 
@@ -131,7 +133,7 @@ class Choice(Kind):
         return {"type": "string", "enum": list(self.options)}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Flag(Kind):
     """True or false."""
 
@@ -147,7 +149,7 @@ class Flag(Kind):
         return {"type": "boolean"}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class WordOr(Kind):
     """A word that stands for a value of its own, or a value of another kind."""
 
@@ -164,7 +166,7 @@ class WordOr(Kind):
         return {"anyOf": [{"const": self.word}, self.kind.schema()]}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Rows(Kind):
     """An array of values of one kind; tables with a name are called by it in messages."""
 
@@ -197,7 +199,7 @@ class Rows(Kind):
         }
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class ByName(Kind):
     """A table of values of one kind under names that the user chooses."""
 
@@ -223,7 +225,7 @@ class ByName(Kind):
         return {"type": "object", "additionalProperties": self.kind.schema()}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class TextOr(Kind):
     """Text, or a table."""
 
@@ -239,7 +241,7 @@ class TextOr(Kind):
         return {"anyOf": [self.text.schema(), self.table.schema()]}
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class OneOrMore(Kind):
     """One table, or an array of them; read as a list either way."""
 

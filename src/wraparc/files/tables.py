@@ -10,7 +10,7 @@ from wraparc.files.problems import NOTHING, Place, Report
 from wraparc.units import DIMENSION_TEXT
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Entry:
     """One key of a table.
 
@@ -61,7 +61,7 @@ class Record(dict[str, Any]):
         return self.faulty.isdisjoint(keys) if keys else not self.faulty
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Table(Kind):
     """A table with known keys; any other key is a fault."""
 
@@ -121,7 +121,7 @@ class Table(Kind):
         }
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False, repr=False)
 class Variant(Kind):
     """A table whose keys depend on the word under one of them."""
 

@@ -14,6 +14,7 @@ Coefficients stay decimal until they are scaled, so that what is written reads b
 import math
 import re
 from decimal import Decimal
+from functools import cache
 from typing import NamedTuple
 
 from wraparc.errors import InputError, Problem, shown
@@ -21,15 +22,6 @@ from wraparc.friction import Trend
 from wraparc.friction.integral_log import Form
 
 _NUMBER = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
-_TERM = re.compile(
-    rf"""\s*(?P<sign>[+-])?\s*(?P<number>{_NUMBER})?\s*\*?\s*
-    (?P<factor>
-        p (?:\s*\^\s* (?P<open>\()? \s*(?P<power>[+-]?{_NUMBER})\s* (?(open)\)))?
-      | ln\(\s*p\s*\) (?:\s*\^\s*(?P<log_power>[123]))?
-      | exp\((?P<exponent>(?:[^()]|\(\s*p\s*\))*)\)
-    )?\s*""",
-    re.VERBOSE,
-)
 _GRAMMAR = (
     "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm "
     "(-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."
@@ -100,11 +92,26 @@ def trend_text(trend: Trend, factor: float = 1.0) -> str:
     return f"{'-' if trend.sign < 0 else ''}{number}exp({text})"
 
 
+@cache
+def _grammar() -> re.Pattern[str]:
+    """Return the pattern of one term; few files need it."""
+    return re.compile(
+        rf"""\s*(?P<sign>[+-])?\s*(?P<number>{_NUMBER})?\s*\*?\s*
+        (?P<factor>
+            p (?:\s*\^\s* (?P<open>\()? \s*(?P<power>[+-]?{_NUMBER})\s* (?(open)\)))?
+          | ln\(\s*p\s*\) (?:\s*\^\s*(?P<log_power>[123]))?
+          | exp\((?P<exponent>(?:[^()]|\(\s*p\s*\))*)\)
+        )?\s*""",
+        re.VERBOSE,
+    )
+
+
 def _terms(text: str) -> list[_Term]:
+    pattern = _grammar()
     terms: list[_Term] = []
     position = 0
     while position < len(text):
-        match = _TERM.match(text, position)
+        match = pattern.match(text, position)
         if match is None or match.end() == position:
             raise _refused(text, "no equation over the pressure p")
         if not (match["number"] or match["factor"]) or (terms and not match["sign"]):
