@@ -1,5 +1,6 @@
 """Several drives on one belt: how the load divides, the speeds needed, motors, maps."""
 
+from wraparc.train.curve import Mark, MarkKind, ShareCurve, share_curve
 from wraparc.train.motors import (
     FluidCoupling,
     Induction,
@@ -10,17 +11,22 @@ from wraparc.train.motors import (
 from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
 from wraparc.train.solve import solve_train
 from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
+from wraparc.train.walk import Axis
 
 __all__ = [
+    "Axis",
     "CaseResult",
     "Division",
     "FluidCoupling",
     "Induction",
+    "Mark",
+    "MarkKind",
     "MemberResult",
     "Motor",
     "MotorPoint",
     "Motors",
     "Pulls",
+    "ShareCurve",
     "Shares",
     "Speeds",
     "TorqueFollower",
@@ -29,5 +35,6 @@ __all__ = [
     "TrainResult",
     "TrainStatus",
     "VariableSpeed",
+    "share_curve",
     "solve_train",
 ]

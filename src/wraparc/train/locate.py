@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from math import isnan
+from dataclasses import dataclass, replace
+from math import isnan, log1p
 
 from wraparc.train.member import COARSE, FINE, SHARP, Passage
 from wraparc.train.newton import Settled, settle
 from wraparc.train.result import TrainStatus
 from wraparc.train.system import Search, System
+
+
+#: Difference between two ways to the same speed that is left alone [-].
+_CORRECTED = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +32,8 @@ class Located:
         The solution with its slopes, if there is one.
     other_splits
         Shares of the unstable solutions.
+    fallen
+        The drives that break away, by index.
     """
 
     status: TrainStatus
@@ -36,6 +42,7 @@ class Located:
     level: float
     settled: Settled | None = None
     other_splits: tuple[tuple[float, ...], ...] = ()
+    fallen: tuple[int, ...] = ()
 
 
 def locate(system: System, names: Sequence[str], softening: bool) -> Located:
@@ -60,7 +67,35 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
         return _broken(system, names, tuple(search.follow(level)), level)
     if not states:
         return _broken(system, names, failed[0], search.level(levels[0]))
-    return _chosen(system, names, states)
+    return _corrected(system, _chosen(system, names, states))
+
+
+def _corrected(system: System, located: Located) -> Located:
+    """Return the tensions at which the arcs, solved for their tensions, meet the speeds.
+
+    Followed from effort to tension and solved from tension to effort, an arc has truncation
+    errors that differ by a little: what differs is added to the equations.
+    """
+    for _ in range(4):
+        state = located.settled
+        if state is None or not located.status.solved:
+            break
+        solved = [
+            m.between(p.entry, p.exit) for m, p in zip(system.members, state.passages, strict=True)
+        ]
+        pairs = list(zip(solved, state.passages, strict=True))
+        offsets = [log1p(-p.ratio) - log1p(-s.ratio) for s, p in pairs if s is not None]
+        if len(offsets) < len(pairs):
+            break
+        old = system.corrections or (0.0,) * len(offsets)
+        if max(abs(a - b) for a, b in zip(offsets, old, strict=True)) < _CORRECTED:
+            break
+        system = replace(system, corrections=tuple(offsets))
+        better = settle(system, state.passages, state.level, near=state)
+        if better is None:
+            break
+        located = replace(located, settled=better, passages=better.passages, level=better.level)
+    return located
 
 
 def _states(
@@ -89,21 +124,18 @@ def _chosen(system: System, names: Sequence[str], states: list[Settled]) -> Loca
     states = sorted(states, key=lambda s: max(abs(p.creep) for p in s.passages))
     state = next((s for s in states if s.stable), states[0])
     others = tuple(_shares(system, s) for s in states if s is not state)
-    sliding = [
-        name
-        for name, member, p, rising in zip(
-            names, system.members, state.passages, state.rising, strict=True
-        )
-        if not rising or (member.holds and not p.held)
-    ]
+    past = zip(system.members, state.passages, state.rising, strict=True)
+    fallen = tuple(
+        i for i, (m, p, rising) in enumerate(past) if not rising or (m.holds and not p.held)
+    )
     status, reason = TrainStatus.SOLVED, ""
-    if sliding:
+    if fallen:
         status = TrainStatus.BREAKAWAY
         reason = (
-            f"At these speeds {_listed(sliding)} away: the only balance there is has "
-            f"{'it' if len(sliding) == 1 else 'them'} sliding, past the peak of friction."
+            f"At these speeds {_listed(names, fallen)} away: the only balance there is has "
+            f"{'it' if len(fallen) == 1 else 'them'} sliding, past the peak of friction."
         )
-    return Located(status, reason, state.passages, state.level, state, others)
+    return Located(status, reason, state.passages, state.level, state, others, fallen)
 
 
 def _broken(
@@ -111,28 +143,29 @@ def _broken(
 ) -> Located:
     """Return the failure of a train, with the drives that break away."""
     fallen, exact = [], []
-    for name, member, p in zip(names, system.members, passages, strict=True):
+    for i, (member, p) in enumerate(zip(system.members, passages, strict=True)):
         known: Passage | None = p
         if isnan(p.effort):
             known = member.between(p.entry, p.exit)
             if known is None:
-                fallen.append(name)
+                fallen.append(i)
         elif member.slopes(p, FINE).exit_by_effort >= 0.0:
-            fallen.append(name)
+            fallen.append(i)
         exact.append(known or p)
-    if fallen:
-        reason = f"{_listed(fallen)} away: no creep makes enough friction."
-        return Located(TrainStatus.BREAKAWAY, reason, tuple(exact), level)
-    reached = passages[-1].exit
-    if abs(reached / system.exit - 1.0) > 1e-3:
+    status = TrainStatus.BREAKAWAY
+    reason = f"{_listed(names, fallen)} away: no creep makes enough friction." if fallen else ""
+    if not fallen and abs(passages[-1].exit / system.exit - 1.0) > 1e-3:
+        fallen = list(range(len(names)))
         reason = f"The friction of {' and '.join(names)} together cannot carry the load."
-        return Located(TrainStatus.BREAKAWAY, reason, tuple(exact), level)
-    return Located(TrainStatus.UNSOLVED, "", tuple(exact), level)
+    elif not fallen:
+        status = TrainStatus.UNSOLVED
+    return Located(status, reason, tuple(exact), level, fallen=tuple(fallen))
 
 
-def _listed(names: Sequence[str]) -> str:
+def _listed(names: Sequence[str], indices: Sequence[int]) -> str:
     """Return "a breaks" or "a and b break"."""
-    return f"{' and '.join(names)} break{'s' if len(names) == 1 else ''}"
+    verb = "breaks" if len(indices) == 1 else "break"
+    return f"{' and '.join(names[i] for i in indices)} {verb}"
 
 
 def _same(a: Settled, b: Settled) -> bool:

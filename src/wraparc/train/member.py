@@ -1,7 +1,7 @@
 """One pulley of a train as numbers: what goes in at the entry nip, what comes out.
 
 The unknown of a pulley is its *effort* y, a number of order one that grows with the creep towards
-the slack side. For laws that rise from zero friction the entry creep ratio is g = 1e-7 sinh(y); for
+the slack side. For laws that rise from zero friction the entry creep ratio is g = 1e-5 sinh(y); for
 laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.shoot`, with its sign.
 Both are continuous where the pulley changes from driving to braking.
 """
@@ -14,10 +14,12 @@ from math import asinh, cosh, exp, log1p, sinh
 from wraparc.arc import WrapArc
 from wraparc.arc.capacity import STUCK, Geometry, parameters_at, solve_tension
 from wraparc.arc.march import KICK, ONSET, SHEAR, Law, Parameters
-from wraparc.arc.shoot import FOUND, SMALL_RATIO, effort_of, fire, jumps, largest_effort
+from wraparc.arc.shoot import FOUND, effort_of, fire, jumps, largest_effort
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
 COARSE, SHARP, FINE = 8, 16, 24
+#: Entry creep ratio where the scale of efforts turns from linear to logarithmic.
+_RATIO_SCALE = 1e-5
 _STEP = 1e-4  # of effort and of ln(tension), for differences
 
 
@@ -98,6 +100,11 @@ class Member:
         par = parameters_at(1.0, self.geometry)
         return self.holds and par[SHEAR] + par[ONSET] == 0.0
 
+    @property
+    def compliance(self) -> float:
+        """1/EA' [1/N]."""
+        return self.geometry[4]
+
     def parameters(self, entry: float, side: float) -> Parameters:
         """Return the numbers of the march at an entry tension [N] and a side (+1, -1)."""
         return parameters_at(entry, (side, *self.geometry[1:]))
@@ -116,7 +123,7 @@ class Member:
 
     def effort_at(self, ratio: float) -> float:
         """Effort of an entry creep ratio; for laws that rise from zero friction."""
-        return asinh(ratio / SMALL_RATIO)
+        return asinh(ratio / _RATIO_SCALE)
 
     def passage(self, entry: float, effort: float, steps: int) -> Passage:
         """Send the belt over the pulley at an effort."""
@@ -129,9 +136,9 @@ class Member:
             if self.parameters(entry, 1.0)[KICK] > 0.0:
                 side = 1.0
             par = self.parameters(entry, side)
-            z = effort_of(par, SMALL_RATIO * sinh(effort))
+            z = effort_of(par, _RATIO_SCALE * sinh(effort))
         shot, _ = fire(self.law, par, z, steps, 0, [])
-        ratio = shot[5] if self.holds else SMALL_RATIO * sinh(effort)
+        ratio = shot[5] if self.holds else _RATIO_SCALE * sinh(effort)
         return Passage(entry, entry * exp(shot[0]), effort, ratio, shot[2], shot[1], shot[6] > 0.0)
 
     def between(self, entry: float, exit_: float, steps: int = FINE) -> Passage | None:
@@ -158,7 +165,7 @@ class Member:
         further = self.passage(at.entry, at.effort + sign * _STEP, steps)
         tighter = self.passage(at.entry + rise, at.effort, steps)
         here = self.passage(at.entry, at.effort, steps)
-        by_effort = SMALL_RATIO * cosh(at.effort)
+        by_effort = _RATIO_SCALE * cosh(at.effort)
         if self.holds:
             by_effort = (further.ratio - here.ratio) / (sign * _STEP)
         return Slopes(

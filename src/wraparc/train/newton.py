@@ -82,14 +82,16 @@ class Settled:
         return all(self.rising)
 
 
-def linearized(system: System, passages: Sequence[Passage]) -> tuple[Linear, tuple[bool, ...]]:
+def linearized(
+    system: System, passages: Sequence[Passage], steps: int = FINE
+) -> tuple[Linear, tuple[bool, ...]]:
     """Return the equations near a state, and whether each drive rises with its creep."""
     count = len(passages)
     matrix = np.zeros((count + 1, count + 1))
     pulls = np.zeros((count, count + 1))
     torques = np.zeros((count, count + 1))
     entry = np.zeros(count + 1)  # slopes of the entry tension
-    slopes = [m.slopes(at) for m, at in zip(system.members, passages, strict=True)]
+    slopes = [m.slopes(at, steps) for m, at in zip(system.members, passages, strict=True)]
     for i, (at, s) in enumerate(zip(passages, slopes, strict=True)):
         member = system.members[i]
         leaving = s.exit_by_entry * entry
@@ -120,22 +122,45 @@ def _speed_row(
     return np.asarray(row)
 
 
-def settle(system: System, passages: Sequence[Passage], level: float) -> Settled | None:
+def settle(
+    system: System,
+    passages: Sequence[Passage],
+    level: float,
+    steps: int = FINE,
+    near: Settled | None = None,
+    tolerance: float = TOLERANCE,
+) -> Settled | None:
     """Meet all equations from a state nearby; None if that fails.
 
     Slopes serve for several steps, as long as the misses shrink fast.
+
+    Parameters
+    ----------
+    system
+        The equations.
+    passages, level
+        The state to start from.
+    steps
+        Mesh steps of the arcs.
+    near
+        A state met before, whose slopes may do.
+    tolerance
+        Largest miss of a speed equation [-].
     """
     efforts = _efforts(system, passages)
     if efforts is None:
         return None
-    at = _Point.of(system, efforts, level)
-    for _ in range(30):
-        linear, rising = linearized(system, at.state)
+    at = _Point.of(system, efforts, level, steps)
+    for i in range(30):
+        if i == 0 and near is not None:
+            linear, rising = near.linear, near.rising
+        else:
+            linear, rising = linearized(system, at.state, steps)
         first = at
         for k in range(10):
-            if at.size <= TOLERANCE * _SPEED_WEIGHT:
-                if not _near(first.state, at.state):
-                    linear, rising = linearized(system, at.state)
+            if at.size <= tolerance * _SPEED_WEIGHT:
+                if near is None and not _near(first.state, at.state):
+                    linear, rising = linearized(system, at.state, steps)
                 return Settled(at.state, at.level, linear, rising)
             new = at.stepped(system, linear, search=k == 0)
             if new is None or new.size >= at.size:
@@ -144,8 +169,10 @@ def settle(system: System, passages: Sequence[Passage], level: float) -> Settled
             at = new
             if slow:
                 break
-        if at is first:  # no step is any better: rounding, or no solution
-            done = at.size <= 1e3 * TOLERANCE * _SPEED_WEIGHT
+        if at is first and (
+            i > 0 or near is None
+        ):  # no step is any better: rounding, or no solution
+            done = at.size <= 1e3 * tolerance * _SPEED_WEIGHT
             return Settled(at.state, at.level, linear, rising) if done else None
     return None
 
@@ -158,11 +185,12 @@ class _Point:
     level: float
     state: tuple[Passage, ...]
     misses: Array
+    steps: int
 
     @classmethod
-    def of(cls, system: System, efforts: Sequence[float], level: float) -> _Point:
-        state = _state(system, efforts)
-        return cls(tuple(efforts), level, state, _misses(system, state, level))
+    def of(cls, system: System, efforts: Sequence[float], level: float, steps: int) -> _Point:
+        state = _state(system, efforts, steps)
+        return cls(tuple(efforts), level, state, _misses(system, state, level), steps)
 
     @property
     def size(self) -> float:
@@ -182,7 +210,7 @@ class _Point:
         scale = min(1.0, _LARGEST_STEP / max(float(np.max(np.abs(step[:-1]))), 1e-300))
         for _ in range(15 if search else 1):
             efforts = [e + scale * float(d) for e, d in zip(self.efforts, step, strict=False)]
-            new = _Point.of(system, efforts, self.level + scale * float(step[-1]))
+            new = _Point.of(system, efforts, self.level + scale * float(step[-1]), self.steps)
             if new.size < self.size:
                 return new
             scale *= 0.5
@@ -202,10 +230,10 @@ def _efforts(system: System, passages: Sequence[Passage]) -> list[float] | None:
     return efforts
 
 
-def _state(system: System, efforts: Sequence[float]) -> tuple[Passage, ...]:
+def _state(system: System, efforts: Sequence[float], steps: int) -> tuple[Passage, ...]:
     entry, state = system.entry, []
     for member, effort, run in zip(system.members, efforts, system.runs, strict=True):
-        at = member.passage(max(entry, 1e-6 * system.entry), effort, FINE)
+        at = member.passage(max(entry, 1e-6 * system.entry), effort, steps)
         state.append(at)
         entry = at.exit + run
     return tuple(state)

@@ -1,0 +1,200 @@
+"""Vary one quantity of a solved train with the speeds held: from solution to solution."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from enum import StrEnum
+from math import log
+
+from wraparc.errors import InputError, Problem
+from wraparc.train.locate import locate
+from wraparc.train.member import SHARP, Member
+from wraparc.train.newton import Settled, settle
+from wraparc.train.result import CaseResult, TrainResult
+from wraparc.train.solve import Setup, arc_of
+from wraparc.train.system import Line, System
+from wraparc.train.train import Motors, Speeds, Train
+
+_TOLERANCE = 1e-8  # of a speed equation: about 1e-6 of a share
+_FURTHEST_GUESS = 1.0  # how far ahead, in parts of the way that is known, it is extrapolated
+
+
+class Axis(StrEnum):
+    """What is varied, by its name in the glossary."""
+
+    TRIM = "speed_trim"
+    DIAMETER = "diameter_ratio"
+    LOAD = "load_ratio"
+
+
+def held(result: TrainResult, case: str = "") -> tuple[Train, CaseResult]:
+    """Return a train whose drums keep the speeds of a solved load case, and that case.
+
+    Drives on motors keep their motors: those have their own way with speeds.
+    """
+    found = result[case] if case else result.cases[0]
+    if isinstance(found.case.division, Motors):
+        return replace(result.train, cases=(found.case,)), found
+    trims = (m.speed_trim for m in found.members)
+    speeds = tuple(t / d for t, d in zip(trims, result.train.nominal, strict=True))
+    case_held = replace(found.case, division=Speeds(speeds))
+    return replace(result.train, cases=(case_held,)), found
+
+
+class Walk:
+    """Goes along an axis, each solution the start of the next one.
+
+    Parameters
+    ----------
+    result, case
+        The solved train, and the load case to start from (the first one without a name).
+    axis, drive
+        What is varied, and of which drive (by index).
+
+    Raises
+    ------
+    InputError
+        If there is nothing to start from, or the axis has no meaning for the drive.
+    """
+
+    def __init__(self, result: TrainResult, case: str, axis: Axis, drive: int) -> None:
+        self.train, self.case = held(result, case)
+        _check(self.case, axis, drive)
+        self.axis, self.drive = axis, drive
+        setup = Setup.of(self.train, self.train.cases[0])
+        self.here = _here(self.train, self.case, axis, drive)
+        self._names = [p.name for p in self.train.pulleys]
+        self._softening = any(p.lagging.law.steepest_fall() < 0.0 for p in self.train.pulleys)
+        self.system = _systems(setup, axis, drive, self.here)
+        state = locate(setup.system, self._names, self._softening).settled
+        if state is None:
+            raise InputError(Problem(message="the speeds held have no solution to start from"))
+        self._start = (self.here, state)
+        self._past = [self._start]  # the last solutions, newest last
+        self.fallen: tuple[int, ...] = ()  # drives that broke away where the last step failed
+
+    def restart(self) -> None:
+        """Go back to the start."""
+        self.begin(*self._start)
+
+    def begin(self, value: float, state: Settled) -> None:
+        """Go on from a known solution."""
+        self._past = [(value, state)]
+
+    def to(self, value: float) -> Settled | None:
+        """Return the stable solution at a value, or None; it becomes the next start."""
+        system = self.system(value)
+        found = self._from_here(system, value)
+        if found is None or (self._softening and not found.stable):
+            located = locate(system, self._names, self._softening)
+            found = located.settled if located.status.solved else None
+            self.fallen = located.fallen
+        if found is not None and all(at != value for at, _ in self._past):
+            self._past = [*self._past[-2:], (value, found)]
+        return found
+
+    def outward(self, values: Sequence[float]) -> dict[float, Settled | None]:
+        """Solutions at all values, going both ways from the start."""
+        states = {}
+        ahead = sorted(v for v in values if v >= self.here)
+        behind = sorted((v for v in values if v < self.here), reverse=True)
+        for way in (ahead, behind):
+            self.restart()
+            for value in way:
+                states[value] = self.to(value)
+        return states
+
+    def _from_here(self, system: System, value: float) -> Settled | None:
+        """Return the solution near the one foretold by the last ones."""
+        state = self._past[-1][1]
+        weights = _extrapolation([at for at, _ in self._past], value)
+        old = [past for _, past in self._past]
+        efforts = [
+            sum(w * s.passages[i].effort for w, s in zip(weights, old, strict=True))
+            for i in range(len(state.passages))
+        ]
+        level = sum(w * s.level for w, s in zip(weights, old, strict=True))
+        passages = [replace(p, effort=e) for p, e in zip(state.passages, efforts, strict=True)]
+        near = None if self._softening else state
+        return settle(system, passages, level, steps=SHARP, near=near, tolerance=_TOLERANCE)
+
+    def shares(self, state: Settled, value: float) -> list[float]:
+        """Shares of a state [-]."""
+        total = self.system(value).pull
+        return [(p.entry - p.exit) / total for p in state.passages]
+
+    def loss_ratio(self, state: Settled, value: float) -> float:
+        """Power lost to creep over power at the surfaces [-]."""
+        loss = power = 0.0
+        for member, p in zip(self.system(value).members, state.passages, strict=True):
+            speed = (1.0 + p.entry * member.stretch) / (1.0 - p.ratio)
+            pull = p.entry - p.exit
+            loss += speed * pull * (p.ratio + 0.5 * pull * member.compliance)
+            power += speed * pull
+        return loss / abs(power) if power != 0.0 else math.nan
+
+
+def _extrapolation(at: Sequence[float], value: float) -> list[float]:
+    """Weights of known values for another place, by Lagrange; only the last one if it is far."""
+    reach = max(at) - min(at)
+    if len(at) == 1 or min(abs(value - x) for x in at) > _FURTHEST_GUESS * reach:
+        return [0.0] * (len(at) - 1) + [1.0]
+    return [math.prod((value - other) / (x - other) for other in at if other != x) for x in at]
+
+
+def _here(train: Train, case: CaseResult, axis: Axis, drive: int) -> float:
+    if axis is Axis.TRIM:
+        return case.members[drive].speed_trim
+    if axis is Axis.DIAMETER:
+        return train.pulleys[drive].diameter / train.nominal[drive]
+    return 1.0
+
+
+def _systems(setup: Setup, axis: Axis, drive: int, here: float) -> Callable[[float], System]:
+    """Return the equations as a function of the value on an axis."""
+    base, pulley = setup.system, setup.train.pulleys[drive]
+
+    def trimmed(value: float) -> System:
+        line, change = base.lines[drive], value / here
+        line = replace(line, speed=line.speed + log(change), scale=line.scale * change)
+        return replace(base, lines=_with(base.lines, drive, line))
+
+    def resized(value: float) -> System:
+        # the drum turns as fast as before: its surface speed goes with its radius
+        other = replace(pulley, diameter=pulley.diameter * value / here)
+        arc = arc_of(setup.train, setup.case, other, (base.entry,) * 2)
+        members = (*base.members[:drive], Member.of(arc), *base.members[drive + 1 :])
+        return replace(trimmed(value), members=members)
+
+    def loaded(value: float) -> System:
+        return replace(base, entry=base.exit - sum(base.runs) + value * base.pull)
+
+    return {Axis.TRIM: trimmed, Axis.DIAMETER: resized, Axis.LOAD: loaded}[axis]
+
+
+def _with(lines: tuple[Line, ...], index: int, line: Line) -> tuple[Line, ...]:
+    return (*lines[:index], line, *lines[index + 1 :])
+
+
+def _check(case: CaseResult, axis: Axis, drive: int) -> None:
+    problems = []
+    count, name = len(case.members), case.case.name
+    if count < 2:
+        message = "one pulley alone shares its load with nobody"
+        problems.append(Problem(key="pulley", value="1", message=message))
+    elif not 0 <= drive < count:
+        message = f"the drives are 0 to {count - 1}, in belt order"
+        problems.append(Problem(key="drive", value=str(drive), message=message))
+    elif axis is Axis.TRIM and drive == 0:
+        message = "trims are relative to the first drive"
+        problems.append(Problem(key="drive", value="0", message=message))
+    if not case.status.solved:
+        message = f"load case {name} has no solution to start from: {case.reason}"
+        problems.append(Problem(key="load_case", message=message))
+    elif case.case.effective_tension == 0.0:
+        message = f"in load case {name} the drives together pull nothing that they could share"
+        problems.append(Problem(key="load_case", message=message))
+    if problems:
+        raise InputError(problems)
