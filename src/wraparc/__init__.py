@@ -108,7 +108,11 @@ _ROOMS = {
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}
 
-views.install(html="wraparc.present:html", plot="wraparc.plot:plot", frame="wraparc.present:frame")
+views.install(
+    html="wraparc.present.notebook:html",
+    plot="wraparc.plot:plot",
+    frame="wraparc.present.notebook:frame",
+)
 
 
 def __getattr__(name: str) -> object:

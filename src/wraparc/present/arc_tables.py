@@ -86,7 +86,8 @@ def _outside_row(results: Results) -> Row:
     outside = any(result.outside_tested_share > 0.0 for result in results)
     note = "the friction law is an extrapolation there" if outside else ""
     level = Level.WARNING if outside else None
-    return Row("Outside the tested range", texts, "", note, "outside_tested_share", level)
+    title = row_of("outside_tested_share", 0.0).title
+    return Row(title, texts, "", note, "outside_tested_share", level)
 
 
 def creep_table(results: Results, system: System) -> Table:
