@@ -430,14 +430,15 @@ def least_slack(
         if found <= tight_max:
             return found - pull, nan
     # off the easy road: does the pull still rise with tension at the top of the range?
-    low, high = max(log(pull) + 1e-4, log(tight_max) - 3.0), log(tight_max)
+    low, high = log(pull) + 1e-4, log(tight_max)
     if low >= high:
         return nan, _pull(law, geometry, tight_max, limit, z, steps, none)[0]
     p_top, z_top = _pull(law, geometry, exp(high), limit, nan, MEET_STEPS, none)
-    step = 0.02 * (high - low)
+    step = min(0.02 * (high - low), 0.05)
     p_in, _ = _pull(law, geometry, exp(high - step), limit, z_top, MEET_STEPS, none)
     if p_in > p_top:
-        high, p_top = _most(law, geometry, limit, low, high, MEET_STEPS, none)
+        bottom = max(low, high - 3.0)
+        high, p_top = _most(law, geometry, limit, bottom, high, MEET_STEPS, none)
     if p_top < pull:
         return nan, _pull(law, geometry, exp(high), limit, z_top, steps, none)[0]
     z_last = nan
@@ -457,6 +458,23 @@ def least_slack(
     found = max(entry_met, entry_met * exp(shot[0]))
     if met and found <= tight_max * (1.0 + 1e-9):
         return found - pull, nan
+    # a flat road (friction that knows no slip): false position on the fine mesh (Illinois)
+    low, high = low - 0.02, high + 0.02
+    p_low, z_last = _pull(law, geometry, exp(low), limit, z_last, steps, none)
+    p_high, z_last = _pull(law, geometry, exp(high), limit, z_last, steps, none)
+    f_low, f_high = log(p_low / pull), log(p_high / pull)
+    for _ in range(60):
+        if f_low >= 0.0 or f_high <= 0.0:
+            return nan, nan
+        t = (low * f_high - high * f_low) / (f_high - f_low)
+        p, z_last = _pull(law, geometry, exp(t), limit, z_last, steps, none)
+        f = log(p / pull)
+        if abs(f) < 1e-9 or high - low < 1e-12:
+            return exp(t) - pull, nan
+        if f > 0.0:
+            high, f_high, f_low = t, f, 0.5 * f_low
+        else:
+            low, f_low, f_high = t, f, 0.5 * f_high
     return nan, nan
 
 

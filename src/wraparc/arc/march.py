@@ -46,6 +46,8 @@ T1, P1, RADIUS, LENGTH, COMPLIANCE, SHEAR, KICK, WIDTH, SIDE, ONSET = range(10)
 #: 1 where the law has a kink
 RECORD = 7
 MESH_POWER = 4
+LARGEST_LOG = 50.0  # of T/T1: a trial stage far off the solution may ask for more
+LEAST_COMPLIANCE = 1e-16  # of belt and lagging [1/N]: a rigid belt has a strain of 1e-10 at 1 MN
 # how near a cut lands on a boundary of the law (ln p, or slip [m]): where only the curvature of the
 # law jumps, the square of the miss counts
 CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE = 1e-6, 3e-4
@@ -96,7 +98,7 @@ def parameters(
         pressure,
         radius,
         radius * wrap_angle,
-        compliance,
+        max(compliance, LEAST_COMPLIANCE),
         shear,
         overrun,
         width,
@@ -111,7 +113,7 @@ def rates(
     """dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law."""
     kind, edges, c, slips = law
     t1, p1, radius, _, compliance, shear, _, _, _, _ = par
-    e = exp(q)
+    e = exp(min(q, LARGEST_LOG))
     p = p1 * e
     mu, mu_x, mu_p = friction_at(kind, edges, c, slips, segment, branch, x * sign, p)
     dq = -mu / radius
@@ -343,10 +345,10 @@ def advance(
             h = LARGEST_LOG_STEP / dq
         if kind == TABLE:
             # a cubic is not to be trusted far outside its cell
-            dx = abs(k[1]) * jacobian
             cell = slips[branch + 1] - slips[branch] if branch < len(slips) - 1 else inf
-            if dx * h > cell:
-                h = cell / dx
+            if abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi**MESH_POWER) > cell:
+                reach = xi**MESH_POWER + cell / (abs(k[1]) * span)
+                h = reach ** (1.0 / MESH_POWER) - xi
         q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
         if not cut:
             p = par[P1] * exp(q1)

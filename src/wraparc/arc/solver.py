@@ -90,7 +90,7 @@ class Distributed:
         least, most = nan, nan
         tested = arc.law.tested
         pull = abs(arc.effective_tension)
-        if pull > 0.0 and outcome == FOUND:
+        if pull > 1e-6 * tight and outcome == FOUND:
             top = 1e3 * tight
             if tested is not None:
                 top = tested.pressure_max * arc.width * arc.radius

@@ -14,7 +14,7 @@ the classical rest arc: no creep, T = T1.
 
 from __future__ import annotations
 
-from math import exp, log, sqrt, tanh
+from math import exp, expm1, log, sqrt, tanh
 
 from wraparc.arc.march import (
     COMPLIANCE,
@@ -56,7 +56,7 @@ def zone_end(law: Law, par: Parameters, length: float) -> tuple[float, float]:
     if compliance == 0.0:
         return par[T1], 0.0
     lag = shear_lag_length(par)
-    e = exp(-length / lag)
+    e, rise = exp(-length / lag), -expm1(-length / lag)
     half = tanh(0.5 * length / lag)
     ease = lag * par[COMPLIANCE]
     area = par[WIDTH] * par[RADIUS]
@@ -65,7 +65,7 @@ def zone_end(law: Law, par: Parameters, length: float) -> tuple[float, float]:
     for _ in range(200):
         tau, tau_p = onset_stress(law, t / area)
         u = par[SIDE] * compliance * tau
-        f = t - par[T1] + (par[KICK] * (1.0 - e) + (u - par[KICK] * e) * half) / ease
+        f = t - par[T1] + (par[KICK] * rise + (u - par[KICK] * e) * half) / ease
         if f > 0.0:
             high = t
         else:
@@ -89,7 +89,7 @@ def held_exit(law: Law, par: Parameters, exit_tension: float) -> tuple[bool, flo
     lag, length = shear_lag_length(par), par[LENGTH]
     e = exp(-length / lag)
     pull = (par[T1] - exit_tension) * lag * par[COMPLIANCE]
-    u = par[KICK] * e + (pull - par[KICK] * (1.0 - e)) / tanh(0.5 * length / lag)
+    u = par[KICK] * e + (pull + par[KICK] * expm1(-length / lag)) / tanh(0.5 * length / lag)
     limit = compliance * onset_stress(law, exit_tension / (par[WIDTH] * par[RADIUS]))[0]
     return abs(u) <= limit, u
 
@@ -100,10 +100,11 @@ def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tu
         return par[T1], 0.0
     lag = shear_lag_length(par)
     e, e_end = exp(-s / lag), exp(-length / lag)
-    # a sinh(s/l) and a (cosh(s/l) - 1), written so that nothing overflows
-    scale = (end_creep - par[KICK] * e_end) * exp((s - length) / lag) / (1.0 - e_end * e_end)
-    creep = par[KICK] * e + scale * (1.0 - e * e)
-    pull = par[KICK] * (1.0 - e) + scale * (1.0 - e) ** 2
+    # a sinh(s/l) and a (cosh(s/l) - 1), written so that nothing overflows or cancels
+    scale = (end_creep - par[KICK] * e_end) * exp((s - length) / lag) / -expm1(-2.0 * length / lag)
+    rise = -expm1(-s / lag)
+    creep = par[KICK] * e + scale * -expm1(-2.0 * s / lag)
+    pull = par[KICK] * rise + scale * rise * rise
     # a trial far off the solution may ask for more than all of the tension
     return max(par[T1] - pull / (lag * par[COMPLIANCE]), 1e-6 * par[T1]), creep
 
@@ -114,7 +115,7 @@ def zone_creep_ratio(par: Parameters, length: float, end_creep: float) -> float:
         return 0.0
     lag = shear_lag_length(par)
     e = exp(-length / lag)
-    a = 2.0 * (end_creep - par[KICK] * e) * e / (1.0 - e * e)
+    a = 2.0 * (end_creep - par[KICK] * e) * e / -expm1(-2.0 * length / lag)
     return (a - par[KICK]) / lag
 
 
