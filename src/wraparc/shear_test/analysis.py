@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.drive import Lagging
 from wraparc.errors import Problem
@@ -10,7 +11,7 @@ from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.misfit import JudgedFit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
-from wraparc.shear_test.pressure_fit import PressureFit
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.tails import Tails
@@ -89,8 +90,8 @@ class LeftOut:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ConditionResult:
-    """The law of one condition.
+class Findings:
+    """What the tests of one condition have shown.
 
     Parameters
     ----------
@@ -104,6 +105,8 @@ class ConditionResult:
         Whether each test disagrees with its repeats, shape (n,).
     repeat_distances
         Distance of each from its repeats [standard deviations], NaN without one, shape (n,).
+    points
+        The curves as points over pressure, as the law has used them.
     choice
         Form of the pressure dependence; None for a single pressure.
     fit
@@ -112,6 +115,33 @@ class ConditionResult:
         What follows the peak.
     left_out
         Predictions of left-out pressures.
+    """
+
+    condition: str
+    tests: tuple[TestResult, ...]
+    levels: NDArray[np.int64]
+    flagged: NDArray[np.bool_]
+    repeat_distances: Array
+    points: CurvePoints
+    choice: PressureChoice | None
+    fit: PressureFit | None
+    tails: Tails
+    left_out: tuple[LeftOut, ...]
+
+    def level_pressures(self) -> Array:
+        """Mean pressure of each level [Pa]."""
+        pressures = np.array([result.curve.pressure for result in self.tests])
+        return np.array([pressures[self.levels == k].mean() for k in np.unique(self.levels)])
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ConditionResult:
+    """The law of one condition.
+
+    Parameters
+    ----------
+    found
+        What the tests have shown.
     lagging
         The lagging with this law.
     misfit
@@ -120,23 +150,25 @@ class ConditionResult:
         Other sentences.
     """
 
-    condition: str
-    tests: tuple[TestResult, ...]
-    levels: np.ndarray[tuple[int], np.dtype[np.int64]]
-    flagged: np.ndarray[tuple[int], np.dtype[np.bool_]]
-    repeat_distances: Array
-    choice: PressureChoice | None
-    fit: PressureFit | None
-    tails: Tails
-    left_out: tuple[LeftOut, ...]
+    found: Findings
     lagging: Lagging
     misfit: tuple[str, ...]
     remarks: tuple[str, ...]
 
-    def level_pressures(self) -> Array:
-        """Mean pressure of each level [Pa]."""
-        pressures = np.array([result.curve.pressure for result in self.tests])
-        return np.array([pressures[self.levels == k].mean() for k in np.unique(self.levels)])
+    @property
+    def condition(self) -> str:
+        """``dry``, ``wet`` ..."""
+        return self.found.condition
+
+    @property
+    def tests(self) -> tuple[TestResult, ...]:
+        """Its tests, pressures ascending."""
+        return self.found.tests
+
+    @property
+    def fit(self) -> PressureFit | None:
+        """The law's fit over pressure; None for a single pressure."""
+        return self.found.fit
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -208,8 +208,19 @@ class NamedColumn:
         return self.name or f"column {self.index + 1}"
 
 
-def name_columns(header: Sequence[Sequence[str]], width: int) -> tuple[list[NamedColumn], str]:
+def name_columns(
+    header: Sequence[Sequence[str]], width: int, *, last_empty: bool = False
+) -> tuple[list[NamedColumn], str]:
     """Find names and units in the lines above a table.
+
+    Parameters
+    ----------
+    header
+        Lines above the table, as cells; the nearest is the last.
+    width
+        Number of columns.
+    last_empty
+        Whether the last column is empty, as behind a delimiter at the end of each row.
 
     Returns
     -------
@@ -222,7 +233,7 @@ def name_columns(header: Sequence[Sequence[str]], width: int) -> tuple[list[Name
     names: Sequence[str] = ()
     misfit = ""
     for row in reversed(header[-3:]):
-        cells = _fitted(row, width)
+        cells = _fitted(row, width, last_empty)
         if cells is None:
             if sum(any(suitability(c, role) for role in Role) for c in row) >= 2:
                 misfit = f"{_filled(row)} names stand above {width} columns"
@@ -242,16 +253,18 @@ def name_columns(header: Sequence[Sequence[str]], width: int) -> tuple[list[Name
     ], ""
 
 
-def _fitted(row: Sequence[str], width: int) -> list[str] | None:
-    """Fit a header line to the columns: empty cells at its end may be missing or too many."""
+def _fitted(row: Sequence[str], width: int, last_empty: bool) -> list[str] | None:
+    """Fit a header line to the columns, or refuse it.
+
+    One name too few is what decimal commas between delimiting commas look like: names must
+    be as many as columns, empty ones at the end apart.
+    """
     cells = [cell.strip() for cell in row]
     while len(cells) > width and not cells[-1]:
         cells.pop()
-    if len(cells) > width or len(cells) < min(2, width):
-        return None
-    if len(cells) < width and len(cells) < width - 1:
-        return None
-    return cells + [""] * (width - len(cells))
+    if len(cells) == width - 1 and last_empty:
+        cells.append("")
+    return cells if len(cells) == width else None
 
 
 def _filled(row: Sequence[str]) -> int:

@@ -1,16 +1,27 @@
-"""A fitted pressure dependence as a friction law, and its covariance at the law's knots."""
+"""What was found as a lagging: the law at its knots, and their covariance."""
+
+from datetime import UTC, datetime
+from typing import Any
 
 import numpy as np
 
-from wraparc.drive import Fit
+from wraparc.drive import Fit, Lagging
 from wraparc.friction import IntegralLog, PressureKnots, TestedRange
 from wraparc.friction.interpolation import evaluate, pchip
-from wraparc.shear_test.pressure_fit import PressureFit
+from wraparc.provenance import Kind, Provenance
+from wraparc.shear_test.analysis import Findings
+from wraparc.shear_test.plan import TestPlan
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, at_least, scatter_within
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
 
 _MOST_KNOTS = 24
 _CLOSE = 1e-3
+_ONE_PRESSURE_SCATTER = 0.02
+_METHOD = (
+    "integral-log law to each curve (soft-L1), then over pressure by generalised least "
+    "squares with the scatter between samples; covariance of the knots"
+)
 
 
 def knot_pressures(fit: PressureFit, tails: Tails) -> Array:
@@ -50,6 +61,11 @@ def _changing(tails: Tails) -> Array:
     return np.asarray(beside)
 
 
+def rounded(values: Array) -> Array:
+    """Six significant digits: more would only make a file harder to read."""
+    return np.array([float(f"{value:.6g}") for value in values.ravel()]).reshape(values.shape)
+
+
 def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) -> IntegralLog:
     """Return the law with knots at pressures.
 
@@ -64,8 +80,10 @@ def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) ->
     slip_max
         Largest tested slip [m].
     """
-    slip, friction = np.exp(peaks).T
+    pressure = rounded(pressure)
+    slip, friction = rounded(np.exp(peaks)).T
     slope, ratio = tails.at(pressure)
+    slope, residual = rounded(slope), rounded(ratio * friction)
     falls = bool(np.any(slope < 0.0))
     return IntegralLog(
         coefficients=PressureKnots(
@@ -73,33 +91,22 @@ def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) ->
             peak_friction=tuple(map(float, friction)),
             peak_slip=tuple(map(float, slip)),
             post_peak_slope=tuple(map(float, slope)) if falls else (),
-            residual_friction=tuple(map(float, ratio * friction)) if falls else (),
+            residual_friction=tuple(map(float, residual)) if falls else (),
         ),
         tested=TestedRange(
-            pressure_min=float(pressure[0]), pressure_max=float(pressure[-1]), slip_max=slip_max
+            pressure_min=float(pressure[0]),
+            pressure_max=float(pressure[-1]),
+            slip_max=float(rounded(np.array([slip_max]))[0]),
         ),
     )
 
 
-def knot_statistics(
-    law: IntegralLog,
-    covariance: Array,
-    *,
-    noise: float,
-    date: str,
-    method: str,
-    misfit: tuple[str, ...],
+def _knot_statistics(
+    law: IntegralLog, covariance: Array, found: Findings, misfit: tuple[str, ...]
 ) -> Fit:
-    """Statistics of the law's knots: names, values and covariance in SI units.
+    """Names, values and covariance of the law's knots, in SI units.
 
-    Parameters
-    ----------
-    law
-        The law.
-    covariance
-        Of (ln x_pk, ln mu_pk) at its knots, shape (n, n, 2, 2).
-    noise, date, method, misfit
-        As in `wraparc.drive.Fit`.
+    `covariance` is that of (ln x_pk, ln mu_pk) at the knots, shape (n, n, 2, 2).
     """
     knots = law.coefficients
     count = len(knots.pressure)
@@ -115,8 +122,89 @@ def knot_statistics(
         parameters=tuple(names),
         values=tuple(values.tolist()),
         covariance=tuple(tuple(row) for row in matrix.tolist()),
-        residual_noise=noise,
-        date=date,
-        method=method,
+        residual_noise=float(np.median([test.curve.noise for test in found.tests])),
+        date=datetime.now(UTC).date().isoformat(),
+        method=_METHOD,
         misfit=misfit,
     )
+
+
+def lagging_of(
+    plan: TestPlan, found: Findings, misfit: tuple[str, ...], remarks: tuple[str, ...]
+) -> Lagging:
+    """Return the lagging with the law that was found.
+
+    Parameters
+    ----------
+    plan
+        The plan.
+    found
+        What the tests have shown.
+    misfit, remarks
+        Sentences that go with it.
+    """
+    if found.fit is None:
+        pressure, peaks, covariance = _single_pressure(found.points)
+    else:
+        pressure = knot_pressures(found.fit, found.tails)
+        peaks, covariance = found.fit.peaks(pressure), found.fit.peak_covariance(pressure)
+    law = law_through(pressure, peaks, found.tails, _slip_max(found))
+    statistics = _knot_statistics(law, covariance, found, misfit)
+    return Lagging(
+        name=plan.name,
+        title=plan.title,
+        description=plan.description,
+        surface=plan.surface,
+        condition=found.condition,
+        law=law,
+        fit=statistics,
+        provenance=plan.provenance,
+        notes=remarks,
+        **elasticity(plan),
+    )
+
+
+def _slip_max(found: Findings) -> float:
+    """Slip that was reached at every pressure [m]."""
+    reached = np.array([test.fit.slip_max for test in found.tests])
+    return float(min(reached[found.levels == k].max() for k in np.unique(found.levels)))
+
+
+def _single_pressure(points: CurvePoints) -> tuple[Array, Array, Array]:
+    """One knot: the mean of the curves, with the scatter between samples if it is known."""
+    scatter = scatter_within(points)
+    if scatter is None:
+        scatter = at_least(np.eye(2) * _ONE_PRESSURE_SCATTER**2)
+    weights = np.linalg.inv(points.covariance + scatter)
+    covariance = np.linalg.inv(weights.sum(0))
+    mean = covariance @ np.einsum("nij,nj->i", weights, points.value)
+    pressure = np.array([float(points.pressure.mean())])
+    return pressure, mean[None], covariance[None, None]
+
+
+def elasticity(plan: TestPlan) -> dict[str, Any]:
+    """Thickness and moduli of the lagging, and how those not given were estimated.
+
+    Without thickness or shear modulus, or with the shear left in the slip, the lagging is
+    written as one that does not shear: its shear is in the law already.
+    """
+    given: dict[str, Any] = {}
+    sources: dict[str, Provenance] = {}
+    if plan.thickness is not None and plan.shear_modulus_used is not None and plan.removes_shear:
+        young = plan.elastic_modulus or 3.0 * plan.shear_modulus_used
+        given["thickness"] = plan.thickness
+        given["shear_modulus"] = plan.shear_modulus_used
+        given["compression_modulus"] = plan.compression_modulus or young
+        if plan.shear_modulus is None:
+            sources["shear_modulus"] = Provenance(Kind.GIVEN, note="estimated: G = E/3")
+        if plan.compression_modulus is None:
+            text = "E_c = E" if plan.elastic_modulus else "E_c = 3 G"
+            note = f"estimated: {text}, no stiffening by the shape of blocks"
+            sources["compression_modulus"] = Provenance(Kind.GIVEN, note=note)
+        own = Provenance(Kind.GIVEN, note="as in the test plan")
+        for key in ("thickness", "shear_modulus", "compression_modulus"):
+            sources.setdefault(key, own)
+    if plan.elastic_modulus is not None:
+        given["elastic_modulus"] = plan.elastic_modulus
+        sources["elastic_modulus"] = Provenance(Kind.GIVEN, note="as in the test plan")
+    return given | {"sources": sources}

@@ -114,7 +114,12 @@ class PressureFit:
 
     def peak_errors(self, pressure: Array) -> Array:
         """Standard errors of `peaks`, shape (n, 2)."""
-        return np.asarray(np.sqrt(np.einsum("nnii->ni", self.peak_covariance(pressure))))
+        return np.asarray(np.sqrt(np.einsum("nii->ni", self.own_covariance(pressure))))
+
+    def own_covariance(self, pressure: Array) -> Array:
+        """Covariance of (ln x_pk, ln mu_pk) at each pressure by itself, shape (n, 2, 2)."""
+        _, jacobian = ln_peaks(self.form, self.theta, self.ends, pressure)
+        return np.asarray(jacobian @ self.covariance @ jacobian.transpose(0, 2, 1))
 
     def peak_covariance(self, pressure: Array) -> Array:
         """Covariance of `peaks`, shape (n, n, 2, 2)."""

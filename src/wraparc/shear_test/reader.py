@@ -9,10 +9,10 @@ import numpy as np
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.shear_test.choose import Chosen, choose_columns
-from wraparc.shear_test.columns import Role, name_columns, suitability
+from wraparc.shear_test.columns import Role, suitability
 from wraparc.shear_test.numerals import NumeralStyle, looks_numeric, numbers, style_of
 from wraparc.shear_test.record import Array, Choices, ColumnInfo, Dropped, MachineRecord
-from wraparc.shear_test.sentinels import cut_row, sentinel_rows
+from wraparc.shear_test.sentinels import last_row, off_trend, sentinel_rows
 from wraparc.shear_test.sniff import decode, is_workbook
 from wraparc.shear_test.tables import DELIMITER_NAMES, RawTable, tables_in_text
 from wraparc.shear_test.workbook import tables_in_workbook
@@ -159,7 +159,7 @@ def _pick_table(
 
 def _merit(table: RawTable) -> tuple[bool, int]:
     """Tables with a travel and a force by name come first, then the longest."""
-    columns, _ = name_columns(table.header, len(table.columns))
+    columns, _ = table.named()
     known = all(
         any(suitability(c.name, role) > 0 for c in columns) for role in (Role.TRAVEL, Role.FORCE)
     )
@@ -185,7 +185,7 @@ def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> Non
 def _record(
     table: RawTable, choices: Choices, source: _Source, notes: tuple[str, ...]
 ) -> MachineRecord:
-    named, complaint = name_columns(table.header, len(table.columns))
+    named, complaint = table.named()
     if complaint and choices.travel is None:
         raise InputError(
             Problem(
@@ -290,7 +290,8 @@ def _kept_rows(
     travel, force = (data[chosen.columns[r][0].index] for r in (Role.TRAVEL, Role.FORCE))
     drop(sentinel_rows(travel, force, keep), "a mark of the machine, not a reading")
     if table.cut:
-        drop(cut_row(travel, force, keep), "the last line is cut short")
+        cut = last_row(keep) if table.shorter else off_trend(travel, force, keep)
+        drop(cut, "the last line is cut short")
     return keep, tuple(dropped)
 
 

@@ -1,46 +1,30 @@
 """What is to be said of a condition's law: where it fails, and what must be known of it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.shear_test.analysis import LeftOut, TestResult
+from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.consistency import FAR
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.record import Array
-from wraparc.shear_test.tails import Tails
 
 _PREDICTED = 2.0
 _FAR_FROM_LAW = 3.5
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Findings:
-    """What is known of a condition before it is put into words; see `ConditionResult`."""
-
-    plan: TestPlan
-    tests: Sequence[TestResult]
-    choice: PressureChoice | None
-    law: PressureFit | None
-    left_out: Sequence[LeftOut]
-    tails: Tails
-    distances: Array
-    flagged: NDArray[np.bool_]
-
-
-def law_sentences(found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
+def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Sentences on misfit, and remarks, of one condition's law."""
-    tests, law, choice = found.tests, found.law, found.choice
+    tests, law, choice = found.tests, found.fit, found.choice
     misfit = [f"{t.name}: {s}" for t in tests for s in t.judged.misfit]
-    misfit += _repeats(tests, found.distances, found.flagged)
+    misfit += _repeats(tests, found.repeat_distances, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found.flagged)
         misfit += _predictions(found.left_out)
-    remarks = [_shear_sentence(found.plan)]
+    remarks = [_shear_sentence(plan)]
     if law is None or choice is None:
         pressure = tests[0].curve.pressure / 1e3
         remarks.append(
@@ -48,7 +32,7 @@ def law_sentences(found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
             "laggings do; test at other pressures before relying on it elsewhere"
         )
     else:
-        remarks += _form(law, choice) + _transition(found.plan, law, choice)
+        remarks += _form(law, choice) + _transition(plan, law, choice)
     if not all(found.tails.reached):
         remarks.append(
             "where the residual friction was not reached, the lowest friction seen is used for it"

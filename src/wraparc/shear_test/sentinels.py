@@ -48,8 +48,15 @@ def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
     return found
 
 
-def cut_row(travel: Array, force: Array, keep: Mask) -> Mask:
-    """The last row, if its values leave the trend of those before it.
+def last_row(keep: Mask) -> Mask:
+    """Return the last row in use."""
+    last = np.zeros(len(keep), dtype=bool)
+    last[np.flatnonzero(keep)[-1:]] = True
+    return last
+
+
+def off_trend(travel: Array, force: Array, keep: Mask) -> Mask:
+    """Return the last row, if its values leave the trend of those before it.
 
     For a file that ends without a line end: a number cut in the middle is still a number.
     """

@@ -9,12 +9,13 @@ import itertools
 import re
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.shear_test.bulk import Bulk, read_bulk
+from wraparc.shear_test.columns import NamedColumn, name_columns
 from wraparc.shear_test.numerals import NumeralStyle, looks_numeric
 from wraparc.shear_test.record import Array
 
@@ -26,6 +27,7 @@ _HEAD = 150
 _LARGEST_GAP = 2
 _HEADER_KEPT = 40
 _ALL_NUMERIC = re.compile(r'[-+\u22120-9eE.,;|\t "]*[0-9][-+\u22120-9eE.,;|\t "]*')
+_LAST_DECIMALS = re.compile(r"[.,](\d*)\"?\s*$")
 _EMPTY = ' ;,|\t"'
 _WHOLE_LINE_QUOTED = re.compile(r'"(?:[^"]|"")*"')
 
@@ -49,7 +51,10 @@ class RawTable:
     delimiter
         What stands between the cells; empty for a workbook.
     cut
-        Whether the last row ends the file without a line end.
+        Whether the last row ends the file without a line end, so that its last number may be
+        incomplete.
+    shorter
+        Whether that number also has fewer decimals than those above it.
     sheet
         Name of the sheet in a workbook.
     style
@@ -63,6 +68,7 @@ class RawTable:
     skipped: tuple[tuple[int, str], ...] = ()
     delimiter: str = ""
     cut: bool = False
+    shorter: bool = False
     sheet: str = ""
     style: NumeralStyle | None = None
 
@@ -70,6 +76,12 @@ class RawTable:
     def rows(self) -> int:
         """Number of rows."""
         return len(self.lines)
+
+    def named(self) -> tuple[list[NamedColumn], str]:
+        """Return the columns with their names and units, and a complaint; see `name_columns`."""
+        last = self.columns[-1]
+        empty = not isinstance(last, np.ndarray) and not any(str(cell).strip() for cell in last)
+        return name_columns(self.header, len(self.columns), last_empty=empty)
 
 
 def tables_in_text(
@@ -110,11 +122,20 @@ def tables_in_text(
         above = [line for line in lines[start : run.first] if line.strip(_EMPTY)]
         header = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
         if bulk is not None and run is runs[-1]:
-            tables.append(_bulk_table(bulk, run.first, header, sign, cut=not ended))
+            tables.append(_bulk_table(bulk, run.first, header, sign))
         else:
-            cut = not ended and run.last >= len(lines) - 2
-            tables.append(_text_table(cells, run, header, sign, cut=cut))
+            tables.append(_text_table(cells, run, header, sign))
+    if tables and not ended and tables[-1].lines[-1] == len(lines):
+        tables[-1] = replace(tables[-1], cut=True, shorter=_has_fewer_decimals(lines))
     return tables
+
+
+def _has_fewer_decimals(lines: Sequence[str]) -> bool:
+    counts = []
+    for line in lines[-21:]:
+        match = _LAST_DECIMALS.search(line)
+        counts.append(len(match[1]) if match else 0)
+    return counts[-1] < min(counts[:-1], default=0)
 
 
 def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str) -> list[RawTable]:
@@ -161,8 +182,6 @@ def _text_table(
     run: "_Run",
     header: tuple[tuple[str, ...], ...],
     sign: str,
-    *,
-    cut: bool,
 ) -> RawTable:
     return RawTable(
         place=f"lines {run.first + 1} to {run.last + 1}",
@@ -171,13 +190,10 @@ def _text_table(
         lines=np.array(run.rows, dtype=np.int64) + 1,
         skipped=tuple((k + 1, reason) for k, reason in run.skipped),
         delimiter=sign,
-        cut=cut,
     )
 
 
-def _bulk_table(
-    bulk: Bulk, first: int, header: tuple[tuple[str, ...], ...], sign: str, *, cut: bool
-) -> RawTable:
+def _bulk_table(bulk: Bulk, first: int, header: tuple[tuple[str, ...], ...], sign: str) -> RawTable:
     count = len(bulk.values)
     return RawTable(
         place=f"lines {first + 1} to {first + count}",
@@ -185,7 +201,6 @@ def _bulk_table(
         columns=tuple(bulk.values.T),
         lines=np.arange(first + 1, first + count + 1),
         delimiter=sign,
-        cut=cut,
         style=bulk.style,
     )
 

@@ -1,0 +1,1 @@
+"""Documents that are kept: the report of shear tests, the calculation note."""

@@ -1,0 +1,39 @@
+"""What was understood of a machine file, as a sheet."""
+
+import math
+
+from wraparc.present.sheet import NONE, Row, Sheet, Table
+from wraparc.shear_test.record import MachineRecord
+
+
+def record_sheet(record: MachineRecord) -> Sheet:
+    """Return columns, units, ranges, rows kept and dropped, and every choice made."""
+    written = [record.encoding]
+    if record.delimiter:
+        written += [f"delimiter {record.delimiter}", f"decimal sign {record.decimal}"]
+    columns = tuple(
+        Row(
+            title=column.name,
+            values=(column.unit or NONE, _span(column.low), _span(column.high)),
+            note=f"used as {column.role.replace('_', ' ')}" if column.role else "",
+        )
+        for column in record.columns
+    )
+    rows = [Row("Rows of numbers", (str(record.rows),)), Row("Kept", (str(len(record.travel)),))]
+    rows += [
+        Row("Left out", (str(item.count),), note=f"{item.reason}, from line {item.line}")
+        for item in record.dropped
+    ]
+    return Sheet(
+        title=record.file,
+        subtitle=f"{record.place}; {', '.join(written)}",
+        tables=(
+            Table("Columns", columns, ("unit", "lowest", "highest")),
+            Table("Rows", tuple(rows)),
+        ),
+        remarks=tuple(note[:1].upper() + note[1:] + "." for note in record.notes),
+    )
+
+
+def _span(value: float) -> str:
+    return NONE if math.isnan(value) else f"{value:.6g}"

@@ -1,0 +1,323 @@
+"""Tables of a fitted test plan, for console, page and paper alike."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.friction import ab_from_peak
+from wraparc.present.sheet import NONE, Level, Row, Sheet, Table, Verdict
+from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.derivative import derivative_check
+from wraparc.shear_test.pressure_fit import t95
+from wraparc.shear_test.pressure_form import equations
+from wraparc.units import System, display_unit
+
+Array = NDArray[np.float64]
+_Z95 = 1.959964
+
+
+def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
+    """Return everything to show of a fitted plan.
+
+    Parameters
+    ----------
+    result
+        From `fit_plan`.
+    system
+        Units to show; A and b stay per millimetre of slip, as printed by the paper.
+    """
+    tables: list[Table] = []
+    remarks: list[str] = []
+    for condition in result.conditions:
+        several = len(result.conditions) > 1
+        name = f" ({condition.condition})" if several else ""
+        tables += condition_tables(condition, system, name)
+        prefix = f"{condition.condition}: " if several else ""
+        remarks += [prefix + sentence for sentence in condition.remarks]
+    if result.left_out:
+        tables.insert(0, left_out_table(result))
+    return Sheet(
+        title=f"Shear tests of {result.plan.title or result.plan.name}",
+        subtitle=_subtitle(result),
+        verdict=verdict(result),
+        tables=tuple(tables),
+        remarks=tuple(_started(sentence) for sentence in remarks),
+        sources=(str(result.plan.provenance),),
+    )
+
+
+def _subtitle(result: PlanResult) -> str:
+    used = sum(len(condition.tests) for condition in result.conditions)
+    names = ", ".join(condition.condition for condition in result.conditions)
+    return f"{used} of {len(result.plan.tests)} tests used; condition {names}"
+
+
+def _started(sentence: str) -> str:
+    return sentence[:1].upper() + sentence[1:] + ("" if sentence.endswith(".") else ".")
+
+
+def verdict(result: PlanResult) -> Verdict:
+    """Say in a sentence how far the law describes the tests."""
+    misfit = [sentence for condition in result.conditions for sentence in condition.misfit]
+    shown = tuple(_started(sentence) for sentence in misfit)
+    if result.left_out:
+        count = len({problem.file for problem in result.left_out})
+        headline = f"{count} of {len(result.plan.tests)} tests could not be used"
+        if misfit:
+            headline += f", and the law does not describe all others ({len(misfit)} remarks below)"
+        return Verdict(Level.WARNING, headline + ".", shown)
+    if misfit:
+        headline = f"The law does not describe everything: {len(misfit)} remarks."
+        return Verdict(Level.WARNING, headline, shown)
+    return Verdict(Level.GOOD, "The law describes the tests within their noise and scatter.")
+
+
+def left_out_table(result: PlanResult) -> Table:
+    """Tests that could not be used, and why."""
+    rows = tuple(Row(_started(str(problem)), ()) for problem in result.left_out)
+    return Table("Tests left out", rows, heads=())
+
+
+def condition_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
+    """Tables of one condition."""
+    tables = [
+        curves_table(condition, system, name),
+        coefficients_table(condition, system, name),
+        law_table(condition, system, name),
+    ]
+    if condition.fit is not None and condition.found.choice is not None:
+        lines = equations(condition.fit.form, condition.fit.theta, condition.fit.ends)
+        tables.append(Table(f"Equations over pressure{name}", tuple(Row(x, ()) for x in lines), ()))
+        tables.append(forms_table(condition, name))
+    if condition.found.left_out:
+        tables.append(prediction_table(condition, system, name))
+    if any(test.other is not None for test in condition.tests):
+        tables.append(shear_table(condition, system, name))
+    return tables
+
+
+def curves_table(condition: ConditionResult, system: System, name: str) -> Table:
+    """One line a test: the peak of its own curve, lash, quality."""
+    unit, size = display_unit("length", system)
+    heads = (
+        _pressure_head(system),
+        f"peak slip [{unit}]",
+        "peak friction",
+        f"lash [{unit}]",
+        "R\u00b2",
+        "noise",
+    )
+    rows = tuple(
+        Row(
+            title=test.test.file,
+            values=_curve_values(test, system, size),
+            note="outlier"
+            if condition.found.flagged[k]
+            else ("misfit" if test.judged.misfit else ""),
+        )
+        for k, test in enumerate(condition.tests)
+    )
+    note = (
+        "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets lies "
+        "beyond the tested slip. Noise: standard deviation of one reading of friction."
+    )
+    return Table(f"Tests{name}", rows, heads, note)
+
+
+def _curve_values(test: TestResult, system: System, size: float) -> tuple[str, ...]:
+    fit, q = test.fit, test.fit.parameters
+    slip = _with_error(q.peak_slip / size, _Z95 * fit.error("ln_peak_slip") * q.peak_slip / size)
+    held = f"{q.lash / size:.3g} (held)"
+    lash = _with_error(q.lash / size, _Z95 * fit.error("lash") / size)
+    return (
+        _number(test.curve.pressure / display_unit("pressure", system)[1]),
+        slip if fit.peak_inside else f"({slip})",
+        _with_error(q.peak_friction, _Z95 * fit.error("ln_peak_friction") * q.peak_friction),
+        lash if "lash" in fit.free else held,
+        f"{fit.r_squared:.4f}",
+        f"{test.curve.noise:.4f}",
+    )
+
+
+def coefficients_table(condition: ConditionResult, system: System, name: str) -> Table:
+    """One line a test: the paper's A and b, and what follows the peak."""
+    unit, size = display_unit("length", system)
+    rows = []
+    for test in condition.tests:
+        fit, q = test.fit, test.fit.parameters
+        (a, b), (by_a, by_b) = fit.coefficients(), fit.coefficient_errors()
+        slope = _with_error(q.post_peak_slope * size, _Z95 * fit.error("post_peak_slope") * size)
+        level = _with_error(q.residual_friction, _Z95 * fit.error("residual_friction"))
+        check = derivative_check(fit)
+        rows.append(
+            Row(
+                title=test.test.file,
+                values=(
+                    _with_error(a, _Z95 * by_a),
+                    _with_error(b, _Z95 * by_b),
+                    slope if "post_peak_slope" in fit.free else NONE,
+                    level if "residual_friction" in fit.free else NONE,
+                    _number(check.a, 3) if check else NONE,
+                    _number(check.b, 3) if check else NONE,
+                ),
+            )
+        )
+    heads = (
+        "A [1/mm]",
+        "b [1/mm]",
+        f"slope [1/{unit}]",
+        "residual",
+        "A of derivative",
+        "b of derivative",
+    )
+    note = (
+        "mu = A x ln x - b x, x in mm. The last two columns are from the five-point derivative "
+        "of the curve, fitted by A ln x + (A - b)."
+    )
+    return Table(f"Coefficients of the tests{name}", tuple(rows), heads, note)
+
+
+def law_table(condition: ConditionResult, system: System, name: str) -> Table:
+    """The law at the tested pressures, with 95 % intervals and the paper's A and b."""
+    unit, size = display_unit("length", system)
+    pressures = condition.found.level_pressures()
+    slip, friction, error = law_at(condition, pressures)
+    slope, ratio = condition.found.tails.at(pressures)
+    rows = []
+    for k, pressure in enumerate(pressures):
+        a, b = ab_from_peak(float(friction[k]), float(slip[k]) / 1e-3)
+        falls = slope[k] < 0.0
+        rows.append(
+            Row(
+                title=_number(pressure / display_unit("pressure", system)[1]),
+                values=(
+                    _with_error(slip[k] / size, error[k, 0] * slip[k] / size),
+                    _with_error(friction[k], error[k, 1] * friction[k]),
+                    _number(a),
+                    _number(b),
+                    _number(slope[k] * size, 3) if falls else NONE,
+                    f"{ratio[k] * friction[k]:.3f}" if falls else NONE,
+                ),
+            )
+        )
+    heads = (
+        f"peak slip [{unit}]",
+        "peak friction",
+        "A [1/mm]",
+        "b [1/mm]",
+        f"slope [1/{unit}]",
+        "residual",
+    )
+    note = (
+        f"First column: {_pressure_head(system)}. \u00b1 is half the 95 % interval of the law, "
+        "scatter between samples included. A and b hold for slip in mm."
+    )
+    return Table(f"Law of all tests{name}", tuple(rows), heads, note)
+
+
+def law_at(condition: ConditionResult, pressures: Array) -> tuple[Array, Array, Array]:
+    """Peak slip [m], peak friction, and half 95 % intervals of their logarithms, shape (n, 2)."""
+    if condition.fit is not None:
+        peaks = np.exp(condition.fit.peaks(pressures))
+        error = t95(condition.fit.freedom) * condition.fit.peak_errors(pressures)
+        return peaks[:, 0], peaks[:, 1], error
+    statistics = condition.lagging.fit
+    assert statistics is not None  # noqa: S101 - every fitted lagging has its statistics
+    values = np.array(statistics.values)
+    error = _Z95 * np.sqrt(np.diag(np.array(statistics.covariance))) / values
+    return np.array([values[0]]), np.array([values[1]]), error[None, :]
+
+
+def forms_table(condition: ConditionResult, name: str) -> Table:
+    """Forms of the pressure dependence that were tried."""
+    choice, fit = condition.found.choice, condition.fit
+    assert choice is not None and fit is not None  # noqa: S101, PT018 - asked only where there is one
+    rows = tuple(
+        Row(
+            title=str(item.form),
+            values=(
+                str(item.parameters),
+                f"{item.criterion - choice.candidates[0].criterion:.1f}",
+                NONE if math.isnan(item.left_out_error) else f"{100 * item.left_out_error:.2g} %",
+            ),
+            note="chosen" if item.form == fit.form else "",
+        )
+        for item in choice.candidates[:6]
+    )
+    note = (
+        "Difference of Akaike's criterion (AICc) to the best, and error of friction at pressures "
+        "left out, inside the tested range, for the forms near the best."
+    )
+    heads = ("parameters", "AICc", "left-out error")
+    return Table(f"Forms of the pressure dependence{name}", rows, heads, note)
+
+
+def prediction_table(condition: ConditionResult, system: System, name: str) -> Table:
+    """Each pressure predicted by the law of the others."""
+    rows = tuple(
+        Row(
+            title=_number(item.pressure / display_unit("pressure", system)[1]),
+            values=(f"{item.error:.4f}", f"{item.noise_levels:.2f}", f"{item.scatter:.4f}"),
+            note="" if item.inside else "outside the others: extrapolated",
+        )
+        for item in condition.found.left_out
+    )
+    note = (
+        f"First column: {_pressure_head(system)}. Root mean square of predicted less measured "
+        "friction over the curve, alone and in noise levels of one reading; scatter between "
+        "samples for comparison."
+    )
+    heads = ("error", "noise levels", "sample scatter")
+    return Table(f"Pressures left out in turn{name}", rows, heads, note)
+
+
+def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
+    """Each curve with the sample's own shear taken off, and left in."""
+    unit, size = display_unit("length", system)
+    rows = []
+    for test in condition.tests:
+        if test.other is None:
+            continue
+        both = sorted((test.fit, test.other), key=lambda fit: -fit.bending)
+        rows.append(
+            Row(
+                title=test.test.file,
+                values=(
+                    f"{test.curve.bending * _top(test) / size:.3f}",
+                    *(_number(fit.parameters.peak_slip / size) for fit in both),
+                    *(f"{fit.parameters.peak_friction:.3f}" for fit in both),
+                ),
+            )
+        )
+    heads = (
+        f"shear [{unit}]",
+        f"peak slip, off [{unit}]",
+        f"left in [{unit}]",
+        "peak friction, off",
+        "left in",
+    )
+    note = "Shear of sample and rig at the largest force; peaks with it taken off and left in."
+    return Table(f"The sample's own shear{name}", tuple(rows), heads, note)
+
+
+def _top(test: TestResult) -> float:
+    return float(np.max(test.fit.fitted))
+
+
+def _pressure_head(system: System) -> str:
+    return f"pressure [{display_unit('pressure', system)[0]}]"
+
+
+def _number(value: float, digits: int = 4) -> str:
+    return f"{value:.{digits}g}"
+
+
+def _with_error(value: float, error: float) -> str:
+    """``value \u00b1 error``, the error with two digits and the value to the same place."""
+    if not math.isfinite(error) or error <= 0.0:
+        return _number(value)
+    if error > 3.0 * abs(value):
+        return f"{value:.2g} \u00b1 {error:.2g}"
+    places = max(0, 1 - math.floor(math.log10(error)))
+    return f"{value:.{places}f} \u00b1 {error:.{places}f}"
