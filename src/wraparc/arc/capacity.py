@@ -40,7 +40,7 @@ from wraparc.arc.shoot import (
 )
 from wraparc.arc.stick import held_exit, zone_end
 from wraparc.arc.profile import sort
-from wraparc.arc.tension_march import ARRIVED, STEP, TABLE, applies, march, open_table
+from wraparc.arc.tension_march import ARRIVED, STEP, applies, march, open_table, table_size
 from wraparc.friction.compact import plateau_at, segment_of
 
 #: side, radius, wrap angle, width, 1/EA', h/G, kick, kick coefficient, onset: `parameters` but for T1
@@ -93,9 +93,10 @@ def refine(
     """Meet a target: by marches in tension where they apply, else in position, coarse then fine."""
     size = max(abs(goal), 1e-2) if target == TENSION else abs(goal)
     if applies(law, par) and goal > 0.0:
-        table, scratch = room(TABLE), room(STEP)
         fine = mesh_steps(law, par, steps)
-        open_table(law, par, goal if target == TENSION else LARGEST_LOG, fine, table)
+        end = goal if target == TENSION else LARGEST_LOG
+        table, scratch = room(table_size(end, fine)), room(STEP)
+        open_table(law, par, end, fine, table)
         outcome, z_met, _, shot = search(
             law, par, target, goal, z, 0.0, steps, TOLERANCE * size, table, scratch, none
         )
@@ -237,7 +238,7 @@ def meet(
     """
     t = log(entry)
     j11 = j12 = j21 = j22 = 0.0
-    table, scratch = room(TABLE), room(STEP)
+    table, scratch = _capacity_table(law, geometry, entry, steps), room(STEP)
     mesh, fresh = MEET_STEPS, True
     case = (target, goal, of_pull, tension)
     r1, r2, shot = _misses(law, geometry, case, t, z, mesh, table, scratch, none)
@@ -279,6 +280,12 @@ def meet(
     return False, z, exp(t), shot, 0.0
 
 
+def _capacity_table(law: Law, geometry: Geometry, tension: float, steps: int) -> Buffer:
+    """Buffer for the tables of marches to the exit at about an entry tension [N]."""
+    fine = mesh_steps(law, parameters_at(tension, geometry), steps)
+    return room(table_size(LARGEST_LOG, 2 * fine))
+
+
 def _misses(
     law: Law,
     geometry: Geometry,
@@ -312,8 +319,9 @@ def trace(
     """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
     goal = par[SIDE] * log(par[T1] / exit_tension)
     if applies(law, par) and goal > 0.0:
-        table, scratch = room(TABLE), room(STEP)
-        open_table(law, par, goal, mesh_steps(law, par, steps), table)
+        fine = mesh_steps(law, par, steps)
+        table, scratch = room(table_size(goal, fine)), room(STEP)
+        open_table(law, par, goal, fine, table)
         gamma = par[SIDE] * ratio_of(par, z)
         status, q, s, a, work, count = march(law, par, gamma, False, table, scratch, points, out)
         if status == ARRIVED and abs(s / par[LENGTH] - 1.0) < TOLERANCE * 100.0:
@@ -341,7 +349,7 @@ def largest_ratio(
     supremum = plateau_capacity(law, tight / (width * radius), wrap)
     if not softening:
         return supremum, inf
-    table, scratch = room(TABLE), room(STEP)
+    table, scratch = _capacity_table(law, geometry, tight, steps), room(STEP)
     best, creep, z, miss_last = supremum, 0.0, -inf, 0.0
     entry = tight if side > 0.0 else tight * exp(-best)
     for mesh in (MEET_STEPS, steps):

@@ -56,7 +56,6 @@ STEP = 2 + 5 * NODE
 #: a table: number of steps, Q reached, segment there, last Q, graded steps, step, entry pressure,
 #: a spare, weight of the last node; then the steps
 HEAD = 9
-TABLE = HEAD + 320 * STEP
 GRADED_END = 0.1  # Q_a
 GRADED_POWER = 10
 LANDING = 1e-12  # relative, of a march that ends within a step
@@ -69,6 +68,11 @@ def applies(law: Law, par: Parameters) -> bool:
     return law[0] in (KNOTS, PIECES) and (par[KICK] == 0.0 or par[SIDE] > 0.0)
 
 
+def table_size(end: float, steps: int) -> int:
+    """Numbers that a table needs, see `open_table`; with room for 60 pieces of the law."""
+    return HEAD + STEP * (int(0.75 * steps + end * steps / 1.44) + 64)
+
+
 def open_table(law: Law, par: Parameters, end: float, steps: int, table: Buffer) -> None:
     """Prepare a table; one that is of the same drive, end and fineness is kept.
 
@@ -79,7 +83,7 @@ def open_table(law: Law, par: Parameters, end: float, steps: int, table: Buffer)
     steps
         Fineness: 24 makes 18 graded steps, and parts of 0.06 in Q after them.
     table
-        Buffer of TABLE numbers, zeros at first.
+        Buffer of `table_size` numbers, zeros at first.
     """
     if table[3] == end and table[4] == 0.75 * steps and table[6] == par[P1]:
         return  # it is there already
@@ -379,7 +383,8 @@ def march(
     inside = False  # whether q lies within step i
     for _ in range(4000):
         if i >= int(table[0]) and not extend(law, par, table):
-            return (ASTRAY if to_exit else ARRIVED), q, s, a, work, count
+            there = not to_exit and q >= table[3] * (1.0 - 1e-13)
+            return (ARRIVED if there else ASTRAY), q, s, a, work, count
         o = HEAD + i * STEP
         q_end, segment = table[o], int(table[o + 1])
         t, o = table, o + 2
