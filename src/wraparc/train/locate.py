@@ -11,7 +11,6 @@ from wraparc.train.newton import Settled, settle
 from wraparc.train.result import TrainStatus
 from wraparc.train.system import Search, System
 
-
 #: Difference between two ways to the same speed that is left alone [-].
 _CORRECTED = 1e-12
 

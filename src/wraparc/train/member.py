@@ -19,7 +19,7 @@ from wraparc.arc.shoot import FOUND, effort_of, fire, jumps, largest_effort
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
 COARSE, SHARP, FINE = 8, 16, 24
 #: Entry creep ratio where the scale of efforts turns from linear to logarithmic.
-_RATIO_SCALE = 1e-5
+RATIO_SCALE = 1e-5
 _STEP = 1e-4  # of effort and of ln(tension), for differences
 
 
@@ -123,7 +123,7 @@ class Member:
 
     def effort_at(self, ratio: float) -> float:
         """Effort of an entry creep ratio; for laws that rise from zero friction."""
-        return asinh(ratio / _RATIO_SCALE)
+        return asinh(ratio / RATIO_SCALE)
 
     def passage(self, entry: float, effort: float, steps: int) -> Passage:
         """Send the belt over the pulley at an effort."""
@@ -136,9 +136,9 @@ class Member:
             if self.parameters(entry, 1.0)[KICK] > 0.0:
                 side = 1.0
             par = self.parameters(entry, side)
-            z = effort_of(par, _RATIO_SCALE * sinh(effort))
+            z = effort_of(par, RATIO_SCALE * sinh(effort))
         shot, _ = fire(self.law, par, z, steps, 0, [])
-        ratio = shot[5] if self.holds else _RATIO_SCALE * sinh(effort)
+        ratio = shot[5] if self.holds else RATIO_SCALE * sinh(effort)
         return Passage(entry, entry * exp(shot[0]), effort, ratio, shot[2], shot[1], shot[6] > 0.0)
 
     def between(self, entry: float, exit_: float, steps: int = FINE) -> Passage | None:
@@ -165,7 +165,7 @@ class Member:
         further = self.passage(at.entry, at.effort + sign * _STEP, steps)
         tighter = self.passage(at.entry + rise, at.effort, steps)
         here = self.passage(at.entry, at.effort, steps)
-        by_effort = _RATIO_SCALE * cosh(at.effort)
+        by_effort = RATIO_SCALE * cosh(at.effort)
         if self.holds:
             by_effort = (further.ratio - here.ratio) / (sign * _STEP)
         return Slopes(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from enum import StrEnum
 from math import log
@@ -14,7 +14,7 @@ from wraparc.train.member import SHARP, Member
 from wraparc.train.newton import Settled, settle
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import Setup, arc_of
-from wraparc.train.system import Line, System
+from wraparc.train.system import System
 from wraparc.train.train import Motors, Speeds, Train
 
 _TOLERANCE = 1e-8  # of a speed equation: about 1e-6 of a share
@@ -61,19 +61,23 @@ class Walk:
 
     def __init__(self, result: TrainResult, case: str, axis: Axis, drive: int) -> None:
         self.train, self.case = held(result, case)
-        _check(self.case, axis, drive)
+        check_axis(self.case, axis, drive)
         self.axis, self.drive = axis, drive
         setup = Setup.of(self.train, self.train.cases[0])
-        self.here = _here(self.train, self.case, axis, drive)
+        self.here = place(self.train, self.case, axis, drive)
         self._names = [p.name for p in self.train.pulleys]
         self._softening = any(p.lagging.law.steepest_fall() < 0.0 for p in self.train.pulleys)
-        self.system = _systems(setup, axis, drive, self.here)
+        self._base = setup.system
         state = locate(setup.system, self._names, self._softening).settled
         if state is None:
             raise InputError(Problem(message="the speeds held have no solution to start from"))
         self._start = (self.here, state)
         self._past = [self._start]  # the last solutions, newest last
         self.fallen: tuple[int, ...] = ()  # drives that broke away where the last step failed
+
+    def system(self, value: float) -> System:
+        """Return the equations at a value."""
+        return varied(self._base, self.train, self.axis, self.drive, value / self.here)
 
     def restart(self) -> None:
         """Go back to the start."""
@@ -144,7 +148,8 @@ def _extrapolation(at: Sequence[float], value: float) -> list[float]:
     return [math.prod((value - other) / (x - other) for other in at if other != x) for x in at]
 
 
-def _here(train: Train, case: CaseResult, axis: Axis, drive: int) -> float:
+def place(train: Train, case: CaseResult, axis: Axis, drive: int) -> float:
+    """Return where a solved case is on an axis [-]."""
     if axis is Axis.TRIM:
         return case.members[drive].speed_trim
     if axis is Axis.DIAMETER:
@@ -152,33 +157,35 @@ def _here(train: Train, case: CaseResult, axis: Axis, drive: int) -> float:
     return 1.0
 
 
-def _systems(setup: Setup, axis: Axis, drive: int, here: float) -> Callable[[float], System]:
-    """Return the equations as a function of the value on an axis."""
-    base, pulley = setup.system, setup.train.pulleys[drive]
+def varied(base: System, train: Train, axis: Axis, drive: int, change: float) -> System:
+    """Return the equations with one quantity changed by a factor.
 
-    def trimmed(value: float) -> System:
-        line, change = base.lines[drive], value / here
-        line = replace(line, speed=line.speed + log(change), scale=line.scale * change)
-        return replace(base, lines=_with(base.lines, drive, line))
+    Parameters
+    ----------
+    base, train
+        The equations, and the train they are of.
+    axis, drive
+        What is changed, and of which drive.
+    change
+        New over old value [-].
+    """
+    if axis is Axis.LOAD:
+        return replace(base, entry=base.exit - sum(base.runs) + change * base.pull)
+    line = base.lines[drive]
+    # a larger drum that turns as fast as before has a faster surface
+    line = replace(line, speed=line.speed + log(change), scale=line.scale * change)
+    lines = (*base.lines[:drive], line, *base.lines[drive + 1 :])
+    if axis is Axis.TRIM:
+        return replace(base, lines=lines)
+    pulley = train.pulleys[drive]
+    pulley = replace(pulley, diameter=pulley.diameter * change)
+    arc = arc_of(train, train.cases[0], pulley, (base.entry,) * 2)
+    members = (*base.members[:drive], Member.of(arc), *base.members[drive + 1 :])
+    return replace(base, lines=lines, members=members)
 
-    def resized(value: float) -> System:
-        # the drum turns as fast as before: its surface speed goes with its radius
-        other = replace(pulley, diameter=pulley.diameter * value / here)
-        arc = arc_of(setup.train, setup.case, other, (base.entry,) * 2)
-        members = (*base.members[:drive], Member.of(arc), *base.members[drive + 1 :])
-        return replace(trimmed(value), members=members)
 
-    def loaded(value: float) -> System:
-        return replace(base, entry=base.exit - sum(base.runs) + value * base.pull)
-
-    return {Axis.TRIM: trimmed, Axis.DIAMETER: resized, Axis.LOAD: loaded}[axis]
-
-
-def _with(lines: tuple[Line, ...], index: int, line: Line) -> tuple[Line, ...]:
-    return (*lines[:index], line, *lines[index + 1 :])
-
-
-def _check(case: CaseResult, axis: Axis, drive: int) -> None:
+def check_axis(case: CaseResult, axis: Axis, drive: int) -> None:
+    """Raise if there is no solution to start from, or an axis has no meaning for a drive."""
     problems = []
     count, name = len(case.members), case.case.name
     if count < 2:
