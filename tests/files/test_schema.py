@@ -76,11 +76,12 @@ def test_what_a_form_needs() -> None:
     assert set(pulley["properties"]) >= {"entry_tension", "power", "overrun", "recovery"}
 
 
-def test_every_key_has_a_title() -> None:
+def test_every_key_has_a_title_and_a_help_text() -> None:
     def walk(node: object) -> None:
         if isinstance(node, dict):
             for key, entry in node.get("properties", {}).items():
                 assert entry["title"], key
+                assert entry["description"].endswith((".", "...")), key
             for value in node.values():
                 walk(value)
         elif isinstance(node, list):

@@ -29,7 +29,13 @@ def known(key: str, kind: Kind, name: str = "", **more: Any) -> Entry:
 
 PROVENANCE = Table(
     (
-        Entry("kind", Choice(tuple(kind.value for kind in Origin)), "Kind", required=True),
+        Entry(
+            "kind",
+            Choice(tuple(kind.value for kind in Origin)),
+            "Kind",
+            "How the number came to be.",
+            required=True,
+        ),
         Entry("source", Text(500), "Source", "Author or maker, title, year, page or table."),
         Entry("date", Text(60), "Date", "When it was measured, published or retrieved."),
         Entry("note", Text(1000), "Note", "What a reader must know before using it."),

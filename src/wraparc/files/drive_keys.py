@@ -52,7 +52,14 @@ TENSIONS = (
 
 PULLEY = Table(
     (
-        Entry("name", Name(), "Name", required=True, example='name = "head"'),
+        Entry(
+            "name",
+            Name(),
+            "Name",
+            "Name of the pulley.",
+            required=True,
+            example='name = "head"',
+        ),
         known("diameter", limited(Pulley.LIMITS, "diameter"), required=True),
         known("wrap_angle", limited(Pulley.LIMITS, "wrap_angle"), required=True, alias="wrap"),
         Entry(
@@ -80,8 +87,15 @@ PULLEY = Table(
 
 LOAD_CASE = Table(
     (
-        Entry("name", Name(), "Name", required=True, example='name = "start"'),
-        Entry("description", Text(1000, lines=True)),
+        Entry(
+            "name",
+            Name(),
+            "Name",
+            "Name of the case.",
+            required=True,
+            example='name = "start"',
+        ),
+        Entry("description", Text(1000, lines=True), "Description", "What happens then."),
         Entry(
             "pulley",
             ByName(Table(TENSIONS, "Tensions")),
@@ -95,19 +109,20 @@ LOAD_CASE = Table(
 DRIVE = Table(
     (
         FORMAT_ENTRY,
-        Entry("title", Text(), "Title"),
-        Entry("description", Text(5000, lines=True), "Description"),
+        Entry("title", Text(), "Title", "What the drive is called."),
+        Entry("description", Text(5000, lines=True), "Description", "Anything worth saying."),
         known("creep_limit", limited(Drive.LIMITS, "creep_limit")),
-        Entry("belt", BELT, "Belt", required=True, example="a [belt] table"),
+        Entry("belt", BELT, "Belt", "The belt.", required=True, example="a [belt] table"),
         Entry(
             "pulley",
             Rows(PULLEY, 1, MOST_PULLEYS),
             "Pulleys",
+            "The drive pulleys in belt order.",
             required=True,
             example="a [[pulley]] table for each pulley",
         ),
-        Entry("lagging", ByName(LAGGING_GIVEN), "Laggings of this drive"),
-        Entry("load_case", Rows(LOAD_CASE, 1), "Load cases"),
+        Entry("lagging", ByName(LAGGING_GIVEN), "Laggings", "Laggings of this drive, by name."),
+        Entry("load_case", Rows(LOAD_CASE, 1), "Load cases", "States of the conveyor."),
     ),
     "Drive file",
 )
