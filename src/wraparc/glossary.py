@@ -326,6 +326,92 @@ QUANTITIES: tuple[Quantity, ...] = (
         "wear_rate", "w", "length", "Wear per million passes",
         "Depth worn off the lagging in a million passages under the belt.",
     ),
+    # several drives on one belt
+    Quantity(
+        "share", "f", "number", "Share of the load",
+        "Part of the total effective tension that a drive carries; negative when it brakes.",
+    ),
+    Quantity(
+        "run", "dT", "force", "Rise of tension before the pulley",
+        "Rise of belt tension over the run from the pulley before, by the resistance of that run.",
+    ),
+    Quantity(
+        "speed_ratio", "v/v1", "number", "Surface speed over that of the first drive",
+        "Speed of the loaded lagging surface at the entry nip over that of the first drive, (1 + "
+        "T/EA)(1 - g1) / ((1 + T1/EA)(1 - g)).",
+    ),
+    Quantity(
+        "contraction_term", "-(T1 - T)/EA", "number", "Of it by belt contraction",
+        "First-order part of the speed ratio because the belt is shorter where its tension is "
+        "lower than at the first drive.",
+    ),
+    Quantity(
+        "creep_term", "g - g1", "number", "Of it by extra creep",
+        "First-order part of the speed ratio because this drive creeps more than the first.",
+    ),
+    Quantity(
+        "compression_term", "d/R - d1/R1", "number", "And of the drums by lagging compression",
+        "First-order part of the ratio of drum speeds because a lagging that is compressed less "
+        "makes a larger drum.",
+    ),
+    Quantity(
+        "surface_speed", "v_s", "speed", "Surface speed",
+        "Speed of the loaded lagging surface at the entry nip.",
+    ),
+    Quantity(
+        "rotation_speed", "omega", "rotation_speed", "Drum speed",
+        "Rotation speed of the drum, surface speed over radius less compression.",
+    ),
+    Quantity(
+        "speed_trim", "trim", "number", "Speed trim",
+        "Drum speed times nominal diameter over that of the first drive: the ratio that a speed "
+        "control is set to.",
+    ),
+    Quantity(
+        "nominal_diameter", "D_n", "length", "Nominal diameter",
+        "Diameter that a drum is taken to have when its speed is set.",
+    ),
+    Quantity(
+        "diameter_ratio", "D/D_n", "number", "Diameter over nominal diameter",
+        "Actual over nominal diameter of a drum, below 1 where its lagging has worn.",
+    ),
+    Quantity(
+        "load_ratio", "", "number", "Load",
+        "Total effective tension over that of the load case.",
+    ),
+    Quantity(
+        "drum_torque", "M_d", "torque", "Torque on the drum",
+        "Power at the lagging surface over drum speed, (T1 - T2)(R - delta).",
+    ),
+    Quantity(
+        "drum_power", "P_d", "power", "Power of the drum",
+        "Effective tension times the speed of the lagging surface.",
+    ),
+    Quantity(
+        "motor_load", "", "number", "Motor load",
+        "Torque of each motor over its rated torque.",
+    ),
+    Quantity(
+        "motor_torque", "M_m", "torque", "Motor torque",
+        "Torque on the shaft of each motor.",
+    ),
+    Quantity(
+        "motor_speed", "n_m", "rotation_speed", "Motor speed",
+        "Speed on the motor side of the gear, of the turbine where there is a fluid coupling.",
+    ),
+    Quantity(
+        "motor_power", "P_m", "power", "Motor power",
+        "Power of each motor on the motor side of the gear.",
+    ),
+    Quantity(
+        "share_sensitivity", "df/dtrim", "number", "Share gained by 0.1 % of trim",
+        "Change of the share of a drive when its speed is raised by 0.1 %: how exactly the drives "
+        "must be matched.",
+    ),
+    Quantity(
+        "loss_ratio", "", "number", "Loss to creep over power",
+        "Power lost to creep on all pulleys over the power at their surfaces.",
+    ),
 )  # fmt: skip
 
 #: Every quantity by name.

@@ -9,9 +9,11 @@ from wraparc.train.motors import (
     VariableSpeed,
 )
 from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
+from wraparc.train.share_map import ShareMap, share_map
 from wraparc.train.solve import solve_train
 from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
 from wraparc.train.walk import Axis
+from wraparc.train.what_if import what_if
 
 __all__ = [
     "Axis",
@@ -27,6 +29,7 @@ __all__ = [
     "Motors",
     "Pulls",
     "ShareCurve",
+    "ShareMap",
     "Shares",
     "Speeds",
     "TorqueFollower",
@@ -36,5 +39,7 @@ __all__ = [
     "TrainStatus",
     "VariableSpeed",
     "share_curve",
+    "share_map",
     "solve_train",
+    "what_if",
 ]

@@ -62,7 +62,7 @@ class MemberResult:
     """One drive of a train in one load case.
 
     Speeds and powers are nan where no belt speed is known. The terms are those of the first order:
-    speed_ratio - 1 = contraction + extra_creep, and with the compression that of the shafts of
+    speed_ratio - 1 = contraction_term + creep_term, and with compression_term that of the shafts of
     equal drums.
 
     Attributes
@@ -73,11 +73,11 @@ class MemberResult:
         Part of the total effective tension [-]; nan where the total is 0.
     speed_ratio
         v_i/v_1 of the loaded lagging surfaces at the entry nips, exactly [-].
-    contraction
+    contraction_term
         -(T_1 - T_i)/EA: the belt is shorter where its tension is lower [-].
-    extra_creep
+    creep_term
         g_i - g_1: this pulley creeps more than the first [-].
-    compression
+    compression_term
         delta_i/R_i - delta_1/R_1: a less compressed lagging makes a larger drum [-].
     surface_speed
         v_i [m/s].
@@ -96,9 +96,9 @@ class MemberResult:
     arc: ArcResult
     share: float
     speed_ratio: float
-    contraction: float
-    extra_creep: float
-    compression: float
+    contraction_term: float
+    creep_term: float
+    compression_term: float
     surface_speed: float
     rotation_speed: float
     speed_trim: float
@@ -113,8 +113,8 @@ class MemberResult:
 
     @property
     def first_order_speed_ratio(self) -> float:
-        """1 + contraction + extra_creep [-]."""
-        return 1.0 + self.contraction + self.extra_creep
+        """1 + contraction_term + creep_term [-]."""
+        return 1.0 + self.contraction_term + self.creep_term
 
     def scalars(self) -> dict[str, float]:
         """Numbers of the drive within the train by their names in the glossary [SI]."""

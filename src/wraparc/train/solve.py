@@ -239,9 +239,10 @@ def _member(setup: Setup, i: int, arcs: Sequence[ArcResult], belt_speed: float) 
         arc=arc,
         share=arc.effective_tension / total if total != 0.0 else nan,
         speed_ratio=ratio,
-        contraction=-(a1 - a) / stretch,
-        extra_creep=g - g1,
-        compression=arc.arc.compression / arc.arc.radius - first.arc.compression / first.arc.radius,
+        contraction_term=-(a1 - a) / stretch,
+        creep_term=g - g1,
+        compression_term=arc.arc.compression / arc.arc.radius
+        - first.arc.compression / first.arc.radius,
         surface_speed=surface,
         rotation_speed=rotation,
         speed_trim=ratio * arm1 / arm * nominal[i] / nominal[0],
