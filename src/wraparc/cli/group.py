@@ -23,6 +23,9 @@ COMMANDS: dict[str, Command] = {
     "read": Command("wraparc.cli.shear_test:read", "Show what a machine file was understood as."),
     "fit": Command("wraparc.cli.shear_test:fit", "Fit a lagging's friction law to shear tests."),
     "rig": Command("wraparc.cli.shear_test:rig", "Make virtual shear tests of a known law."),
+    "choose": Command(
+        "wraparc.cli.choose:choose", "Choose lagging, belt and take-up: rank candidates by cost."
+    ),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 

@@ -1,0 +1,103 @@
+"""``wraparc choose``: rank candidates, and say why the others fall out."""
+
+import click
+
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.saving import save_file
+from wraparc.study.belt_rating import LighterBelt
+from wraparc.study.selection import Selection
+from wraparc.units import System
+
+_FOUND, _NONE_FEASIBLE = 0, 1
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@units_option
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help='Put a value over that of the file: --set candidates.slack_tensions="least".',
+)
+@click.option("--rows", type=click.IntRange(1, 1000), default=15, show_default=True)
+@click.option("--lightest-belt", is_flag=True, help="Also find the lightest belt of the catalogue.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+@click.option("--csv", "csv_file", metavar="FILE", help="Write every design as CSV; - prints it.")
+@click.option("--plot", "plot_file", metavar="FILE", help="Draw cost against creep and T2.")
+def choose(
+    file: str,
+    units: System,
+    settings: tuple[str, ...],
+    rows: int,
+    lightest_belt: bool,
+    json_file: str | None,
+    csv_file: str | None,
+    plot_file: str | None,
+) -> int:
+    """Choose lagging, belt, pulley and take-up: solve every candidate of a choose FILE.
+
+    Prints the designs that keep every limit, cheapest over the years first, and why each other
+    one was rejected. Exit code 1 if no candidate keeps every limit.
+    """
+    from wraparc.files.choose_file import load_search
+    from wraparc.study.selection import choose as choose_design
+
+    outputs = {
+        "--json": (json_file, (".json",)),
+        "--csv": (csv_file, (".csv",)),
+        "--plot": (plot_file, (".svg", ".png", ".pdf")),
+    }
+    check_outputs(outputs, [file])
+    if plot_file:
+        from wraparc.plot import require_matplotlib
+
+        require_matplotlib()
+    selection = choose_design(load_search(file, overrides=settings))
+    lighter = _lightest(selection) if lightest_belt else None
+    texts = _texts(selection, lighter, json_file, csv_file)
+    if STANDARD_OUTPUT in texts:
+        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
+    else:
+        from wraparc.cli.show import show
+        from wraparc.present.choose_sheet import choose_sheet
+
+        show(choose_sheet(selection, units, lighter, rows))
+    if plot_file:
+        from wraparc.plot.choice import plot_selection
+
+        plot_selection(selection, units).save(plot_file)
+        click.echo(f"Wrote {plot_file}", err=True)
+    for path, text in texts.items():
+        save_file(path, text)
+        click.echo(f"Wrote {path}", err=True)
+    return _FOUND if len(selection.ranking) else _NONE_FEASIBLE
+
+
+def _lightest(selection: Selection) -> LighterBelt | None:
+    from wraparc import catalogue
+    from wraparc.files.choose_file import drive_belt
+    from wraparc.study.belt_rating import least_belt
+
+    if not len(selection.ranking):
+        return None
+    best = int(selection.ranking[0])
+    now = selection.search.belts[selection.grid.places[2, best]]
+    kinds = [row for row in catalogue.belts() if row.kind == now.kind]
+    return least_belt(selection, best, [drive_belt(row, now) for row in kinds])
+
+
+def _texts(
+    selection: Selection, lighter: LighterBelt | None, json_file: str | None, csv_file: str | None
+) -> dict[str, str]:
+    from wraparc.present.choose_sheet import choose_csv, choose_document
+
+    texts = {}
+    if json_file:
+        from wraparc.present.document import json_text
+
+        texts[json_file] = json_text(choose_document(selection, lighter))
+    if csv_file:
+        texts[csv_file] = choose_csv(selection)
+    return texts

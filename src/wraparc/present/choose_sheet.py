@@ -1,0 +1,262 @@
+"""The sheet of a selection, its JSON and its CSV."""
+
+import csv
+import io
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from wraparc.present.choose_words import (
+    design_name,
+    money,
+    next_dearer_words,
+    reason,
+    reasons,
+)
+from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, number
+from wraparc.study.belt_rating import LighterBelt
+from wraparc.study.selection import Selection
+from wraparc.units import System, display_unit
+
+_MOST_ROWS = 15
+_CSV_HEADS = (
+    "lagging", "belt", "thickness [m]", "diameter [m]", "wrap angle [rad]", "slack tension [N]",
+    "tight tension [N]", "creep [m]", "bond stress [Pa]",
+)  # fmt: skip
+
+
+def choose_sheet(
+    selection: Selection,
+    system: System = "si",
+    lighter: LighterBelt | None = None,
+    most: int = _MOST_ROWS,
+) -> Sheet:
+    """Return the answer of a search: the ranking, the fronts, the reasons of rejection.
+
+    Parameters
+    ----------
+    selection
+        The answer.
+    system
+        Units to show.
+    lighter
+        Lightest belt that the best design could do with, if that was asked.
+    most
+        Rows of a table.
+    """
+    search = selection.search
+    tables = [_ranking(selection, system, most), _rejected(selection, system, most)]
+    return Sheet(
+        title=search.title or f"Choice for {search.drive.title}",
+        subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
+        f"{len(selection)} designs, {len(selection.ranking)} keep every limit.",
+        verdict=_verdict(selection, system, lighter),
+        tables=tuple(t for t in tables if t.rows),
+        remarks=tuple(_remarks(selection)),
+        sources=tuple(_sources(selection)),
+    )
+
+
+def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) -> Verdict:
+    if not len(selection.ranking):
+        near = selection.nearest()
+        names = selection.broken(near)
+        counts = {n: int(h.broken.sum()) for n, h in selection.held.items() if h.broken.any()}
+        told = ", ".join(
+            f"{n.replace('_', ' ')} ({c} of {len(selection)})" for n, c in counts.items()
+        )
+        return Verdict(
+            Level.BAD,
+            "No candidate keeps every limit.",
+            (
+                f"Limits broken: {told}.",
+                f"Nearest: {design_name(selection, near, system)}: "
+                + "; ".join(reason(selection, near, n, system) for n in names)
+                + ".",
+            ),
+        )
+    best = int(selection.ranking[0])
+    currency, years = selection.search.costing.currency, selection.search.costing.years
+    headline = (
+        f"Choose {design_name(selection, best, system)} with a slack-side tension of "
+        f"{named('tension', float(selection.slack_tension[best]), system)}: "
+        f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
+        f"worst creep {named('exit_creep', float(selection.creep[best]), system)}."
+    )
+    sentences = [*next_dearer_words(selection, system)]
+    if lighter is not None:
+        width = selection.search.drive.belt.width
+        tight = named("belt_modulus", lighter.tight_tension / width, system)
+        sentences.append(
+            f"The lightest belt of the catalogue that it could do with is {lighter.belt.name}: "
+            f"slack side {named('tension', lighter.slack_tension, system)}, largest tension "
+            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
+        )
+    return Verdict(Level.GOOD, headline, tuple(sentences))
+
+
+def _heads(selection: Selection, system: System) -> tuple[str, ...]:
+    force, length = (display_unit(d, system)[0] for d in ("force", "length"))
+    width = display_unit("force_per_width", system)[0]
+    money_heads = tuple(
+        f"{part} [{selection.search.costing.currency}]" for part in ("total", "lagging", "energy")
+    )
+    return (*money_heads, f"creep [{length}]", f"T2 [{force}]", f"T1/B [{width}]", "front")
+
+
+def _ranking(selection: Selection, system: System, most: int) -> Table:
+    costs, rows = selection.costs, []
+    width = selection.search.drive.belt.width
+    on_creep, on_slack = set(selection.creep_front), set(selection.slack_front)
+    for i in map(int, selection.ranking[:most]):
+        marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
+        values = (
+            *(f"{v[i]:.0f}" for v in (costs.total, costs.lagging, costs.energy)),
+            number("exit_creep", float(selection.creep[i]), system),
+            number("tension", float(selection.slack_tension[i]), system),
+            number("belt_modulus", float(selection.tight_tension[i]) / width, system),
+            " ".join(marks),
+        )
+        rows.append(Row(design_name(selection, i, system), values))
+    more = len(selection.ranking) - len(rows)
+    note = "front: nothing cheaper has less creep, or does with less slack-side tension T2"
+    note += f"; {more} more feasible designs, see --csv" if more > 0 else ""
+    return Table(
+        "Designs that keep every limit, cheapest first",
+        tuple(rows),
+        _heads(selection, system),
+        note,
+    )
+
+
+def _rejected(selection: Selection, system: System, most: int) -> Table:
+    bad = (
+        [i for i in range(len(selection)) if not selection.feasible[i]]
+        if len(selection) <= 5000
+        else []
+    )
+    if len(selection) > 5000 or len(bad) > most:
+        rows = [
+            Row(name.replace("_", " "), (f"{int(held.broken.sum())} designs break it",))
+            for name, held in selection.held.items()
+            if held.broken.any()
+        ]
+        return Table("Why designs were rejected", tuple(rows), note="each with its reasons: --csv")
+    rows = [Row(design_name(selection, i, system), (reasons(selection, i, system),)) for i in bad]
+    return Table("Rejected, with every limit broken", tuple(rows))
+
+
+def _remarks(selection: Selection) -> Iterator[str]:
+    search = selection.search
+    yield (
+        "Lagging is bought whole: (material + installation) scaled by lagged area, as often as the "
+        f"middle of its life asks for in {search.costing.years:g} years; no interest."
+    )
+    if search.costing.tariff is None:
+        yield "Energy lost to creep is left out: no tariff is given."
+    elif len(search.conditions) > 1:
+        yield f"Energy is that of condition {search.conditions[0].name}."
+    if not search.costing.belts:
+        yield "The belt is left out of the cost."
+    unrated = [b.name for b in search.belts if b.rating is None]
+    if unrated and search.limits.rating is not None:
+        yield f"No rating is known of {', '.join(unrated)}: that limit was not applied."
+    if search.limits.least_pulley_diameter:
+        unknown = [b.name for b in search.belts if b.least_pulley_diameter is None]
+        if unknown:
+            yield f"No least pulley diameter is published of {', '.join(unknown)}."
+    if len(search.drive.pulleys) > 1:
+        yield f"Only pulley {search.pulley} was varied; the others keep their tensions."
+
+
+def _sources(selection: Selection) -> Iterator[str]:
+    search = selection.search
+    for lagging in search.laggings:
+        yield f"{lagging.name}, friction: {lagging.source_of('law')}"
+        price = search.costing.laggings[lagging.name]
+        low, high = price.cost.life_years
+        yield f"{lagging.name}, cost, life {low:g} to {high:g} years: {price.source}"
+    for condition in search.conditions:
+        for lagging in search.laggings:
+            if lagging.condition != condition.name:
+                factor, source = condition.factor_of(lagging)
+                yield f"{lagging.name}, {condition.name}: friction factor {factor:.3g}, {source}"
+
+
+def choose_csv(selection: Selection) -> str:
+    """Return every design in SI units, with what it breaks, as CSV."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    names = list(selection.held)
+    writer.writerow(
+        [*_CSV_HEADS]
+        + [
+            f"{p} [{selection.search.costing.currency}]"
+            for p in ("total", "lagging", "belt", "energy")
+        ]
+        + ["rank", *(f"excess {n}" for n in names)]
+    )
+    rank = {int(d): k + 1 for k, d in enumerate(selection.ranking)}
+    for i in range(len(selection)):
+        writer.writerow(
+            _csv_row(selection, i, names)
+            + [rank.get(i, "")]
+            + [_plain(float(selection.held[n].excess[i])) for n in names]
+        )
+    return out.getvalue()
+
+
+def _csv_row(selection: Selection, i: int, names: list[str]) -> list[str]:
+    s, g, c = selection.search, selection.grid, selection.costs
+    numbers = (
+        g.thickness, g.diameter, g.wrap_angle, selection.slack_tension, selection.tight_tension,
+        selection.creep, selection.bond_stress, c.total, c.lagging, c.belt, c.energy,
+    )  # fmt: skip
+    named_ = [s.laggings[g.places[0, i]].name, s.belts[g.places[2, i]].name]
+    return named_ + [_plain(float(v[i])) for v in numbers]
+
+
+def _plain(value: float) -> str:
+    return "" if math.isnan(value) else f"{value:.8g}"
+
+
+def choose_document(selection: Selection, lighter: LighterBelt | None = None) -> dict[str, Any]:
+    """Return the ranking and the rejections as plain data [SI] for JSON; at most 10,000 designs."""
+    some = range(min(len(selection), 10_000))
+    return {
+        "format": 1,
+        "title": selection.search.title,
+        "currency": selection.search.costing.currency,
+        "years": selection.search.costing.years,
+        "designs": [_design_data(selection, i) for i in some],
+        "ranking": [int(i) for i in selection.ranking],
+        "creep_front": [int(i) for i in selection.creep_front],
+        "slack_front": [int(i) for i in selection.slack_front],
+        "next_dearer": selection.next_dearer(),
+        "lightest_belt": lighter.belt.name if lighter else None,
+    }
+
+
+def _design_data(selection: Selection, i: int) -> dict[str, Any]:
+    held = selection.held
+    return {
+        "name": design_name(selection, i),
+        "creep": float(selection.creep[i]),
+        "peak_shear_stress": float(selection.bond_stress[i]),
+        "slack_tension": float(selection.slack_tension[i]),
+        "tight_tension": float(selection.tight_tension[i]),
+        "cost": float(selection.costs.total[i]),
+        "cost_range": [
+            float(selection.costs.total[i] - selection.costs.lagging[i] + part[i])
+            for part in (selection.costs.lagging_least, selection.costs.lagging_most)
+        ],
+        "broken": {
+            name: {
+                "value": float(held[name].value[i]),
+                "limit": float(held[name].limit[i]),
+                "excess": float(held[name].excess[i]),
+                "where": list(selection.place(int(held[name].where[i]))),
+            }
+            for name in selection.broken(i)
+        },
+    }

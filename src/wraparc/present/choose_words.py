@@ -1,0 +1,107 @@
+"""Selection in words: what a design is, why one was rejected, what the next dearer one buys."""
+
+import math
+from collections.abc import Iterator
+
+from wraparc.present.sheet import named, percent, quantity
+from wraparc.study.selection import Selection
+from wraparc.units import Dimension, System
+
+#: limit -> what is limited, its dimension, whether the limit is a least
+_LIMITS: dict[str, tuple[str, Dimension, bool]] = {
+    "traction": ("tension ratio over the largest the friction carries", "number", False),
+    "creep": ("creep", "length", False),
+    "bond_stress": ("shear stress at the bond", "pressure", False),
+    "creep_limit_margin": ("margin to the creep limit", "number", True),
+    "tested_slip_margin": ("margin to the edge of tested slip", "number", True),
+    "gross_slip_margin": ("margin to gross slip", "number", True),
+    "tested_pressure": ("wrap pressure", "pressure", False),
+    "least_slack": ("pull over the largest pull within the creep limit", "number", False),
+    "belt_rating": ("tension per width", "force_per_width", False),
+    "least_pulley_diameter": ("pulley diameter", "length", True),
+}
+
+
+def money(value: float, currency: str) -> str:
+    """Return an amount: whole units of the currency, thousands apart."""
+    return "-" if math.isnan(value) else f"{value:,.0f} {currency}".replace(",", "\u202f")
+
+
+def design_name(selection: Selection, design: int, system: System = "si") -> str:
+    """Return what sets a design apart: only candidates of which there are several."""
+    search, grid = selection.search, selection.grid
+    shape = search.shape
+    places = grid.places[:, design]
+    parts = [search.laggings[places[0]].name]
+    if shape[1] > 1:
+        parts.append(named("lagging_thickness", float(grid.thickness[design]), system))
+    if shape[2] > 1:
+        parts.append(search.belts[places[2]].name)
+    if shape[3] > 1:
+        parts.append("D " + named("diameter", float(grid.diameter[design]), system))
+    if shape[4] > 1:
+        parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design]), system))
+    if shape[5] > 1:
+        parts.append("slack side " + named("tension", float(grid.slack[design]), system))
+    return ", ".join(parts)
+
+
+def reason(selection: Selection, design: int, name: str, system: System = "si") -> str:
+    """Return how a design stands to a limit it breaks, with by how much."""
+    held = selection.held[name]
+    what, dimension, least = _LIMITS[name]
+    value, limit = float(held.value[design]), float(held.limit[design])
+    excess = float(held.excess[design])
+    if name == "traction":
+        by = f"by {percent(excess, 2)}" if math.isfinite(excess) and excess > 2e-3 else ""
+        text = " ".join(p for p in ("breaks away: beyond the largest tension ratio", by) if p)
+    elif name == "least_slack":
+        text = (
+            "no slack-side tension with wrap pressures in the tested range keeps the creep limit; "
+            f"the pull is {percent(excess, 2)} too large"
+        )
+    else:
+        under = least or (name == "tested_pressure" and value < limit)
+        word = "under" if under else "over"
+        text = (
+            f"{what} {quantity(value, dimension, system)}, "
+            f"{'at least' if under else 'at most'} {quantity(limit, dimension, system)} "
+            f"({percent(excess, 2)} {word})"
+        )
+    if name == "least_pulley_diameter":
+        return text
+    case, condition = selection.place(int(held.where[design]))
+    several = len(selection.search.conditions) > 1 and name != "belt_rating"
+    return f"{text} [{case}{', ' + condition if several else ''}]"
+
+
+def reasons(selection: Selection, design: int, system: System = "si") -> str:
+    """Return every limit that a design breaks, in one line."""
+    return "; ".join(reason(selection, design, n, system) for n in selection.broken(design))
+
+
+def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[str]:
+    """Yield what the next dearer lagging would buy."""
+    if not len(selection.ranking):
+        return
+    best, other = int(selection.ranking[0]), selection.next_dearer()
+    currency = selection.search.costing.currency
+    if other is None:
+        if len(selection.search.laggings) > 1:
+            yield (
+                f"No feasible candidate has a dearer lagging than {design_name(selection, best)}: "
+                "it costs least over its life although none is dearer to buy."
+            )
+        return
+    more = selection.costs.total[other] - selection.costs.total[best]
+    changes = [
+        f"the creep goes from {named('exit_creep', float(selection.creep[best]), system)} to "
+        f"{named('exit_creep', float(selection.creep[other]), system)}",
+        f"the slack side from {named('tension', float(selection.slack_tension[best]), system)} to "
+        f"{named('tension', float(selection.slack_tension[other]), system)}",
+    ]
+    years = selection.search.costing.years
+    yield (
+        f"The next dearer lagging, {design_name(selection, other, system)}, costs "
+        f"{money(more, currency)} more over {years:g} years; for it {' and '.join(changes)}."
+    )

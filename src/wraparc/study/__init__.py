@@ -1,0 +1,1 @@
+"""Many solves: batches, sampling, choice of designs, calibration."""

@@ -1,0 +1,132 @@
+"""Many arcs at once: columns in, columns out; the one place where selection asks the solver."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.drive import Lagging
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+#: what is asked of every arc; breakaways have nan but for capacities
+ANSWERS = (
+    "exit_creep",
+    "peak_shear_stress",
+    "power_loss",
+    "creep_limit_margin",
+    "tested_slip_margin",
+    "gross_slip_margin",
+    "least_exit_tension",
+    "largest_effective_tension",
+)
+_ALWAYS = ANSWERS[3:]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ArcColumns:
+    """Arcs by column, each of shape (n,).
+
+    Attributes
+    ----------
+    lagging
+        Place in the list of laggings.
+    entry_tension, exit_tension
+        T1 and T2 [N].
+    diameter, wrap_angle
+        D over the lagging [m] and phi [rad].
+    thickness
+        h of the lagging [m].
+    belt_width, belt_modulus
+        B [m] and M [N/m].
+    creep_limit
+        Creep that is accepted [m].
+    belt_speed
+        v [m/s], nan if unknown.
+    overrun
+        x_c [m], nan for the formula.
+    recovery
+        1 where the lagging recovers along the arc, else 0.
+    """
+
+    lagging: Integers
+    entry_tension: Array
+    exit_tension: Array
+    diameter: Array
+    wrap_angle: Array
+    thickness: Array
+    belt_width: Array
+    belt_modulus: Array
+    creep_limit: Array
+    belt_speed: Array
+    overrun: Array
+    recovery: Array
+
+    def __len__(self) -> int:
+        return len(self.lagging)
+
+    def arc(self, i: int, laggings: Sequence[Lagging]) -> WrapArc:
+        """Return one of the arcs."""
+        lagging = laggings[int(self.lagging[i])]
+        speed, overrun = float(self.belt_speed[i]), float(self.overrun[i])
+        return WrapArc(
+            law=lagging.law,
+            entry_tension=float(self.entry_tension[i]),
+            exit_tension=float(self.exit_tension[i]),
+            diameter=float(self.diameter[i]),
+            wrap_angle=float(self.wrap_angle[i]),
+            width=float(self.belt_width[i]),
+            axial_stiffness=float(self.belt_modulus[i] * self.belt_width[i]),
+            thickness=float(self.thickness[i]),
+            shear_modulus=lagging.shear_modulus,
+            compression_modulus=lagging.compression_modulus,
+            overrun=None if np.isnan(overrun) else overrun,
+            recovery=bool(self.recovery[i]),
+            creep_limit=float(self.creep_limit[i]),
+            belt_speed=None if np.isnan(speed) else speed,
+            wear_coefficient=lagging.wear_coefficient,
+        )
+
+
+def solve_columns(
+    arcs: ArcColumns, laggings: Sequence[Lagging], *, capacities: bool
+) -> Mapping[str, Array]:
+    """Solve arcs, one after another.
+
+    Parameters
+    ----------
+    arcs
+        The arcs.
+    laggings
+        What their `lagging` points to.
+    capacities
+        Whether capacities and margins are wanted; breakaways get them always.
+
+    Returns
+    -------
+    ``solved`` (1 or 0) and the columns of `ANSWERS`, shape (n,) each, SI.
+    """
+    quick = Distributed(points=60, capacities=False)
+    full = Distributed(points=60)
+    answers = {name: np.full(len(arcs), np.nan) for name in ANSWERS}
+    solved = np.zeros(len(arcs))
+    for i in range(len(arcs)):
+        arc = arcs.arc(i, laggings)
+        result = (full if capacities else quick).solve(arc)
+        if not capacities and result.status is Status.BREAKAWAY:
+            result = full.solve(arc)
+        solved[i] = result.status.solved
+        for name, value in _answers(result):
+            answers[name][i] = value
+    return {"solved": solved, **answers}
+
+
+def _answers(result: ArcResult) -> list[tuple[str, float]]:
+    scalars = result.scalars()
+    names = ANSWERS if result.status.solved else _ALWAYS
+    return [(name, float(scalars[name])) for name in names]

@@ -1,0 +1,195 @@
+"""What a lagged pulley costs over the years: lagging, installation, belt, energy lost to creep."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from wraparc.catalogue import LaggingCost, lagging_costs
+from wraparc.drive import Cost, Lagging
+from wraparc.errors import Problem, shown
+from wraparc.provenance import Provenance
+
+Array = NDArray[np.float64]
+JOULES_PER_KWH = 3.6e6
+
+
+@dataclass(frozen=True, kw_only=True)
+class Price:
+    """Price and life of a lagging, and where they came from."""
+
+    cost: Cost
+    source: Provenance
+
+
+@dataclass(frozen=True, kw_only=True)
+class BeltPrice:
+    """Price of a belt and how long it lasts.
+
+    Attributes
+    ----------
+    price
+        For the whole belt, spliced and installed [currency].
+    life_years
+        Expected life [years].
+    """
+
+    price: float
+    life_years: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Costing:
+    """How designs are priced.
+
+    Attributes
+    ----------
+    currency
+        Currency of every price.
+    years
+        Years that are counted.
+    laggings
+        Prices by name of the lagging.
+    belts
+        Prices by name of the belt; empty where the belt costs the same in every design.
+    tariff
+        Price of a kilowatt hour [currency], or None to leave energy out.
+    hours
+        Hours of running in a year by load case.
+    face_width
+        Width of the pulley that is lagged [m], or None for that of the belt.
+    """
+
+    currency: str
+    years: float = 10.0
+    laggings: Mapping[str, Price] = field(default_factory=dict, hash=False)
+    belts: Mapping[str, BeltPrice] = field(default_factory=dict, hash=False)
+    tariff: float | None = None
+    hours: Mapping[str, float] = field(default_factory=dict, hash=False)
+    face_width: float | None = None
+
+
+def purchases(years: float, life_years: ArrayLike) -> Array:
+    """How often something is bought in `years` when it lasts `life_years` [-]: whole numbers."""
+    return np.ceil(years / np.asarray(life_years, float) - 1e-9)
+
+
+def lagging_cost(cost: Cost, area: ArrayLike, years: float) -> tuple[Array, Array, Array]:
+    """Cost of a lagging over the years: at the middle, the longest and the shortest life.
+
+    (material + installation) * area / (area of the price) * times bought.
+
+    Parameters
+    ----------
+    cost
+        Prices, the area they are for, and the life.
+    area
+        Lagged area pi D W [m2], any shape.
+    years
+        Years that are counted.
+
+    Returns
+    -------
+    middle, least, most
+        [currency], the shape of `area`.
+    """
+    each = (cost.material + cost.installation) * np.asarray(area, float) / cost.area
+    low, high = cost.life_years
+    middle, least, most = (each * purchases(years, v) for v in ((low + high) / 2, high, low))
+    return middle, least, most
+
+
+def energy_cost(loss: ArrayLike, hours: float, tariff: float, years: float) -> Array:
+    """Price of the power lost to creep [currency].
+
+    Parameters
+    ----------
+    loss
+        Power lost [W].
+    hours
+        Hours of running in a year.
+    tariff
+        Price of a kilowatt hour [currency].
+    years
+        Years that are counted.
+    """
+    return np.asarray(loss, float) * 3600.0 * hours * years / JOULES_PER_KWH * tariff
+
+
+def catalogue_price(lagging: Lagging, name: str = "") -> Price | None:
+    """Price of a lagging: its own, or the catalogue's for its surface.
+
+    Parameters
+    ----------
+    lagging
+        The lagging.
+    name
+        Which price of the catalogue; the first for the surface unless given.
+
+    Returns
+    -------
+    None if there is none.
+    """
+    if lagging.cost is not None and not name:
+        return Price(cost=lagging.cost, source=lagging.source_of("cost"))
+    fits = [
+        c for c in lagging_costs() if (c.name == name if name else c.surface == lagging.surface)
+    ]
+    return _price(fits[0]) if fits else None
+
+
+def _price(found: LaggingCost) -> Price:
+    cost = Cost(
+        material=found.material,
+        installation=found.installation,
+        currency=found.currency,
+        area=found.area,
+        life_years=found.life_years,
+    )
+    return Price(cost=cost, source=found.provenance)
+
+
+def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> list[Problem]:
+    """Return a problem for every candidate without a price, or priced in another currency."""
+    problems = []
+    for name in laggings:
+        price = costing.laggings.get(name)
+        if price is None:
+            problems.append(
+                Problem(
+                    key=f"cost.lagging.{name}",
+                    message=f"lagging {shown(name)} has no cost, so it cannot be ranked",
+                    remedy="Give material, installation, area and life_years, or preset = a "
+                    "lagging cost of the catalogue.",
+                )
+            )
+        elif price.cost.currency != costing.currency:
+            problems.append(
+                Problem(
+                    key=f"cost.lagging.{name}",
+                    value=shown(price.cost.currency),
+                    message=f"priced in another currency than {costing.currency}",
+                    remedy="State its cost in one currency; none is converted here.",
+                )
+            )
+    missing = [name for name in belts if name not in costing.belts] if len(belts) > 1 else []
+    problems += [
+        Problem(
+            key=f"cost.belt.{name}",
+            message=f"belt {shown(name)} has no cost, and the candidates have different belts",
+            remedy="Give price and life_years of every candidate belt.",
+        )
+        for name in missing
+    ]
+    if costing.tariff is not None and not any(h > 0.0 for h in costing.hours.values()):
+        message = "a tariff, and no load case with hours"
+        problems.append(
+            Problem(key="cost.hours", message=message, remedy="Write hours.design = 6000.")
+        )
+    if not 0.0 < costing.years < math.inf:
+        problems.append(Problem(key="cost.years", message="must be more than 0"))
+    return problems

@@ -1,0 +1,99 @@
+"""`wraparc choose`: the example, its outputs, and input that cannot be used."""
+
+import csv
+import shutil
+from pathlib import Path
+
+import pytest
+
+from cli.running import wraparc
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "choosing"
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    for name in ("choose.toml", "wet-season-drive.toml"):
+        shutil.copy(EXAMPLES / name, tmp_path)
+    path = tmp_path / "choose.toml"
+    # one load case and one lagging less: quick
+    text = path.read_text("utf-8").replace('"medium-ceramic", ', "")
+    text = text.replace("rating_share.start = 1.4", "").replace('slack_tensions = "least"', "")
+    path.write_text(text, "utf-8")
+    drive = tmp_path / "wet-season-drive.toml"
+    drive.write_text(drive.read_text("utf-8").partition("[[load_case]]")[0], "utf-8")
+    return path
+
+
+def test_the_example_chooses_and_says_why_not() -> None:
+    ran = wraparc("choose", EXAMPLES / "choose.toml")
+    assert ran.code == 0, ran.err
+    assert "Choose full-ceramic" in ran.words
+    assert "diamond-rubber tension per width" in ran.words
+    assert "ratio of constant design values applied to the whole law" in ran.words
+    assert "currency not stated there, AUD assumed" in ran.words
+
+
+def test_no_feasible_candidate_names_the_limit_and_the_miss(file: Path) -> None:
+    ran = wraparc("choose", file)
+    assert ran.code == 0, ran.out
+    ran = wraparc("choose", file, "--set", "limits.creep=0.5 mm")
+    assert ran.code == 1
+    assert "No candidate keeps every limit. - Limits broken: creep (2 of 2)." in ran.words
+    assert "Nearest: full-ceramic: creep" in ran.words
+    assert "at most 0.5000 mm" in ran.words
+
+
+def test_outputs(file: Path, tmp_path: Path) -> None:
+    ran = wraparc("choose", file, "--json", "-", "--csv", tmp_path / "all.csv")
+    assert ran.code == 0, ran.err
+    designs = ran.json["designs"]
+    assert [d["name"] for d in designs] == ["diamond-rubber", "full-ceramic"]
+    with open(tmp_path / "all.csv", encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    for row, design in zip(rows, designs, strict=True):
+        assert float(row["creep [m]"]) == pytest.approx(design["creep"], rel=1e-6)
+        assert float(row["total [AUD]"]) == pytest.approx(design["cost"], rel=1e-6)
+        assert (row["rank"] == "") == bool(design["broken"])
+
+
+def test_the_picture(file: Path, tmp_path: Path) -> None:
+    ran = wraparc("choose", file, "--plot", tmp_path / "c.svg")
+    assert ran.code == 0, ran.err
+    assert "Pareto front" in (tmp_path / "c.svg").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("setting", "sentence"),
+    [
+        ("drive=no.toml", "cannot be read: No such file or directory"),
+        ("pulley=tail", 'pulley = "tail": the drive has no such pulley. It has "head".'),
+        ('candidates.laggings=["diamond-ruber"]', 'Did you mean "diamond-rubber"?'),
+        ('candidates.belts=["ST9999"]', "the catalogue has no belt of this name"),
+        ("limits.rating_share={stat=1.4}", "the drive has no such load case"),
+        ("cost.currency=EUR", "priced in another currency than EUR"),
+        ("cost.lagging={rubber={material=5}}", "no lagging among the candidates"),
+        ("cost.lagging.full-ceramic={material=5}", "the cost is not complete"),
+        ("cost.hours={}", "a tariff, and no load case with hours"),
+        ('condition=[{name="dusty"}]', "nothing is said of its friction when dusty"),
+        ('candidates.slack_tensions="lest"', "must be an array"),
+        ("candidates.slack_tensions=[]", "must have 1 to 100000 entries"),
+        ('candidates.diameters=["800"]', "no unit, where a length is needed"),
+    ],
+)
+def test_bad_input_is_told_in_a_sentence(file: Path, setting: str, sentence: str) -> None:
+    ran = wraparc("choose", file, "--set", setting)
+    assert ran.code == 2
+    assert sentence in " ".join(ran.err.split()), ran.err
+    assert "Traceback" not in ran.err
+
+
+def test_a_lagging_without_cost_is_told(file: Path, tmp_path: Path) -> None:
+    from wraparc.catalogue import lagging_text
+
+    text = lagging_text("diamond-rubber").replace('surface = "rubber"\n', "")
+    (tmp_path / "own.toml").write_text(text.replace("diamond-rubber", "own"), "utf-8")
+    ran = wraparc("choose", file, "--set", 'candidates.laggings=["own.toml"]',
+                  "--set", 'condition=[{name="dry"}]')  # fmt: skip
+    assert ran.code == 2
+    assert 'lagging "own" has no cost, so it cannot be ranked' in ran.err

@@ -1,0 +1,237 @@
+"""Selection against brute force: every design put together by hand and solved by `solve`."""
+
+import itertools
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from choose.searches import CERAMIC, CORD, FABRIC, RUBBER, drive, search
+from wraparc import Belt, InputError, Lagging, LoadCase, Tensions, solve
+from wraparc.study.arc_columns import ANSWERS, ArcColumns, solve_columns
+from wraparc.study.belt_rating import least_belt
+from wraparc.study.selection import Selection, choose, front
+
+
+@pytest.fixture(scope="module")
+def selection() -> Selection:
+    return choose(search())
+
+
+def by_hand(lagging: Lagging, belt: Belt, diameter: float, slack: float) -> tuple[float, float]:
+    """Worst creep over load cases and conditions [m], and cost [EUR]; creep inf if it fails."""
+    wet = replace(lagging, law=scaled_knots(lagging, 0.85))
+    cost = 10.0 / {"diamond-rubber": 2.0, "full-ceramic": 10.0}[lagging.name]
+    cost *= {"diamond-rubber": 4600.0, "full-ceramic": 8600.0}[lagging.name]
+    cost *= math.pi * diameter * 1.2 / 6.0
+    cost += {"fabric": 50e3, "cord": 90e3}[belt.name]
+    worst = 0.0
+    for surface in (lagging, wet):
+        base = drive()
+        pulley = replace(base.pulleys[0], diameter=diameter, lagging=surface)
+        cases = (
+            LoadCase(name="full", tensions={"head": Tensions(entry=slack + 75e3, exit=slack)}),
+            LoadCase(name="brake", tensions={"head": Tensions(entry=slack, exit=slack + 15e3)}),
+        )
+        result = solve(
+            replace(base, belt=belt, pulleys=(pulley,), load_cases=cases), raise_on_failure=False
+        )
+        worst = max([worst, *(abs(r.exit_creep) if r.status.solved else math.inf for r in result)])
+        if surface is lagging:
+            cost += result.arcs[0].energy.power_loss / 1e3 * 5000 * 10 * 0.2
+    return worst, cost
+
+
+def scaled_knots(lagging: Lagging, factor: float) -> Any:
+    law: Any = lagging.law
+    c = law.coefficients
+    columns = ("peak_friction", "post_peak_slope", "residual_friction")
+    new = {k: tuple(factor * v for v in getattr(c, k)) for k in columns}
+    return replace(law, coefficients=replace(c, **new))
+
+
+def test_ranking_costs_and_creeps_equal_brute_force(selection: Selection) -> None:
+    expected = []
+    designs = itertools.product((RUBBER, CERAMIC), (FABRIC, CORD), (0.7, 0.9), (45e3, 60e3))
+    for i, (lagging, belt, diameter, slack) in enumerate(designs):
+        creep, cost = by_hand(lagging, belt, diameter, slack)
+        assert selection.creep[i] == pytest.approx(creep, rel=1e-9)
+        assert selection.costs.total[i] == pytest.approx(cost, rel=1e-9)
+        keeps_creep = creep <= 6.35e-3
+        keeps_belt = (slack + 75e3) / 1.2 <= belt.rating  # type: ignore[operator]
+        keeps_pulley = belt is FABRIC or diameter >= 0.8
+        if keeps_creep and keeps_belt and keeps_pulley:
+            expected.append((cost, i))
+        said = {
+            n for n in ("creep", "belt_rating", "least_pulley_diameter") if n in selection.broken(i)
+        }
+        truth = {
+            name
+            for name, kept in (
+                ("creep", keeps_creep),
+                ("belt_rating", keeps_belt),
+                ("least_pulley_diameter", keeps_pulley),
+            )
+            if not kept
+        }
+        assert said == truth, i
+    assert 1 < len(expected) < 16
+    assert selection.ranking.tolist() == [i for _, i in sorted(expected)]
+
+
+def test_an_excess_is_the_value_over_its_limit(selection: Selection) -> None:
+    """Design 4, rubber on cord with 0.7 m, breaks the cord's least pulley of 0.8 m by 12.5 %."""
+    held = selection.held["least_pulley_diameter"]
+    assert (held.value[4], held.limit[4]) == (0.7, 0.8)
+    assert held.excess[4] == pytest.approx(0.125)
+    creep = selection.held["creep"]
+    assert np.allclose(creep.excess, selection.creep / 6.35e-3 - 1.0)
+
+
+def test_the_worst_place_is_told(selection: Selection) -> None:
+    """Wet is worse than dry, and the full belt worse than braking with a fifth of its pull."""
+    where = selection.held["creep"].where
+    assert {selection.place(w) for w in where.tolist()} == {("full", "wet")}
+
+
+def test_the_fronts_hold_what_nothing_beats(selection: Selection) -> None:
+    for chosen, other in (
+        (selection.creep_front, selection.creep),
+        (selection.slack_front, selection.slack_tension),
+    ):
+        cost = selection.costs.total
+        truth = [
+            i
+            for i in selection.ranking
+            if not any(
+                cost[j] <= cost[i]
+                and other[j] <= other[i]
+                and (cost[j], other[j]) != (cost[i], other[i])
+                for j in selection.ranking
+            )
+        ]
+        assert chosen.tolist() == truth
+
+
+def test_front_of_made_up_numbers() -> None:
+    ranking = np.arange(5)
+    other = np.array([5.0, 5.0, 6.0, 2.0, 3.0])
+    assert front(ranking, np.arange(5.0), other).tolist() == [0, 3]
+
+
+def made_up(arcs: ArcColumns, laggings: Any, *, capacities: bool) -> dict[str, Any]:
+    """Creep D T1/T2 in mm: a solver of one line, for large searches."""
+    n = len(arcs)
+    out = {name: np.full(n, np.nan) for name in ANSWERS}
+    out["exit_creep"] = 1e-3 * arcs.entry_tension / arcs.exit_tension * arcs.diameter
+    out["peak_shear_stress"] = np.full(n, 1e5)
+    out["power_loss"] = 1e3 / arcs.diameter
+    return {"solved": np.ones(n), **out}
+
+
+def test_a_large_search_equals_a_loop_and_its_best_beats_its_neighbours() -> None:
+    diameters = tuple(np.linspace(0.5, 1.5, 21))
+    slack = tuple(np.linspace(30e3, 90e3, 61))
+    found = choose(search(diameters=diameters, slack_tensions=slack), solve=made_up)
+    best, truth = math.inf, -1
+    for i, (lag, belt, d, t) in enumerate(
+        itertools.product((RUBBER, CERAMIC), (FABRIC, CORD), diameters, slack)
+    ):
+        kept = max(t + 75e3, t + 15e3) / t * d * 1e-3 <= 6.35e-3 and (t + 75e3) / 1.2 <= belt.rating
+        kept &= belt is FABRIC or d >= 0.8
+        pressure = lag.law.tested
+        assert pressure is not None
+        kept &= 2 * (t + 75e3) / (1.2 * d) <= pressure.pressure_max
+        kept &= 2 * t / (1.2 * d) >= pressure.pressure_min
+        each, times = (4600.0, 5) if lag is RUBBER else (8600.0, 1)
+        cost = each * math.pi * d * 1.2 / 6.0 * times + 1.0 / d * 10_000
+        cost += 50e3 if belt is FABRIC else 90e3
+        if kept and cost < best:
+            best, truth = cost, i
+    assert found.costs.total[truth] == pytest.approx(best)
+    assert found.costs.total[found.ranking[0]] == pytest.approx(best)
+    place = found.grid.places[:, found.ranking[0]]
+    for kind in range(6):
+        for step in (-1, 1):
+            near = place.copy()
+            near[kind] += step
+            if 0 <= near[kind] < found.search.shape[kind]:
+                i = int(np.ravel_multi_index(tuple(near), found.search.shape))
+                assert not found.feasible[i] or found.costs.total[i] >= best * (1 - 1e-12)
+
+
+def test_the_least_slack_tension_just_meets_the_creep_limit_in_the_worst_case() -> None:
+    found = choose(search(slack_tensions=(), diameters=(0.8,), belts=(FABRIC,)))
+    assert found.slack_tension[0] > 55e3
+    assert found.creep[0] == pytest.approx(6.35e-3, rel=1e-6)
+    less = replace(found.search, slack_tensions=(float(found.slack_tension[0]) * 0.999,))
+    assert "creep" in choose(less).broken(0)
+
+
+def test_the_least_slack_tension_keeps_the_tested_pressure() -> None:
+    """With creep allowed freely the lowest tested pressure, 34 kPa, asks for p B D/2 = 16.32 kN."""
+    from wraparc.study.search import Limits
+
+    one = search(
+        slack_tensions=(), diameters=(0.8,), belts=(FABRIC,), limits=Limits(creep=0.05),
+        laggings=(CERAMIC,),
+    )  # fmt: skip
+    assert choose(one).slack_tension[0] == pytest.approx(34e3 * 1.2 * 0.8 / 2)
+
+
+def test_a_lighter_belt_is_solved_with_its_own_modulus() -> None:
+    found = choose(
+        search(laggings=(CERAMIC,), diameters=(0.9,), belts=(FABRIC,), slack_tensions=())
+    )
+    soft = Belt(name="soft", width=1.2, modulus=6e6, rating=120e3, speed=3.0)
+    weak = Belt(name="weak", width=1.2, modulus=6e6, rating=50e3, speed=3.0)
+    lighter = least_belt(found, int(found.ranking[0]), (FABRIC, weak, soft))
+    assert lighter is not None
+    assert lighter.belt.name == "soft"
+    assert lighter.slack_tension > found.slack_tension[0]
+
+
+def test_the_next_dearer_lagging_is_dearer_to_buy() -> None:
+    found = choose(search(diameters=(0.9,), belts=(FABRIC,), slack_tensions=(70e3,)), solve=made_up)
+    assert found.next_dearer() is None  # the ceramic, dearer to buy, is cheaper over ten years
+    short = choose(
+        replace(found.search, costing=replace(found.search.costing, years=2.0)), solve=made_up
+    )
+    assert short.ranking[0] == 0
+    assert short.next_dearer() == 1
+
+
+def test_the_nearest_of_infeasible_designs_is_told() -> None:
+    from wraparc.study.search import Limits
+
+    found = choose(search(limits=Limits(creep=1e-4)), solve=made_up)
+    assert len(found.ranking) == 0
+    worst = np.nanmax([h.excess for h in found.held.values()], axis=0)
+    assert worst[found.nearest()] == worst.min()
+    assert "creep" in found.broken(found.nearest())
+
+
+def test_a_candidate_without_cost_is_refused() -> None:
+    from wraparc.study.cost import Costing
+
+    with pytest.raises(InputError) as raised:
+        search(costing=Costing(currency="EUR"))
+    text = str(raised.value)
+    assert 'lagging "diamond-rubber" has no cost' in text
+    assert 'belt "cord" has no cost' in text
+
+
+def test_columns_give_what_one_arc_gives() -> None:
+    from wraparc.arc import Distributed
+    from wraparc.study.search import Grid
+
+    grid = Grid.of(search(diameters=(0.9,), slack_tensions=(60e3,)))
+    s = grid.search
+    arcs = grid.arcs(s.drive.load_cases[0], 1)
+    answer = solve_columns(arcs, s.conditioned(), capacities=True)
+    for i in range(len(grid)):
+        one = Distributed().solve(arcs.arc(i, s.conditioned())).scalars()
+        for name in ANSWERS:
+            assert answer[name][i] == pytest.approx(one[name], rel=2e-5, nan_ok=True), name
