@@ -8,7 +8,7 @@ import pytest
 
 from cli.running import wraparc
 
-EXAMPLES = Path(__file__).parents[2] / "examples" / "choosing"
+EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
 
 
 @pytest.fixture
