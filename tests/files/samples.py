@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from itertools import accumulate
+from pathlib import Path
 from typing import Literal
 
 from hypothesis import strategies as st
@@ -24,6 +25,19 @@ from wraparc.friction import (
     TestedRange,
     Trend,
 )
+
+#: The example drives that one drive file alone describes.
+EXAMPLE_DRIVES = (
+    "downhill-braking",
+    "head-drive-fabric",
+    "steel-cord-drive",
+    "test-pulley-calibrated",
+)
+
+
+def example(name: str) -> Path:
+    """Return the path of an example file."""
+    return Path(__file__).parents[2] / "examples" / f"{name}.toml"
 
 
 def numbers(least: float, most: float) -> st.SearchStrategy[float]:

@@ -1,23 +1,20 @@
 """The example drives are what their comments say."""
 
-from pathlib import Path
-
 import pytest
 
+from files.samples import EXAMPLE_DRIVES, example
 from wraparc import Kind
 from wraparc.drive import Drive, design_remarks
 from wraparc.files import load_drive
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+
+def load(name: str) -> Drive:
+    return load_drive(example(name))
 
 
-def example(name: str) -> Drive:
-    return load_drive(EXAMPLES / f"{name}.toml")
-
-
-@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("*.toml")), ids=lambda path: path.stem)
-def test_examples_say_that_their_laggings_are_illustrative(path: Path) -> None:
-    drive = load_drive(path)
+@pytest.mark.parametrize("name", EXAMPLE_DRIVES)
+def test_examples_say_that_their_laggings_are_illustrative(name: str) -> None:
+    drive = load(name)
     remarks = " ".join(design_remarks(drive))
     assert drive.title
     for pulley in drive.pulleys:
@@ -26,14 +23,14 @@ def test_examples_say_that_their_laggings_are_illustrative(path: Path) -> None:
 
 
 def test_the_fabric_drive() -> None:
-    drive = example("head-drive-fabric")
+    drive = load("head-drive-fabric")
     assert [case.name for case in drive.load_cases] == ["design", "empty", "start"]
     assert drive.load_cases[0].tensions["head"].ratio == 2.5
     assert drive.load_cases[2].tensions["head"].effective == pytest.approx(1.4 * 90e3)
 
 
 def test_the_steel_cord_drive_leaves_the_tested_pressures() -> None:
-    remarks = design_remarks(example("steel-cord-drive"))
+    remarks = design_remarks(load("steel-cord-drive"))
     assert remarks[1] == (
         "Load case start, pulley head: the wrap pressure at the entry, 695.8 kPa, is outside the "
         "tested 34.00 kPa to 690.0 kPa of lagging full-ceramic."
@@ -42,7 +39,7 @@ def test_the_steel_cord_drive_leaves_the_tested_pressures() -> None:
 
 def test_the_downhill_drive_brakes() -> None:
     """250 hp at 600 fpm hold back 33000 x 250/600 = 13750 lbf."""
-    cases = example("downhill-braking").load_cases
+    cases = load("downhill-braking").load_cases
     design, empty, _ = (case.tensions["tail"] for case in cases)
     assert design.effective == pytest.approx(-13750 * 4.4482216152605, rel=1e-12)
     assert design.ratio < 1.0
@@ -50,7 +47,7 @@ def test_the_downhill_drive_brakes() -> None:
 
 
 def test_the_calibrated_pulley_marks_every_input_as_assumed() -> None:
-    drive = example("test-pulley-calibrated")
+    drive = load("test-pulley-calibrated")
     assert "calibrated" in drive.title.casefold()
     assert "assumed" in drive.description
     (pulley,) = drive.pulleys

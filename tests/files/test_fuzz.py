@@ -1,12 +1,13 @@
 """Whatever is in a file, the answer is a drive or sentences: nothing else is ever raised."""
 
 import string
-from pathlib import Path
 from typing import Any
 
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
+from files.samples import EXAMPLE_DRIVES
+from files.samples import example as example_file
 from wraparc import InputError
 from wraparc.catalogue import lagging_names, lagging_text
 from wraparc.files import (
@@ -18,8 +19,7 @@ from wraparc.files import (
 )
 from wraparc.files.source import decoded, parse
 
-ROOT = Path(__file__).parents[2]
-DRIVES = [path.read_text("utf-8") for path in sorted((ROOT / "examples").glob("*.toml"))]
+DRIVES = [example_file(name).read_text("utf-8") for name in EXAMPLE_DRIVES]
 LAGGINGS = [lagging_text(name) for name in lagging_names()]
 EVERYTHING = """format = 1
 [belt]

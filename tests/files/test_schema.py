@@ -6,12 +6,13 @@ from typing import Any
 import jsonschema  # type: ignore[import-untyped]
 import pytest
 
+from files.samples import EXAMPLE_DRIVES, example
 from wraparc import InputError
 from wraparc.catalogue import lagging_names, lagging_text
 from wraparc.files import drive_from_document, json_schema
 from wraparc.files.source import parse
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+EXAMPLES = [example(name) for name in EXAMPLE_DRIVES]
 
 
 def validator(file: str) -> jsonschema.Draft202012Validator:

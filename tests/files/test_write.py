@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from files.samples import LAGGINGS, drives, numbers
+from files.samples import EXAMPLE_DRIVES, LAGGINGS, drives, example, numbers
 from wraparc import InputError
 from wraparc.drive import Drive, Lagging
 from wraparc.files import (
@@ -26,7 +26,7 @@ from wraparc.files.quantity_text import quantity_text
 from wraparc.files.source import parse
 from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 
-EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
+EXAMPLES = [example(name) for name in EXAMPLE_DRIVES]
 
 
 @given(st.sampled_from(DIMENSIONS), numbers(-1e12, 1e12))
