@@ -83,6 +83,10 @@ def drive_from_document(
     document = overridden(document, overrides, file=file)
     check_format(document, file)
     report = Report(file)
+    if "train" in document:
+        message = "a train of drives on one belt, which is no plain drive"
+        report.add(("train",), message, "Read the file with load_train.")
+        report.raise_all()
     record: Record = DRIVE.read(document, (), report)
     belt_record = record.get("belt")
     belt = build_belt(belt_record, report) if isinstance(belt_record, Record) else None
@@ -123,6 +127,8 @@ def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[
         tensions = resolve(own, speed, report, sure=sure)
         built.append(LoadCase(name=DESIGN, tensions=tensions))
     for case in cases:
+        if "train" in case:
+            report.add((*case.place, "train"), "there is no [train] table", "Write one.")
         given = _of_case(case, own, report)
         whole = sure and case.sound()
         tensions = resolve(given, speed, report, sure=whole)

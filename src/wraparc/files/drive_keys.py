@@ -5,6 +5,7 @@ from wraparc.files.common_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known, 
 from wraparc.files.kinds import ByName, Flag, Name, Quantity, Rows, Text, TextOr, WordOr
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.files.tables import Entry, Table
+from wraparc.files.train_keys import TRAIN, TRAIN_CASE
 
 BELT = Table(
     (
@@ -102,6 +103,7 @@ LOAD_CASE = Table(
             "Tensions",
             "Tensions by pulley; those not named keep their own.",
         ),
+        Entry("train", TRAIN_CASE, "Train", "Tensions and division of the load of a train."),
     ),
     "Load case",
 )
@@ -123,6 +125,7 @@ DRIVE = Table(
         ),
         Entry("lagging", ByName(LAGGING_GIVEN), "Laggings", "Laggings of this drive, by name."),
         Entry("load_case", Rows(LOAD_CASE, 1), "Load cases", "States of the conveyor."),
+        Entry("train", TRAIN, "Train", "How several drives on the belt divide the load."),
     ),
     "Drive file",
 )

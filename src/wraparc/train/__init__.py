@@ -1,19 +1,26 @@
-"""Several drives on one belt: how the load divides, the speeds needed, motors, maps."""
+"""Several drives on one belt: how the load divides, the speeds needed, motors, maps.
 
-from wraparc.train.curve import Mark, MarkKind, ShareCurve, share_curve
-from wraparc.train.motors import (
-    FluidCoupling,
-    Induction,
-    Motor,
-    TorqueFollower,
-    VariableSpeed,
-)
-from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
-from wraparc.train.share_map import ShareMap, share_map
-from wraparc.train.solve import solve_train
-from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
-from wraparc.train.walk import Axis
-from wraparc.train.what_if import what_if
+Modules are imported when a name of theirs is first used: to read a file takes only descriptions.
+"""
+
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from wraparc.train.curve import Mark, MarkKind, ShareCurve, share_curve
+    from wraparc.train.motors import (
+        FluidCoupling,
+        Induction,
+        Motor,
+        TorqueFollower,
+        VariableSpeed,
+    )
+    from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
+    from wraparc.train.share_map import ShareMap, share_map
+    from wraparc.train.solve import solve_train
+    from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
+    from wraparc.train.walk import Axis
+    from wraparc.train.what_if import what_if
 
 __all__ = [
     "Axis",
@@ -43,3 +50,23 @@ __all__ = [
     "solve_train",
     "what_if",
 ]
+
+_MODULES = {
+    "curve": "Mark MarkKind ShareCurve share_curve",
+    "motors": "FluidCoupling Induction Motor TorqueFollower VariableSpeed",
+    "result": "CaseResult MemberResult MotorPoint TrainResult TrainStatus",
+    "share_map": "ShareMap share_map",
+    "solve": "solve_train",
+    "train": "Division Motors Pulls Shares Speeds Train TrainCase",
+    "walk": "Axis",
+    "what_if": "what_if",
+}
+_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value: object = getattr(importlib.import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
+    globals()[name] = value
+    return value
