@@ -271,7 +271,7 @@ def test_equations_that_are_none() -> None:
         (
             '[law]\nkind = "table"\nslip = ["0 mm", "2 mm"]\n'
             'rows = [{ pressure = "1 bar", friction = [0.1, 0.2, 0.3] }]\n',
-            "law.friction: the table must have a row of 2 values for each of 1 pressures.",
+            "law.rows[1].friction: 3 values for 2 slips. Give one for each slip.",
         ),
     ],
 )

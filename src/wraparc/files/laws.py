@@ -224,6 +224,18 @@ def _unit(record: Record, key: str, dimension: Dimension, example: str) -> float
 def _table(record: Record) -> MeasuredTable:
     rows: list[Record] = record["rows"]
     _check_order(rows, "rows")
+    slips = len(record["slip"])
+    problems = [
+        Problem(
+            key=f"rows[{number}].friction",
+            message=f"{len(row['friction'])} values for {slips} slips",
+            remedy="Give one for each slip.",
+        )
+        for number, row in enumerate(rows, start=1)
+        if len(row["friction"]) != slips
+    ]
+    if problems:
+        raise InputError(problems)
     return MeasuredTable(
         slip=tuple(record["slip"]),
         pressure=tuple(row["pressure"] for row in rows),
