@@ -26,6 +26,9 @@ COMMANDS: dict[str, Command] = {
     "choose": Command(
         "wraparc.cli.choose:choose", "Choose lagging, belt and take-up: rank candidates by cost."
     ),
+    "what-if": Command(
+        "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
+    ),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 

@@ -1,0 +1,146 @@
+"""``wraparc what-if``: a drive before and after changes, in one table."""
+
+from collections.abc import Iterator
+
+import click
+
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.drive import Drive
+from wraparc.errors import InputError, Problem
+from wraparc.study.what_if import Change
+from wraparc.units import System
+
+
+@click.command("what-if")
+@click.argument("file", type=click.Path())
+@units_option
+@click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
+@click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
+@click.option("--belt", "belts", multiple=True, metavar="NAME", help="A belt of the catalogue.")
+@click.option(
+    "--other-carcass", is_flag=True, help="Steel cord for fabric of the nearest rating, or back."
+)
+@click.option("--lagging", "laggings", multiple=True, metavar="NAME", help="Another lagging.")
+@click.option("--thickness", "thicknesses", multiple=True, metavar="LENGTH", help="Of the lagging.")
+@click.option("--worn", multiple=True, metavar="LENGTH", help="Lagging worn to this thickness.")
+@click.option("--bare", metavar="STANDARD", help='Bare pulley: "CEMA" or "DIN 22101".')
+@click.option(
+    "--wet", metavar="FACTOR", help='Friction when wet over dry, or "DIN 22101" for its ratio.'
+)
+@click.option("--change", "changes", multiple=True, metavar="KEY=VALUE", help="Anything else.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+def what_if(
+    file: str,
+    units: System,
+    pulley: str | None,
+    load_case: str | None,
+    json_file: str | None,
+    **said: object,
+) -> int:
+    """Show a pulley of a drive FILE before and after changes, with the reason for each.
+
+    Every change is one column of the table, each made to the drive as it is in the file.
+    """
+    from wraparc.files import load_drive
+    from wraparc.study.what_if import case_named
+    from wraparc.study.what_if import what_if as solve_both
+
+    check_outputs({"--json": (json_file, (".json",))}, [file])
+    drive = load_drive(file)
+    name = pulley or drive.pulleys[0].name
+    case = case_named(drive, load_case).name
+    if name not in [p.name for p in drive.pulleys]:
+        there = ", ".join(p.name for p in drive.pulleys)
+        raise InputError(
+            Problem(key="--pulley", value=name, message="no such pulley", remedy=f"It has {there}.")
+        )
+    changes = list(_changes(drive, name, file, said))
+    if not changes:
+        raise InputError(
+            Problem(
+                message="nothing is to be changed",
+                remedy="Name a change: --other-carcass, --belt, --lagging, --thickness, --worn, "
+                "--wet, --bare or --change.",
+            )
+        )
+    found = solve_both(drive, name, case, changes)
+    title = drive.title or "What if"
+    if json_file:
+        from wraparc.present.document import json_text
+        from wraparc.present.what_if_sheet import what_if_document
+        from wraparc.saving import save_file
+
+        text = json_text(what_if_document(found))
+        if json_file == STANDARD_OUTPUT:
+            click.echo(text, nl=False)
+            return 0
+        save_file(json_file, text)
+    from wraparc.cli.show import show
+    from wraparc.present.what_if_sheet import what_if_sheet
+
+    show(what_if_sheet(found, title, units))
+    return 0 if all(r.status.solved for r in found.after) else 1
+
+
+def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> Iterator[Change]:
+    from wraparc import catalogue
+    from wraparc.files import load_drive, load_lagging
+    from wraparc.study import what_if as study
+
+    if said["other_carcass"]:
+        row = study.other_carcass(drive.belt)
+        yield Change(row.name, study.with_belt(drive, row), f"{row.kind}, {row.provenance}")
+    for name in _texts(said["belts"]):
+        row = catalogue.belt(name)
+        yield Change(row.name, study.with_belt(drive, row), f"{row.kind}, {row.provenance}")
+    for name in _texts(said["laggings"]):
+        lagging = load_lagging(name)
+        note = str(lagging.source_of("law"))
+        yield Change(lagging.name, study.with_lagging(drive, pulley, lagging), note)
+    for text in _texts(said["thicknesses"]):
+        h = _length(text, "--thickness")
+        yield Change(f"h {text}", study.with_thickness(drive, pulley, h))
+    for text in _texts(said["worn"]):
+        h = _length(text, "--worn")
+        note = "thinner, diameter smaller; what wear takes off the friction is not known"
+        yield Change(f"worn to {text}", study.worn_to(drive, pulley, h), note)
+    if said["wet"]:
+        yield _wet(drive, pulley, str(said["wet"]))
+    if said["bare"]:
+        changed, source = study.bare(drive, pulley, str(said["bare"]))
+        yield Change(f"bare, {said['bare']}", changed, source)
+    for text in _texts(said["changes"]):
+        yield Change(text, load_drive(file, overrides=[text]))
+
+
+def _wet(drive: Drive, pulley: str, text: str) -> Change:
+    from wraparc.study.conditions import Condition
+    from wraparc.study.what_if import with_lagging
+    from wraparc.units import parse_number
+
+    if text[:1].isdigit() or text[:1] == ".":
+        condition = Condition(name="wet", factor=parse_number(text))
+    else:
+        condition = Condition(name="wet", standard=text)
+    lagging = drive.pulley(pulley).lagging
+    factor, source = condition.factor_of(lagging)
+    note = f"friction factor {factor:.3g}, {source}"
+    return Change("wet", with_lagging(drive, pulley, condition.lagging(lagging)), note)
+
+
+def _texts(value: object) -> tuple[str, ...]:
+    return value if isinstance(value, tuple) else ()
+
+
+def _length(text: str, option: str) -> float:
+    from dataclasses import replace
+
+    from wraparc.units import parse_quantity
+
+    try:
+        value = parse_quantity(text, "length")
+    except InputError as error:
+        raise InputError(replace(error.problems[0], key=option)) from None
+    if value < 0.0:
+        raise InputError(Problem(key=option, value=text, message="must be at least 0"))
+    return value

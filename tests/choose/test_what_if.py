@@ -1,0 +1,117 @@
+"""What-if pairs: the numbers are those of `solve`, the reasons those of the change."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cli.running import DRIVE, drive_file, wraparc
+from wraparc import Belt, InputError, load_drive, load_lagging, solve
+from wraparc.catalogue import belt as catalogue_belt
+from wraparc.study import what_if as study
+from wraparc.study.what_if import Change, what_if
+
+
+def test_before_and_after_are_what_solve_gives(tmp_path: Path) -> None:
+    drive = load_drive(drive_file(tmp_path))
+    cord = study.with_belt(drive, catalogue_belt("Flexsteel ST1250"))
+    thick = study.with_thickness(drive, "head", 20e-3)
+    found = what_if(drive, "head", "design", [Change("cord", cord), Change("thick", thick)])
+    for result, one in zip((found.before, *found.after), (drive, cord, thick), strict=True):
+        assert result.scalars() == pytest.approx(
+            solve(one).arc("head", "design").scalars(), nan_ok=True
+        )
+    steel = found.after[0]
+    # shrinkage is R int (T1 - T)/EA: it falls with the modulus, 90,000 over 12,960 kN/m
+    ratio = found.before.creep_shrinkage / steel.creep_shrinkage
+    assert ratio == pytest.approx(90 / 12.96, rel=0.15)
+    assert cord.belt.width == drive.belt.width
+    assert cord.belt.speed == drive.belt.speed
+
+
+def test_worn_lagging_makes_the_pulley_smaller(tmp_path: Path) -> None:
+    drive = load_drive(drive_file(tmp_path))
+    worn = study.worn_to(drive, "head", 6e-3).pulley("head")
+    assert worn.diameter == pytest.approx(0.8 - 2 * 6e-3)
+    assert worn.lagging.thickness == 6e-3
+    assert worn.lagging.law == drive.pulley("head").lagging.law
+
+
+def test_a_bare_pulley_by_its_design_value_is_euler_eytelwein(tmp_path: Path) -> None:
+    """CEMA 0.25 carries exp(0.25 pi) = 2.193, less than 2.5; DIN's 0.35 carries it."""
+    drive = load_drive(drive_file(tmp_path))
+    results = [
+        what_if(drive, "head", "design", [Change("bare", study.bare(drive, "head", name)[0])])
+        for name in ("CEMA", "DIN 22101")
+    ]
+    assert not results[0].after[0].status.solved
+    ratio = results[0].after[0].capacities.gross_slip_capacity
+    assert ratio == pytest.approx(math.exp(0.25 * math.pi), rel=1e-6)
+    assert results[1].after[0].status.solved
+    with pytest.raises(InputError, match="no design value of a bare pulley"):
+        study.bare(drive, "head", "ISO 5048")
+
+
+def test_the_other_carcass_has_the_nearest_rating(tmp_path: Path) -> None:
+    """175 kN/m: ST1250 with 187 is nearer, as a ratio, than ST1000 with 150."""
+    drive = load_drive(drive_file(tmp_path))
+    assert study.other_carcass(drive.belt).name == "Flexsteel ST1250"
+    back = study.other_carcass(study.with_belt(drive, catalogue_belt("Flexsteel ST1250")).belt)
+    assert back.kind == "fabric"
+    nameless = Belt(name="x", width=1.0, modulus=1e7)
+    with pytest.raises(InputError, match="must be known to find the other carcass"):
+        study.other_carcass(nameless)
+
+
+def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
+    file = drive_file(tmp_path)
+    ran = wraparc(
+        "what-if", file, "--other-carcass", "--thickness", "20 mm", "--wet", "0.8",
+        "--lagging", "full-ceramic", "--change", "pulley.head.wrap_angle=210 deg",
+    )  # fmt: skip
+    assert ran.code == 0, ran.err
+    assert "Flexsteel ST1250: belt shrinkage goes from 2.718 mm to" in ran.words
+    assert "the belt is 6.94 times as stiff." in ran.words
+    assert "h 20 mm: of the creep the lagging shears 0.4565 mm before" in ran.words
+    assert "wet: global creep goes from" in ran.words
+    assert "has 20 % less friction" in ran.words
+    assert "full-ceramic: illustrative" in ran.words
+    ran = wraparc("what-if", file, "--bare", "CEMA", "--json", "-")
+    before, after = ran.json["results"]
+    assert (before["status"], after["status"]) == ("solved", "breakaway")
+    assert after["exit_creep"] is None
+    assert after["reasons"][0].startswith("its friction carries a tension ratio of 2.193 at most")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ([], "nothing is to be changed"),
+        (["--belt", "ST1"], "the catalogue has no belt of this name"),
+        (["--worn", "6"], "no unit, where a length is needed"),
+        (["--wet", "ISO"], "no design values of surface"),
+        (["--load-case", "x", "--worn", "6 mm"], "the drive has no such load case"),
+        (["--pulley", "x", "--worn", "6 mm"], "no such pulley"),
+    ],
+)
+def test_bad_input_is_told(tmp_path: Path, arguments: list[str], sentence: str) -> None:
+    ran = wraparc("what-if", drive_file(tmp_path), *arguments)
+    assert ran.code == 2
+    assert sentence in ran.err
+    assert "Traceback" not in ran.err
+
+
+def test_wear_and_wet_keep_the_direction_of_the_model(tmp_path: Path) -> None:
+    """Less friction, more creep; thinner, less creep (section on qualitative truths)."""
+    drive = load_drive(drive_file(tmp_path, DRIVE))
+    wet = replace(load_lagging("diamond-rubber"), law=load_lagging("medium-ceramic").law)
+    found = what_if(
+        drive, "head", "design",
+        [
+            Change("better", study.with_lagging(drive, "head", wet)),
+            Change("worn", study.worn_to(drive, "head", 6e-3)),
+        ],
+    )  # fmt: skip
+    assert found.after[0].exit_creep < found.before.exit_creep
+    assert found.after[1].exit_creep < found.before.exit_creep
