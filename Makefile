@@ -16,7 +16,8 @@ export MPLCONFIGDIR := $(CURDIR)/build/matplotlib
 export IPYTHONDIR := $(CURDIR)/build/ipython
 export JUPYTER_CONFIG_DIR := $(CURDIR)/build/jupyter
 export JUPYTER_RUNTIME_DIR := $(CURDIR)/build/jupyter/runtime
-unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME
+# Bytecode is kept, also where the shell asks otherwise: a start without it takes three times as long.
+unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE
 
 # From the cache where it suffices (fast, and works without a network), else from the index.
 sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)

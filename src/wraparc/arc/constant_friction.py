@@ -66,7 +66,7 @@ class ClassicalDrive:
     wrap_factor
         Cw [-].
     slack_tension
-        Slack-side tension that the effective tension needs, Cw |T1 - T2| [N].
+        Slack-side tension that the effective tension needs, Cw abs(T1 - T2) [N].
     slipping_arc
         Part of the wrap that slips at the tensions given; above the wrap angle the belt slips
         through [rad].

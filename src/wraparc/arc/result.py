@@ -98,8 +98,8 @@ class Capacities:
         Least slack-side tension that carries the same effective tension within the creep limit
         [N]; nan if there is none with the tight-side pressure in the tested range.
     largest_effective_tension
-        Largest |T1 - T2| within the creep limit with the tight-side pressure in the tested range
-        [N]; nan where `least_exit_tension` exists.
+        Largest magnitude of T1 - T2 within the creep limit with the tight-side pressure in the
+        tested range [N]; nan where `least_exit_tension` exists.
     tested_slip_capacity, tested_slip_margin
         Ratio at which the exit slip is the largest tested [-]; nan without a tested range.
     gross_slip_capacity, gross_slip_margin
@@ -135,7 +135,7 @@ class Energy:
     power_loss
         Sum of both [W].
     efficiency
-        Driving 1 - loss/power, braking 1/(1 + loss/|power|) [-].
+        Driving 1 - loss/power, braking 1/(1 + loss/abs(power)) [-].
     frictional_energy
         int tau dx, per area of lagging and pass [J/m2].
     wear_rate
@@ -182,7 +182,7 @@ class ArcResult(Viewable):
     peak_shear_stress, peak_shear_angle, peak_shear_position
         Largest shear stress [Pa], angle [rad], and where [rad].
     mean_friction
-        |ln(T1/T2)|/phi [-].
+        abs(ln(T1/T2))/phi [-].
     active_arc
         Exit part that takes 99 % of the tension change [rad].
     outside_tested_share
@@ -228,7 +228,7 @@ class ArcResult(Viewable):
 
     @property
     def within_creep_limit(self) -> bool:
-        """Whether |exit creep| is within the creep limit."""
+        """Whether the magnitude of the exit creep is within the creep limit."""
         return self.status.solved and abs(self.exit_creep) <= self.arc.creep_limit
 
     def scalars(self) -> dict[str, float]:
