@@ -85,14 +85,49 @@ LAWS: dict[str, FrictionLaw] = {
 }
 
 
+def integral_log(
+    peak: float = 0.8, slip: float = 9e-3, slope: float = 0.0, residual: float = 9.0
+) -> IntegralLog:
+    """A law free of pressure."""
+    return IntegralLog(
+        coefficients=PressureKnots(
+            pressure=(2e5,),
+            peak_friction=(peak,),
+            peak_slip=(slip,),
+            post_peak_slope=(slope,),
+            residual_friction=(residual,),
+        )
+    )
+
+
+#: a fabric belt on a driving pulley, without a kick
+ARC = WrapArc(
+    law=Constant(friction_coefficient=0.4),
+    entry_tension=150e3,
+    exit_tension=60e3,
+    diameter=0.8,
+    wrap_angle=math.pi,
+    width=1.2,
+    axial_stiffness=12.96e6 * 1.2,
+    thickness=12e-3,
+    shear_modulus=2.3e6,
+    compression_modulus=10e6,
+    overrun=0.0,
+)
+
+
 def random_arc(law: FrictionLaw, rng: np.random.Generator) -> WrapArc:
-    """A plausible drive: fabric or steel cord, driving, idling or braking, with and without a kick."""
+    """A plausible drive: fabric or steel cord, driving, idling or braking, with and without a kick.
+
+    Of 100 drives about 55 drive, 30 brake, and 15 idle: their tensions differ by bearing friction.
+    """
     diameter = float(rng.uniform(0.5, 1.6))
     width = float(rng.uniform(0.6, 2.0))
     modulus = float(np.exp(rng.uniform(math.log(4e6), math.log(3e8))))
     tight = float(rng.uniform(100e3, 500e3)) * width * diameter / 2
-    ratio = float(rng.uniform(1.02, 3.0))
-    entry, exit_ = (tight, tight / ratio) if rng.random() < 0.7 else (tight / ratio, tight)
+    idling = rng.random() < 0.15
+    ratio = float(np.exp(rng.uniform(-9.0, -4.0)) + 1.0 if idling else rng.uniform(1.02, 3.0))
+    entry, exit_ = (tight, tight / ratio) if rng.random() < 0.65 else (tight / ratio, tight)
     return WrapArc(
         law=law,
         entry_tension=entry,

@@ -1,16 +1,17 @@
-"""An independent solver of the wrap-arc equations, slow and readable, to test the fast one against.
+"""An independent solver of the wrap-arc equations, slow and readable, to test the fast one with.
 
-State (ln T, creep u) and a root for the slip at every evaluation; Hairer's DOP853 in SciPy at 1e-10;
-the laws written out again from their formulas, with SciPy's interpolator. Nothing is shared with
-wraparc.arc or wraparc.friction but the field names of their descriptions.
+State (ln T, creep u) and a root for the slip at every evaluation; SciPy's DOP853 at 1e-10; the laws
+written out again from their formulas, with SciPy's interpolator. Nothing is shared with wraparc.arc
+or wraparc.friction but the field names of their descriptions.
 """
 
 from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable
-from math import copysign, exp, log, sqrt
-from typing import Any
+from itertools import pairwise
+from math import copysign, exp, inf, log, sqrt
+from typing import Any, NamedTuple
 
 from scipy.integrate import ode
 from scipy.interpolate import PchipInterpolator
@@ -23,6 +24,7 @@ from wraparc.friction import (
     FrictionLaw,
     IntegralLog,
     MeasuredTable,
+    PressureKnots,
     PressurePower,
 )
 
@@ -30,7 +32,9 @@ Scalar = Callable[[float], float]
 
 
 def pchip(x: tuple[float, ...], y: tuple[float, ...]) -> Scalar:
-    """SciPy's interpolant as a quick scalar function."""
+    """SciPy's interpolant as a quick scalar function; a single knot makes a constant."""
+    if len(x) == 1:
+        return lambda at: y[0]
     poly = PchipInterpolator(x, y)
     cubics = poly.c.T.tolist()
 
@@ -43,66 +47,92 @@ def pchip(x: tuple[float, ...], y: tuple[float, ...]) -> Scalar:
     return value
 
 
-def friction(law: FrictionLaw) -> Callable[[float, float], float]:
-    """mu(x, p) for x >= 0 from the formulas of the documentation."""
-    if isinstance(law, Constant | PressurePower | ElasticPlastic):
-        return lambda x, p: limit(law, p)
+def friction(law: FrictionLaw) -> Callable[[float], Scalar]:
+    """mu(x) for x >= 0 at a pressure, from the formulas of the documentation."""
+    if isinstance(law, IntegralLog):
+        return integral_log(law)
     if isinstance(law, MeasuredTable):
-        rows = [pchip(law.slip, row) for row in law.values]
-        edges = law.pressure
+        return table(law)
+    return lambda p: lambda x: limit(law, p)
 
-        def table(x: float, p: float) -> float:
-            at, x = min(max(p, edges[0]), edges[-1]), min(x, law.slip[-1])
-            i = min(max(bisect_right(edges, at) - 1, 0), len(edges) - 2)
-            w = (at - edges[i]) / (edges[i + 1] - edges[i])
-            return ((1 - w) * rows[i](x) + w * rows[i + 1](x)) * min(1.0, edges[-1] / p)
 
-        return table
-    assert isinstance(law, IntegralLog)
+def table(law: MeasuredTable) -> Callable[[float], Scalar]:
+    rows, edges, end = [pchip(law.slip, row) for row in law.values], law.pressure, law.slip[-1]
+
+    def at_pressure(p: float) -> Scalar:
+        at, held = min(max(p, edges[0]), edges[-1]), min(1.0, edges[-1] / p)
+        i = min(max(bisect_right(edges, at) - 1, 0), len(edges) - 2)
+        w = (at - edges[i]) / (edges[i + 1] - edges[i])
+        low, high = rows[i], rows[i + 1]
+        return lambda x: held * ((1 - w) * low(min(x, end)) + w * high(min(x, end)))
+
+    return at_pressure
+
+
+def integral_log(law: IntegralLog) -> Callable[[float], Scalar]:
     c = law.coefficients
-    first, last = c.pressure[0], c.pressure[-1]
-    if isinstance(c, CoefficientPieces):
-        pieces = c
+    parts = from_pieces(c) if isinstance(c, CoefficientPieces) else from_knots(c)
+    first, last = (c.pressure[0], c.pressure[-1]) if len(c.pressure) > 1 else (0.0, inf)
 
-        def parts(p: float) -> tuple[float, float, float, float]:
-            i = min(max(bisect_right(pieces.pressure, p) - 1, 0), len(pieces.pieces) - 1)
-            piece = pieces.pieces[i]
-            a, b = (sum(k * p**j for j, k in enumerate(t.coefficients)) for t in (piece.a, piece.b))
-            x_pk = exp(b / a - 1)
-            return x_pk, -a * x_pk, 0.0, -a * x_pk
-
-    else:
-        columns = (c.peak_slip, c.peak_friction, c.post_peak_slope or (0.0,) * len(c.pressure))
-        level = c.residual_friction or c.peak_friction
-        level = tuple(min(r, m) for r, m in zip(level, c.peak_friction, strict=True))
-        f = [pchip(c.pressure, column) for column in (*columns, level)]
-
-        def parts(p: float) -> tuple[float, float, float, float]:
-            return f[0](p), f[1](p), f[2](p), f[3](p)
-
-    def integral_log(x: float, p: float) -> float:
+    def at_pressure(p: float) -> Scalar:
         x_pk, mu_pk, m, res = parts(min(max(p, first), last))
         held = min(1.0, last / p)
-        if x <= 0:
-            return 0.0
-        if x <= x_pk:
-            a = -mu_pk / x_pk
-            return held * (a * x * log(x) - a * (1 + log(x_pk)) * x)
-        return held * max(mu_pk + m * (x - x_pk), min(res, mu_pk))
+        a = -mu_pk / x_pk
+        b = a * (1 + log(x_pk))
 
-    return integral_log
+        def mu(x: float) -> float:
+            if x <= 0:
+                return 0.0
+            if x <= x_pk:
+                return held * (a * x * log(x) - b * x)
+            return held * max(mu_pk + m * (x - x_pk), min(res, mu_pk))
+
+        return mu
+
+    return at_pressure
+
+
+def from_pieces(c: CoefficientPieces) -> Callable[[float], tuple[float, float, float, float]]:
+    """Peak slip and friction, slope and residual friction of polynomial pieces in metres."""
+
+    def parts(p: float) -> tuple[float, float, float, float]:
+        i = min(max(bisect_right(c.pressure, p) - 1, 0), len(c.pieces) - 1)
+        piece = c.pieces[i]
+        a, b = (sum(k * p**j for j, k in enumerate(t.coefficients)) for t in (piece.a, piece.b))
+        x_pk = exp(b / a - 1)
+        return x_pk, -a * x_pk, 0.0, -a * x_pk
+
+    return parts
+
+
+def from_knots(c: PressureKnots) -> Callable[[float], tuple[float, float, float, float]]:
+    """Peak slip and friction, slope and residual friction between knots of pressure."""
+    level = c.residual_friction or c.peak_friction
+    level = tuple(min(r, m) for r, m in zip(level, c.peak_friction, strict=True))
+    slope = c.post_peak_slope or (0.0,) * len(c.pressure)
+    f = [pchip(c.pressure, v) for v in (c.peak_slip, c.peak_friction, slope, level)]
+    return lambda p: (f[0](p), f[1](p), f[2](p), f[3](p))
 
 
 def limit(law: FrictionLaw, p: float) -> float:
     """Friction limit of the laws that have nothing else."""
     assert isinstance(law, Constant | PressurePower | ElasticPlastic)
-    low, high = (0.0, float("inf"))
+    low, high = (0.0, inf)
     if law.tested is not None:
         low, high = law.tested.pressure_min, law.tested.pressure_max
     mu = law.friction_coefficient
     if isinstance(law, PressurePower):
         mu *= (law.reference_pressure / min(max(p, low), high)) ** law.exponent
     return mu * min(1.0, high / p)
+
+
+class Exit(NamedTuple):
+    """The belt at the exit nip, and the largest shear stress [Pa] on the way."""
+
+    log_tension: float  # ln(T2/T1)
+    creep: float  # [m]
+    slip: float  # [m]
+    peak_stress: float
 
 
 class Twin:
@@ -132,22 +162,23 @@ class Twin:
             most = limit(law, p) * p
             tau = min(a / elastic, most) if elastic > 0 else most * (a > 0)
             return copysign(tau, u), copysign(a - self.shear * tau, u)
-        held = self.mu(0.0, p) * p
+        mu = self.mu(p)
+        held = mu(0.0) * p
         if held > 0 and a <= self.shear * held:
             return copysign(a / self.shear, u), 0.0
-        x = self.root(a, p)
-        return copysign(self.mu(x, p) * p, u), copysign(x, u)
+        x = self.root(a, p, mu)
+        return copysign(mu(x) * p, u), copysign(x, u)
 
-    def root(self, u: float, p: float) -> float:
+    def root(self, u: float, p: float, mu: Scalar) -> float:
         """Slip x in [0, u] with x + (h/G) mu(x, p) p = u (secants inside a bracket)."""
-        shear, mu = self.shear, self.mu
-        if u == 0.0 or shear == 0.0:
+        if u == 0.0 or self.shear == 0.0:
             return u
+        ease = self.shear * p
         low, high = 0.0, u
         x = min(self.slip, u) if self.slip > 0.0 else 0.5 * u
-        x_last, f_last = u, shear * mu(u, p) * p
+        x_last, f_last = u, ease * mu(u)
         for _ in range(200):
-            f = x + shear * mu(x, p) * p - u
+            f = x + ease * mu(x) - u
             if f > 0:
                 high = x
             else:
@@ -161,48 +192,77 @@ class Twin:
         self.slip = x
         return x
 
-    def integrate(self, g: float) -> tuple[float, float, float, float]:
-        """ln(T2/T1), creep and slip at the exit, and the largest shear stress on the way."""
-        t1, radius, length = self.arc.entry_tension, self.radius, self.length
+    def integrate(self, g: float) -> Exit:
+        """Integrate from the entry nip to the exit nip at an entry creep ratio."""
         path: list[tuple[float, float, float]] = []
-
-        def rates(xi: float, y: Any) -> list[float]:
-            q, u = float(y[0]), float(y[1])
-            tension = t1 * exp(q)
-            p = self.pressure(tension)
-            tau, _ = self.stress(u, p)
-            ds = 4 * length * xi**3
-            return [-tau / (p * radius) * ds, (g + (t1 - tension) * self.compliance) * ds]
 
         def note(xi: float, y: Any) -> None:
             path.append((xi, float(y[0]), float(y[1])))
 
-        def scheme_at(xi: float, q: float, u: float) -> Any:
-            scheme = ode(rates).set_integrator("dop853", rtol=1e-10, atol=1e-14, nsteps=100000)
-            return scheme.set_initial_value([q, u], xi)
+        q, u = self._carry(g, (0.0, 0.0, self.kick), 1.0, note)
+        _, x = self.stress(u, self.pressure(self.arc.entry_tension * exp(q)))
+        return Exit(q, u, x, self._peak(g, path))
 
-        def stress_of(q: float, u: float) -> float:
-            return abs(self.stress(u, self.pressure(t1 * exp(q)))[0])
+    def solve_near(self, g: float) -> tuple[float, Exit]:
+        """Entry creep ratio and exit for T(phi) = T2, one secant step away from g.
 
-        scheme = ode(rates).set_integrator(
-            "dop853", rtol=1e-10, atol=1e-14, nsteps=100000, max_step=0.02
-        )
-        scheme.set_solout(note)
-        scheme.set_initial_value([0.0, self.kick], 0.0)
-        q, u = (float(v) for v in scheme.integrate(1.0))
+        The tension at the exit is so sensitive to g on a soft belt (e^(L/l), l the shear-lag
+        length) that two solvers are compared at one tension, not at one g.
+        """
+        goal = log(self.arc.exit_tension / self.arc.entry_tension)
+        first = self.integrate(g)
+        step = 1e-5 * (abs(g) + self.kick / self.length)
+        if abs(first.log_tension - goal) <= 3e-7 * abs(goal) or step == 0.0:
+            return g, first
+        second = self.integrate(g + step)
+        while abs(second.log_tension - first.log_tension) > 1e-3 * abs(goal):
+            step *= 1e-3
+            second = self.integrate(g + step)
+        w = (goal - first.log_tension) / (second.log_tension - first.log_tension)
+        return g + w * step, Exit(*(a + w * (b - a) for a, b in zip(first, second, strict=True)))
+
+    def _rates(self, g: float, xi: float, q: float, u: float) -> tuple[float, float]:
+        """Rates of ln T and u by xi, s = L xi^4."""
+        tension = self.arc.entry_tension * exp(q)
+        p = self.pressure(tension)
+        ds = 4 * self.length * xi**3
+        dq = -self.stress(u, p)[0] / (p * self.radius)
+        return dq * ds, (g + (self.arc.entry_tension - tension) * self.compliance) * ds
+
+    def _carry(
+        self, g: float, start: tuple[float, float, float], end: float, note: Any = None
+    ) -> tuple[float, float]:
+        scheme = ode(lambda xi, y: self._rates(g, xi, float(y[0]), float(y[1])))
+        scheme.set_integrator("dop853", rtol=1e-10, atol=1e-14, nsteps=100000, max_step=0.1)
+        if note is not None:
+            scheme.set_solout(note)
+        scheme.set_initial_value(start[1:], start[0])
+        q, u = scheme.integrate(end)
         assert scheme.successful()
-        _, x = self.stress(u, self.pressure(t1 * exp(q)))
-        # the largest stress: golden section between the steps around the largest step value
-        i = max(range(len(path)), key=lambda k: stress_of(*path[k][1:]))
-        start = path[max(i - 1, 0)]
-        a, b = start[0], path[min(i + 1, len(path) - 1)][0]
-        best = stress_of(*path[i][1:])
-        for _ in range(45):
-            c, d = b - 0.6180339887 * (b - a), a + 0.6180339887 * (b - a)
-            f_c, f_d = (stress_of(*scheme_at(*start).integrate(v)) for v in (c, d))
-            best = max(best, f_c, f_d)
-            if f_c >= f_d:
-                b = d
-            else:
-                a = c
-        return q, u, x, best
+        return float(q), float(u)
+
+    def _stress_of(self, q: float, u: float) -> float:
+        return abs(self.stress(u, self.pressure(self.arc.entry_tension * exp(q)))[0])
+
+    def _peak(self, g: float, path: list[tuple[float, float, float]]) -> float:
+        """Largest shear stress: located on the cubics between steps, integrated to that point."""
+        i = max(range(len(path)), key=lambda k: self._stress_of(*path[k][1:]))
+        best = self._stress_of(*path[i][1:])
+        for start, end in pairwise(path[max(i - 1, 0) : i + 2]):
+            h = end[0] - start[0]
+            slopes = [self._rates(g, *point) for point in (start, end)]
+
+            def between(f: float, k: int) -> float:
+                e = 1 - f
+                rise = (1 + 2 * f) * start[k + 1] + f * h * slopes[0][k]  # noqa: B023
+                fall = (1 + 2 * e) * end[k + 1] - e * h * slopes[1][k]  # noqa: B023
+                return e * e * rise + f * f * fall
+
+            a, b = 0.0, 1.0
+            while b - a > 1e-6:
+                c, d = b - 0.6180339887 * (b - a), a + 0.6180339887 * (b - a)
+                f_c, f_d = (self._stress_of(between(f, 0), between(f, 1)) for f in (c, d))
+                a, b = (a, d) if f_c >= f_d else (c, b)
+            if a > 1e-6 and b < 1 - 1e-6:
+                best = max(best, self._stress_of(*self._carry(g, start, start[0] + h * a)))
+        return best

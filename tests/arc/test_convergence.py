@@ -1,0 +1,84 @@
+"""The order of convergence, and what the default mesh is good for.
+
+Expected values: the method's own order (sixth, J. C. Butcher 1964), its limit being the twin's
+answer. A march that starts at no slip meets the logarithm of the law there, which the graded mesh
+spreads but does not remove.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
+from arc.twin import Twin
+from wraparc.arc import Distributed, WrapArc
+from wraparc.arc.capacity import parameters_at
+from wraparc.arc.march import sweep
+from wraparc.friction import FrictionLaw
+
+SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))
+KICKED = replace(SMOOTH, overrun=3e-5)
+STEEL = 144e6 * 1.2
+
+
+def exit_slip(arc: WrapArc, g: float, steps: int) -> float:
+    """Slip at the exit of a march in position at an entry creep ratio."""
+    par = parameters_at(arc.entry_tension, arc.geometry())
+    return sweep(arc.compact_law(), par, g, steps, 0, [])[0][1]
+
+
+def orders(arc: WrapArc, g: float, steps: tuple[int, ...]) -> list[float]:
+    """Order of the error of the exit slip from each number of steps to the next."""
+    limit = exit_slip(arc, g, 1024)
+    assert limit == pytest.approx(Twin(arc).integrate(g).slip, rel=2e-9)
+    errors = [abs(exit_slip(arc, g, n) / limit - 1) for n in steps]
+    pairs = zip(steps, steps[1:], errors, errors[1:], strict=False)
+    return [math.log(e / f) / math.log(m / n) for n, m, e, f in pairs]
+
+
+@pytest.mark.parametrize("g", [3e-4, 1e-3, 2e-3])
+def test_sixth_order_where_nothing_is_singular(g: float) -> None:
+    assert orders(KICKED, g, (24, 48, 96)) == pytest.approx([6.0, 6.0], abs=0.3)
+
+
+@pytest.mark.parametrize(
+    ("arc", "g"),
+    [
+        (SMOOTH, 1e-3),
+        (replace(SMOOTH, entry_tension=60e3, exit_tension=150e3), -2e-3),
+        (replace(SMOOTH, axial_stiffness=STEEL), 4e-3),
+    ],
+)
+def test_at_least_fourth_order_from_the_logarithm_at_the_start(arc: WrapArc, g: float) -> None:
+    assert orders(arc, g, (8, 64))[0] > 4.0
+
+
+@pytest.mark.parametrize("law", [RUBBER, SOFTENING, PIECEWISE, TABLE])
+@pytest.mark.parametrize("kick", [0.0, 3e-5])
+def test_kinks_of_the_law_do_not_lower_the_order(law: FrictionLaw, kick: float) -> None:
+    assert orders(replace(ARC, law=law, overrun=kick), 1e-3, (16, 64))[0] > 4.0
+
+
+@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize("kick", [0.0, 2e-5])
+@pytest.mark.parametrize("tensions", [(150e3, 70e3), (70e3, 150e3), (150e3, 145e3)])
+@pytest.mark.parametrize("stiffness", [12.96e6 * 1.2, STEEL])
+def test_the_default_mesh_leaves_1e_6(
+    name: str, kick: float, tensions: tuple[float, float], stiffness: float
+) -> None:
+    # whole solves: of the largest creep on the way
+    arc = replace(
+        ARC,
+        law=LAWS[name],
+        overrun=kick,
+        entry_tension=tensions[0],
+        exit_tension=tensions[1],
+        axial_stiffness=stiffness,
+    )
+    coarse, fine = (Distributed(steps=n, points=18, capacities=False).solve(arc) for n in (24, 96))
+    scale = max(abs(fine.exit_creep), kick)
+    assert coarse.exit_creep == pytest.approx(fine.exit_creep, abs=1e-6 * scale)
+    assert coarse.exit_slip == pytest.approx(fine.exit_slip, abs=1e-6 * scale)
