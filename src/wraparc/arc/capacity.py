@@ -11,6 +11,9 @@ from math import exp, inf, log, nan
 from wraparc.arc.march import (
     KICK,
     LENGTH,
+    ONSET,
+    RECORD,
+    SHEAR,
     SIDE,
     T1,
     Buffer,
@@ -19,6 +22,7 @@ from wraparc.arc.march import (
     parameters,
     room,
 )
+from wraparc.arc.profile import sort
 from wraparc.arc.shoot import (
     CREEP,
     FOUND,
@@ -26,6 +30,7 @@ from wraparc.arc.shoot import (
     TENSION,
     Shot,
     attempt,
+    carried_ratio,
     climb,
     effort_of,
     fire,
@@ -38,12 +43,11 @@ from wraparc.arc.shoot import (
     tension_shot,
     value_of,
 )
-from wraparc.arc.stick import held_exit, zone_end
-from wraparc.arc.profile import sort
+from wraparc.arc.stick import held_exit, stick_slip, zone_creep_ratio
 from wraparc.arc.tension_march import ARRIVED, STEP, applies, march, open_table, table_size
 from wraparc.friction.compact import plateau_at, segment_of
 
-#: side, radius, wrap angle, width, 1/EA', h/G, kick, kick coefficient, onset: `parameters` but for T1
+#: side, radius, wrap angle, width, 1/EA', h/G, kick, kick coefficient, onset; `parameters` adds T1
 Geometry = tuple[float, float, float, float, float, float, float, float, float]
 
 #: largest |ln(T1/T2)| that a march in tension goes to
@@ -79,12 +83,22 @@ def solve_tension(
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
         if held:
-            end = zone_end(law, par, par[LENGTH])[1]
-            z = creep / end - 1.0 if end != 0.0 else 0.0
-            return STUCK, z, fire(law, par, z, steps, 0, none)[0]
+            return STUCK, 0.0, stuck_shot(law, par, exit_tension, creep, 0, none)[0]
     if goal == 0.0 and par[KICK] == 0.0:
         return FOUND, -inf, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     return refine(law, par, TENSION, goal, first_guess(law, par, TENSION, goal), steps, none)
+
+
+def stuck_shot(
+    law: Law, par: Parameters, exit_tension: float, creep: float, points: int, out: Buffer
+) -> tuple[Shot, int]:
+    """Exit quantities and profile of an arc that sticks throughout, with its creep at the exit."""
+    length, compliance = par[LENGTH], par[SHEAR] + par[ONSET]
+    g = zone_creep_ratio(par, length, creep)
+    state, count = stick_slip(law, par, length, creep, g, 0, points, out)
+    tau = creep / compliance if compliance > 0.0 else 0.0
+    q = log(exit_tension / par[T1])
+    return (q, state[1], creep, tau, state[2], g, length), count
 
 
 def refine(
@@ -147,7 +161,7 @@ def plateau_capacity(law: Law, tight_pressure: float, wrap_angle: float) -> floa
 
 
 def _plateau_angle(law: Law, pressure: float, segment: int, q: float, span: float) -> float:
-    """Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece of a law."""
+    """Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece."""
     kind, edges, c, slips = law
     total = 0.0
     for node, weight in (
@@ -313,11 +327,20 @@ def _misses(
     return miss, log(max(pull, 1e-9 * tension) / tension), shot
 
 
+def profile_size(law: Law, par: Parameters, steps: int, points: int) -> int:
+    """Numbers that the records of `trace` need: points, nodes and kinks."""
+    return RECORD * (points + 4 * mesh_steps(law, par, steps) + 600)
+
+
 def trace(
     law: Law, par: Parameters, exit_tension: float, z: float, steps: int, points: int, out: Buffer
 ) -> tuple[Shot, int]:
     """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
     goal = par[SIDE] * log(par[T1] / exit_tension)
+    if jumps(law):
+        held, creep = held_exit(law, par, exit_tension)
+        if held:
+            return stuck_shot(law, par, exit_tension, creep, points, out)
     if applies(law, par) and goal > 0.0:
         fine = mesh_steps(law, par, steps)
         table, scratch = room(table_size(goal, fine)), room(STEP)
@@ -350,23 +373,21 @@ def largest_ratio(
     if not softening:
         return supremum, inf
     table, scratch = _capacity_table(law, geometry, tight, steps), room(STEP)
-    best, creep, z, miss_last = supremum, 0.0, -inf, 0.0
-    entry = tight if side > 0.0 else tight * exp(-best)
-    for mesh in (MEET_STEPS, steps):
-        last = log(entry)
-        for i in range(30):
-            par = parameters_at(entry, geometry)
-            new, creep, z = _peak_of(law, par, z, mesh, table, scratch, none)
-            change, best = new - best, new
-            if side > 0.0 or abs(change) < (1e-4 if mesh < steps else 1e-10):
-                break
-            # braking: ln T1 = ln T2 - best(T1), by secants after the first substitution
-            aim = log(tight) - best
-            miss = aim - log(entry)
-            if i > 0 and miss != miss_last:
-                aim = log(entry) - miss * (log(entry) - last) / (miss - miss_last)
-            last, miss_last = log(entry), miss
-            entry = exp(aim)
+    entry = tight if side > 0.0 else tight * exp(-supremum)
+    best, creep, z, last, miss_last = supremum, 0.0, -inf, 0.0, 0.0
+    for i in range(40):
+        par = parameters_at(entry, geometry)
+        new, creep, z = _peak_of(law, par, z, steps, table, scratch, none)
+        change, best = new - best, new
+        if side > 0.0 or abs(change) < 1e-8:
+            break
+        # braking: ln T1 = ln T2 - best(T1), by secants after the first substitution
+        aim = log(tight) - best
+        miss = aim - log(entry)
+        if i > 0 and miss != miss_last:
+            aim = log(entry) - miss * (log(entry) - last) / (miss - miss_last)
+        last, miss_last = log(entry), miss
+        entry = exp(aim)
     return best, creep
 
 
@@ -383,23 +404,41 @@ def _peak_of(
 
     `near` narrows the search to the neighbourhood of an earlier result.
     """
+    coarse = min(MEET_STEPS, steps)
     top = largest_effort(law, par)
     if jumps(law):
         low, high = 0.0, top
     else:
         low, high = effort_of(par, par[SIDE] * 1e-5), top
-    width = 5e-2
+    width = 1e-2
     if near > -inf:
         low, high, width = max(low, near - 0.2), min(high, near + 0.2), 1e-2
     buffer = none
     if applies(law, par):
-        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, coarse), table)
         buffer = table
-    z, shot = climb(law, par, low, high, width, steps, buffer, scratch, none)
-    return value_of(par, shot, TENSION), par[SIDE] * shot[2], z
+    if near == -inf:
+        # static and residual friction may each have a maximum: which is the larger?
+        parts, best, at = 8, -inf, 0
+        for i in range(parts + 1):
+            z = low + (high - low) * i / parts
+            value, _ = carried_ratio(law, par, z, coarse, buffer, scratch, none)
+            if value > best:
+                best, at = value, i
+        span = (high - low) / parts
+        low, high = low + span * max(at - 1, 0), low + span * min(at + 1, parts)
+    z, shot = climb(law, par, low, high, width, coarse, buffer, scratch, none)
+    value, _ = carried_ratio(law, par, high, coarse, buffer, scratch, none)
+    if value > value_of(par, shot, TENSION):
+        z = high
+    # sought on the coarse mesh, where a maximum forgives; told on the fine one
+    if len(buffer) > 0:
+        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+    value, shot = carried_ratio(law, par, z, steps, buffer, scratch, none)
+    return value, par[SIDE] * shot[2], z
 
 
-def least_slack(
+def least_slack(  # noqa: C901 - one search, in order of effort
     law: Law,
     geometry: Geometry,
     pull: float,
@@ -430,7 +469,7 @@ def least_slack(
     least, most
         The smallest root [N] and nan; without a root nan and the largest pull there is [N].
     """
-    met, z_met, entry_met, shot, growth = meet(
+    met, _, entry_met, shot, growth = meet(
         law, geometry, CREEP, limit, True, pull, entry, z, 1.5 * tight_max, steps, none
     )
     if met and growth > 0.0:

@@ -138,7 +138,7 @@ def step(
     h: float,
     k1: tuple[float, float, float],
 ) -> tuple[float, float, float]:
-    """One step of length h in xi; k1 are the rates at its start. Returns q, x and the friction work done."""
+    """One step of length h in xi with the rates k1 at its start: q, x and friction work done."""
     f = MESH_POWER * span
     z = xi * xi * xi * f * h
     a1, b1, w1 = k1[0] * z, k1[1] * z, k1[2] * z
@@ -315,7 +315,7 @@ def _within(law: Law, par: Parameters, segment: int, branch: int, q: float, x: f
 State = tuple[float, float, float, int, int, float]  # q, slip, work, segment, branch, sign
 
 
-def advance(
+def advance(  # noqa: C901 - one loop over steps and cuts
     law: Law,
     par: Parameters,
     g: float,
@@ -417,7 +417,7 @@ def advance(
 
 def record(law: Law, par: Parameters, out: Buffer, count: int, s: float, state: State) -> None:
     """Write one point of a profile: s, q, slip, creep, shear stress, friction work."""
-    q, x, work, segment, branch, sign = state
+    q, x, work = state[:3]
     tau, creep = stress_and_creep(law, par, state)
     i = RECORD * count
     out[i], out[i + 1], out[i + 2] = s, q, x
@@ -546,7 +546,7 @@ def _mesh(
     out: Buffer,
     count: int,
 ) -> tuple[State, int]:
-    """Carry a state from mesh node `first` to the exit, recording `points` equal parts of the arc."""
+    """Carry a state from mesh node `first` to the exit, recording `points` parts of the arc."""
     length = par[LENGTH]
     span = length - origin
     h = 1.0 / steps
@@ -575,7 +575,7 @@ def _mesh(
     return state, count
 
 
-def sweep(
+def sweep(  # noqa: C901 - the ways an arc begins
     law: Law, par: Parameters, g: float, steps: int, points: int, out: Buffer
 ) -> tuple[State, int]:
     """March the whole arc with a law that starts without a jump.

@@ -59,8 +59,8 @@ class PaperMarch:
         return march.result(self.name, Status.SOLVED if found else Status.BREAKAWAY, share)
 
 
-def _search(march: _March, goal: float) -> tuple[bool, float]:
-    """Global creep towards the slack side at which the tensions meet, or that of the largest ratio."""
+def _search(march: _March, goal: float) -> tuple[bool, float]:  # noqa: C901
+    """Global creep towards the slack side that meets the tensions, or of the largest ratio [m]."""
     scale = 1e-3
     low, high = nan, nan
     share, last, f_last = scale, nan, nan
@@ -121,9 +121,8 @@ class _March:
         return self.arc.side * math.log(self.walk(share)[-1][1] / self.arc.exit_tension)
 
     def walk(self, share: float) -> list[tuple[float, float, float, float, float]]:
-        """Remaining arc, tension, creep, slip and shear stress at each segment's exit end, then the entry."""
+        """Remaining arc, tension, creep, slip, shear stress at each exit end, then at the entry."""
         arc = self.arc
-        kind, edges, c, slips = self.law
         length, kick = arc.length, arc.entry_overrun
         stiffness, shear = arc.axial_stiffness, arc.shear_compliance
         step = length / self.segments

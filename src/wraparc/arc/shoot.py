@@ -49,7 +49,7 @@ CREEP_SCALE = (
     6.35e-3  # of the ratio that follows on a vanished rest arc, z in units of it per arc [m]
 )
 
-#: an arc marched to its exit: tension logarithm, slip, creep, shear stress, friction work, g, stuck length
+#: an arc marched to its exit: ln(T2/T1), slip, creep, shear stress, friction work, g, stuck length
 Shot = tuple[float, float, float, float, float, float, float]
 
 
@@ -242,7 +242,7 @@ def tension_shot(law: Law, par: Parameters, gamma: float, q: float, a: float, wo
     return (-side * q, side * a, side * creep, side * tau, work, side * gamma, 0.0)
 
 
-def search(
+def search(  # noqa: C901 - one root search with its ways out
     law: Law,
     par: Parameters,
     target: int,
@@ -348,7 +348,7 @@ def search(
     return STALLED, z, slope, shot
 
 
-def climb(
+def climb(  # noqa: C901 - Brent's method as published
     law: Law,
     par: Parameters,
     a: float,
@@ -366,7 +366,7 @@ def climb(
     """
     golden = 0.3819660112501051
     x = a + golden * (b - a)
-    f_x, shot = _ratio(law, par, x, steps, table, scratch, none)
+    f_x, shot = carried_ratio(law, par, x, steps, table, scratch, none)
     w = v = x
     f_w = f_v = f_x
     move = before = 0.0
@@ -391,7 +391,7 @@ def climb(
             before = (b - x) if x < middle else (a - x)
             move = golden * before
         u = x + (move if abs(move) >= width else (width if move > 0.0 else -width))
-        f_u, shot_u = _ratio(law, par, u, steps, table, scratch, none)
+        f_u, shot_u = carried_ratio(law, par, u, steps, table, scratch, none)
         if f_u >= f_x:
             if u >= x:
                 a = x
@@ -410,7 +410,7 @@ def climb(
     return x, shot
 
 
-def _ratio(
+def carried_ratio(
     law: Law, par: Parameters, z: float, steps: int, table: Buffer, scratch: Buffer, none: Buffer
 ) -> tuple[float, Shot]:
     """ln(tight/slack) carried with effort z, and the shot."""

@@ -1,4 +1,4 @@
-"""The main solver: creep distributed along the arc (section "The equations" of the documentation)."""
+"""The main solver: creep distributed along the arc."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from wraparc.arc.capacity import (
     largest_ratio,
     least_slack,
     parameters_at,
+    profile_size,
     solve_tension,
     trace,
 )
@@ -68,7 +69,7 @@ class Distributed:
             status = Status.BREAKAWAY
         elif outcome not in (FOUND, STUCK) or not _balanced(arc, shot):
             status = Status.UNSOLVED
-        out = [0.0] * (RECORD * (2 * self.points + 8 * self.steps + 400))
+        out = [0.0] * profile_size(law, par, self.steps, self.points)
         count = 0
         if z > -math.inf:
             shot, count = trace(law, par, arc.exit_tension, z, self.steps, self.points, out)

@@ -5,7 +5,8 @@ the belt until the shear of the lagging alone asks for more than it can carry. T
 with c_e = h/G (plus 1/kappa_s of an elastic-plastic law), and the equations are linear:
 
     u'' = u / l^2,   l = sqrt(c_e EA' / B),
-    u(s) = x_c e^(-s/l) + a sinh(s/l),   T1 - T(s) = (EA'/l) [x_c (1 - e^(-s/l)) + a (cosh(s/l) - 1)].
+    u(s) = x_c e^(-s/l) + a sinh(s/l),
+    T1 - T(s) = (EA'/l) [x_c (1 - e^(-s/l)) + a (cosh(s/l) - 1)].
 
 The zone is described by its length s_j and the creep u_j at its end, not by g: for a long wrap g is
 as small as e^(-L/l) and may underflow while the zone stays well defined. With c_e = 0 the zone is
@@ -46,7 +47,7 @@ def onset_stress(law: Law, pressure: float) -> tuple[float, float]:
 
 
 def shear_lag_length(par: Parameters) -> float:
-    """l = sqrt(c_e EA' / B), the length over which a stuck belt hands over its tension [m]."""
+    """Length l = sqrt(c_e EA' / B), over which a stuck belt hands over its tension [m]."""
     return sqrt((par[SHEAR] + par[ONSET]) / (par[WIDTH] * par[COMPLIANCE]))
 
 
@@ -95,7 +96,7 @@ def held_exit(law: Law, par: Parameters, exit_tension: float) -> tuple[bool, flo
 
 
 def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tuple[float, float]:
-    """Tension [N] and creep [m] at s inside a stuck zone with a given length and creep at its end."""
+    """Tension [N] and creep [m] at s inside a stuck zone of a given length and end creep."""
     if par[SHEAR] + par[ONSET] == 0.0:
         return par[T1], 0.0
     lag = shear_lag_length(par)

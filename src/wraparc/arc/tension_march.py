@@ -18,7 +18,6 @@ from __future__ import annotations
 from math import exp, log
 
 from wraparc.arc.march import (
-    COMPLIANCE,
     KICK,
     LENGTH,
     P1,
@@ -26,7 +25,6 @@ from wraparc.arc.march import (
     RECORD,
     SHEAR,
     SIDE,
-    T1,
     Buffer,
     Law,
     Parameters,
@@ -49,7 +47,7 @@ from wraparc.friction.compact import (
     tail,
 )
 
-# numbers of a node, the first five but R/mu_pk's neighbour scaled by the step's dQ where they say so
+# numbers of a node, see `_node`; some are scaled by the dQ of the step
 NODE = 11
 #: a step: its end Q, its segment, then nodes at 0, 1/3, 1/2, 2/3 and 1 of the step
 STEP = 2 + 5 * NODE
@@ -145,7 +143,7 @@ def _node(
 
 
 def _weight(graded: bool, top: float, e: float, h: float) -> float:
-    """dQ of a step h at e: h, times dQ/d eta in the graded part."""
+    """Weight dQ of a step h at e: h, times dQ/d eta in the graded part."""
     if not graded:
         return h
     e3 = e * e * e
@@ -220,7 +218,7 @@ def extend(law: Law, par: Parameters, table: Buffer) -> bool:
 
 
 def _rates(t: Buffer, o: int, branch: int, gamma: float, a: float) -> tuple[float, float, float]:
-    """dQ times ds/dQ [m], da/dQ [m] and d(friction work)/dQ [J/m2] at a node."""
+    """Weight dQ times ds/dQ [m], da/dQ [m] and d(friction work)/dQ [J/m2] at a node."""
     r = a * t[o]
     if branch == RISE and (r < 1.0 or t[o + 7] < 0.0):
         if r < SMALLEST:
@@ -322,7 +320,7 @@ def _next_branch(t: Buffer, o: int, branch: int, a: float) -> int:
 
 
 def _gap(t: Buffer, o: int, branch: int, to: int, a: float) -> float:
-    """How far a state at a node is beyond the boundary from a branch to another; negative before."""
+    """How far a state at a node is beyond the boundary to another branch; negative before."""
     r = a * t[o]
     if branch == RISE:
         return r - 1.0
@@ -332,7 +330,7 @@ def _gap(t: Buffer, o: int, branch: int, to: int, a: float) -> float:
     return below if to == RESIDUAL else -below
 
 
-def march(
+def march(  # noqa: C901 - one loop over steps and cuts
     law: Law,
     par: Parameters,
     gamma: float,
@@ -492,7 +490,7 @@ def _between(
 def _slopes(
     law: Law, par: Parameters, gamma: float, segment: int, branch: int, q: float, a: float
 ) -> tuple[float, float, float]:
-    """dQ/ds, da/ds and d(friction work)/ds in a piece; past the peak of a law that is flat there too."""
+    """Slopes dQ/ds, da/ds and d(friction work)/ds in a piece, past a flat peak too."""
     kind, edges, c, slips = law
     side = par[SIDE]
     if branch == RISE:
@@ -519,7 +517,7 @@ def _cut(
     gap_1: float,
     scratch: Buffer,
 ) -> tuple[float, float, float, float]:
-    """The part of a step after which a gap closes (Illinois on shortened steps), and s, a, work there.
+    """The part of a step after which a gap closes, and s, a, work there.
 
     The gap to another branch, or with `to` = -1 to the exit nip.
     """
@@ -531,7 +529,7 @@ def _cut(
     for _ in range(60):
         _fill(law, par, segment, False, 1.0, q, part * (q_end - q), scratch, 0, -1)
         s1, a1, work1 = _step(scratch, 0, branch, gamma, s, a, work)
-        ds, da, _ = _rates(scratch, 4 * NODE, branch, gamma, a1)
+        ds, _, _ = _rates(scratch, 4 * NODE, branch, gamma, a1)
         if to < 0:
             gap, slope = s1 / par[LENGTH] - 1.0, ds / (part * par[LENGTH])
         else:

@@ -191,7 +191,7 @@ class WrapArc:
         return 1.0 if self.entry_tension >= self.exit_tension else -1.0
 
     def wrap_pressure(self, tension: float) -> float:
-        """p = 2 T/(B D) [Pa]."""
+        """Wrap pressure p = 2 T/(B D) [Pa]."""
         return 2.0 * tension / (self.width * self.diameter)
 
     @property
@@ -211,7 +211,7 @@ class WrapArc:
 
     @property
     def recovery_compliance(self) -> float:
-        """kappa = 2 h/(B D R E_c), extra compliance from the recovery of the lagging [1/N]."""
+        """Extra compliance kappa = 2 h/(B D R E_c), from the recovery of the lagging [1/N]."""
         if not self.recovery:
             return 0.0
         return 2.0 * self.compression_compliance / (self.width * self.diameter * self.radius)
@@ -223,7 +223,7 @@ class WrapArc:
 
     @property
     def compression(self) -> float:
-        """delta = (h/E_c) p1, compression of the lagging at the entry [m]."""
+        """Compression delta = (h/E_c) p1 of the lagging at the entry [m]."""
         return self.compression_compliance * self.entry_pressure
 
     @property

@@ -84,9 +84,9 @@ def _cubic(c: Floats, o: int, t: float) -> tuple[float, float]:
 
 
 def _trend(c: Floats, o: int, p: float) -> tuple[float, float]:
-    """Value and derivative of a trend line: f(c0 + c1 v + c2 v2 + c3 v3), v = p or ln p, f = identity or exp.
+    """Value and derivative of a trend line f(c0 + c1 v + c2 v^2 + c3 v^3).
 
-    c[o + 4] = 1 takes v = ln p, c[o + 5] = +-1 takes f = +-exp.
+    v = p and f(y) = y, but c[o + 4] = 1 takes v = ln p, and c[o + 5] = +-1 takes f = +-exp.
     """
     logarithmic = c[o + 4] != 0.0
     v = log(p) if logarithmic else p
@@ -102,7 +102,7 @@ def _trend(c: Floats, o: int, p: float) -> tuple[float, float]:
 def peak(
     kind: int, edges: Floats, c: Floats, segment: int, pressure: float
 ) -> tuple[float, float, float, float]:
-    """Peak slip [m], peak friction [-] and their derivatives by pressure [m/Pa, 1/Pa], integral-log laws."""
+    """Peak slip [m], peak friction [-] and their derivatives by pressure, integral-log laws."""
     last = len(edges) - 1
     if kind == KNOTS:
         if segment < 0:
@@ -156,7 +156,7 @@ def tail(
     return slope, residual, slope_p, residual_p
 
 
-def friction_at(
+def friction_at(  # noqa: C901 - one branch a kind of law
     kind: int,
     edges: Floats,
     c: Floats,
@@ -307,7 +307,7 @@ def branch_gap(
     slip: float,
     pressure: float,
 ) -> float:
-    """Slip beyond the boundary between branches `boundary` and `boundary + 1`, negative before it [m]."""
+    """Slip beyond the boundary of branches `boundary` and `boundary + 1` [m]; negative before."""
     if kind == TABLE:
         return slip - slips[boundary + 1]
     slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)

@@ -154,7 +154,7 @@ class PressureKnots:
     Attributes
     ----------
     pressure
-        Knots, ascending, > 0 [Pa], shape (n,). One knot makes a law that does not depend on pressure.
+        Knots, ascending, > 0 [Pa], shape (n,). One knot makes a law free of pressure.
     peak_friction
         mu_pk, > 0 [-], shape (n,).
     peak_slip
@@ -231,7 +231,7 @@ class PressureKnots:
         )
 
     def columns(self) -> tuple[Array, Array, Array, Array, Array]:
-        """Return pressure, peak slip, peak friction, slope and residual friction (<= peak), shape (n,) each."""
+        """Return pressure, peak slip, peak friction, slope, residual (<= peak), shape (n,) each."""
         p, mu, x = (np.array(v, float) for v in (self.pressure, self.peak_friction, self.peak_slip))
         slope = np.array(self.post_peak_slope, float) if self.post_peak_slope else np.zeros_like(p)
         residual = np.array(self.residual_friction, float) if self.residual_friction else mu
@@ -249,7 +249,8 @@ class CoefficientPieces:
     Attributes
     ----------
     pressure
-        Ends of the pieces, ascending: lowest tested, transitions, highest tested [Pa], shape (n + 1,).
+        Ends of the pieces, ascending: lowest tested, transitions, highest tested [Pa],
+        shape (n + 1,).
     pieces
         The pieces, shape (n,).
     slip_unit
@@ -349,13 +350,16 @@ class CoefficientPieces:
                         Problem(
                             key=f"pieces[{i + 2}]",
                             value=f"{u:g} and {v:g}",
-                            message=f"{name} jumps at the transition pressure {p:g} Pa; pieces must meet within {100 * self.continuity:g} %",
+                            message=(
+                                f"{name} jumps at the transition pressure {p:g} Pa; "
+                                f"pieces must meet within {100 * self.continuity:g} %"
+                            ),
                         )
                     )
         return bad
 
     def at(self, pressure: Array) -> tuple[Array, Array, Array, Array]:
-        """Peak slip [m], peak friction, slope [1/m] and residual friction at pressures inside the ends."""
+        """Peak slip [m], peak friction, slope [1/m] and residual friction inside the ends."""
         shape, pressure = np.shape(pressure), np.atleast_1d(pressure)
         out = np.empty((4, *pressure.shape))
         index = np.clip(
@@ -468,7 +472,7 @@ class IntegralLog(FrictionLaw):
         return CompactLaw(KNOTS, c.pressure, tuple(block.ravel().tolist()))
 
     def steepest_fall(self) -> float:
-        """Return the steepest post-peak slope, <= 0 [1/m]; 0 where no residual level allows a fall."""
+        """Return the steepest post-peak slope, <= 0 [1/m]; 0 where no residual allows a fall."""
         c = self.coefficients
         if isinstance(c, PressureKnots):
             _, _, peak, slope, residual = c.columns()

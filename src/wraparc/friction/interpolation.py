@@ -36,7 +36,7 @@ def pchip(x: Array, y: Array) -> Array:
     Returns
     -------
     numpy.ndarray
-        Shape (n - 1, 4): on interval i the value is c0 + c1 t + c2 t**2 + c3 t**3 with t = x - x[i].
+        Shape (n - 1, 4): c0 + c1 t + c2 t**2 + c3 t**3 with t = x - x[i] on interval i.
     """
     h = np.diff(x)
     d = np.diff(y) / h

@@ -58,7 +58,7 @@ class Constant(FrictionLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class ElasticPlastic(FrictionLaw):
-    """Shear stress rises in proportion to slip up to a friction limit: mu = min(kappa_s x / p, mu_0).
+    """Shear stress rises with slip up to a friction limit: mu = min(kappa_s x / p, mu_0).
 
     Attributes
     ----------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import isfinite
 
 import numpy as np
@@ -59,7 +60,7 @@ class MeasuredTable(FrictionLaw):
                 and all(len(row) == m for row in self.values),
                 "friction",
                 "",
-                f"the table must have a row of {m} values for each of {len(self.pressure)} pressures",
+                f"the table must have {m} values for each of {len(self.pressure)} pressures",
             ),
             (
                 all(v >= 0 for row in self.values for v in row[:1])
@@ -120,10 +121,12 @@ class MeasuredTable(FrictionLaw):
         for _, c1, c2, c3 in (c.T for c in self._cubics()):
             with np.errstate(divide="ignore", invalid="ignore"):
                 vertex = np.nan_to_num(-c2 / (3.0 * c3), posinf=0.0, neginf=0.0)
-            for t in (0.0 * width, np.clip(vertex, 0.0, width), width):
-                falls.append(float(np.min(c1 + t * (2.0 * c2 + 3.0 * c3 * t))))
+            falls += [
+                float(np.min(c1 + t * (2.0 * c2 + 3.0 * c3 * t)))
+                for t in (0.0 * width, np.clip(vertex, 0.0, width), width)
+            ]
         return min(falls)
 
 
 def _ascending(values: tuple[float, ...]) -> bool:
-    return all(a < b for a, b in zip(values, values[1:], strict=False))
+    return all(a < b for a, b in pairwise(values))
