@@ -3,7 +3,7 @@
 import io
 import os
 import sys
-from typing import Literal
+from typing import Any, Literal
 
 from rich.console import Console
 from rich.padding import Padding
@@ -13,6 +13,13 @@ from rich.text import Text
 from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict
 
 _STYLES = {Level.GOOD: "green", Level.WARNING: "bold yellow", Level.BAD: "bold red"}
+# What is printed is printed as it is.
+_PLAIN: dict[str, Any] = {
+    "highlight": False,
+    "markup": False,
+    "emoji": False,
+    "force_jupyter": False,
+}
 #: Width of lines where no terminal says how wide it is.
 _PIPED_WIDTH = 110
 
@@ -20,7 +27,7 @@ _PIPED_WIDTH = 110
 def show(sheet: Sheet) -> None:
     """Print a sheet: the answer first, then the tables, the remarks and the sources."""
     if sys.stdout.isatty():
-        out = Console(highlight=False, markup=False, emoji=False)
+        out = Console(**_PLAIN)
         _show_all(out, sheet)
         if sheet.verdict:  # once more, where the eye is when the lines have run past
             out.print()
@@ -28,7 +35,7 @@ def show(sheet: Sheet) -> None:
         return
     width = None if "COLUMNS" in os.environ else _PIPED_WIDTH
     page = io.StringIO()
-    plain = Console(file=page, highlight=False, markup=False, emoji=False, width=width)
+    plain = Console(file=page, width=width, **_PLAIN)
     _show_all(plain, sheet)
     sys.stdout.writelines(f"{line.rstrip()}\n" for line in page.getvalue().splitlines())
 
