@@ -95,7 +95,7 @@ def _draw_lagging(ax: "Axes", result: ArcResult, system: System, quantity: str) 
     from matplotlib.colors import LinearSegmentedColormap
 
     end = math.degrees(result.arc.wrap_angle)
-    edges = np.linspace(0.0, end, 361)
+    edges = np.linspace(0.0, end, 181)
     inner, outer = _places(result, edges, _SHELL), _places(result, edges, _LAGGING)
     cells = np.stack([inner[:-1], outer[:-1], outer[1:], inner[1:]], axis=1)
     values = np.abs(column(result, quantity, system))

@@ -1,0 +1,56 @@
+"""What the README shows is what the program does."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from cli.running import wraparc
+
+ROOT = Path(__file__).parents[2]
+README = (ROOT / "README.md").read_text("utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+
+
+def test_the_printed_run_is_a_real_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Regenerate: COLUMNS=96 wraparc solve examples/head-drive-fabric.toml --load-case design."""
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setenv("COLUMNS", "96")
+    (block,) = blocks("text")
+    command, *shown = block.splitlines()
+    ran = wraparc(*shlex.split(command.removeprefix("$ wraparc ")))
+    assert shown[-1] == "..."
+    assert shown[:-2] == ran.out.splitlines()[: len(shown) - 2]
+
+
+def test_the_drive_and_the_commands_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (drive,) = blocks("toml")
+    Path("drive.toml").write_text(drive, "utf-8")
+    commands = [line for text in blocks("sh") for line in text.splitlines()]
+    commands = [line for line in commands if line.startswith("wraparc ")]
+    assert len(commands) == 4
+    for command in commands:
+        assert wraparc(*shlex.split(command, comments=True)[1:]).code == 0, command
+    written = {path.name for path in tmp_path.iterdir()}
+    assert written >= {"result.json", "profile.csv", "picture.pdf", "lagging.svg"}
+
+
+def test_the_python_example_works(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    (code,) = blocks("python")
+    exec(compile(code, "README.md", "exec"), {})  # noqa: S102 - our own text
+    assert re.fullmatch(r"7\.4 mm of creep; least T2 89\d\d\d N\n", capsys.readouterr().out)
+    assert (tmp_path / "picture.svg").exists()
+
+
+def test_the_picture_is_there() -> None:
+    (path,) = re.findall(r"\]\((docs/_static/.*?\.svg)\)", README)
+    assert "<svg" in (ROOT / path).read_text("utf-8")
