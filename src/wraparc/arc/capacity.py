@@ -12,10 +12,12 @@ from wraparc.arc.march import (
     KICK,
     LENGTH,
     ONSET,
+    RADIUS,
     RECORD,
     SHEAR,
     SIDE,
     T1,
+    WIDTH,
     Buffer,
     Law,
     Parameters,
@@ -25,6 +27,7 @@ from wraparc.arc.march import (
 from wraparc.arc.profile import sort
 from wraparc.arc.shoot import (
     CREEP,
+    EXHAUSTED,
     FOUND,
     STALLED,
     TENSION,
@@ -77,7 +80,7 @@ def solve_tension(
     -------
     outcome, z, shot
         FOUND; STUCK: the belt does not slip anywhere, z has no meaning and the last number of the
-        shot is the arc length; EXHAUSTED: breakaway, with the largest tension ratio there is.
+        shot is the arc length; EXHAUSTED: breakaway, see `gross_slip`.
     """
     goal = par[SIDE] * log(par[T1] / exit_tension)
     if jumps(law):
@@ -86,7 +89,14 @@ def solve_tension(
             return STUCK, 0.0, stuck_shot(law, par, exit_tension, creep, 0, none)[0]
     if goal == 0.0 and par[KICK] == 0.0:
         return FOUND, -inf, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    return refine(law, par, TENSION, goal, first_guess(law, par, TENSION, goal), steps, none)
+    tight = max(par[T1], exit_tension) / (par[WIDTH] * par[RADIUS])
+    if goal < plateau_capacity(law, tight, par[LENGTH] / par[RADIUS]):
+        guess = first_guess(law, par, TENSION, goal)
+        outcome, z, shot = refine(law, par, TENSION, goal, guess, steps, none)
+        if outcome != EXHAUSTED:
+            return outcome, z, shot
+    z = largest_effort(law, par)
+    return EXHAUSTED, z, fire(law, par, z, steps, 0, none)[0]
 
 
 def stuck_shot(
@@ -346,8 +356,9 @@ def trace(
         table, scratch = room(table_size(goal, fine)), room(STEP)
         open_table(law, par, goal, fine, table)
         gamma = par[SIDE] * ratio_of(par, z)
-        status, q, s, a, work, count = march(law, par, gamma, False, table, scratch, points, out)
+        status, q, s, a, work, _ = march(law, par, gamma, False, table, scratch, 0, out[:0])
         if status == ARRIVED and abs(s / par[LENGTH] - 1.0) < TOLERANCE * 100.0:
+            count = march(law, par, gamma, False, table, scratch, points, out)[5]
             sort(out, count)
             return tension_shot(law, par, gamma, q, a, work), count
     shot, count = fire(law, par, z, steps, points, out)
@@ -368,13 +379,36 @@ def largest_ratio(
     A law flat past its peak has a supremum, with the friction of its plateau everywhere and no
     finite creep (inf). A softening law has a largest ratio over entry creep ratios below 1.
     """
-    side, radius, wrap, width = geometry[0], geometry[1], geometry[2], geometry[3]
+    radius, wrap, width = geometry[1], geometry[2], geometry[3]
     supremum = plateau_capacity(law, tight / (width * radius), wrap)
     if not softening:
         return supremum, inf
+    best, creep, _, _ = gross_slip(law, geometry, tight, supremum, steps, none)
+    return best, creep
+
+
+def gross_slip(
+    law: Law, geometry: Geometry, tight: float, guess: float, steps: int, none: Buffer
+) -> tuple[float, float, float, float]:
+    """Largest tension ratio of a held tight side over entry creep ratios below 1.
+
+    Parameters
+    ----------
+    tight
+        Tension of the tight side [N].
+    guess
+        A guess of ln(tight/slack).
+
+    Returns
+    -------
+    ratio, creep, entry, z
+        ln(tight/slack), the exit creep towards the slack side [m], the entry tension [N] and the
+        effort there.
+    """
+    side = geometry[0]
     table, scratch = _capacity_table(law, geometry, tight, steps), room(STEP)
-    entry = tight if side > 0.0 else tight * exp(-supremum)
-    best, creep, z, last, miss_last = supremum, 0.0, -inf, 0.0, 0.0
+    entry = tight if side > 0.0 else tight * exp(-guess)
+    best, creep, z, last, miss_last = guess, 0.0, -inf, 0.0, 0.0
     for i in range(40):
         par = parameters_at(entry, geometry)
         new, creep, z = _peak_of(law, par, z, steps, table, scratch, none)
@@ -388,7 +422,7 @@ def largest_ratio(
             aim = log(entry) - miss * (log(entry) - last) / (miss - miss_last)
         last, miss_last = log(entry), miss
         entry = exp(aim)
-    return best, creep
+    return best, creep, entry, z
 
 
 def _peak_of(
@@ -431,9 +465,13 @@ def _peak_of(
     value, _ = carried_ratio(law, par, high, coarse, buffer, scratch, none)
     if value > value_of(par, shot, TENSION):
         z = high
-    # sought on the coarse mesh, where a maximum forgives; told on the fine one
+    # sought on the coarse mesh, told on the fine one; a sharp peak is sought there again
     if len(buffer) > 0:
         open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+    if z < high:
+        low, high = max(low, z - 0.03), min(high, z + 0.03)
+        z, shot = climb(law, par, low, high, 2e-4, steps, buffer, scratch, none)
+        return value_of(par, shot, TENSION), par[SIDE] * shot[2], z
     value, shot = carried_ratio(law, par, z, steps, buffer, scratch, none)
     return value, par[SIDE] * shot[2], z
 

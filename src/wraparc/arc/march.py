@@ -337,6 +337,8 @@ def advance(  # noqa: C901 - one loop over steps and cuts
     q, x, work, segment, branch, sign = state
     switches = 0
     while xi < xi_end:
+        if not -LARGEST_LOG < q < LARGEST_LOG:
+            break  # tension has vanished, or grown beyond all bounds: no solution is near
         h = xi_end - xi
         k = rates(law, par, g, segment, branch, sign, q, x)
         jacobian = MESH_POWER * span * xi * xi * xi

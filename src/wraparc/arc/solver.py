@@ -11,6 +11,7 @@ from wraparc.arc.capacity import (
     STUCK,
     Geometry,
     carry,
+    gross_slip,
     largest_ratio,
     least_slack,
     parameters_at,
@@ -18,7 +19,7 @@ from wraparc.arc.capacity import (
     solve_tension,
     trace,
 )
-from wraparc.arc.march import RECORD, Law, Parameters
+from wraparc.arc.march import KICK, RECORD, T1, Law, Parameters
 from wraparc.arc.profile import active_length, peak_stress, share_outside
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
 from wraparc.arc.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot
@@ -38,7 +39,8 @@ class Distributed:
     steps
         Mesh steps over the arc; 24 keep exit creep, slip and peak shear within 1e-5.
     points
-        Equal parts of the wrap at which the profile is given.
+        Equal parts of the wrap at which the profile is given, besides kinks and, where a kick is
+        used up, the mesh nodes in front of the point of no slip.
     capacities
         Whether the three capacities are found too.
     """
@@ -67,6 +69,10 @@ class Distributed:
         status = Status.SOLVED
         if outcome == EXHAUSTED:
             status = Status.BREAKAWAY
+            tight = max(arc.entry_tension, arc.exit_tension)
+            guess = arc.side * math.log(arc.entry_tension / arc.exit_tension)
+            _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, self.steps, none)
+            par = parameters_at(entry, geometry)
         elif outcome not in (FOUND, STUCK) or not _balanced(arc, shot):
             status = Status.UNSOLVED
         out = [0.0] * profile_size(law, par, self.steps, self.points)
@@ -139,7 +145,8 @@ def _result(
     capacities: Capacities,
 ) -> ArcResult:
     q, slip, creep, _, _, g, zone = shot
-    exit_tension = arc.entry_tension * math.exp(q)
+    entry = par[T1]  # on breakaway of a braking pulley the exit tension is the one held
+    exit_tension = entry * math.exp(q)
     peak, where = peak_stress(out, count)
     tested = arc.law.tested
     outside = nan
@@ -147,16 +154,16 @@ def _result(
         outside = share_outside(
             par, out, count, tested.pressure_min, tested.pressure_max, tested.slip_max
         )
-    overrun = arc.entry_overrun
+    overrun = par[KICK]
     distributed = creep - overrun - g * arc.length
-    pull = arc.entry_tension - exit_tension
+    pull = entry - exit_tension
     recovery = arc.recovery_compliance / arc.compliance if arc.compliance > 0.0 else 0.0
     return ArcResult(
         status=status,
         method=method,
         arc=arc,
-        profile=_profile(arc, out, count, zone),
-        entry_tension=arc.entry_tension,
+        profile=_profile(arc, entry, out, count, zone),
+        entry_tension=entry,
         exit_tension=arc.exit_tension if status is Status.SOLVED else exit_tension,
         exit_creep=creep,
         creep_shrinkage=(1.0 - recovery) * distributed,
@@ -177,10 +184,12 @@ def _result(
     )
 
 
-def _profile(arc: WrapArc, out: list[float], count: int, zone: float) -> Profile:
+def _profile(
+    arc: WrapArc, entry_tension: float, out: list[float], count: int, zone: float
+) -> Profile:
     rows: Array = np.array(out[: RECORD * count]).reshape(count, RECORD)
     s, q, slip, creep, tau = rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3], rows[:, 4]
-    tension = arc.entry_tension * np.exp(q)
+    tension = entry_tension * np.exp(q)
     pressure = 2.0 * tension / (arc.width * arc.diameter)
     # a stuck belt has the friction of vanishing slip available
     sliding = (s > zone) | (zone == 0.0)
