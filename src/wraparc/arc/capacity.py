@@ -46,7 +46,7 @@ from wraparc.arc.shoot import (
     tension_shot,
     value_of,
 )
-from wraparc.arc.stick import held_exit, stick_slip, zone_creep_ratio
+from wraparc.arc.stick import held_exit, stick_slip, zone_creep_ratio, zone_end
 from wraparc.arc.tension_march import ARRIVED, STEP, applies, march, open_table, table_size
 from wraparc.friction.compact import plateau_at, segment_of
 
@@ -79,14 +79,16 @@ def solve_tension(
     Returns
     -------
     outcome, z, shot
-        FOUND; STUCK: the belt does not slip anywhere, z has no meaning and the last number of the
-        shot is the arc length; EXHAUSTED: breakaway, see `gross_slip`.
+        FOUND; STUCK: the belt does not slip anywhere, the last number of the shot is the arc length
+        (and z is good to the precision of a difference only); EXHAUSTED: breakaway, see `gross_slip`.
     """
     goal = par[SIDE] * log(par[T1] / exit_tension)
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
         if held:
-            return STUCK, 0.0, stuck_shot(law, par, exit_tension, creep, 0, none)[0]
+            end = zone_end(law, par, par[LENGTH])[1]
+            z = creep / end - 1.0 if end != 0.0 else 0.0
+            return STUCK, z, stuck_shot(law, par, exit_tension, creep, 0, none)[0]
     if goal == 0.0 and par[KICK] == 0.0:
         return FOUND, -inf, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     tight = max(par[T1], exit_tension) / (par[WIDTH] * par[RADIUS])
