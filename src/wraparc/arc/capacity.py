@@ -80,7 +80,7 @@ def solve_tension(
     -------
     outcome, z, shot
         FOUND; STUCK: the belt does not slip anywhere, the last number of the shot is the arc length
-        (and z is good to the precision of a difference only); EXHAUSTED: breakaway, see `gross_slip`.
+        (z is good to the precision of a difference only); EXHAUSTED: breakaway, see `gross_slip`.
     """
     goal = par[SIDE] * log(par[T1] / exit_tension)
     if jumps(law):
