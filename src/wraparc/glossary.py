@@ -355,6 +355,11 @@ QUANTITIES: tuple[Quantity, ...] = (
         "makes a larger drum.",
     ),
     Quantity(
+        "drum_ratio", "omega R/(omega1 R1)", "number", "Drum speed over that of the first drive",
+        "Ratio of the drum speeds of drums of equal diameter: that of the surface speeds, and the "
+        "compression of the laggings.",
+    ),
+    Quantity(
         "surface_speed", "v_s", "speed", "Surface speed",
         "Speed of the loaded lagging surface at the entry nip.",
     ),

@@ -16,6 +16,9 @@ class Command(NamedTuple):
 #: Every command, in the order of the help: name -> (module:function, one line of help).
 COMMANDS: dict[str, Command] = {
     "solve": Command("wraparc.cli.solve:solve", "Solve a drive file and print the answer."),
+    "trim": Command(
+        "wraparc.cli.trim:trim", "Show how exactly the drives on one belt must be matched."
+    ),
     "check": Command("wraparc.cli.solve:check", "Read a drive file and say what is wrong with it."),
     "laggings": Command("wraparc.cli.catalogue:laggings", "List the laggings of the catalogue."),
     "lagging": Command("wraparc.cli.catalogue:lagging", "Show one lagging and its friction law."),
@@ -28,6 +31,15 @@ COMMANDS: dict[str, Command] = {
     ),
     "what-if": Command(
         "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
+    ),
+    "overlay": Command(
+        "wraparc.cli.calibrate:overlay", "Lay a measured drive beside the prediction."
+    ),
+    "calibrate": Command(
+        "wraparc.cli.calibrate:calibrate", "Calibrate a lagging to what was measured on a drive."
+    ),
+    "virtual-record": Command(
+        "wraparc.cli.calibrate:virtual_record", "Make the record of a virtual instrumented pulley."
     ),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }

@@ -130,7 +130,8 @@ _CURVE = Rows(Quantity("number", Limit("number", most=10.0)), 2, 200)
 
 
 def _motor(kind: str, *entries: Entry) -> Table:
-    return Table((Entry("kind", Choice((kind,)), required=True), *entries), kind)
+    tag = Entry("kind", Choice((kind,)), "Kind", "What turns the drum.", required=True)
+    return Table((tag, *entries), kind)
 
 
 MOTOR = Variant(

@@ -48,7 +48,7 @@ def plot_train(result: TrainResult, case: str = "", units: System = "si") -> Pic
 
         figure = Figure(figsize=(max(8.0, 2.6 * len(solved.members) + 3.0), 7.6))
         rows = figure.add_gridspec(
-            3, 1, height_ratios=(1.15, 1, 1), hspace=0.42, left=0.09, right=0.97, top=0.9,
+            3, 1, height_ratios=(1.25, 1, 1), hspace=0.3, left=0.09, right=0.97, top=0.9,
             bottom=0.1,
         )  # fmt: skip
         _draw_chain(figure.add_subplot(rows[0]), solved, units)
@@ -76,19 +76,25 @@ def _draw_chain(ax: "Axes", case: CaseResult, units: System) -> None:
         colour = _style(i)["color"]
         ax.add_patch(Circle((x, 0.0), 1.0, facecolor="#f2f2f2", edgecolor="#777777"))
         part = 0.0 if np.isnan(m.share) else min(abs(m.share), 1.0)
-        ax.add_patch(Wedge((x, 0.0), 1.0, 90.0 - 360.0 * part, 90.0, facecolor=colour, alpha=0.35))
+        pull = m.arc.effective_tension
+        hatch = "////" if pull < 0.0 else ""  # braking shows in print too
+        start = 90.0 - 360.0 * part
+        wedge = Wedge((x, 0.0), 1.0, start, 90.0, facecolor=colour, alpha=0.35, hatch=hatch)
+        ax.add_patch(wedge)
         share = "-" if np.isnan(m.share) else f"{100.0 * m.share:.1f} %"
         ax.text(x, 0.0, share, ha="center", va="center", fontsize=11, weight="bold")
         ax.text(x, 1.2, m.name, ha="center", va="bottom", fontsize=10, color=colour, weight="bold")
         trim = "" if np.isnan(m.speed_trim) else f"trim {100.0 * m.speed_trim:.3f} %"
         creep = display(m.arc.exit_creep, "length", units, digits=3)
-        ax.text(x, -1.2, f"{trim}\ncreep {creep}", ha="center", va="top", fontsize=8.5)
+        does = f"{'brakes' if pull < 0.0 else 'pulls'} {display(abs(pull), 'force', units)}"
+        text = "\n".join(part for part in (does, trim, f"creep {creep}") if part)
+        ax.text(x, -1.2, text, ha="center", va="top", fontsize=8.5)
         _arrow(ax, x - 2.9, x - 1.15, display(m.arc.entry_tension, "force", units))
     last = case.members[-1].arc.exit_tension
     end = 4.2 * (len(case.members) - 1)
     _arrow(ax, end + 1.15, end + 2.9, display(last, "force", units))
     ax.set_xlim(-3.1, end + 3.1)
-    ax.set_ylim(-2.4, 1.8)
+    ax.set_ylim(-2.6, 1.8)
 
 
 def _arrow(ax: "Axes", start: float, tip: float, text: str) -> None:
@@ -153,8 +159,8 @@ def plot_matching(
         figure = Figure(figsize=(11.0, height))
         grid = figure.add_gridspec(
             3 if tall else 2, 2, height_ratios=(1, 1, 1.25) if tall else (1, 1),
-            left=0.075, right=0.975, top=1.0 - 0.95 / height, bottom=0.62 / height, hspace=0.34,
-            wspace=0.2,
+            left=0.07, right=0.96, top=1.0 - 0.95 / height, bottom=0.72 / height, hspace=0.4,
+            wspace=0.3,
         )  # fmt: skip
         _draw_shares(figure.add_subplot(grid[0, 0]), matching.trim)
         _draw_shares(figure.add_subplot(grid[0, 1]), matching.diameter)
@@ -170,6 +176,9 @@ def plot_matching(
         )
         figure.text(0.02, 0.1 / height, note, fontsize=7.5, color="#444444")
         return Picture(figure)
+
+
+_SHORT = {Axis.TRIM: "trim", Axis.DIAMETER: "diameter", Axis.LOAD: "load"}
 
 
 def _percent(values: Array) -> Array:
@@ -193,7 +202,7 @@ def _draw_shares(ax: "Axes", curve: ShareCurve) -> None:
     of = "" if curve.axis is Axis.LOAD else f" of {names[curve.drive]}"
     ax.set_xlabel(f"{GLOSSARY[curve.axis.value].title}{of} [%]")
     ax.set_ylabel("Share of the load [%]")
-    ax.set_title(f"Shares against {GLOSSARY[curve.axis.value].title.lower()}")
+    ax.set_title(f"Shares against {_SHORT[curve.axis]}")
     ax.legend(loc="lower right", bbox_to_anchor=(1.01, 0.97), ncols=4)
     ax.ticklabel_format(axis="x", useOffset=False)
 
@@ -211,7 +220,7 @@ def _mark_braking(ax: "Axes", curve: ShareCurve) -> None:
         ax.axvspan(low, high, color="#f4e3d7", linewidth=0.0)
         ax.text(
             0.5 * (low + high), 0.02, "drives fight", transform=ax.get_xaxis_transform(),
-            ha="center", va="bottom", fontsize=8, color="#8a4b1c",
+            ha="center", va="bottom", fontsize=8, color="#8a4b1c", zorder=4,
         )  # fmt: skip
 
 
@@ -295,11 +304,12 @@ def _draw_map(ax: "Axes", over: ShareMap) -> None:
     )
     figure = ax.get_figure()
     if figure is not None:
-        bar = figure.colorbar(drawn, ax=ax, pad=0.01, fraction=0.04)
+        bar = figure.colorbar(drawn, ax=ax, pad=0.015, fraction=0.035)
         bar.set_label(f"Share of {here.name} [%]")
     ax.set_xlabel(f"{GLOSSARY[over.across.value].title} of {here.name} [%]")
     ax.set_ylabel(f"{GLOSSARY[over.down.value].title} [%]")
     ax.set_title(f"Share of {here.name} over trim and load", pad=18)
+    ax.set_facecolor("#dddddd")  # where the belt would be slacker or tighter than is tabulated
     ax.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99), ncols=5)
     ax.grid(visible=False)
     ax.ticklabel_format(axis="x", useOffset=False)

@@ -7,7 +7,10 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from wraparc.train.change import what_if
     from wraparc.train.curve import Mark, MarkKind, ShareCurve, share_curve
+    from wraparc.train.grid import ShareMap, share_map
+    from wraparc.train.matching import Change, Matching, match_drives
     from wraparc.train.motors import (
         FluidCoupling,
         Induction,
@@ -16,20 +19,20 @@ if TYPE_CHECKING:
         VariableSpeed,
     )
     from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
-    from wraparc.train.share_map import ShareMap, share_map
     from wraparc.train.solve import solve_train
     from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
     from wraparc.train.walk import Axis
-    from wraparc.train.what_if import what_if
 
 __all__ = [
     "Axis",
     "CaseResult",
+    "Change",
     "Division",
     "FluidCoupling",
     "Induction",
     "Mark",
     "MarkKind",
+    "Matching",
     "MemberResult",
     "Motor",
     "MotorPoint",
@@ -45,6 +48,7 @@ __all__ = [
     "TrainResult",
     "TrainStatus",
     "VariableSpeed",
+    "match_drives",
     "share_curve",
     "share_map",
     "solve_train",
@@ -53,13 +57,14 @@ __all__ = [
 
 _MODULES = {
     "curve": "Mark MarkKind ShareCurve share_curve",
+    "matching": "Change Matching match_drives",
     "motors": "FluidCoupling Induction Motor TorqueFollower VariableSpeed",
     "result": "CaseResult MemberResult MotorPoint TrainResult TrainStatus",
-    "share_map": "ShareMap share_map",
+    "grid": "ShareMap share_map",
     "solve": "solve_train",
     "train": "Division Motors Pulls Shares Speeds Train TrainCase",
     "walk": "Axis",
-    "what_if": "what_if",
+    "change": "what_if",
 }
 _MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
 

@@ -22,11 +22,11 @@ Array = NDArray[np.float64]
 Measure = Callable[[Settled, float], float]
 
 #: Shares at which a curve ends when nobody says where, and how far it goes for them.
-_SHARES = (-0.3, 1.3)
+_SHARES = (-0.4, 1.4)
 _FURTHEST = 0.03
 _LOADS = (0.05, 1.25)
 #: Miss of a share, or of a creep over its limit, at a mark.
-_MARK_MISS = 1e-6
+_MARK_MISS = 2e-5
 _BISECTIONS = 10
 
 
@@ -43,11 +43,22 @@ class MarkKind(StrEnum):
 
 @dataclass(frozen=True)
 class Mark:
-    """A marked place of a curve: what, of which drive (by index), and where on the axis [-]."""
+    """A marked place of a curve.
+
+    Attributes
+    ----------
+    kind, drive
+        What happens to which drive (by index).
+    value
+        Where on the axis [-].
+    shares
+        Of every drive there [-].
+    """
 
     kind: MarkKind
     drive: int
     value: float
+    shares: tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,35 +155,31 @@ def _check(span: tuple[float, float] | None, points: int) -> None:
 
 
 def _span(walk: Walk) -> tuple[float, float]:
-    """Ends of the axis between which the drives exchange the whole load."""
+    """Ends of the axis between which the drive takes and gives away the whole load."""
     if walk.axis is Axis.LOAD:
         return _LOADS
-    slopes = [abs(v) for row in walk.case.sensitivity for v in row if v != 0.0]
-    step = min(0.15 / max(slopes, default=0.15 / _FURTHEST), 0.3 * _FURTHEST)
-    ends = []
-    for sign in (-1.0, 1.0):
-        walk.restart()
-        reach = 0.0
-        while reach < _FURTHEST:
-            reach = min(reach + step, _FURTHEST)
-            value = walk.here + sign * reach
-            state = walk.to(value)
-            if state is None:
-                break
-            shares = walk.shares(state, value)
-            if min(shares) < _SHARES[0] or max(shares) > _SHARES[1]:
-                break
-        ends.append(walk.here + sign * reach)
-    return ends[0], ends[1]
+    share = walk.case.members[walk.drive].share
+    slope = abs(walk.case.sensitivity[walk.drive][walk.drive])
+    low, high = _SHARES
+
+    def reach(change: float) -> float:
+        return min(max(change, 0.3) / slope, _FURTHEST) if slope > 0.0 else _FURTHEST
+
+    # raising the speed raises the share of the total, whatever the sign of that
+    down, up = reach(share - low), reach(high - share)
+    if walk.case.case.effective_tension < 0.0:
+        down, up = up, down
+    return walk.here - down, walk.here + up
 
 
 def _marks(walk: Walk, states: dict[float, Settled | None]) -> Iterator[Mark]:
     """Find where something happens, between the points of a curve."""
-    yield Mark(MarkKind.OPERATING, walk.drive, walk.here)
+    yield Mark(MarkKind.OPERATING, walk.drive, walk.here, walk.case.shares)
     points = sorted(states.items(), key=lambda point: point[0])
-    for a, b in pairwise(points):
+    for i, (a, b) in enumerate(pairwise(points)):
         if a[1] is not None and b[1] is not None:
-            yield from _events(walk, (a[0], a[1]), (b[0], b[1]))
+            known = [(v, s) for v, s in points[max(i - 1, 0) : i + 3] if s is not None]
+            yield from _events(walk, (a[0], a[1]), (b[0], b[1]), known)
         elif a[1] is not None or b[1] is not None:
             yield from _breakaway(walk, *((a, b) if b[1] is None else (b, a)))
 
@@ -200,20 +207,27 @@ def _measures(walk: Walk) -> Iterator[tuple[MarkKind, int, Measure]]:
             yield MarkKind.TESTED_SLIP, i, slip_above(i, tested.slip_max)
 
 
-def _events(walk: Walk, a: tuple[float, Settled], b: tuple[float, Settled]) -> Iterator[Mark]:
-    """Whatever happens between two solutions."""
+def _events(
+    walk: Walk,
+    a: tuple[float, Settled],
+    b: tuple[float, Settled],
+    known: list[tuple[float, Settled]],
+) -> Iterator[Mark]:
+    """Whatever happens between two solutions, with the ones around them known."""
     for kind, drive, measure in _measures(walk):
         at_a, at_b = measure(a[1], a[0]), measure(b[1], b[0])
         if (at_a < 0.0) == (at_b < 0.0):
             continue
-        walk.begin(*a)
 
         def miss(value: float, measure: Measure = measure) -> float:
+            walk.begin(*sorted(known, key=lambda point: -abs(point[0] - value)))
             state = walk.to(value)
             return math.nan if state is None else measure(state, value)
 
         value, _ = bracketed_root(miss, a[0], at_a, b[0], at_b, _MARK_MISS)
-        yield Mark(kind, drive, value)
+        state = walk.to(value)
+        if state is not None:
+            yield Mark(kind, drive, value, tuple(walk.shares(state, value)))
 
 
 def _breakaway(
@@ -225,12 +239,13 @@ def _breakaway(
     state = good[1]
     for _ in range(_BISECTIONS):
         if state is not None:
-            walk.begin(inside, state)
+            walk.begin((inside, state))
         middle = 0.5 * (inside + outside)
         found = walk.to(middle)
         if found is None:
             outside, fallen = middle, walk.fallen
         else:
             inside, state = middle, found
-    for drive in fallen:
-        yield Mark(MarkKind.BREAKAWAY, drive, inside)
+    if state is not None:
+        for drive in fallen:
+            yield Mark(MarkKind.BREAKAWAY, drive, inside, tuple(walk.shares(state, inside)))

@@ -62,8 +62,7 @@ class MemberResult:
     """One drive of a train in one load case.
 
     Speeds and powers are nan where no belt speed is known. The terms are those of the first order:
-    speed_ratio - 1 = contraction_term + creep_term, and with compression_term that of the shafts of
-    equal drums.
+    speed_ratio - 1 = contraction_term + creep_term, and drum_ratio - 1 with compression_term too.
 
     Attributes
     ----------
@@ -79,6 +78,9 @@ class MemberResult:
         g_i - g_1: this pulley creeps more than the first [-].
     compression_term
         delta_i/R_i - delta_1/R_1: a less compressed lagging makes a larger drum [-].
+    drum_ratio
+        omega_i R_i/(omega_1 R_1), the ratio of the drum speeds of equal drums, exactly [-]; 1 +
+        contraction_term + creep_term + compression_term to first order.
     surface_speed
         v_i [m/s].
     rotation_speed
@@ -99,6 +101,7 @@ class MemberResult:
     contraction_term: float
     creep_term: float
     compression_term: float
+    drum_ratio: float
     surface_speed: float
     rotation_speed: float
     speed_trim: float

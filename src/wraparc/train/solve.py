@@ -243,6 +243,7 @@ def _member(setup: Setup, i: int, arcs: Sequence[ArcResult], belt_speed: float) 
         creep_term=g - g1,
         compression_term=arc.arc.compression / arc.arc.radius
         - first.arc.compression / first.arc.radius,
+        drum_ratio=ratio * arm1 / arm * arc.arc.radius / first.arc.radius,
         surface_speed=surface,
         rotation_speed=rotation,
         speed_trim=ratio * arm1 / arm * nominal[i] / nominal[0],

@@ -81,11 +81,11 @@ class Walk:
 
     def restart(self) -> None:
         """Go back to the start."""
-        self.begin(*self._start)
+        self.begin(self._start)
 
-    def begin(self, value: float, state: Settled) -> None:
-        """Go on from a known solution."""
-        self._past = [(value, state)]
+    def begin(self, *known: tuple[float, Settled]) -> None:
+        """Go on from known solutions, the nearest one last."""
+        self._past = list(known)
 
     def to(self, value: float) -> Settled | None:
         """Return the stable solution at a value, or None; it becomes the next start."""

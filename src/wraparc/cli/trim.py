@@ -1,0 +1,194 @@
+"""``wraparc trim``: how exactly the drives on one belt must be matched."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import click
+
+from wraparc.arc import Distributed
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.drive import Lagging
+from wraparc.errors import InputError, Problem, shown
+from wraparc.files import load_train
+from wraparc.saving import save_file
+from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
+from wraparc.units import System, parse_quantity
+
+SOLVED = 0
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option("--drive", "pulley", metavar="PULLEY", help="Drive to vary; the second if not given.")
+@click.option("--load-case", metavar="NAME", default="", help="Load case; the first if not given.")
+@click.option(
+    "--span",
+    nargs=2,
+    metavar="LOW HIGH",
+    help='Ends of the trims: --span "99 %" "101 %". Chosen so that the load changes over if not '
+    "given.",
+)
+@click.option("--points", type=click.IntRange(3, 1001), default=61, show_default=True)
+@click.option("--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear to try.")
+@click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
+@units_option
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the curves as JSON; - prints.")
+@click.option("--csv", "csv_file", metavar="FILE", help="Write the trim curve as CSV; - prints.")
+@click.option("--plot", "plot_file", metavar="FILE", help="Draw the curves: .svg, .png or .pdf.")
+def trim(
+    file: str,
+    pulley: str | None,
+    load_case: str,
+    span: tuple[str, str] | None,
+    points: int,
+    wear: str,
+    with_map: bool,
+    units: System,
+    settings: tuple[str, ...],
+    json_file: str | None,
+    csv_file: str | None,
+    plot_file: str | None,
+) -> int:
+    """Show how the drives of a train FILE share the load as one speed is trimmed.
+
+    Shares are computed against speed trim, diameter and load with all other speeds held, with the
+    places where a drive begins to brake or reaches its creep limit, and with one drum worn or wet.
+    """
+    outputs = {
+        "--json": (json_file, (".json",)),
+        "--csv": (csv_file, (".csv",)),
+        "--plot": (plot_file, (".svg", ".png", ".pdf")),
+    }
+    check_outputs(outputs, [file])
+    if plot_file:
+        from wraparc.plot import require_matplotlib
+
+        require_matplotlib()
+    train = load_train(file, overrides=settings)
+    drive = _drive(train, pulley, file)
+    depth = _quantity("--wear", wear, "length")
+    ends = None if not span else (_trim(span[0]), _trim(span[1]))
+    _check_case(train, load_case, file)
+    result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
+    matching = match_drives(
+        result, load_case, drive=drive, wear=depth, laggings=_wet(train), span=ends, points=points
+    )
+    over_load = _map(result, load_case, drive, matching) if with_map else None
+    texts = {}
+    if json_file:
+        texts[json_file] = _json(matching, over_load, file)
+    if csv_file:
+        texts[csv_file] = _csv(matching)
+    if STANDARD_OUTPUT in texts:
+        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
+    else:
+        _show(result, matching, units)
+    if plot_file:
+        from wraparc.plot.train import plot_matching
+
+        plot_matching(matching, over_load, title=train.title).save(plot_file)
+        click.echo(f"Wrote {plot_file}", err=True)
+    for path, text in texts.items():
+        save_file(path, text)
+        click.echo(f"Wrote {path}", err=True)
+    return SOLVED
+
+
+def _show(result: TrainResult, matching: Matching, units: System) -> None:
+    from wraparc.cli.show import show
+    from wraparc.present.train_sheet import matching_sheet
+
+    show(matching_sheet(result, matching, units))
+
+
+def _json(matching: Matching, over_load: ShareMap | None, file: str) -> str:
+    from wraparc.present.document import json_text
+    from wraparc.present.train_document import matching_document
+
+    return json_text(matching_document(matching, over_load, file=file))
+
+
+def _csv(matching: Matching) -> str:
+    from wraparc.present.train_document import curve_csv
+
+    return curve_csv(matching.trim)
+
+
+def _drive(train: Train, pulley: str | None, file: str) -> int:
+    names = [p.name for p in train.pulleys]
+    if len(names) < 2:
+        message = "the file has one pulley, which shares its load with nobody"
+        raise InputError(Problem(message=message, file=file, key="pulley"))
+    if pulley is None:
+        return 1
+    if pulley in names[1:]:
+        return names.index(pulley)
+    message = "trims are relative to the first drive" if pulley in names else "no such pulley"
+    there = ", ".join(map(shown, names[1:]))
+    raise InputError(
+        Problem(
+            message=message,
+            remedy=f"Choose one of {there}.",
+            file=file,
+            key="--drive",
+            value=shown(pulley),
+        )
+    )
+
+
+def _check_case(train: Train, name: str, file: str) -> None:
+    names = [case.name for case in train.cases]
+    if name and name not in names:
+        raise InputError(
+            Problem(
+                message="the train has no such load case",
+                remedy=f"It has {', '.join(map(shown, names))}.",
+                file=file,
+                key="--load-case",
+                value=shown(name),
+            )
+        )
+
+
+def _quantity(option: str, text: str, dimension: Any) -> float:
+    try:
+        return parse_quantity(text, dimension)
+    except InputError as error:
+        problem = replace(error.problems[0], key=option, value=shown(text))
+        raise InputError(problem) from None
+
+
+def _trim(text: str) -> float:
+    return _quantity("--span", text, "number")
+
+
+def _wet(train: Train) -> Mapping[str, Lagging]:
+    """Laggings of the pulleys when wet, by the design values of DIN 22101 where it has some."""
+    from wraparc.study.conditions import Condition
+
+    wet = Condition(name="wet", standard="DIN 22101")
+    found = {}
+    for pulley in train.pulleys:
+        if pulley.lagging.condition != wet.name and pulley.lagging.surface:
+            try:
+                found[pulley.name] = wet.lagging(pulley.lagging)
+            except InputError:  # the standard says nothing about this surface
+                continue
+    return found
+
+
+def _map(result: TrainResult, load_case: str, drive: int, matching: Matching) -> ShareMap:
+    import numpy as np
+
+    from wraparc.train import share_map
+
+    values = matching.trim.values
+    return share_map(
+        result,
+        load_case,
+        drive=drive,
+        x=np.linspace(values[0], values[-1], 101),
+        y=np.linspace(0.1, 1.25, 101),
+    )

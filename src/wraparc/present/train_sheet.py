@@ -1,0 +1,201 @@
+"""The sheet of a solved train: several drives on one belt."""
+
+from collections.abc import Callable, Sequence
+from math import isnan
+
+from wraparc.arc import DriveResult
+from wraparc.glossary import GLOSSARY
+from wraparc.present.drive_sheet import drive_sheet
+from wraparc.present.sheet import NONE, Level, Row, Sheet, Table, named, percent
+from wraparc.present.train_words import matching_verdict, train_verdict
+from wraparc.present.words import level_of
+from wraparc.train import CaseResult, Mark, Matching, MemberResult, ShareCurve, TrainResult
+from wraparc.units import System, display
+
+Cell = Callable[[MemberResult], str]
+
+
+def train_sheet(
+    result: TrainResult,
+    system: System = "si",
+    detail: Sequence[int] | None = None,
+    others: Sequence[DriveResult] = (),
+) -> Sheet:
+    """Return everything to show of a solved train.
+
+    Parameters
+    ----------
+    result
+        The train.
+    system
+        Units to show.
+    detail
+        Positions of the arcs to show in full, see `drive_sheet`.
+    others
+        The pulleys solved by other methods.
+    """
+    pulleys = drive_sheet([result.drive_result(), *others], system, detail)
+    tables = (*train_tables(result, system), *pulleys.tables)
+    verdict = train_verdict(result, system)
+    return Sheet(pulleys.title, pulleys.subtitle, verdict, tables, pulleys.remarks, pulleys.sources)
+
+
+def train_tables(result: TrainResult, system: System = "si") -> tuple[Table, ...]:
+    """Return a table of the drives for each load case of a train."""
+    return tuple(case_table(case, system) for case in result)
+
+
+def case_table(case: CaseResult, system: System) -> Table:
+    """Return how the drives share one load case, and the speeds that go with it."""
+    members = case.members
+
+    def row(name: str, of: Cell, note: str = "") -> Row:
+        entry = GLOSSARY[name]
+        return Row(entry.title, tuple(map(of, members)), entry.symbol, note, name)
+
+    def value(name: str, note: str = "", digits: int = 4) -> Row:
+        dimension = GLOSSARY[name].dimension
+        return row(name, lambda m: _shown(m.scalars()[name], dimension, system, digits), note)
+
+    def arc_value(name: str, note: str = "") -> Row:
+        return row(name, lambda m: named(name, m.arc.scalars()[name], system), note)
+
+    rows = [
+        row("share", lambda m: percent(m.share)),
+        arc_value("effective_tension"),
+        arc_value("entry_tension"),
+        arc_value("exit_tension"),
+        value("drum_power"),
+        value("drum_torque"),
+        *_motor_rows(row, value, members),
+        row("speed_ratio", lambda m: signed(m.speed_ratio - 1.0), "exactly"),
+        row("contraction_term", lambda m: signed(m.contraction_term), "to first order"),
+        row("creep_term", lambda m: signed(m.creep_term), "to first order"),
+        row("compression_term", lambda m: signed(m.compression_term), "to first order"),
+        row("drum_ratio", lambda m: signed(m.drum_ratio - 1.0), "exactly, for equal diameters"),
+        value("rotation_speed", digits=6),
+        row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),
+        _creep_row(case, system),
+        arc_value("creep_limit_margin"),
+        arc_value("power_loss", _loss_note(case, system)),
+        _sensitivity_row(case),
+    ]
+    note = case.reason if not case.status.solved else _precision(case)
+    return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note)
+
+
+def _names(case: CaseResult) -> tuple[str, ...]:
+    return tuple(m.name for m in case.members)
+
+
+def _shown(value: float, dimension: str, system: System, digits: int) -> str:
+    return NONE if isnan(value) else display(value, dimension, system, digits)  # type: ignore[arg-type]
+
+
+def _motor_rows(
+    row: Callable[[str, Cell], Row], value: Callable[[str], Row], members: Sequence[MemberResult]
+) -> list[Row]:
+    if not any(m.motor for m in members):
+        return []
+
+    def of(name: str, show: Callable[[float], str]) -> Row:
+        return row(name, lambda m: show(getattr(m.motor, name)) if m.motor else "follows")
+
+    return [
+        of("motor_load", percent),
+        of("motor_power", lambda v: named("motor_power", v)),
+        of("motor_speed", lambda v: named("motor_speed", v)),
+    ]
+
+
+def signed(ratio: float) -> str:
+    """Return a small ratio as percent with its sign: ``-0.3121 %``."""
+    return NONE if isnan(ratio) else f"{100.0 * ratio:+.4f} %" if ratio else "0"
+
+
+def trim_text(trim: float) -> str:
+    """Return a trim as percent of nominal: ``99.655 %``."""
+    return NONE if isnan(trim) else f"{100.0 * trim:.3f} %"
+
+
+def _creep_row(case: CaseResult, system: System) -> Row:
+    texts = []
+    for m in case.members:
+        creep = m.arc.exit_creep
+        part = percent(abs(creep) / m.arc.arc.creep_limit, 2)
+        texts.append(f"{named('exit_creep', creep, system)} ({part})")
+    worst = max((level_of(m.arc) for m in case.members), key=list(Level).index)
+    entry = GLOSSARY["exit_creep"]
+    level = worst if worst is not Level.GOOD else None
+    note = "and as a part of the limit"
+    return Row(entry.title, tuple(texts), entry.symbol, note, "exit_creep", level)
+
+
+def _loss_note(case: CaseResult, system: System) -> str:
+    ratio = f"{percent(case.loss_ratio)} of the power"
+    if isnan(case.power_loss):
+        return f"together {ratio}"
+    return f"together {named('power_loss', case.power_loss, system)}, {ratio}"
+
+
+def _sensitivity_row(case: CaseResult) -> Row:
+    texts = [
+        percent(case.share_per_trim(i), 2) if case.sensitivity[i][i] != 0.0 else NONE
+        for i in range(len(case.members))
+    ]
+    entry = GLOSSARY["share_sensitivity"]
+    return Row(entry.title, tuple(texts), entry.symbol, "of the load", "share_sensitivity")
+
+
+def _precision(case: CaseResult) -> str:
+    return (
+        f"Tensions continuous to {case.tension_error:.0e}, speeds and torques met to "
+        f"{case.speed_error:.0e}."
+    )
+
+
+def matching_sheet(result: TrainResult, matching: Matching, system: System = "si") -> Sheet:
+    """Return how exactly the drives of a train must be matched."""
+    tables = [
+        case_table(matching.case, system),
+        _curve_table("Against speed trim", matching.trim, trim_text),
+        _curve_table("Against diameter, drums turning as before", matching.diameter, trim_text),
+        _curve_table("Against load, speeds and take-up as they are", matching.load, percent),
+        _changes_table(matching),
+    ]
+    pulleys = drive_sheet([result.drive_result()], system, [])
+    verdict = matching_verdict(matching, system)
+    title = f"{pulleys.title}: matching of {_names(matching.case)[matching.drive]}"
+    return Sheet(title, "", verdict, tuple(tables), pulleys.remarks, pulleys.sources)
+
+
+def _curve_table(title: str, curve: ShareCurve, text: Callable[[float], str]) -> Table:
+    """Where something happens along a curve."""
+    names = [m.name for m in curve.case.members]
+    rows = tuple(
+        Row(f"{names[mark.drive]} {mark.kind}", (text(mark.value),), note=_place(mark))
+        for mark in curve.marks
+    )
+    low, high = text(float(curve.values[0])), text(float(curve.values[-1]))
+    entry = GLOSSARY[curve.axis.value]
+    of = "" if curve.axis.value == "load_ratio" else f" of {names[curve.drive]}"
+    return Table(title, rows, note=f"{entry.title}{of} from {low} to {high}.")
+
+
+def _place(mark: Mark) -> str:
+    return "shares " + ", ".join(f"{100.0 * share:.1f} %" for share in mark.shares)
+
+
+def _changes_table(matching: Matching) -> Table:
+    rows = []
+    for change in matching.changes:
+        lagging = change.lagging
+        what = f"{named('lagging_thickness', change.wear)} worn off {change.pulley}"
+        if lagging is not None:
+            what = f"{change.pulley} {lagging.condition}"
+        shares = tuple(percent(m.share) for m in change.after.members)
+        note = change.after.reason
+        rows.append(Row(what, shares, note=note))
+    before = tuple(percent(m.share) for m in matching.case.members)
+    rows.insert(0, Row("as it is", before))
+    return Table("Shares when one drum changes, speeds held", tuple(rows), _names(matching.case))

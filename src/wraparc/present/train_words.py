@@ -1,0 +1,270 @@
+"""The answer for a train in words: who carries more and why, and how exactly speeds must match."""
+
+from collections.abc import Iterator
+from math import isfinite, isnan
+
+from wraparc.present.sheet import Level, Verdict, named, percent
+from wraparc.train import (
+    CaseResult,
+    MarkKind,
+    Matching,
+    MemberResult,
+    Motors,
+    Pulls,
+    ShareCurve,
+    Shares,
+    TrainResult,
+    TrainStatus,
+)
+from wraparc.units import System
+
+#: Differences of shares that count as none.
+_ALIKE = 0.005
+#: How far a share may be off before somebody minds.
+_TOLERATED = 0.05
+
+
+def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
+    """Return the answer for a train in all its load cases, told by the one that governs."""
+    worst = result.governing
+    sentences = [*_case_sentences(worst, system)]
+    for case in result:
+        if case is not worst:
+            sentences += _short(case)
+    return Verdict(_level(result), _headline(result, worst, system), tuple(sentences))
+
+
+def _level(result: TrainResult) -> Level:
+    if not result.solved:
+        return Level.BAD
+    fine = all(case.within_creep_limit and not _fights(case) for case in result)
+    return Level.GOOD if fine else Level.WARNING
+
+
+def _headline(result: TrainResult, worst: CaseResult, system: System) -> str:
+    if not worst.status.solved:
+        return f"Load case {worst.case.name}: {worst.reason} {worst.status}".replace("  ", " ")
+    count = len(result)
+    where = f" in all {count} load cases" if count > 1 else ""
+    over = [m for case in result for m in case if not m.arc.within_creep_limit]
+    if not over:
+        return f"The drives carry the load{where}, every creep within its limit."
+    m = max(over, key=lambda m: abs(m.arc.exit_creep) / m.arc.arc.creep_limit)
+    creep = named("exit_creep", abs(m.arc.exit_creep), system)
+    limit = named("creep_limit", m.arc.arc.creep_limit, system)
+    return (
+        f"The drives carry the load{where}, but {m.name} creeps {creep} in load case "
+        f"{m.arc.arc.load_case}, more than its limit of {limit}."
+    )
+
+
+def _fights(case: CaseResult) -> bool:
+    """Whether drives work against each other."""
+    pulls = [m.arc.effective_tension for m in case.members]
+    small = 1e-3 * max(map(abs, pulls))
+    return min(pulls) < -small and max(pulls) > small
+
+
+def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
+    yield f"Load case {case.case.name}: {_shares(case)}."
+    if case.status is not TrainStatus.SOLVED:
+        return
+    if case.other_splits:
+        listed = "; ".join(", ".join(percent(s) for s in split) for split in case.other_splits)
+        yield (
+            f"Friction falls with slip here: the same speeds are also met by the shares {listed}, "
+            "which are unstable; the stable split is shown."
+        )
+    if _fights(case):
+        yield _fight(case, system)
+    if len(case.members) > 1:
+        yield from (_speed_sentence(case, m) for m in case.members[1:])
+        yield from _matching(case)
+    loss = percent(case.loss_ratio)
+    power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss, system)},"
+    yield f"Creep costs{power} {loss} of the power."
+
+
+def _short(case: CaseResult) -> Iterator[str]:
+    if not case.status.solved:
+        yield f"Load case {case.case.name}: {case.reason}"
+        return
+    tail = ", the drives working against each other" if _fights(case) else ""
+    yield f"Load case {case.case.name}: {_shares(case)}{tail}."
+
+
+def _shares(case: CaseResult) -> str:
+    if any(isnan(m.share) for m in case.members):
+        pulls = ", ".join(
+            f"{m.name} {named('effective_tension', m.arc.effective_tension)}" for m in case
+        )
+        return f"nothing is shared; the drives pull {pulls}"
+    return ", ".join(f"{m.name} carries {percent(m.share)}" for m in case)
+
+
+def _fight(case: CaseResult, system: System) -> str:
+    pulls = {m.name: m.arc.effective_tension for m in case.members}
+    forward = [n for n, p in pulls.items() if p > 0.0]
+    back = [n for n, p in pulls.items() if p < 0.0]
+    lost = min(sum(max(p, 0.0) for p in pulls.values()), sum(max(-p, 0.0) for p in pulls.values()))
+    verbs = ("drives" if len(forward) == 1 else "drive", "brakes" if len(back) == 1 else "brake")
+    return (
+        f"The drives fight: {' and '.join(forward)} {verbs[0]} while {' and '.join(back)} "
+        f"{verbs[1]}, {named('effective_tension', lost, system)} of pull against each other."
+    )
+
+
+def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
+    """Say how fast a drum turns against the first one, and which term decides."""
+    first = case.members[0].name
+    ratio = m.drum_ratio - 1.0
+    verb = "must turn" if isinstance(case.case.division, Shares | Pulls) else "turns"
+    way = "faster" if ratio > 0.0 else "slower"
+    terms = (
+        f"belt contraction {100.0 * m.contraction_term:+.3f} %, lagging compression "
+        f"{100.0 * m.compression_term:+.3f} %, extra creep {100.0 * m.creep_term:+.3f} %"
+    )
+    return (
+        f"The drum of {m.name} {verb} {abs(100.0 * ratio):.3f} % {way} than that of {first}, at "
+        f"equal diameters ({terms}): {_rule(m, ratio)}."
+    )
+
+
+def _rule(m: MemberResult, ratio: float) -> str:
+    """Say whether the rule of the slightly faster second drive holds."""
+    shorter = m.contraction_term + m.compression_term
+    if ratio > 0.0 and m.creep_term > 0.0 and shorter <= 0.0:
+        return (
+            "its extra creep outweighs contraction and compression, and the rule of the slightly "
+            "faster second drive holds"
+        )
+    if ratio <= 0.0 < m.creep_term and shorter < 0.0:
+        return (
+            "contraction and compression outweigh its extra creep, and the rule of the slightly "
+            "faster second drive does not hold"
+        )
+    return (
+        "both kinds of terms work the same way"
+        if shorter * m.creep_term > 0.0
+        else ("the belt is tighter there than at the first drive")
+    )
+
+
+def _matching(case: CaseResult) -> Iterator[str]:
+    """Say how much load a trim moves."""
+    own_way = isinstance(case.case.division, Motors)
+    for i, m in enumerate(case.members):
+        slope = case.share_per_trim(i)
+        if i == 0 or slope == 0.0 or not isfinite(slope):
+            continue
+        needed = 100.0 * abs(_TOLERATED / (slope * 1000.0))
+        how = " with its motors as they are" if own_way else ""
+        yield (
+            f"A trim of 0.1 % on {m.name} moves {percent(abs(slope), 2)} of the load{how}: to keep "
+            f"its share within {percent(_TOLERATED)}, speeds and diameters must match within "
+            f"{needed:.2g} %."
+        )
+
+
+def matching_verdict(matching: Matching, system: System = "si") -> Verdict:
+    """Return how exactly the drives of a train must be matched, in words."""
+    case, drive = matching.case, matching.drive
+    name = case.members[drive].name
+    slope = case.share_per_trim(drive)
+    headline = f"{name} carries {percent(case.members[drive].share)} of load case {case.case.name}"
+    if slope:
+        headline += f"; 0.1 % of speed trim moves {percent(abs(slope), 2)} of the load"
+    sentences = [
+        *_who_and_why(matching),
+        *_range(matching.trim, name),
+        *_against_load(matching.load),
+        *_changes(matching),
+        *_losses(matching),
+    ]
+    fine = case.within_creep_limit and not _fights(case)
+    level = Level.GOOD if fine else Level.WARNING
+    return Verdict(level, f"{headline}.", tuple(sentences))
+
+
+def _who_and_why(matching: Matching) -> Iterator[str]:
+    """Say which drive carries more and why, and what trim equalises."""
+    case, equal, drive = matching.case, matching.equal, matching.drive
+    m, even = case.members[drive], equal.members[drive]
+    fair = 1.0 / len(case.members)
+    gap = 100.0 * (m.speed_trim - even.speed_trim)
+    trims = f"at a trim of {100.0 * m.speed_trim:.3f} %"
+    if abs(m.share - fair) < _ALIKE:
+        yield f"{m.name} carries its equal part {trims}."
+    elif equal.status.solved:
+        more = "more" if m.share > fair else "less"
+        yield (
+            f"{m.name} carries {more} than its equal part because it turns {abs(gap):.3f} % "
+            f"{'faster' if gap > 0 else 'slower'} than equal shares need: {trims}, where "
+            f"{100.0 * even.speed_trim:.3f} % equalises."
+        )
+    if equal.status.solved and drive > 0:
+        yield f"With equal shares: {_lower(_speed_sentence(equal, even))}"
+
+
+def _lower(sentence: str) -> str:
+    return sentence[:1].lower() + sentence[1:]
+
+
+def _range(curve: ShareCurve, name: str) -> Iterator[str]:
+    """Say between which trims no drive brakes, and where the limits of the drives are."""
+    idle = curve.at(MarkKind.UNLOADED)
+    if len(idle) >= 2:
+        low, high = idle[0], idle[-1]
+        yield (
+            f"All drives pull while the trim of {name} is between {100.0 * low:.3f} % and "
+            f"{100.0 * high:.3f} %; outside, one brakes against the others."
+        )
+    parts = []
+    for kind in (MarkKind.CREEP_LIMIT, MarkKind.BREAKAWAY):
+        for mark in curve.marks:
+            if mark.kind is kind:
+                who = curve.case.members[mark.drive].name
+                parts.append(f"{who} {kind.value} at {100.0 * mark.value:.3f} %")
+    if parts:
+        yield f"As the trim of {name} changes, {', '.join(parts)}."
+
+
+def _against_load(curve: ShareCurve) -> Iterator[str]:
+    """Say below which load a drive brakes though it pulls now."""
+    for mark in curve.marks:
+        if mark.kind is MarkKind.UNLOADED:
+            who = curve.case.members[mark.drive].name
+            yield (
+                f"With these speeds {who} carries nothing at {percent(mark.value)} of the load, "
+                "and on the other side of it the drives fight."
+            )
+
+
+def _changes(matching: Matching) -> Iterator[str]:
+    before = [m.share for m in matching.case.members]
+    for change in matching.changes:
+        index = [m.name for m in matching.case.members].index(change.pulley)
+        if change.lagging is None:
+            what = f"With {named('lagging_thickness', change.wear)} worn off {change.pulley}"
+        else:
+            what = f"With {change.pulley} {change.lagging.condition}"
+        if not change.after.status.solved:
+            yield f"{what}: {change.after.reason}"
+            continue
+        after = change.after.members[index].share
+        note = _condition_note(change.lagging.notes) if change.lagging else ""
+        yield f"{what}{note} its share goes from {percent(before[index])} to {percent(after)}."
+
+
+def _condition_note(notes: tuple[str, ...]) -> str:
+    """Return the last note on a lagging, which tells how it came to its condition."""
+    return f" ({notes[-1]})" if notes else ""
+
+
+def _losses(matching: Matching) -> Iterator[str]:
+    case, equal = matching.case, matching.equal
+    if equal.status.solved and isfinite(case.loss_ratio) and isfinite(equal.loss_ratio):
+        yield (
+            f"Creep costs {percent(case.loss_ratio)} of the power as it is, and "
+            f"{percent(equal.loss_ratio)} with equal shares."
+        )
