@@ -1,0 +1,163 @@
+"""``wraparc calibrate`` and ``wraparc overlay``: what an existing drive really does."""
+
+from dataclasses import replace
+
+import click
+
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.errors import InputError, Problem
+from wraparc.saving import save_file
+from wraparc.units import System
+
+_TOLD, _NOT_TOLD = 0, 1
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@units_option
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@click.option("-o", "--output", metavar="FILE", help="Write the calibrated lagging as a file.")
+@click.option("--name", metavar="NAME", help="Name of that lagging.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+def calibrate(
+    file: str,
+    units: System,
+    settings: tuple[str, ...],
+    output: str | None,
+    name: str | None,
+    json_file: str | None,
+) -> int:
+    """Calibrate friction and elasticities of a drive to what a calibrate FILE says was measured.
+
+    Exit code 1 if the data cannot tell some of the parameters: those get no number, and no
+    lagging is written.
+    """
+    from wraparc.files.calibrate_file import load_measured
+    from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
+    from wraparc.study.calibration import calibrate as fit
+
+    outputs: dict[str, tuple[str | None, tuple[str, ...]]]
+    outputs = {"--json": (json_file, (".json",)), "--output": (output, (".toml",))}
+    check_outputs(outputs, [file])
+    measured = load_measured(file, overrides=settings)
+    if not measured.problem.parameters:
+        raise InputError(
+            Problem(
+                file=file,
+                key="parameters",
+                message="no parameters to find",
+                remedy='Write parameters = ["friction"], or see the data with wraparc overlay.',
+            )
+        )
+    found = fit(measured.problem)
+    if json_file:
+        from wraparc.present.document import json_text
+
+        text = json_text(calibrate_document(found))
+        if json_file != STANDARD_OUTPUT:
+            save_file(json_file, text)
+        else:
+            click.echo(text, nl=False)
+    if json_file != STANDARD_OUTPUT:
+        from wraparc.cli.show import show
+
+        sources = tuple(str(s) for s in measured.sources)
+        show(
+            calibrate_sheet(
+                found, measured.problem, measured.title, measured.description, sources, units
+            )
+        )
+    if not found.told:
+        if output:
+            click.echo(f"{output} was not written: the data do not tell every parameter.", err=True)
+        return _NOT_TOLD
+    if output:
+        from wraparc.files import save_lagging
+        from wraparc.files.calibrate_file import calibrated_source
+
+        lagging = found.drive.pulley(found.pulley).lagging
+        before = measured.problem.drive.pulley(found.pulley).lagging
+        source = calibrated_source(measured, measured.title)
+        kept = {
+            part: before.source_of(part)
+            for part in ("thickness", "compression_modulus", "elastic_modulus")
+            if getattr(before, part) is not None
+        }
+        if "shear_modulus" not in measured.problem.parameters:
+            kept["shear_modulus"] = before.source_of("shear_modulus")
+        new = name or f"{before.name}-calibrated"[:60]
+        lagging = replace(
+            lagging, name=new, title=f"{before.title or before.name}, calibrated",
+            provenance=source, sources=kept, fit=None,
+        )  # fmt: skip
+        save_lagging(lagging, output)
+        click.echo(f"Wrote {output}", err=True)
+    return _TOLD
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@units_option
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@click.option("--plot", "plot_file", metavar="FILE", help="Draw records over the prediction.")
+def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str | None) -> int:
+    """Lay what a calibrate FILE says was measured beside the prediction of both methods."""
+    from wraparc.cli.show import show
+    from wraparc.files.calibrate_file import load_measured, overlays
+    from wraparc.present.calibrate_sheet import overlay_sheet
+
+    check_outputs({"--plot": (plot_file, (".svg", ".png", ".pdf"))}, [file])
+    if plot_file:
+        from wraparc.plot import require_matplotlib
+
+        require_matplotlib()
+    measured = load_measured(file, overrides=[*settings, "parameters=[]", "prior={}"])
+    predicted = overlays(measured)
+    show(overlay_sheet(measured.problem, measured.folded, predicted, measured.title, units))
+    if plot_file:
+        from wraparc.plot.overlay import plot_overlay
+
+        plot_overlay(measured.problem.traces, predicted, units).save(plot_file)
+        click.echo(f"Wrote {plot_file}", err=True)
+    return _TOLD
+
+
+@click.command("virtual-record")
+@click.argument("file", type=click.Path())
+@click.argument("output", type=click.Path())
+@click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
+@click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
+@click.option("--samples", type=click.IntRange(100, 2_000_000), default=3600, show_default=True)
+@click.option("--revolutions", type=click.FloatRange(0.1, 1e5), default=5.0, show_default=True)
+@click.option("--noise", type=click.FloatRange(0, 1), default=0.01, show_default=True)
+@click.option("--seed", type=int, default=1, show_default=True)
+def virtual_record(
+    file: str,
+    output: str,
+    pulley: str | None,
+    load_case: str | None,
+    samples: int,
+    revolutions: float,
+    noise: float,
+    seed: int,
+) -> int:
+    """Write the record an instrumented pulley of a drive FILE would leave, as CSV."""
+    from wraparc.arc import Distributed, WrapArc
+    from wraparc.files import load_drive
+    from wraparc.study.virtual_pulley import record_text
+    from wraparc.study.virtual_pulley import virtual_record as make
+    from wraparc.study.what_if import case_named
+
+    check_outputs({"OUTPUT": (output, (".csv",))}, [file])
+    drive = load_drive(file)
+    name = pulley or drive.pulleys[0].name
+    if name not in [p.name for p in drive.pulleys]:
+        raise InputError(Problem(key="--pulley", value=name, message="no such pulley"))
+    arc = WrapArc.of(drive, drive.pulley(name), case_named(drive, load_case))
+    result = Distributed(points=360, capacities=False).solve(arc)
+    if not result.status.solved:
+        raise InputError(Problem(file=file, message=f"no record of it: {result.status}"))
+    record = make(result, samples=samples, revolutions=revolutions, noise=noise, seed=seed)
+    save_file(output, record_text(record))
+    click.echo(f"Wrote {output}", err=True)
+    return _TOLD

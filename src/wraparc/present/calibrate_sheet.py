@@ -1,0 +1,218 @@
+"""Calibrations and overlays in words and tables."""
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from wraparc.arc import ArcResult
+from wraparc.glossary import GLOSSARY
+from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent, quantity
+from wraparc.study.calibration import FAR, Calibration, Estimate, Problemset
+from wraparc.study.record import Folded
+from wraparc.units import Dimension, System
+
+#: parameter -> title, dimension
+_PARAMETERS: dict[str, tuple[str, Dimension]] = {
+    "friction": ("Friction, factor on the law", "number"),
+    "peak_slip": ("Peak slip, factor on the law", "number"),
+    "shear_modulus": ("Shear modulus of the lagging", "pressure"),
+    "overrun": ("Entry overrun", "length"),
+    "belt_modulus": ("Belt modulus", "force_per_width"),
+}
+_MOST_CORRELATED = 0.9
+
+
+def calibrate_sheet(
+    found: Calibration,
+    problem: Problemset,
+    title: str,
+    description: str = "",
+    sources: tuple[str, ...] = (),
+    system: System = "si",
+) -> Sheet:
+    """Return the answer of a calibration: estimates, what the data cannot tell, correlations."""
+    rows = [_row(e, system) for e in found.estimates]
+    tables = [
+        Table(
+            "Estimates",
+            tuple(rows),
+            ("value", "95 % interval", "spread by the data"),
+            "spread: one standard deviation; intervals from the curvature at the best fit",
+        ),
+        _correlations(found),
+        _misfits(found, problem, system),
+    ]
+    return Sheet(
+        title=title or "Calibration",
+        subtitle=description,
+        verdict=_verdict(found),
+        tables=tuple(t for t in tables if t.rows),
+        remarks=tuple(_remarks(found)),
+        sources=sources,
+    )
+
+
+def _row(e: Estimate, system: System) -> Row:
+    title, dimension = _PARAMETERS[e.name]
+    spread = "none" if math.isinf(e.spread) else percent(e.spread, 2)
+    if e.name == "overrun" and math.isfinite(e.spread):
+        spread = quantity(e.spread * 1e-4, "length", system)
+    if e.value is None or e.low is None or e.high is None:
+        return Row(title, ("not told", "-", spread), level=Level.WARNING)
+    value, low, high = (quantity(v, dimension, system) for v in (e.value, e.low, e.high))
+    note = "from the prior, not from the data" if e.from_prior else ""
+    return Row(title, (value, f"{low} to {high}", spread), note=note)
+
+
+def _verdict(found: Calibration) -> Verdict:
+    untold = [e.name for e in found.estimates if e.value is None]
+    if not untold:
+        headline = (
+            f"All {len(found.estimates)} parameters are told by {found.data} measured values."
+        )
+        if len(found.estimates) == 1:
+            headline = f"The parameter is told by {found.data} measured values."
+        return Verdict(Level.GOOD, headline, tuple(_mixed_words(found)))
+    names = ", ".join(n.replace("_", " ") for n in untold)
+    return Verdict(
+        Level.WARNING,
+        f"The data cannot tell: {names}. No number is given.",
+        (
+            *_mixed_words(found),
+            "Take some of them out of the parameters, so that they keep the values of the drive "
+            "file; or measure what tells them apart; or give a prior.",
+        ),
+    )
+
+
+def _mixed_words(found: Calibration) -> Iterator[str]:
+    if found.far:
+        names = " and ".join(n.replace("_", " ") for n in found.far)
+        yield (
+            f"The best fit puts {names} more than {FAR:g} times off the drive file: such data do "
+            "not tell them, or another input of the drive is wrong."
+        )
+    for group in found.mixed:
+        names = [n.replace("_", " ") for n in group]
+        if len(names) == 1:
+            yield f"The data hardly depend on {names[0]}."
+        elif names:
+            yield (
+                f"The data cannot tell {' and '.join(names)} apart: a change of one is made up for "
+                "by the others."
+            )
+
+
+def _correlations(found: Calibration) -> Table:
+    names = [e.name.replace("_", " ") for e in found.estimates]
+    if len(names) < 2:
+        return Table("Correlations", ())
+    rows = [
+        Row(name, tuple(f"{v:+.2f}" for v in row))
+        for name, row in zip(names, found.correlation.tolist(), strict=True)
+    ]
+    return Table("Correlations of the estimates", tuple(rows), tuple(names))
+
+
+def _misfits(found: Calibration, problem: Problemset, system: System) -> Table:
+    rows = []
+    for n, miss in zip(problem.numbers, found.misfit, strict=False):
+        title = f"{GLOSSARY[n.quantity].title}, {n.load_case}"
+        rows.append(
+            Row(title, (named(n.quantity, n.value, system), named(n.quantity, miss, system)))
+        )
+    for t, miss in zip(problem.traces, found.misfit[len(problem.numbers) :], strict=True):
+        title = f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}"
+        most = named(t.quantity, float(np.abs(t.value).max()), system)
+        rows.append(Row(title, (f"up to {most}", named(t.quantity, miss, system))))
+    return Table("Misfit", tuple(rows), ("measured", "rms misfit"))
+
+
+def _remarks(found: Calibration) -> Iterator[str]:
+    names = [e.name.replace("_", " ") for e in found.estimates]
+    for i in range(len(names)):
+        for k in range(i):
+            r = float(found.correlation[i, k])
+            if abs(r) > _MOST_CORRELATED:
+                yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
+    yield (
+        "A calibrated number makes the model meet what it was calibrated to; agreement with that "
+        "proves nothing."
+    )
+    if any(e.name == "friction" for e in found.estimates):
+        yield "Factors stretch the whole friction law, at every slip and pressure alike."
+
+
+def overlay_sheet(
+    problem: Problemset,
+    folded: tuple[tuple[str, Folded], ...],
+    predicted: Mapping[str, tuple[ArcResult, ...]],
+    title: str,
+    system: System = "si",
+) -> Sheet:
+    """Return measured values beside the prediction of both methods."""
+    rows = []
+    for n in problem.numbers:
+        results = predicted[n.load_case]
+        values = [float(r.scalars()[n.quantity]) for r in results]
+        texts = [named(n.quantity, v, system) for v in (n.value, *values)]
+        rows.append(Row(f"{GLOSSARY[n.quantity].title}, {n.load_case}", tuple(texts)))
+    for t in problem.traces:
+        at_peak = [float(np.abs(t.value).max())]
+        apart = []
+        for r in predicted[t.load_case]:
+            course = getattr(r.profile, t.quantity)
+            here = np.interp(t.position, r.profile.position, course)
+            at_peak.append(float(np.abs(here).max()))
+            apart.append(float(np.sqrt(np.mean((here - t.value) ** 2))))
+        name = f"{GLOSSARY[t.quantity].title}, {t.load_case}"
+        rows.append(Row(f"{name}: largest", tuple(named(t.quantity, v, system) for v in at_peak)))
+        texts = ["-", *(named(t.quantity, v, system) for v in apart)]
+        rows.append(Row(f"{name}: rms difference", tuple(texts)))
+    heads = ("measured", *(r.method for r in next(iter(predicted.values()), ())))
+    tables = [Table("Measured and predicted", tuple(rows), heads)]
+    if folded:
+        tables.append(_records(folded, system))
+    notes = tuple(note for _, f in folded for note in f.notes)
+    return Sheet(title=title or "Measured drive", tables=tuple(tables), remarks=notes)
+
+
+def _records(folded: tuple[tuple[str, Folded], ...], system: System) -> Table:
+    rows = [
+        Row(
+            case,
+            (
+                str(f.revolutions),
+                named("position", f.entry, system),
+                named("position", f.leaving, system),
+                named("position", f.seen, system),
+            ),
+        )
+        for case, f in folded
+    ]
+    heads = ("contact arcs", "entry nip at", "exit nip at", "signals seen over")
+    return Table("Records", tuple(rows), heads)
+
+
+def calibrate_document(found: Calibration) -> dict[str, Any]:
+    """Return a calibration as plain data [SI] for JSON."""
+    return {
+        "format": 1,
+        "estimates": [
+            {
+                "name": e.name,
+                "value": e.value,
+                "low": e.low,
+                "high": e.high,
+                "spread": e.spread,
+                "from_prior": e.from_prior,
+            }
+            for e in found.estimates
+        ],
+        "correlation": found.correlation.tolist(),
+        "not_told_apart": [list(group) for group in found.mixed],
+        "misfit": list(found.misfit),
+        "data": found.data,
+    }
