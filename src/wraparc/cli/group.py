@@ -41,6 +41,9 @@ COMMANDS: dict[str, Command] = {
     "virtual-record": Command(
         "wraparc.cli.calibrate:virtual_record", "Make the record of a virtual instrumented pulley."
     ),
+    "field": Command(
+        "wraparc.cli.field:field", "Tell speeds to measure, alarm levels and wear of a drive."
+    ),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 

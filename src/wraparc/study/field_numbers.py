@@ -1,0 +1,230 @@
+"""Field numbers: what a healthy drive shows, when to alarm, how long the lagging lasts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from wraparc.arc import ArcResult, Distributed
+from wraparc.errors import InputError, Problem
+from wraparc.provenance import Kind, Provenance
+
+HOUR = 3600.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class TripRule:
+    """A customary rule of when to stop a drive: belt speed over its full speed [-]."""
+
+    name: str
+    speed_share: float
+    source: Provenance
+
+
+#: Rules that speed switches are set by, to set beside what the drive really shows.
+TRIP_RULES = (
+    TripRule(
+        name="80 % of full speed",
+        speed_share=0.80,
+        source=Provenance(
+            Kind.PUBLISHED,
+            "South Africa, Mine Health and Safety Act, guideline for conveyor belt installations "
+            "(R.1024), annexure B, belt slip protection",
+            note="trips when the belt speed is below 80 % of full speed; for constant speed, "
+            "bypassed when starting and stopping",
+        ),
+    ),
+    TripRule(
+        name="95 % of full speed",
+        speed_share=0.95,
+        source=Provenance(
+            note="customary in practice (belt not under 95 % of the pulley), no source"
+        ),
+    ),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldNumbers:
+    """Speeds, alarm levels and wear of one pulley.
+
+    Attributes
+    ----------
+    healthy
+        Entry and exit creep ratio by load case: drum less belt speed over drum speed, at the
+        nips [-].
+    at_limit
+        Exit creep ratio at the creep limit in the load case that gets there first, None if no
+        load case gets there [-].
+    at_breakaway
+        Creep at gross slip over the length of the wrap, None if no finite creep attains it [-].
+    alarm, trip
+        Speed differences over the drum speed that follow [-], see `field_numbers`.
+    wear_per_year
+        Depth worn off in a year [m], nan without a wear coefficient.
+    life_years
+        Years until the depth allowed is worn off, nan without a wear coefficient [years].
+    energy_per_year
+        Frictional energy per area of lagging in a year [J/m2].
+    passes_per_year
+        Passages under the belt in a year.
+    """
+
+    healthy: Mapping[str, tuple[float, float]] = field(hash=False)
+    at_limit: float | None
+    at_breakaway: float | None
+    alarm: float
+    trip: float
+    wear_per_year: float
+    life_years: float
+    energy_per_year: float
+    passes_per_year: float
+
+
+def passes(speed: float, diameter: float, hours: float) -> float:
+    """Return turns of a pulley in some hours [-]: v t/(pi D).
+
+    Parameters
+    ----------
+    speed
+        Belt speed [m/s].
+    diameter
+        Over the lagging [m].
+    hours
+        Hours of running [h].
+    """
+    return speed * hours * HOUR / (math.pi * diameter)
+
+
+def wear_coefficient(depth: float, energy: float) -> float:
+    """Energetic wear coefficient from a measured wear [m3/J]: depth / frictional energy per area.
+
+    Parameters
+    ----------
+    depth
+        Depth worn off the lagging, > 0 [m].
+    energy
+        Frictional energy per area that wore it, > 0 [J/m2].
+
+    Raises
+    ------
+    InputError
+        If one is not positive and finite.
+    """
+    for key, value in (("depth", depth), ("energy", energy)):
+        if not 0.0 < value < math.inf:
+            raise InputError(
+                Problem(key=key, value=f"{value:g}", message="must be positive and finite")
+            )
+    return depth / energy
+
+
+def field_numbers(
+    results: Mapping[str, ArcResult],
+    limits: Mapping[str, ArcResult],
+    hours: Mapping[str, float],
+    *,
+    coefficient: float | None,
+    depth: float,
+) -> FieldNumbers:
+    """Return what to expect of a drive in the field.
+
+    The healthy difference of drum and belt speed lies between the entry and the exit creep ratio
+    of the worst load case, depending on the nip the belt is measured at. The **alarm** is set at
+    the exit creep ratio at the creep limit, but not below the healthy one with a quarter more;
+    the **trip** at gross slip or twice the alarm, whichever is less. The factors are this
+    program's choice.
+
+    Parameters
+    ----------
+    results
+        Solved arcs of one pulley by load case.
+    limits
+        The same arcs at the creep limit, tight side held; those that have one.
+    hours
+        Hours of running in a year by load case.
+    coefficient
+        Energetic wear coefficient [m3/J], or None.
+    depth
+        Depth of lagging that may be worn off [m].
+
+    Raises
+    ------
+    InputError
+        If a load case breaks away, or hours are given without a belt speed.
+    """
+    _check(results, hours)
+    healthy = {n: (r.entry_creep_ratio, r.exit_creep_ratio) for n, r in results.items()}
+    worst = max(max(abs(a), abs(b)) for a, b in healthy.values())
+    at_limit = min((abs(r.exit_creep_ratio) for r in limits.values()), default=None)
+    gross = [
+        r.capacities.gross_slip_creep / r.arc.length
+        for r in results.values()
+        if math.isfinite(r.capacities.gross_slip_creep)
+    ]
+    at_breakaway = min(gross, default=None)
+    alarm = max(1.25 * worst, at_limit or 0.0)
+    trip = 2.0 * alarm
+    if at_breakaway is not None:
+        trip = max(min(trip, at_breakaway), alarm)
+    energy, turns = 0.0, 0.0
+    for name, share in hours.items():
+        r = results[name]
+        n = passes(r.arc.belt_speed or 0.0, r.arc.diameter, share)
+        turns += n
+        energy += n * abs(r.energy.frictional_energy)
+    wear = math.nan if coefficient is None else coefficient * energy
+    life = depth / wear if wear > 0.0 else math.nan
+    return FieldNumbers(
+        healthy=healthy,
+        at_limit=at_limit,
+        at_breakaway=at_breakaway,
+        alarm=alarm,
+        trip=trip,
+        wear_per_year=wear,
+        life_years=life,
+        energy_per_year=energy,
+        passes_per_year=turns,
+    )
+
+
+def _check(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> None:
+    problems = [
+        Problem(key=f"load_case.{name}", message=str(r.status))
+        for name, r in results.items()
+        if not r.status.solved
+    ]
+    problems += [
+        Problem(
+            key=f"hours.{name}",
+            message="the drive has no such load case",
+            remedy=f"It has {', '.join(results)}.",
+        )
+        for name in hours
+        if name not in results
+    ]
+    problems += [
+        Problem(key=f"hours.{name}", value=f"{h:g}", message="must be between 0 and 8784 in a year")
+        for name, h in hours.items()
+        if not 0.0 <= h <= 8784.0
+    ]
+    if hours and any(r.arc.belt_speed is None for r in results.values()):
+        message = "needed to count the turns in a year"
+        problems.append(Problem(key="belt.speed", message=message, remedy="Add it to the drive."))
+    if problems:
+        raise InputError(problems)
+
+
+def at_creep_limit(result: ArcResult) -> ArcResult | None:
+    """Solve an arc again at its creep limit, tight side held; None if it has no such ratio."""
+    ratio = result.capacities.creep_limit_capacity
+    if not ratio > 1.0:
+        return None
+    arc = result.arc
+    tight = max(arc.entry_tension, arc.exit_tension)
+    slack = tight / ratio
+    ends = (tight, slack) if arc.side > 0.0 else (slack, tight)
+    changed = replace(arc, entry_tension=ends[0], exit_tension=ends[1])
+    found = Distributed(points=60, capacities=False).solve(changed)
+    return found if found.status.solved else None

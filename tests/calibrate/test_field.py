@@ -1,0 +1,111 @@
+"""Field numbers against the solver, the energy balance, and sums done by hand."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from cli.running import DRIVE, drive_file, wraparc
+from wraparc import ArcResult, Distributed, WrapArc, load_drive
+from wraparc.study.field_numbers import (
+    TRIP_RULES,
+    at_creep_limit,
+    field_numbers,
+    passes,
+    wear_coefficient,
+)
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, ArcResult]:
+    drive = load_drive(drive_file(tmp_path_factory.mktemp("field")))
+    return {
+        c.name: Distributed().solve(WrapArc.of(drive, drive.pulleys[0], c))
+        for c in drive.load_cases
+    }
+
+
+def test_the_healthy_difference_is_the_creep_ratio(results: dict[str, ArcResult]) -> None:
+    """Belt speed rises with tension: exit ratio - entry ratio = (T1 - T2)/EA', first order."""
+    found = field_numbers(results, {}, {}, coefficient=None, depth=6e-3)
+    entry, leaving = found.healthy["design"]
+    arc = results["design"].arc
+    assert leaving - entry == pytest.approx(90e3 * arc.compliance, rel=1e-9)
+    assert found.alarm == pytest.approx(1.25 * leaving)
+    assert math.isnan(found.wear_per_year)
+
+
+def test_the_alarm_is_at_the_creep_limit_where_that_is_more(results: dict[str, ArcResult]) -> None:
+    """The empty belt creeps little: its limit is beyond its healthy ratio."""
+    empty = {"empty": results["empty"]}
+    at = at_creep_limit(results["empty"])
+    assert at is not None
+    assert at.exit_creep == pytest.approx(6.35e-3, rel=1e-6)
+    found = field_numbers(empty, {"empty": at}, {}, coefficient=None, depth=6e-3)
+    assert found.at_limit == at.exit_creep_ratio
+    assert found.alarm == max(found.at_limit, 1.25 * max(found.healthy["empty"]))
+    assert found.trip <= 2.0 * found.alarm
+
+
+def test_wear_is_energy_times_its_coefficient(results: dict[str, ArcResult]) -> None:
+    """3 m/s on 0.8 m is 3 x 3600/(0.8 pi) = 4297 turns an hour; wear = k e n."""
+    assert passes(3.0, 0.8, 1.0) == pytest.approx(4297.18, rel=1e-5)
+    k = 0.5e-9 / 1e3
+    found = field_numbers(results, {}, {"design": 6000.0}, coefficient=k, depth=6e-3)
+    energy = results["design"].energy.frictional_energy * 4297.18 * 6000
+    assert found.energy_per_year == pytest.approx(energy, rel=1e-5)
+    assert found.wear_per_year == pytest.approx(k * energy, rel=1e-5)
+    assert found.life_years == pytest.approx(6e-3 / (k * energy), rel=1e-5)
+    assert wear_coefficient(found.wear_per_year, found.energy_per_year) == pytest.approx(k)
+
+
+def test_the_energy_of_wear_is_the_heat_of_sliding(results: dict[str, ArcResult]) -> None:
+    """Independent: sliding power v_s B e over the lagged area that passes in a second, v_s B."""
+    r = results["design"]
+    turns = passes(3.0, 0.8, 1.0)
+    area = math.pi * 0.8 * 1.2
+    joules = r.energy.frictional_energy * turns * area
+    surface_over_belt = 1.0 / (1.0 - r.entry_creep_ratio)
+    assert joules * surface_over_belt == pytest.approx(r.energy.sliding_power * 3600.0, rel=1e-9)
+
+
+def test_the_rules_say_where_they_come_from() -> None:
+    for rule in TRIP_RULES:
+        assert rule.source.source or "no source" in rule.source.note
+
+
+def test_the_command(tmp_path: Path) -> None:
+    file = drive_file(tmp_path)
+    ran = wraparc(
+        "field", file, "--hours", "design=6000", "--measured-wear", "4 mm",
+        "--wear-hours", "design=12000", "--depth", "6 mm",
+    )  # fmt: skip
+    assert ran.code == 0, ran.err
+    # half the hours of the measured wear: half of it, and three years for 6 mm
+    assert "Wear in a year 2.000 mm calibrated to the wear measured" in ran.words
+    assert "Life of the depth allowed 3 years" in ran.words
+    assert "A switch at 80 % of full speed trips at a difference of 20 %" in ran.words
+    assert "customary in practice" in ran.words
+    ran = wraparc("field", file, "--json", "-")
+    assert ran.json["healthy"]["design"]["exit_creep_ratio"] == pytest.approx(9.84e-3, rel=1e-3)
+    assert ran.json["life_years"] is None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--hours", "6000"], "no load case with hours"),
+        (["--hours", "full=6000"], "the drive has no such load case"),
+        (["--hours", "design=9000"], "must be between 0 and 8784"),
+        (["--measured-wear", "4 mm"], "the hours that the wear took"),
+        (["--measured-wear", "4", "--wear-hours", "design=1"], "no unit"),
+        (["--depth", "-1 mm"], "must be more than 0"),
+        (["--pulley", "tail"], "the drive has no such pulley"),
+        (["--set", "pulley.head.entry_tension=9000 kN"], "Breakaway"),
+    ],
+)
+def test_bad_input_is_told(tmp_path: Path, arguments: list[str], sentence: str) -> None:
+    ran = wraparc("field", drive_file(tmp_path, DRIVE), *arguments)
+    assert ran.code == 2
+    assert sentence in " ".join(ran.err.split()), ran.err
+    assert "Traceback" not in ran.err
