@@ -2,27 +2,46 @@
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from present.drives import BELT, drive, marched, solved, sticking
-from wraparc import ArcResult, DriveResult, Kind, Lagging, Provenance, load_lagging, solve
+from wraparc import (
+    ArcResult,
+    DriveResult,
+    Kind,
+    Lagging,
+    LoadCase,
+    Provenance,
+    Tensions,
+    load_lagging,
+    solve,
+)
 from wraparc.glossary import GLOSSARY
 from wraparc.present.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.present.sheet import Level, Row, Sheet, Table, between, named, percent, quantity
 from wraparc.present.sources import Sources
-from wraparc.units import parse_quantity
+from wraparc.units import System, parse_quantity
 
-CASES = [
-    pytest.param(solved(), id="over the limit"),
-    pytest.param(solved(100e3, 70e3), id="within the limit"),
-    pytest.param(solved(60e3, 80e3), id="braking"),
-    pytest.param(solved(150e3, 2e3), id="breaking away"),
-    pytest.param(sticking(), id="sticking"),
-]
+LBF = 4.4482216152605
+
+CASES: dict[str, Callable[[], DriveResult]] = {
+    "over the limit": solved,
+    "within the limit": lambda: solved(100e3, 70e3),
+    "braking": lambda: solved(60e3, 80e3),
+    "breaking away": lambda: solved(150e3, 2e3),
+    "sticking": sticking,
+}
+
+
+@pytest.fixture(params=CASES)
+def result(request: pytest.FixtureRequest) -> DriveResult:
+    """A drive that ends in one of the ways an arc can end."""
+    return CASES[request.param]()
 
 
 def table(sheet: Sheet, title: str) -> Table:
@@ -39,7 +58,6 @@ def texts(sheet: Sheet) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize("result", CASES)
 def test_rows_of_the_glossary_hold_the_result(result: DriveResult) -> None:
     """Read back: title, symbol and value to the four digits shown."""
     arc, checked = result.arc("head"), 0
@@ -55,7 +73,6 @@ def test_rows_of_the_glossary_hold_the_result(result: DriveResult) -> None:
     assert checked >= (5 if not result.solved else 15)
 
 
-@pytest.mark.parametrize("result", CASES)
 def test_us_units_say_the_same(result: DriveResult) -> None:
     """Every quantity of the SI tables, read back, equals the one at the same place in US units."""
     si, us = drive_sheet([result], "si"), drive_sheet([result], "us")
@@ -122,6 +139,30 @@ def test_a_breakaway_shows_no_state_that_was_not_asked_for() -> None:
     sheet = drive_sheet([solved(150e3, 2e3)])
     titles = [t.title.partition(":")[0] for t in sheet.tables]
     assert titles == ["Capacity", "Beside constant friction", "Inputs"]
+
+
+@pytest.mark.parametrize(("system", "force", "length"), [("si", 1e3, 1e-3), ("us", LBF, 0.0254)])
+def test_one_line_for_each_arc(system: System, force: float, length: float) -> None:
+    """Bare numbers in the units of the heads."""
+    cases = [
+        LoadCase(name=name, tensions={"head": Tensions(entry=150e3, exit=leaving)})
+        for name, leaving in (("full", 60e3), ("start", 2e3))
+    ]
+    result = solve(replace(drive(), load_cases=tuple(cases)), raise_on_failure=False)
+    lines = table(drive_sheet([result], system), "All load cases and pulleys")
+    full = result.arcs[0]
+    assert [r.title for r in lines.rows] == ["full: head", "start: head"]
+    numbers = [float(text) for text in lines.rows[0].values if re.fullmatch(r"[0-9.]+", text)]
+    assert numbers == pytest.approx(
+        [
+            150e3 / force, 60e3 / force, 2.5, full.exit_creep / length,
+            full.capacities.least_exit_tension / force,
+        ],
+        rel=6e-4,
+    )  # fmt: skip
+    assert lines.rows[0].values[4] == f"{100 * full.exit_creep / 6.35e-3:.0f} %"
+    assert lines.rows[1].values[3:] == ("-", "-", "-", "breaks away")
+    assert [r.level for r in lines.rows] == [Level.WARNING, Level.BAD]
 
 
 def test_both_methods_side_by_side() -> None:

@@ -215,7 +215,8 @@ def _energy(arc: WrapArc, g: float, pull: float, shot: Shot, entry_stress: float
     shear = 0.5 * arc.shear_compliance * (stress * stress - entry_stress * entry_stress)
     exact = pull * (g + 0.5 * pull * arc.compliance)
     miss = arc.width * (work + shear) - exact
-    speed = nan if arc.belt_speed is None else arc.belt_speed / (1.0 - g)
+    # at a breakaway the surface may run away from the belt altogether
+    speed = nan if arc.belt_speed is None or g >= 1.0 else arc.belt_speed / (1.0 - g)
     power, loss = speed * pull, speed * arc.width * (work + shear)
     efficiency = nan
     if abs(pull) > 1e-6 * arc.entry_tension:
