@@ -332,30 +332,30 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Part of the total effective tension that a drive carries; negative when it brakes.",
     ),
     Quantity(
-        "run", "dT", "force", "Rise of tension before the pulley",
+        "run", "dT", "force", "Rise of tension before it",
         "Rise of belt tension over the run from the pulley before, by the resistance of that run.",
     ),
     Quantity(
-        "speed_ratio", "v/v1", "number", "Surface speed over that of the first drive",
+        "speed_ratio", "v/v1", "number", "Surface speed to the first",
         "Speed of the loaded lagging surface at the entry nip over that of the first drive, (1 + "
         "T/EA)(1 - g1) / ((1 + T1/EA)(1 - g)).",
     ),
     Quantity(
-        "contraction_term", "-(T1 - T)/EA", "number", "Of it by belt contraction",
+        "contraction_term", "-(T1 - T)/EA", "number", "Speed by belt contraction",
         "First-order part of the speed ratio because the belt is shorter where its tension is "
         "lower than at the first drive.",
     ),
     Quantity(
-        "creep_term", "g - g1", "number", "Of it by extra creep",
+        "creep_term", "g - g1", "number", "Speed by extra creep",
         "First-order part of the speed ratio because this drive creeps more than the first.",
     ),
     Quantity(
-        "compression_term", "d/R - d1/R1", "number", "And of the drums by lagging compression",
+        "compression_term", "d/R - d1/R1", "number", "Speed by lagging squeeze",
         "First-order part of the ratio of drum speeds because a lagging that is compressed less "
         "makes a larger drum.",
     ),
     Quantity(
-        "drum_ratio", "omega R/(omega1 R1)", "number", "Drum speed over that of the first drive",
+        "drum_ratio", "omega R/(omega1 R1)", "number", "Drum speed to the first",
         "Ratio of the drum speeds of drums of equal diameter: that of the surface speeds, and the "
         "compression of the laggings.",
     ),
@@ -409,7 +409,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Power of each motor on the motor side of the gear.",
     ),
     Quantity(
-        "share_sensitivity", "df/dtrim", "number", "Share gained by 0.1 % of trim",
+        "share_sensitivity", "df/dtrim", "number", "Share per 0.1 % of trim",
         "Change of the share of a drive when its speed is raised by 0.1 %: how exactly the drives "
         "must be matched.",
     ),

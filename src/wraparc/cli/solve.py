@@ -3,7 +3,7 @@
 import difflib
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -12,10 +12,13 @@ from wraparc.arc import solve as solve_drive
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files import load_drive
+from wraparc.files import load_drive_or_train
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.saving import save_file
 from wraparc.units import System, parse_quantity
+
+if TYPE_CHECKING:
+    from wraparc.train import Train, TrainResult
 
 #: Methods by the name they have on the command line.
 METHODS: dict[str, tuple[type[Method], ...]] = {
@@ -65,7 +68,8 @@ def solve(
 ) -> int:
     """Solve every pulley of a drive FILE in every load case and print the answer.
 
-    The arc that governs is shown in full, all others in one line each.
+    The arc that governs is shown in full, all others in one line each. Several pulleys on one belt
+    are a train: how they share the load and at which speeds is shown first.
     """
     outputs = {
         "--json": (json_file, (".json",)),
@@ -74,31 +78,56 @@ def solve(
     }
     check_outputs(outputs, [file])
     draw = _drawing() if plot_file else None
-    drive = load_drive(file, overrides=settings)
-    drive = _with_limit(_with_case(drive, load_case, file), creep_limit)
-    results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
+    drive = load_drive_or_train(file, overrides=settings)
+    if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
+        train, results = _solve_train(drive, method, load_case, creep_limit, file)
+    else:
+        train = None
+        drive = _with_limit(_with_case(drive, load_case, file), creep_limit)
+        results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
     texts = {}
     if json_file:
-        texts[json_file] = _json(results, file)
+        texts[json_file] = _json(results, file, train)
     if csv_file:
         texts[csv_file] = _csv(results, units, decimal_comma)
     if STANDARD_OUTPUT in texts:
         click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
     else:
-        _show(results, units, everything or load_case is not None)
+        _show(results, units, everything or load_case is not None, train)
     if plot_file and draw:
-        draw(results, units).save(plot_file)
+        _picture(draw, results, units, train).save(plot_file)
         click.echo(f"Wrote {plot_file}", err=True)
     for path, text in texts.items():
         save_file(path, text)
         click.echo(f"Wrote {path}", err=True)
+    if train is not None:
+        from wraparc.cli import train_answer
+
+        return train_answer.exit_code(train)
     return exit_code(results[0])
 
 
-def _json(results: Sequence[DriveResult], file: str) -> str:
+def _solve_train(
+    read: "Drive | Train", method: str, load_case: str | None, creep_limit: str | None, file: str
+) -> "tuple[TrainResult, list[DriveResult]]":
+    from wraparc.cli import train_answer
+    from wraparc.train import Train
+
+    train = Train.of(read) if isinstance(read, Drive) else read
+    train = train_answer.with_case(train, load_case, file)
+    limit = None if creep_limit is None else _limit(creep_limit)
+    return train_answer.solve_all(train_answer.with_limit(train, limit), METHODS[method])
+
+
+def _json(results: Sequence[DriveResult], file: str, train: "TrainResult | None") -> str:
     from wraparc.present.document import json_text, result_document
 
-    return json_text(result_document(results, file=file))
+    document = result_document(results, file=file)
+    if train is not None:
+        from wraparc.present.train_document import train_document
+
+        document["train"] = train_document(train)
+    return json_text(document)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:
@@ -123,13 +152,26 @@ def check(file: str, units: System, settings: tuple[str, ...]) -> int:
     """Read a drive FILE, say everything that is wrong with it, and solve nothing."""
     from wraparc.cli.show import show
 
-    show(input_sheet(load_drive(file, overrides=settings), units))
+    read = load_drive_or_train(file, overrides=settings)
+    if not isinstance(read, Drive):
+        from wraparc.present.train_sheet import train_input_sheet
+
+        show(train_input_sheet(read, units))
+        return SOLVED
+    show(input_sheet(read, units))
     return SOLVED
 
 
-def _show(results: Sequence[DriveResult], units: System, everything: bool) -> None:
+def _show(
+    results: Sequence[DriveResult], units: System, everything: bool, train: "TrainResult | None"
+) -> None:
     from wraparc.cli.show import show
 
+    if train is not None:
+        from wraparc.cli.train_answer import sheet_of
+
+        show(sheet_of(train, results, units, everything))
+        return
     detail = range(len(results[0])) if everything else None
     show(drive_sheet(results, units, detail))
 
@@ -140,6 +182,16 @@ def _drawing() -> Any:
 
     require_matplotlib()
     return plot_drive
+
+
+def _picture(
+    draw: Any, results: Sequence[DriveResult], units: System, train: "TrainResult | None"
+) -> Any:
+    if train is None:
+        return draw(results, units)
+    from wraparc.plot.train import plot_train
+
+    return plot_train(train, units=units)
 
 
 def _with_case(drive: Drive, name: str | None, file: str) -> Drive:
@@ -166,10 +218,18 @@ def _with_case(drive: Drive, name: str | None, file: str) -> Drive:
 def _with_limit(drive: Drive, text: str | None) -> Drive:
     if text is None:
         return drive
+    limit = _limit(text)
     try:
-        limit = parse_quantity(text, "length")
         pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in drive.pulleys)
         return replace(drive, creep_limit=limit, pulleys=pulleys)
+    except InputError as error:
+        problem = replace(error.problems[0], key="--creep-limit", value=shown(text))
+        raise InputError(problem) from None
+
+
+def _limit(text: str) -> float:
+    try:
+        return parse_quantity(text, "length")
     except InputError as error:
         problem = replace(error.problems[0], key="--creep-limit", value=shown(text))
         raise InputError(problem) from None

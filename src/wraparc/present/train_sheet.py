@@ -6,10 +6,34 @@ from math import isnan
 from wraparc.arc import DriveResult
 from wraparc.glossary import GLOSSARY
 from wraparc.present.drive_sheet import drive_sheet
-from wraparc.present.sheet import NONE, Level, Row, Sheet, Table, named, percent
+from wraparc.present.inputs import belt_rows, lagging_rows
+from wraparc.present.sheet import (
+    NONE,
+    Level,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    named,
+    percent,
+    row_of,
+)
+from wraparc.present.sources import Sources
 from wraparc.present.train_words import matching_verdict, train_verdict
 from wraparc.present.words import level_of
-from wraparc.train import CaseResult, Mark, Matching, MemberResult, ShareCurve, TrainResult
+from wraparc.train import (
+    CaseResult,
+    Mark,
+    Matching,
+    MemberResult,
+    Motors,
+    Pulls,
+    ShareCurve,
+    Shares,
+    Speeds,
+    Train,
+    TrainResult,
+)
 from wraparc.units import System, display
 
 Cell = Callable[[MemberResult], str]
@@ -19,7 +43,7 @@ def train_sheet(
     result: TrainResult,
     system: System = "si",
     detail: Sequence[int] | None = None,
-    others: Sequence[DriveResult] = (),
+    pulleys: Sequence[DriveResult] = (),
 ) -> Sheet:
     """Return everything to show of a solved train.
 
@@ -31,13 +55,57 @@ def train_sheet(
         Units to show.
     detail
         Positions of the arcs to show in full, see `drive_sheet`.
-    others
-        The pulleys solved by other methods.
+    pulleys
+        Its pulleys by one method or several; as in the train unless given.
     """
-    pulleys = drive_sheet([result.drive_result(), *others], system, detail)
-    tables = (*train_tables(result, system), *pulleys.tables)
+    arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail)
+    tables = (*train_tables(result, system), *arcs.tables)
     verdict = train_verdict(result, system)
-    return Sheet(pulleys.title, pulleys.subtitle, verdict, tables, pulleys.remarks, pulleys.sources)
+    return Sheet(arcs.title, arcs.subtitle, verdict, tables, arcs.remarks, arcs.sources)
+
+
+def train_input_sheet(train: Train, system: System = "si") -> Sheet:
+    """Return what was read of a train, before it is solved."""
+    of = Sources()
+    tables = [Table("Belt", belt_rows(train.belt, system, of))]
+    for pulley, nominal in zip(train.pulleys, train.nominal, strict=True):
+        note = "" if nominal == pulley.diameter else f"nominal {named('diameter', nominal, system)}"
+        rows = (
+            row_of("diameter", pulley.diameter, system=system, note=note),
+            row_of("wrap_angle", pulley.wrap_angle, system=system),
+            *lagging_rows(pulley.lagging, system, of),
+        )
+        tables.append(Table(f"Pulley {pulley.name}", rows))
+    tables.append(_cases_table(train, system))
+    count = f"{len(train.pulleys)} pulleys, {len(train.cases)} load cases"
+    told = Verdict(Level.GOOD, f"The drive file of the train is in order: {count}.")
+    title = train.title or "Train"
+    return Sheet(title, train.description, told, tuple(tables), (), of.listed())
+
+
+_DIVIDED = {
+    Shares: "shares given, speeds computed",
+    Pulls: "pulls given, speeds computed",
+    Speeds: "speeds given, shares computed",
+    Motors: "by the motors, shares and speeds computed",
+}
+
+
+def _cases_table(train: Train, system: System) -> Table:
+    rows = tuple(
+        Row(
+            case.name,
+            (
+                named("entry_tension", case.entry_tension, system),
+                named("exit_tension", case.exit_tension, system),
+                named("effective_tension", case.effective_tension, system),
+                _DIVIDED[type(case.division)],
+            ),
+        )
+        for case in train.cases
+    )
+    heads = ("first entry", "last exit", "all together", "load divided")
+    return Table("Load cases", rows, heads)
 
 
 def train_tables(result: TrainResult, system: System = "si") -> tuple[Table, ...]:
@@ -63,6 +131,7 @@ def case_table(case: CaseResult, system: System) -> Table:
     rows = [
         row("share", lambda m: percent(m.share)),
         arc_value("effective_tension"),
+        *_run_rows(case, system),
         arc_value("entry_tension"),
         arc_value("exit_tension"),
         value("drum_power"),
@@ -82,6 +151,15 @@ def case_table(case: CaseResult, system: System) -> Table:
     ]
     note = case.reason if not case.status.solved else _precision(case)
     return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note)
+
+
+def _run_rows(case: CaseResult, system: System) -> list[Row]:
+    """Return the rise of tension before each pulley, where there is any."""
+    if not case.case.runs:
+        return []
+    entry = GLOSSARY["run"]
+    texts = (NONE, *(named("run", run, system) for run in case.case.runs))
+    return [Row(entry.title, texts, entry.symbol, name="run")]
 
 
 def _names(case: CaseResult) -> tuple[str, ...]:

@@ -143,11 +143,9 @@ def _rule(m: MemberResult, ratio: float) -> str:
             "contraction and compression outweigh its extra creep, and the rule of the slightly "
             "faster second drive does not hold"
         )
-    return (
-        "both kinds of terms work the same way"
-        if shorter * m.creep_term > 0.0
-        else ("the belt is tighter there than at the first drive")
-    )
+    if shorter < 0.0:
+        return "contraction, compression and a smaller creep all ask for it"
+    return "the belt is as tight there as at the first drive, or tighter"
 
 
 def _matching(case: CaseResult) -> Iterator[str]:

@@ -1,0 +1,73 @@
+"""What ``wraparc solve`` does with several pulleys on one belt."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from wraparc.arc import Distributed, DriveResult, Method
+from wraparc.arc import solve as solve_drive
+from wraparc.errors import InputError, Problem, shown
+from wraparc.present.sheet import Sheet
+from wraparc.train import Train, TrainResult, TrainStatus, solve_train
+from wraparc.units import System
+
+
+def with_case(train: Train, name: str | None, file: str, key: str = "--load-case") -> Train:
+    """Return the train with one load case only."""
+    if name is None:
+        return train
+    chosen = tuple(case for case in train.cases if case.name == name)
+    if not chosen:
+        there = ", ".join(shown(case.name) for case in train.cases)
+        raise InputError(
+            Problem(
+                message="the train has no such load case",
+                remedy=f"It has {there}.",
+                file=file,
+                key=key,
+                value=shown(name),
+            )
+        )
+    return replace(train, cases=chosen)
+
+
+def with_limit(train: Train, limit: float | None) -> Train:
+    """Return the train with one creep limit [m] for all pulleys."""
+    if limit is None:
+        return train
+    pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in train.pulleys)
+    return replace(train, creep_limit=limit, pulleys=pulleys)
+
+
+def solve_all(
+    train: Train, methods: Sequence[type[Method]]
+) -> tuple[TrainResult, list[DriveResult]]:
+    """Solve a train, and its pulleys by each method.
+
+    The load is always divided by the main solver: the paper's march knows no speeds.
+    """
+    result = solve_train(train, raise_on_failure=False)
+    own = result.drive_result()
+    results = [
+        own
+        if method is Distributed
+        else solve_drive(own.drive, method=method(), raise_on_failure=False)
+        for method in methods
+    ]
+    return result, results
+
+
+def sheet_of(
+    result: TrainResult, results: Sequence[DriveResult], system: System, everything: bool
+) -> Sheet:
+    """Return the sheet of a train."""
+    from wraparc.present.train_sheet import train_sheet
+
+    detail = range(len(results[0])) if everything else None
+    return train_sheet(result, system, detail, results)
+
+
+def exit_code(result: TrainResult) -> int:
+    """Return 0 solved, 1 a drive cannot carry its load, 3 a fault."""
+    if any(case.status is TrainStatus.UNSOLVED for case in result):
+        return 3
+    return 0 if result.solved else 1
