@@ -29,8 +29,9 @@ def test_the_example_chooses_and_says_why_not() -> None:
     ran = wraparc("choose", EXAMPLES / "choose.toml")
     assert ran.code == 0, ran.err
     assert "Choose full-ceramic" in ran.words
-    assert "diamond-rubber tension per width" in ran.words
+    assert "diamond-rubber creep 10.65 mm, at most 6.350 mm (68 % over) [start, wet]" in ran.words
     assert "ratio of constant design values applied to the whole law" in ran.words
+    assert "diamond-rubber, wet: friction factor 0.78, calibrated" in ran.words
     assert "currency not stated there, AUD assumed" in ran.words
 
 

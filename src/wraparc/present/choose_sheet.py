@@ -152,6 +152,11 @@ def _remarks(selection: Selection) -> Iterator[str]:
         "Lagging is bought whole: (material + installation) scaled by lagged area, as often as the "
         f"middle of its life asks for in {search.costing.years:g} years; no interest."
     )
+    if search.least_slack:
+        yield (
+            "The slack-side tension is the least for creep and for the lowest tested wrap "
+            "pressure; belt sag may ask for more, which is not looked at here."
+        )
     if search.costing.tariff is None:
         yield "Energy lost to creep is left out: no tariff is given."
     elif len(search.conditions) > 1:

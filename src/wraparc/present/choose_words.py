@@ -68,7 +68,7 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
             f"{'at least' if under else 'at most'} {quantity(limit, dimension, system)} "
             f"({percent(excess, 2)} {word})"
         )
-    if name == "least_pulley_diameter":
+    if name in ("least_pulley_diameter", "least_slack"):
         return text
     case, condition = selection.place(int(held.where[design]))
     several = len(selection.search.conditions) > 1 and name != "belt_rating"
