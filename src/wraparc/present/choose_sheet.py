@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
+
 from wraparc.present.choose_words import (
     design_name,
     money,
@@ -130,12 +132,8 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
 
 
 def _rejected(selection: Selection, system: System, most: int) -> Table:
-    bad = (
-        [i for i in range(len(selection)) if not selection.feasible[i]]
-        if len(selection) <= 5000
-        else []
-    )
-    if len(selection) > 5000 or len(bad) > most:
+    bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
+    if len(bad) > most:
         rows = [
             Row(name.replace("_", " "), (f"{int(held.broken.sum())} designs break it",))
             for name, held in selection.held.items()
