@@ -139,20 +139,17 @@ class Selection:
     def next_dearer(self) -> int | None:
         """Cheapest feasible design with a lagging dearer than that of the cheapest design.
 
-        Dearer by purchase, not over its life: None if no feasible design has one.
+        Dearer to buy for the same area, not over its life: None if no feasible design has one.
         """
         if not len(self.ranking):
             return None
-        price = self.costs.lagging
-        each = _each(self.search, self.grid)
-        best = self.ranking[0]
-        dearer = [int(i) for i in self.ranking if each[i] > each[best] * (1.0 + 1e-9)]
-        if not dearer:
+        rate = np.array([_rate(self.search, lag) for lag in self.search.laggings])
+        lagging = self.grid.places[0][self.ranking]
+        dearer = rate[lagging] > rate[lagging[0]] * (1.0 + 1e-9)
+        if not dearer.any():
             return None
-        cheapest = min(each[i] for i in dearer)
-        lagging = next(self.grid.places[0][i] for i in dearer if each[i] == cheapest)
-        of_it = [i for i in dearer if self.grid.places[0][i] == lagging]
-        return min(of_it, key=lambda i: (self.costs.total[i], price[i], self.creep[i]))
+        following = np.argmin(np.where(dearer, rate[lagging], np.inf))
+        return int(self.ranking[np.argmax(lagging == lagging[following])])
 
 
 def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
@@ -343,7 +340,7 @@ def _of_pressure(
 def _of_rating(search: Search, grid: Grid, case: LoadCase) -> tuple[Array, Array]:
     share = (search.limits.rating or {}).get(case.name, 1.0)
     tight = np.maximum(*grid.tensions(case)) / search.drive.belt.width
-    return tight, share * _of_belts(search, grid, "rating")
+    return np.asarray(tight), share * _of_belts(search, grid, "rating")
 
 
 def _of_belts(search: Search, grid: Grid, name: str) -> Array:
@@ -370,11 +367,10 @@ def _of_parts(pairs: list[tuple[Array, Array]], n: int) -> Held:
     )
 
 
-def _each(search: Search, grid: Grid) -> Array:
-    """Price of lagging each design's pulley once [currency]."""
-    cost = [search.costing.laggings[lag.name].cost for lag in search.laggings]
-    each = np.array([(c.material + c.installation) / c.area for c in cost])[grid.places[0]]
-    return np.asarray(each * _area(search, grid))
+def _rate(search: Search, lagging: Lagging) -> float:
+    """Price of lagging a square metre once [currency/m2]."""
+    cost = search.costing.laggings[lagging.name].cost
+    return (cost.material + cost.installation) / cost.area
 
 
 def _area(search: Search, grid: Grid) -> Array:
