@@ -345,7 +345,8 @@ def _of_rating(search: Search, grid: Grid, case: LoadCase) -> tuple[Array, Array
 
 def _of_belts(search: Search, grid: Grid, name: str) -> Array:
     values = [getattr(b, name) for b in search.belts]
-    return np.array([np.nan if v is None else v for v in values], dtype=float)[grid.places[2]]
+    known: Array = np.array([np.nan if v is None else v for v in values], dtype=float)
+    return np.asarray(known[grid.places[2]])
 
 
 def _of_parts(pairs: list[tuple[Array, Array]], n: int) -> Held:
