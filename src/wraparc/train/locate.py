@@ -13,6 +13,8 @@ from wraparc.train.system import Search, System
 
 #: Difference between two ways to the same speed that is left alone [-].
 _CORRECTED = 1e-12
+#: Give of eased speeds, ln(speed) for the whole load [-], and where it is small enough to leave out.
+_GIVE, _LEAST_GIVE = 1e-2, 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,16 +58,20 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     softening
         Whether friction falls anywhere with slip, so that there may be several states.
     """
+    eased = _eased(system, _GIVE)
     for steps in (COARSE, SHARP):
-        search = Search(system, steps)
-        levels, states, failed = _states(system, search, softening)
+        search = Search(eased, steps)
+        levels, states, failed = _states(eased, search, softening)
         if not failed:
             break
+    if eased is not system:
+        states = [s for s in (_stiffened(system, state) for state in states) if s is not None]
     if not levels:
         level = search.level(search.strongest())
         return _broken(system, names, tuple(search.follow(level)), level)
     if not states:
-        return _broken(system, names, failed[0], search.level(levels[0]))
+        start = failed[0] if failed else tuple(search.follow(search.level(levels[0])))
+        return _broken(system, names, start, search.level(levels[0]))
     return _corrected(system, _chosen(system, names, states))
 
 
@@ -95,6 +101,33 @@ def _corrected(system: System, located: Located) -> Located:
             break
         located = replace(located, settled=better, passages=better.passages, level=better.level)
     return located
+
+
+def _eased(system: System, give: float) -> System:
+    """Return the train with a little give in its held speeds, where laws hold the belt.
+
+    A belt that rests on a drum tells nothing of the load by its speed: each step of the search
+    would have no answer. With some give it has one.
+    """
+    if not any(
+        m.holds and line.motor is None for m, line in zip(system.members, system.lines, strict=True)
+    ):
+        return system
+    lines = tuple(
+        replace(line, give=give / system.torque_scale) if line.motor is None else line
+        for line in system.lines
+    )
+    return replace(system, lines=lines)
+
+
+def _stiffened(system: System, state: Settled) -> Settled | None:
+    """Return what becomes of a state of the eased train as the give goes."""
+    give = _GIVE
+    now: Settled | None = state
+    while now is not None and give > 0.0:
+        give = give * 0.2 if give > _LEAST_GIVE else 0.0
+        now = settle(_eased(system, give), now.passages, now.level)
+    return now
 
 
 def _states(

@@ -9,7 +9,7 @@ Both are continuous where the pulley changes from driving to braking.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import asinh, cosh, exp, log1p, sinh
+from math import asinh, copysign, cosh, exp, log1p, sinh
 
 from wraparc.arc import WrapArc
 from wraparc.arc.capacity import STUCK, Geometry, parameters_at, solve_tension
@@ -20,6 +20,7 @@ from wraparc.arc.shoot import FOUND, effort_of, fire, jumps, largest_effort
 COARSE, SHARP, FINE = 8, 16, 24
 #: Entry creep ratio where the scale of efforts turns from linear to logarithmic.
 RATIO_SCALE = 1e-5
+_BEYOND = 30.0  # logarithm of the tension ratio that stands for one too large for numbers
 _STEP = 1e-4  # of effort and of ln(tension), for differences
 
 
@@ -137,7 +138,11 @@ class Member:
                 side = 1.0
             par = self.parameters(entry, side)
             z = effort_of(par, RATIO_SCALE * sinh(effort))
-        shot, _ = fire(self.law, par, z, steps, 0, [])
+        try:
+            shot, _ = fire(self.law, par, z, steps, 0, [])
+        except OverflowError:  # a trial far beyond any sense: more tension than numbers have
+            gone = copysign(_BEYOND, effort)
+            return Passage(entry, entry * exp(-gone), effort, 0.01 * gone, gone, gone, False)
         ratio = shot[5] if self.holds else RATIO_SCALE * sinh(effort)
         return Passage(entry, entry * exp(shot[0]), effort, ratio, shot[2], shot[1], shot[6] > 0.0)
 
@@ -165,9 +170,10 @@ class Member:
         further = self.passage(at.entry, at.effort + sign * _STEP, steps)
         tighter = self.passage(at.entry + rise, at.effort, steps)
         here = self.passage(at.entry, at.effort, steps)
-        by_effort = RATIO_SCALE * cosh(at.effort)
         if self.holds:
             by_effort = (further.ratio - here.ratio) / (sign * _STEP)
+        else:
+            by_effort = RATIO_SCALE * cosh(at.effort)
         return Slopes(
             exit_by_entry=(tighter.exit - here.exit) / rise,
             exit_by_effort=(further.exit - here.exit) / (sign * _STEP),

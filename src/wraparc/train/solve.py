@@ -208,7 +208,13 @@ def _reported(
         method.solve(arc_of(train, case, p, pair, v if v == v else None))
         for p, pair, v in zip(train.pulleys, pairs, speeds, strict=True)
     ]
-    members = tuple(_member(setup, i, arcs, v) for i, v in enumerate(speeds))
+    ratios = [arc.entry_creep_ratio for arc in arcs]
+    if located is not None and not located.status.solved:  # a sliding drive creeps as it must
+        ratios = [
+            p.ratio if p.ratio == p.ratio else g
+            for p, g in zip(located.passages, ratios, strict=True)
+        ]
+    members = tuple(_member(setup, i, arcs, ratios, v) for i, v in enumerate(speeds))
     status, reason = _status(setup, members, located)
     passages = located.settled.passages if located and located.settled else None
     return CaseResult(
@@ -224,13 +230,19 @@ def _reported(
     )
 
 
-def _member(setup: Setup, i: int, arcs: Sequence[ArcResult], belt_speed: float) -> MemberResult:
+def _member(
+    setup: Setup,
+    i: int,
+    arcs: Sequence[ArcResult],
+    ratios: Sequence[float],
+    belt_speed: float,
+) -> MemberResult:
     first, arc = arcs[0], arcs[i]
     stretch = setup.train.belt.axial_stiffness
     nominal = setup.train.nominal
     total = setup.case.effective_tension
     a, a1 = arc.entry_tension, first.entry_tension
-    g, g1 = arc.entry_creep_ratio, first.entry_creep_ratio
+    g, g1 = ratios[i], ratios[0]
     ratio = (1.0 + a / stretch) * (1.0 - g1) / ((1.0 + a1 / stretch) * (1.0 - g))
     arm, arm1 = (r.arc.radius - r.arc.compression for r in (arc, first))
     surface = belt_speed / (1.0 - g)

@@ -29,8 +29,6 @@ LARGEST_RATIO = 0.5
 _LEVEL_SCALE = 1e-5
 _LEVEL_END = asinh(LARGEST_RATIO / _LEVEL_SCALE)
 _SCAN = 18
-#: Droop that makes a speed lock on a held belt soluble step by step; Newton's method removes it.
-_SOFTENED = 1e-5
 
 
 @dataclass(frozen=True)
@@ -45,6 +43,9 @@ class Line:
         What gives its speed otherwise, and R/V [s]; or None.
     master, ratio
         Index of the drive that is followed and the ratio of torques; or -1.
+    give
+        Fall of ln(speed) per torque of a held speed [1/(N m)]: for a start only, see
+        :mod:`wraparc.train.locate`.
     """
 
     speed: float = 0.0
@@ -52,6 +53,7 @@ class Line:
     scale: float = 1.0
     master: int = -1
     ratio: float = 1.0
+    give: float = 0.0
 
     @property
     def follows(self) -> bool:
@@ -61,13 +63,13 @@ class Line:
     def log_speed(self, torque: float) -> float:
         """ln(omega R/V) at a drum torque [N m]."""
         if self.motor is None:
-            return self.speed
+            return self.speed - self.give * torque
         return log(self.motor.drum_speed(torque) * self.scale)
 
     def log_speed_slope(self, torque: float) -> float:
         """Its slope, at most 0 [1/(N m)]."""
         if self.motor is None:
-            return 0.0
+            return -self.give
         step = 1e-6 * self.motor.drum_torque
         return 0.5 * (self.log_speed(torque + step) - self.log_speed(torque - step)) / step
 
@@ -173,17 +175,15 @@ class Search:
     def _turned(self, i: int, entry: float, level: float) -> Passage:
         """Return a pulley whose speed is known, perhaps as a function of its torque."""
         system, member, line = self._system, self._system.members[i], self._system.lines[i]
-        if line.motor is None and not member.holds:
+        if line.motor is None and line.give == 0.0 and not member.holds:
             ratio = -expm1(member.stretch_log(entry) - line.speed - level)
             ratio = min(max(ratio, -LARGEST_RATIO), LARGEST_RATIO)
             return member.passage(entry, member.effort_at(ratio), self._steps)
-        soft = _SOFTENED / system.torque_scale if line.motor is None else 0.0
         found: dict[float, Passage] = {}
 
         def miss(effort: float) -> float:
             at = found[effort] = member.passage(entry, effort, self._steps)
-            torque = system.torque(i, at.entry, at.exit)
-            return system.speed_miss(i, at, level) + soft * torque
+            return system.speed_miss(i, at, level)
 
         end = self._largest_effort(i, entry)
         guess = self._efforts[i]
