@@ -1,117 +1,174 @@
-"""Sheets on a terminal, in a pipe, or in a file."""
+"""Sheets on a terminal, in a pipe, or in a file.
 
-import io
+Laid out here rather than by a library: it takes a fiftieth of the time that one takes to be
+imported and to do it, and numbers are never cut or broken while there is a note to be wrapped.
+"""
+
 import os
+import shutil
 import sys
-from typing import Any, Literal
+from collections.abc import Iterator
+from itertools import zip_longest
+from textwrap import wrap
+from typing import Any
+from unicodedata import east_asian_width
 
-from rich.console import Console
-from rich.padding import Padding
-from rich.table import Table as Grid
-from rich.text import Text
+import click
 
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict
+from wraparc.present.sheet import Level, Row, Sheet, Table
 
-_STYLES = {Level.GOOD: "green", Level.WARNING: "bold yellow", Level.BAD: "bold red"}
-# What is printed is printed as it is.
-_PLAIN: dict[str, Any] = {
-    "highlight": False,
-    "markup": False,
-    "emoji": False,
-    "force_jupyter": False,
+_STYLES: dict[Level, dict[str, Any]] = {
+    Level.GOOD: {"fg": "green"},
+    Level.WARNING: {"fg": "yellow", "bold": True},
+    Level.BAD: {"fg": "red", "bold": True},
 }
 #: Width of lines where no terminal says how wide it is.
 _PIPED_WIDTH = 110
+_GAP = 2
+# Least width of a column before the next kind of column has to give way: notes, then titles.
+_LEAST_NOTE, _LEAST_TITLE = 24, 14
 
 
 def show(sheet: Sheet) -> None:
-    """Print a sheet: the answer first, then the tables, the remarks and the sources."""
-    if sys.stdout.isatty():
-        out = Console(**_PLAIN)
-        _show_all(out, sheet)
-        if sheet.verdict:  # once more, where the eye is when the lines have run past
-            out.print()
-            _show_headline(out, sheet.verdict)
-        return
-    width = None if "COLUMNS" in os.environ else _PIPED_WIDTH
-    page = io.StringIO()
-    plain = Console(file=page, width=width, **_PLAIN)
-    _show_all(plain, sheet)
-    sys.stdout.writelines(f"{line.rstrip()}\n" for line in page.getvalue().splitlines())
+    """Print a sheet: the answer first, then the tables, the remarks and the sources.
+
+    On a terminal the answer comes once more at the end, where the eye is when the lines have run
+    past, and in colour unless ``NO_COLOR`` is set; nothing hangs on the colour.
+    """
+    terminal = sys.stdout.isatty()
+    width = shutil.get_terminal_size((_PIPED_WIDTH, 24)).columns
+    lines = list(_page(sheet, width))
+    if terminal and sheet.verdict:
+        lines += ["", *_headline(sheet, width)]
+    plain = [click.unstyle(line).rstrip() for line in lines]
+    if not terminal:
+        sys.stdout.writelines(f"{line}\n" for line in plain)
+    else:  # click makes colours work on every terminal
+        click.echo("\n".join(plain if os.environ.get("NO_COLOR") else lines))
 
 
-def _show_all(out: Console, sheet: Sheet) -> None:
-    out.print(Text(sheet.title, style="bold"))
-    if sheet.subtitle:
-        out.print(Text(sheet.subtitle))
+def _page(sheet: Sheet, width: int) -> Iterator[str]:
+    yield click.style(sheet.title, bold=True)
+    yield from wrap(sheet.subtitle, width)
     if sheet.verdict:
-        out.print()
-        _show_headline(out, sheet.verdict)
+        yield ""
+        yield from _headline(sheet, width)
         for sentence in sheet.verdict.sentences:
-            _show_item(out, "-", sentence)
+            yield from _item("-", sentence, width)
     for table in sheet.tables:
-        _show_table(out, table)
-    if sheet.remarks:
-        _show_list(out, "Remarks", ["-"] * len(sheet.remarks), sheet.remarks)
-    if sheet.sources:
-        numbers = [f"[{number}]" for number in range(1, len(sheet.sources) + 1)]
-        _show_list(out, "Sources", numbers, sheet.sources)
+        yield ""
+        yield click.style(table.title, bold=True)
+        yield from _table(table, width)
+        if table.note:
+            yield from _item("", table.note, width)
+    numbers = [f"[{number}]" for number in range(1, len(sheet.sources) + 1)]
+    for title, marks, texts in (
+        ("Remarks", ["-"] * len(sheet.remarks), sheet.remarks),
+        ("Sources", numbers, sheet.sources),
+    ):
+        if texts:
+            yield ""
+            yield click.style(title, bold=True)
+            for mark, text in zip(marks, texts, strict=True):
+                yield from _item(mark, text, width)
 
 
-def _show_headline(out: Console, verdict: Verdict) -> None:
-    out.print(Text.assemble((str(verdict.level), _STYLES[verdict.level]), "  ", verdict.headline))
+def _headline(sheet: Sheet, width: int) -> list[str]:
+    verdict = sheet.verdict
+    if verdict is None:
+        return []
+    lines = wrap(f"{verdict.level}  {verdict.headline}", width, break_on_hyphens=False)
+    return [_marked(lines[0], verdict.level), *lines[1:]]
 
 
-def _show_list(out: Console, title: str, marks: list[str], sentences: tuple[str, ...]) -> None:
-    out.print()
-    out.print(Text(title, style="bold"))
-    for mark, sentence in zip(marks, sentences, strict=True):
-        _show_item(out, mark, sentence)
+def _item(mark: str, text: str, width: int) -> list[str]:
+    start = f" {mark} "
+    return wrap(
+        text,
+        width,
+        initial_indent=start,
+        subsequent_indent=" " * len(start),
+        break_on_hyphens=False,
+    )
 
 
-def _show_item(out: Console, mark: str, sentence: str) -> None:
-    grid = Grid.grid(padding=(0, 1))
-    grid.add_column(width=len(mark))
-    grid.add_column()
-    grid.add_row(Text(mark), Text(sentence))
-    out.print(Padding(grid, (0, 0, 0, 1)))
-
-
-def _show_table(out: Console, table: Table) -> None:
-    out.print()
-    out.print(Text(table.title, style="bold"))
-    if table.rows:
-        out.print(Padding(_grid(table), (0, 0, 0, 1)))
-    if table.note:
-        out.print(Padding(Text(table.note, style="dim"), (0, 0, 0, 2)))
-
-
-def _grid(table: Table) -> Grid:
-    grid = Grid(box=None, show_header=any(table.heads), pad_edge=False, padding=(0, 1))
-    grid.add_column("", overflow="fold")
+def _table(table: Table, width: int) -> Iterator[str]:
+    columns = [["", *(row.title for row in table.rows)]]
     if table.has_symbols:
-        grid.add_column("", style="dim", overflow="fold")
-    for head in table.heads:
-        side: Literal["left", "right"] = "right" if len(table.heads) > 1 else "left"
-        grid.add_column(Text(head), justify=side, overflow="fold")
+        columns.append(["", *(row.symbol for row in table.rows)])
+    first_value = len(columns)
+    for i, head in enumerate(table.heads):
+        columns.append([head, *(row.values[i] for row in table.rows)])
     if table.has_notes:
-        grid.add_column("", overflow="fold")
-    for row in table.rows:
-        cells = [Text(row.title)]
-        cells += [Text(row.symbol)] if table.has_symbols else []
-        cells += [_value(row, text) for text in row.values]
-        cells += [_note(row)] if table.has_notes else []
-        grid.add_row(*cells)
-    return grid
+        columns.append(["", *map(_note, table.rows)])
+    widths = _fitted(columns, first_value, table.has_notes, width - 1)
+    values = range(first_value, first_value + len(table.heads))
+    right = values if len(table.heads) > 1 else range(0)
+    for i in range(0 if any(table.heads) else 1, len(table.rows) + 1):
+        row = table.rows[i - 1] if i else None
+        cells = [
+            wrap(column[i], w, break_on_hyphens=False)
+            for column, w in zip(columns, widths, strict=True)
+        ]
+        for number, parts in enumerate(zip_longest(*cells, fillvalue="")):
+            texts = [
+                _padded(part, w, right=c in right)
+                for c, (part, w) in enumerate(zip(parts, widths, strict=True))
+            ]
+            yield " " + _coloured(texts, row, values, first_line=number == 0)
 
 
-def _value(row: Row, text: str) -> Text:
-    style = _STYLES[row.level] if row.level in (Level.WARNING, Level.BAD) else "bold"
-    return Text(text, style=style)
+def _fitted(columns: list[list[str]], first_value: int, has_notes: bool, room: int) -> list[int]:
+    """Return the widths of columns: heads give way first, then notes, titles, and all else."""
+    widths = [max(map(_cells, column)) for column in columns]
+    last = len(columns) - 1
+    order = [
+        (i, max(_longest_word(columns[i][:1]), *map(_cells, columns[i][1:])))
+        for i in range(first_value, len(columns) - has_notes)
+    ]
+    order += [(last, _LEAST_NOTE)] if has_notes else []
+    order += [(0, _LEAST_TITLE)]
+    order += [(i, max(1, _longest_word(columns[i]))) for i in range(last, -1, -1)]
+    excess = sum(widths) + _GAP * last - room
+    for column, least in order:
+        given = min(max(0, widths[column] - least), max(0, excess))
+        widths[column] -= given
+        excess -= given
+    return [max(1, width) for width in widths]
 
 
-def _note(row: Row) -> Text:
-    if row.level is None:
-        return Text(row.note, style="dim")
-    mark = (str(row.level), _STYLES[row.level])
-    return Text.assemble(mark, (f": {row.note}" if row.note else "", "dim"))
+def _longest_word(texts: list[str]) -> int:
+    return max((_cells(word) for text in texts for word in text.split()), default=0)
+
+
+def _cells(text: str) -> int:
+    """Return how many columns of a terminal a text takes."""
+    if text.isascii():
+        return len(text)
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def _padded(text: str, width: int, *, right: bool) -> str:
+    blanks = " " * (width - _cells(text))
+    return blanks + text if right else text + blanks
+
+
+def _note(row: Row) -> str:
+    return ": ".join(part for part in (row.level or "", row.note) if part)
+
+
+def _coloured(texts: list[str], row: Row | None, values: range, *, first_line: bool) -> str:
+    """Join the cells of a line; values stand out, in the colour of bad news if they are."""
+    styled = list(texts)
+    if row is not None:
+        style = {"bold": True} if row.level in (None, Level.GOOD) else _STYLES[row.level]
+        for i in values:
+            styled[i] = click.style(texts[i], **style)
+        if first_line and row.level and texts[-1].startswith(row.level):
+            styled[-1] = _marked(texts[-1], row.level)
+    return (" " * _GAP).join(styled)
+
+
+def _marked(text: str, level: Level) -> str:
+    mark = click.style(str(level), **_STYLES[level])
+    return mark + text.removeprefix(level)

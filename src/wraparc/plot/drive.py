@@ -91,10 +91,8 @@ def _title(result: ArcResult, title: str) -> str:
 def caption(result: ArcResult, system: System) -> str:
     """Return the answer in one line."""
     if result.status is Status.BREAKAWAY:
-        return (
-            "Breakaway: the friction cannot carry this load. Drawn at the largest tension ratio it "
-            f"can carry, {display(result.tension_ratio, 'number', digits=3)}."
-        )
+        ratio = display(result.tension_ratio, "number", digits=3)
+        return f"Breakaway: the friction cannot carry this load. Drawn slipping, T1/T2 = {ratio}."
     creep = display(abs(result.exit_creep), "length", system, digits=3)
     limit = display(result.arc.creep_limit, "length", system, digits=3)
     within = "within" if result.within_creep_limit else "more than"

@@ -152,8 +152,8 @@ def _outwards(result: ArcResult, *, entry: bool) -> Array:
 
 def _draw_tension(ax: "Axes", result: ArcResult, system: System, *, entry: bool) -> None:
     """Draw the pull on a strand, its arrow as long as the tension is large."""
-    tension = result.arc.entry_tension if entry else result.arc.exit_tension
-    largest = max(result.arc.entry_tension, result.arc.exit_tension)
+    tension = result.entry_tension if entry else result.exit_tension
+    largest = max(result.entry_tension, result.exit_tension)
     nip, far = _strand(result, _BELT, entry=entry)
     out = _outwards(result, entry=entry)
     aside = np.array([out[1], -out[0]]) * (1.0 if entry else -1.0)
