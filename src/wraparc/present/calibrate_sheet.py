@@ -95,12 +95,12 @@ def _mixed_words(found: Calibration) -> Iterator[str]:
             "not tell them, or another input of the drive is wrong."
         )
     for group in found.mixed:
-        names = [n.replace("_", " ") for n in group]
-        if len(names) == 1:
-            yield f"The data hardly depend on {names[0]}."
-        elif names:
+        words = [n.replace("_", " ") for n in group]
+        if len(words) == 1:
+            yield f"The data hardly depend on {words[0]}."
+        elif words:
             yield (
-                f"The data cannot tell {' and '.join(names)} apart: a change of one is made up for "
+                f"The data cannot tell {' and '.join(words)} apart: a change of one is made up for "
                 "by the others."
             )
 
