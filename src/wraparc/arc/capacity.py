@@ -222,10 +222,40 @@ def carry(
     # braking: the entry tension follows from the ratio found, and the ratio depends on it
     par = parameters_at(0.6 * tight, geometry)
     guess = z if z == z else first_guess(law, par, target, goal)
-    met, z, entry, shot, _ = meet(
+    met, z_met, entry, shot, _ = meet(
         law, geometry, target, goal, False, tight, 0.6 * tight, guess, inf, steps, none
     )
-    return (FOUND if met else STALLED), z, entry, shot
+    if met:
+        return FOUND, z_met, entry, shot
+    return _carry_bracketed(law, geometry, tight, target, goal, steps, none)
+
+
+def _carry_bracketed(
+    law: Law, geometry: Geometry, tight: float, target: int, goal: float, steps: int, none: Buffer
+) -> tuple[int, float, float, Shot]:
+    """`carry` of a braking pulley where Newton's method fails: false position in ln T1."""
+    radius, wrap, width = geometry[1], geometry[2], geometry[3]
+    high = log(tight)
+    low = high - plateau_capacity(law, tight / (width * radius), wrap) - 1.0
+    f_low, f_high, z = -1.0, 0.0, nan
+    for i in range(80):
+        if i == 0:
+            t = high - 1e-3
+        else:
+            t = (low * f_high - high * f_low) / (f_high - f_low) if i > 3 else 0.5 * (low + high)
+        par = parameters_at(exp(t), geometry)
+        guess = z if z == z else first_guess(law, par, target, goal)
+        outcome, z, shot = refine(law, par, target, goal, guess, steps, none)
+        if outcome != FOUND:
+            return outcome, z, exp(t), shot
+        f = t + shot[0] - log(tight)
+        if abs(f) < 1e-10 or high - low < 1e-13:
+            return FOUND, z, exp(t), shot
+        if f > 0.0:
+            high, f_high, f_low = t, f, (0.5 * f_low if i > 3 else f_low)
+        else:
+            low, f_low, f_high = t, f, (0.5 * f_high if i > 3 else max(f_high, 1e-3))
+    return STALLED, z, exp(t), shot
 
 
 def meet(

@@ -21,6 +21,7 @@ from collections.abc import MutableSequence
 from math import exp, inf, log, sqrt
 
 from wraparc.friction.compact import (
+    ELASTIC,
     KNOTS,
     LIMIT,
     PIECES,
@@ -50,7 +51,7 @@ LARGEST_LOG = 50.0  # of T/T1: a trial stage far off the solution may ask for mo
 LEAST_COMPLIANCE = 1e-16  # of belt and lagging [1/N]: a rigid belt has a strain of 1e-10 at 1 MN
 # how near a cut lands on a boundary of the law (ln p, or slip [m]): where only the curvature of the
 # law jumps, the square of the miss counts
-CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE = 1e-6, 3e-4
+CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE, SLIP_CUT_TOLERANCE = 1e-6, 3e-4, 1e-9
 FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each step starts
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
 
@@ -280,7 +281,7 @@ def _has_next(law: Law, branch: int) -> bool:
     """Whether a branch ends at larger slips."""
     kind = law[0]
     if kind == LIMIT:
-        return False
+        return branch == ELASTIC
     if kind == TABLE:
         return branch < len(law[3]) - 1
     return branch < 2
@@ -292,7 +293,9 @@ def _cut_tolerance(law: Law, segment: int, side: int) -> float:
     smooth = law[0] == KNOTS and (
         (side == LOWER_EDGE and segment > 0) or (side == UPPER_EDGE and 0 <= segment < last - 1)
     )
-    return SMOOTH_CUT_TOLERANCE if smooth else CUT_TOLERANCE
+    if side in (LOWER_EDGE, UPPER_EDGE):
+        return SMOOTH_CUT_TOLERANCE if smooth else CUT_TOLERANCE
+    return SLIP_CUT_TOLERANCE
 
 
 def _within(law: Law, par: Parameters, segment: int, branch: int, q: float, x: float) -> bool:
@@ -552,7 +555,7 @@ def _mesh(
     length = par[LENGTH]
     span = length - origin
     h = 1.0 / steps
-    cut = steps >= FEWEST_CUT_STEPS or law[0] == TABLE
+    cut = steps >= FEWEST_CUT_STEPS or law[0] in (LIMIT, TABLE)
     if len(out) > 0 and first > 0:
         record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state)
         count += 1
@@ -610,7 +613,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
         if len(out) > 0:
             record(law, par, out, 0, 0.0, state)
             count = 1
-        if g < 0.0 and kind != TABLE:
+        if g < 0.0 and kind in (KNOTS, PIECES):
             status, s, q, work, n = _to_zero_slip(law, par, g, steps, out, count)
             if status == 1:
                 rate = g + par[T1] * (1.0 - exp(q)) * par[COMPLIANCE]
@@ -633,7 +636,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
                     out[RECORD * count + i] = 0.0
                 count += 1
         return state, count
-    if kind == TABLE:
+    if kind in (LIMIT, TABLE):
         state = (0.0, 0.0, 0.0, segment_of(edges, par[P1]), 0, 1.0 if g > 0.0 else -1.0)
         return _mesh(law, par, g, state, 0.0, 0, steps, points, out, count)
     state = _leave(law, par, g, 0.0, length / steps**MESH_POWER)

@@ -31,7 +31,16 @@ from wraparc.arc.march import (
     sweep,
 )
 from wraparc.arc.stick import onset_stress, stick_slip, zone_creep_ratio, zone_end, zone_point
-from wraparc.friction.compact import KNOTS, LIMIT, PIECES, TABLE, friction_at, peak, segment_of
+from wraparc.friction.compact import (
+    KNOTS,
+    LIMIT,
+    PIECES,
+    TABLE,
+    friction_at,
+    peak,
+    plateau_at,
+    segment_of,
+)
 
 # what a target is of
 TENSION = 0  # ln(tight / slack)
@@ -56,7 +65,7 @@ Shot = tuple[float, float, float, float, float, float, float]
 def jumps(law: Law) -> bool:
     """Whether a law holds the belt without slip."""
     kind, _, c, _ = law
-    return kind == LIMIT or (kind == TABLE and c[0] > 0.0)
+    return (kind == LIMIT and c[3] == 0.0) or (kind == TABLE and c[0] > 0.0)
 
 
 def ratio_of(par: Parameters, z: float) -> float:
@@ -103,9 +112,11 @@ def mesh_steps(law: Law, par: Parameters, steps: int) -> int:
     kind, edges, c, slips = law
     p = par[P1]
     segment = segment_of(edges, p)
-    if kind == LIMIT:
+    if kind == LIMIT and c[3] == 0.0:
         return steps
-    if kind == TABLE:
+    if kind == LIMIT:
+        slip, mu = c[3], 1.0 / p
+    elif kind == TABLE:
         mu, _, _ = friction_at(kind, edges, c, slips, segment, 1, slips[1], p)
         slip = slips[1]
     else:
@@ -200,6 +211,8 @@ def _slip_for(law: Law, pressure: float, friction: float) -> float:
         for _ in range(4):  # r (1 - ln r) = m
             r = min(max(r + (m - r * (1.0 - log(r))) / -log(r), 0.3 * r), 0.9)
         return r * slip_pk
+    if kind == LIMIT:
+        return c[3] * pressure * min(friction, plateau_at(kind, edges, c, slips, segment, pressure))
     for i in range(1, len(slips)):
         mu, _, _ = friction_at(kind, edges, c, slips, segment, i, slips[i], pressure)
         if mu >= friction:

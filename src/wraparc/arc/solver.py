@@ -114,6 +114,11 @@ class Distributed:
             law, geometry, tight, arc.law.steepest_fall() < 0.0, self.steps, none
         )
         gross = math.exp(gross)
+        # past the largest ratio of a softening law creep grows and the ratio falls
+        if gross_creep <= arc.creep_limit:
+            creep = gross
+        if tested is not None and gross_creep <= tested.slip_max:
+            slip = gross
         return Capacities(
             creep_limit_capacity=creep,
             creep_limit_margin=creep / actual,

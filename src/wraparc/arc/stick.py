@@ -35,14 +35,15 @@ from wraparc.arc.march import (
     State,
     _mesh,
 )
-from wraparc.friction.compact import branch_of, friction_at, segment_of
+from wraparc.friction.compact import LIMIT, PLASTIC, branch_of, friction_at, segment_of
 
 
 def onset_stress(law: Law, pressure: float) -> tuple[float, float]:
     """Shear stress a law holds without slip [Pa] and its derivative by pressure [-]."""
     kind, edges, c, slips = law
     segment = segment_of(edges, pressure)
-    mu, _, mu_p = friction_at(kind, edges, c, slips, segment, 0, 0.0, pressure)
+    branch = PLASTIC if kind == LIMIT else 0
+    mu, _, mu_p = friction_at(kind, edges, c, slips, segment, branch, 0.0, pressure)
     return mu * pressure, mu + pressure * mu_p
 
 

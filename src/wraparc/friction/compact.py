@@ -24,6 +24,7 @@ PIECES = 2  # integral-log, A and b as trend lines in pressure
 TABLE = 3  # measured table: cubics in slip, linear in pressure
 
 RISE, LINE, RESIDUAL = 0, 1, 2  # branches of the integral-log law
+ELASTIC, PLASTIC = 0, 1  # branches of a limit; one without elastic onset is always plastic
 
 #: least slip over peak slip at which the logarithm is taken; a trial stage may ask for less
 SMALLEST = 1e-16
@@ -230,6 +231,10 @@ def friction_at(  # noqa: C901 - one branch a kind of law
             else:
                 mu_x = 0.0
                 mu, mu_p = (residual, residual_p) if residual < mu_pk else (mu_pk, mu_pk_p)
+    elif kind == LIMIT and branch == ELASTIC:
+        mu_x = 1.0 / (c[3] * pressure)
+        mu = slip * mu_x
+        return mu, mu_x, -mu / pressure
     elif kind == LIMIT:
         # mu_0 (p / p_0)^-n
         mu = c[0]
@@ -281,7 +286,8 @@ def branch_of(
 ) -> int:
     """Branch that holds at a magnitude of slip [m] and a pressure [Pa]."""
     if kind == LIMIT:
-        return 0
+        limit = plateau_at(kind, edges, c, slips, segment, pressure) * pressure
+        return ELASTIC if c[3] > 0.0 and slip < c[3] * limit else PLASTIC
     if kind == TABLE:
         n = len(slips)
         branch = 0
@@ -310,6 +316,8 @@ def branch_gap(
     """Slip beyond the boundary of branches `boundary` and `boundary + 1` [m]; negative before."""
     if kind == TABLE:
         return slip - slips[boundary + 1]
+    if kind == LIMIT:
+        return slip - c[3] * plateau_at(kind, edges, c, slips, segment, pressure) * pressure
     slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
     if boundary == RISE:
         return slip - slip_pk
@@ -330,7 +338,7 @@ def plateau_at(
             mu *= edges[last] / pressure
         return mu
     if kind == LIMIT:
-        mu, _, _ = friction_at(kind, edges, c, slips, segment, 0, 0.0, pressure)
+        mu, _, _ = friction_at(kind, edges, c, slips, segment, PLASTIC, 0.0, pressure)
         return mu
     best = 0.0
     for branch in range(len(slips)):

@@ -49,7 +49,7 @@ class Constant(FrictionLaw):
 
     def compact(self) -> CompactLaw:
         """Return the law in the numeric form that the solvers read."""
-        return CompactLaw(LIMIT, _edges(self.tested), (self.friction_coefficient, 1.0, 0.0))
+        return CompactLaw(LIMIT, _edges(self.tested), (self.friction_coefficient, 1.0, 0.0, 0.0))
 
     def steepest_fall(self) -> float:
         """Return 0: friction does not fall with slip."""
@@ -100,7 +100,7 @@ class ElasticPlastic(FrictionLaw):
 
     def compact(self) -> CompactLaw:
         """Return the law in the numeric form that the solvers read."""
-        c = (self.friction_coefficient, 1.0, 0.0)
+        c = (self.friction_coefficient, 1.0, 0.0, 1.0 / self.stiffness)
         return CompactLaw(LIMIT, _edges(self.tested), c, onset_compliance=1.0 / self.stiffness)
 
     def steepest_fall(self) -> float:
@@ -156,7 +156,7 @@ class PressurePower(FrictionLaw):
 
     def compact(self) -> CompactLaw:
         """Return the law in the numeric form that the solvers read."""
-        c = (self.friction_coefficient, self.reference_pressure, self.exponent)
+        c = (self.friction_coefficient, self.reference_pressure, self.exponent, 0.0)
         return CompactLaw(LIMIT, _edges(self.tested), c)
 
     def steepest_fall(self) -> float:
