@@ -7,7 +7,6 @@ from pathlib import Path
 
 import click
 
-import wraparc
 from wraparc.arc import solve
 from wraparc.cli.options import units_option
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
@@ -86,7 +85,7 @@ def lay_out(into: Path) -> list[str]:
 
 def examples_folder() -> Path:
     """Return where the examples are: in the package, or beside it in a source tree."""
-    package = Path(wraparc.__file__).parent
+    package = Path(__file__).parents[1]
     folders = (package / "examples", package.parents[1] / "examples")
     found = next((folder for folder in folders if (folder / _DRIVE).is_file()), None)
     if found is None:
