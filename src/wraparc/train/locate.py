@@ -13,7 +13,7 @@ from wraparc.train.system import Search, System
 
 #: Difference between two ways to the same speed that is left alone [-].
 _CORRECTED = 1e-12
-#: Give of eased speeds, ln(speed) for the whole load [-], and where it is small enough to leave out.
+#: Give of eased speeds, ln(speed) for the whole load, and where it may be left out [-].
 _GIVE, _LEAST_GIVE = 1e-2, 1e-6
 
 

@@ -21,6 +21,10 @@ from wraparc.train.train import Motors, Pulls, Shares, Speeds, Train, TrainCase,
 from wraparc.units import display
 
 
+#: Pull over tension that is rounding only.
+_IDLE = 1e-11
+
+
 def solve_train(
     train: Train, *, method: Distributed | None = None, raise_on_failure: bool = True
 ) -> TrainResult:
@@ -78,7 +82,19 @@ def solve_case(train: Train, case: TrainCase, method: Distributed) -> CaseResult
     softening = any(p.lagging.law.steepest_fall() < 0.0 for p in train.pulleys)
     located = locate(setup.system, [p.name for p in train.pulleys], softening)
     pairs = [(p.entry, p.exit) for p in located.passages]
+    if located.status.solved:
+        pairs = _rounded(pairs, case)
     return _reported(setup, method, pairs, located)
+
+
+def _rounded(pairs: Sequence[tuple[float, float]], case: TrainCase) -> list[tuple[float, float]]:
+    """Return tensions that meet the last one exactly; what is idle but for rounding is idle."""
+    exits = [b if abs(a - b) > _IDLE * a else a for a, b in pairs]
+    exits[-1] = case.exit_tension
+    if abs(pairs[-1][0] - exits[-1]) <= _IDLE * exits[-1] and len(exits) > 1:
+        exits[-2] = exits[-1] - case.run(len(exits) - 2)
+    entries = [pairs[0][0], *(b + case.run(i) for i, b in enumerate(exits[:-1]))]
+    return list(zip(entries, exits, strict=True))
 
 
 @dataclass(frozen=True)
