@@ -217,17 +217,12 @@ def _own(test: TestResult) -> list[tuple[float, float]]:
 def _draw_transitions(
     ax: "Axes", condition: ConditionResult, saturation: float | None, *, label: bool
 ) -> None:
-    choice = condition.found.choice
-    if choice is not None and choice.two_pieces is not None and choice.transition_interval:
-        low, high = choice.transition_interval
-        at = choice.two_pieces.transition_pressure or low
+    transition = condition.found.transition
+    if transition is not None:
+        low, high = transition.interval
+        text = f"transition {transition.pressure / _KPA:.0f} kPa" if label else None
         ax.axvspan(low / _KPA, high / _KPA, color="#cccccc", alpha=0.5, lw=0)
-        ax.axvline(
-            at / _KPA,
-            color=GREY,
-            lw=0.9,
-            label=f"transition {at / _KPA:.0f} kPa" if label else None,
-        )
+        ax.axvline(transition.pressure / _KPA, color=GREY, lw=0.9, label=text)
     if saturation is not None:
         text = f"saturation estimate {saturation / _KPA:.0f} kPa" if label else None
         ax.axvline(saturation / _KPA, color=RED, lw=0.9, ls=(0, (1, 1.5)), label=text)

@@ -89,6 +89,31 @@ class LeftOut:
         return self.error / self.noise if self.noise > 0 else np.inf
 
 
+@dataclass(frozen=True, kw_only=True)
+class Transition:
+    """A transition pressure.
+
+    Parameters
+    ----------
+    pressure
+        [Pa].
+    interval
+        95 % interval from the profile [Pa].
+    given
+        Whether it was given, not found.
+    in_law
+        Whether the law has it, or only the best law of two pieces.
+    inside
+        Whether it lies inside, not at the edge of, where the pressures could show one.
+    """
+
+    pressure: float
+    interval: tuple[float, float]
+    given: bool
+    in_law: bool
+    inside: bool
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Findings:
     """What the tests of one condition have shown.
@@ -105,12 +130,17 @@ class Findings:
         Whether each test disagrees with its repeats, shape (n,).
     repeat_distances
         Distance of each from its repeats [standard deviations], NaN without one, shape (n,).
+    lone_distances
+        Distance of each from the law of the others, where it has no repeat, shape (n,).
     points
         The curves as points over pressure, as the law has used them.
     choice
         Form of the pressure dependence; None for a single pressure.
     fit
         The law's fit over pressure, joint over all curves; None for a single pressure.
+    transition
+        Transition pressure of the law, or of the best law of two pieces; None if there are
+        too few pressures.
     tails
         What follows the peak.
     left_out
@@ -122,9 +152,11 @@ class Findings:
     levels: NDArray[np.int64]
     flagged: NDArray[np.bool_]
     repeat_distances: Array
+    lone_distances: Array
     points: CurvePoints
     choice: PressureChoice | None
     fit: PressureFit | None
+    transition: Transition | None
     tails: Tails
     left_out: tuple[LeftOut, ...]
 

@@ -5,14 +5,26 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.shear_test.analysis import ConditionResult, Findings, LeftOut, TestResult
-from wraparc.shear_test.consistency import outliers
+from wraparc.shear_test.analysis import (
+    ConditionResult,
+    Findings,
+    LeftOut,
+    TestResult,
+    Transition,
+)
+from wraparc.shear_test.consistency import lone_distances, outliers
 from wraparc.shear_test.curve_model import CurveParameters, friction_and_jacobian
 from wraparc.shear_test.joint_fit import curve_points, refine
 from wraparc.shear_test.law import lagging_of
 from wraparc.shear_test.plan import TestPlan
-from wraparc.shear_test.pressure_choice import choose_form, leave_out
-from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
+from wraparc.shear_test.pressure_choice import (
+    PressureChoice,
+    choose_form,
+    is_inside,
+    leave_out,
+    transition_interval,
+)
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, fit_form
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.sentences import law_sentences
 from wraparc.shear_test.tails import Tails, level_tails
@@ -45,22 +57,45 @@ def fit_condition(
     if len(np.unique(levels)) > 1:
         choice = choose_form(points, plan.options, flagged)
         law, points = refine(curves, fits, points, choice.fit, flagged)
-        left_out = tuple(_left_out(law, points, tests, levels, tails))
+        good = [test for test, off in zip(tests, flagged, strict=True) if not off]
+        left_out = tuple(_left_out(law, points, good, levels[~flagged], tails))
     found = Findings(
         condition=condition,
         tests=tuple(tests),
         levels=levels,
         flagged=flagged,
         repeat_distances=distances,
+        lone_distances=np.full(len(tests), np.nan) if law is None else lone_distances(law, points),
         points=points,
         choice=choice,
         fit=law,
+        transition=_transition(law, choice, points),
         tails=tails,
         left_out=left_out,
     )
     misfit, remarks = law_sentences(plan, found)
     lagging = lagging_of(plan, found, misfit, remarks)
     return ConditionResult(found=found, lagging=lagging, misfit=misfit, remarks=remarks)
+
+
+def _transition(
+    law: PressureFit | None, choice: PressureChoice | None, points: CurvePoints
+) -> Transition | None:
+    if law is None or choice is None:
+        return None
+    two = law if law.form.has_transition else choice.two_pieces
+    if two is None or two.transition_pressure is None:
+        return None
+    if two is not law:
+        given = two.transition_pressure if two.transition_given else None
+        two = fit_form(two.form, points, two.scatter, transition=given, start=two.theta)
+    return Transition(
+        pressure=float(np.exp(two.theta[-1])),
+        interval=transition_interval(two, points),
+        given=two.transition_given,
+        in_law=two is law,
+        inside=is_inside(two, points),
+    )
 
 
 def _tails(tests: Sequence[TestResult], levels: Levels, flagged: NDArray[np.bool_]) -> Tails:
@@ -87,8 +122,8 @@ def _left_out(
         if rest is None:
             continue
         inside = np.flatnonzero(levels == level).tolist()
-        pressure = float(points.pressure[inside].mean())
-        kept = present != level
+        pressure = float(np.mean([tests[k].curve.pressure for k in inside]))
+        kept = np.arange(len(tails.pressure)) != level
         others = Tails(
             pressure=tails.pressure[kept],
             slope=tails.slope[kept],

@@ -26,8 +26,9 @@ TAILS: tuple[tuple[str, ...], ...] = (
     ("post_peak_slope", "residual_friction"),
 )
 _FLOOR = 0.003
-_LN_RANGE = np.log(100.0)
-_GRID = 24
+# No test tells a peak that lies further beyond it.
+_LN_RANGE = np.log(20.0)
+_GRID = 32
 # A residual level above any peak: the curve stays at its peak.
 _NO_LEVEL = 1e9
 #: Standard normal quantile of a two-sided 95 % interval.
@@ -129,6 +130,7 @@ def fit_curve(
     *,
     bending: float | None = None,
     lash: float | None = None,
+    hold_zero: bool = False,
     start: "CurveFit | None" = None,
     prior: Prior | None = None,
 ) -> CurveFit:
@@ -142,6 +144,8 @@ def fit_curve(
         K to take off instead of the curve's own; 0 leaves the sample's shear in the slip.
     lash
         Fixed lash [m], instead of fitting it.
+    hold_zero
+        Whether to keep the force's zero at what the record shows before the slip starts.
     start
         An earlier fit: its form is kept, what it held fixed stays so, its values are the start.
     prior
@@ -150,7 +154,9 @@ def fit_curve(
     task = _Task(curve, curve.bending if bending is None else bending, prior)
     if start is not None:
         return task.finish(task.run(start.parameters, start.free))
-    zero = () if curve.zero is None else ("zero",)
+    # A lash that is not the curve's own would push its misfit into the zero.
+    hold_zero = hold_zero or curve.zero is None or lash is not None
+    zero = () if hold_zero else ("zero",)
     base = (*(BASE if lash is None else BASE[:2]), *zero)
     runs = [task.run(task.grid(lash), base)]
     peak = runs[0].parameters.peak_slip
@@ -186,7 +192,7 @@ class _Task:
                 [onset * np.linspace(0.4, 1.0, 7), -reach * np.array([0.003, 0.01, 0.03])]
             )
         )
-        peaks = np.geomspace(0.08, 15.0, _GRID) * reach
+        peaks = np.geomspace(0.01, 15.0, _GRID) * reach
         slip = self.travel[thin] - self.bending * y - lashes[:, None]
         r = np.clip(slip[:, None, :] / peaks[:, None], 1e-9, 1.0)
         shape = np.where(slip[:, None, :] > 0.0, r * (1.0 - np.log(r)), 0.0)
@@ -232,6 +238,12 @@ class _Task:
         values[places] = solution.vector
         return _Run(CurveParameters(*values.tolist()), free, solution)
 
+    def _scales(self, free: tuple[str, ...]) -> Array:
+        """Natural size of the parameters."""
+        reach = float(self.travel[-1])
+        sizes = (1.0, 1.0, 0.1 * reach, self.top / reach, self.top, 0.1 * self.top)
+        return np.array([sizes[PARAMETERS.index(name)] for name in free])
+
     def _bounds(self) -> tuple[Array, Array]:
         """Bounds of all parameters; a record that starts flat starts before the slip."""
         reach, ln_top = float(self.travel[-1]), float(np.log(self.top))
@@ -260,9 +272,8 @@ class _Task:
         """Covariance and figures of merit of the chosen run."""
         q, solution = run.parameters, run.solution
         single = self.readings(q)
-        covariance = sandwich(
-            solution, Readings(single, self.curve.place, self.weights / self.curve.counts)
-        )
+        readings = Readings(single, self.curve.place, self.weights / self.curve.counts)
+        covariance = sandwich(solution, readings, self._scales(run.free))
         model, _ = friction_and_jacobian(self.travel, self.bending, q)
         off = self.friction - model
         total = float(((self.friction - self.friction.mean()) ** 2).sum())

@@ -12,7 +12,7 @@ from wraparc.errors import InputError, Problem
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.misfit import judged_fit, with_misfit
+from wraparc.shear_test.misfit import Sentence, judged_fit, with_misfit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
@@ -120,14 +120,15 @@ def _set_force(plan: TestPlan, test: PlannedTest) -> float | None:
     return test.normal_force
 
 
-def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> list[str]:
+def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> list[Sentence]:
     force = _set_force(plan, test)
     if force is None or abs(measured * plan.rig.area / force - 1.0) <= _MEASURED_OFF:
         return []
-    return [
+    text = (
         f"the measured normal force means {measured / 1e3:.4g} kPa, not the "
         f"{force / plan.rig.area / 1e3:.4g} kPa that were set; the measured one was used"
-    ]
+    )
+    return [Sentence("other pressure", text)]
 
 
 def _in_order(results: Iterable[TestResult]) -> list[str]:

@@ -23,6 +23,7 @@ from wraparc.shear_test.robust import inflation
 _SURE = 0.02
 _ROUNDS = 4
 _STEADY = 1e-4
+_LARGEST = 0.7
 
 
 def curve_points(
@@ -75,10 +76,14 @@ def refine(
         mean = law.peaks(points.pressure)
         for k in unsure:
             value[k], covariance[k] = _informed(curves[k], fits[k], mean[k], law.scatter)
-        points = CurvePoints(points.pressure, value, covariance, points.level)
-        before = law.peaks(points.pressure)
-        law = settled(law, points, flagged, given)
-        if np.abs(law.peaks(points.pressure) - before).max() < _STEADY:
+        moved = CurvePoints(points.pressure, value, covariance, points.level)
+        refined = settled(law, moved, flagged, given)
+        change = np.abs(refined.peaks(points.pressure) - mean).max()
+        # Curves that together do not determine a peak would carry the law away.
+        if not change < _LARGEST:
+            break
+        law, points = refined, moved
+        if change < _STEADY:
             break
     return law, points
 

@@ -5,6 +5,7 @@ said, never absorbed: a lash that a rig cannot have is refused, not fitted.
 """
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +18,16 @@ _REMAINDER = 0.02
 _NOISY = 0.05
 _ZERO_LIMIT = 0.05
 _UNKNOWN_PEAK = 0.25
+_SWINGS = 3.0
+_RISING = 10
+_SUDDEN = 0.02
+
+
+class Sentence(NamedTuple):
+    """A sentence, and what it is about, so that the same of many tests is said once."""
+
+    about: str
+    text: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,7 +45,7 @@ class JudgedFit:
     """
 
     fit: CurveFit
-    misfit: tuple[str, ...]
+    misfit: tuple[Sentence, ...]
     remarks: tuple[str, ...]
 
 
@@ -54,26 +65,38 @@ def judged_fit(
     """
     free = fit_curve(curve, bending=bending)
     top = float(np.quantile(curve.binned_friction, 0.98))
+    if _zero_carried_off(free, curve, top):
+        free = fit_curve(curve, bending=bending, hold_zero=True)
     fit, misfit = _lash_held(curve, free, largest_lash, bending, top)
     if curve.first_friction > _LATE * top:
         share = 100 * curve.first_friction / top
-        misfit.append(
+        text = (
             f"the first reading already has {share:.0f} % of the largest friction: the rise from "
             "zero was not recorded, and the slip before it is not known"
         )
-    misfit += _remainder(fit, top)
+        misfit.append(Sentence("late start", text))
+    misfit += _jump(fit, curve) + _remainder(fit, top)
     zero = abs(fit.parameters.zero)
     if zero > _ZERO_LIMIT * top:
-        misfit.append(
+        text = (
             f"before the slip starts the force is {100 * zero / top:.1f} % of its largest value: "
             "more than an error of its zero; the rig itself may rub"
         )
+        misfit.append(Sentence("rubbing", text))
     return JudgedFit(fit=fit, misfit=tuple(misfit), remarks=_remarks(fit, curve, top))
+
+
+def _zero_carried_off(fit: CurveFit, curve: FrictionCurve, top: float) -> bool:
+    """Whether the fit bought a better curve with a zero that the record does not show."""
+    if curve.zero is None or "zero" not in fit.free:
+        return False
+    off = abs(fit.parameters.zero - curve.zero)
+    return off > 5.0 * curve.zero_error + 0.01 * top
 
 
 def _lash_held(
     curve: FrictionCurve, free: CurveFit, largest: float, bending: float | None, top: float
-) -> tuple[CurveFit, list[str]]:
+) -> tuple[CurveFit, list[Sentence]]:
     """Refit with the lash at its limit where the free one is impossible."""
     lash, error = free.parameters.lash, free.error("lash")
     if lash > largest + 2.0 * error:
@@ -82,18 +105,35 @@ def _lash_held(
             f"{largest * 1e3:.2g} mm the rig can have: the lash was held there, and the law does "
             "not describe the start"
         )
-        return fit_curve(curve, bending=bending, lash=largest), [sentence]
+        held = fit_curve(curve, bending=bending, lash=largest)
+        return held, [Sentence("large lash", sentence)]
     loaded = curve.first_friction > max(3.0 * curve.noise / np.sqrt(5.0), 0.01 * top)
     if lash < -2.0 * error and lash < -1e-3 * curve.travel[-1] and not loaded:
         sentence = (
             f"the curve asks for a lash of {lash * 1e3:.2f} mm, the wrong sign: friction rises "
             "faster from its start than the law does; the lash was held at 0"
         )
-        return fit_curve(curve, bending=bending, lash=0.0), [sentence]
+        held = fit_curve(curve, bending=bending, lash=0.0)
+        return held, [Sentence("lash of wrong sign", sentence)]
     return free, []
 
 
-def _remainder(fit: CurveFit, top: float) -> list[str]:
+def _jump(fit: CurveFit, curve: FrictionCurve) -> list[Sentence]:
+    """Friction that is at its peak at once: the rise of the law rests on next to nothing."""
+    peak = fit.parameters.peak_slip
+    begin = fit.parameters.lash
+    end = begin + peak + fit.bending * fit.parameters.peak_friction
+    rising = int(((curve.travel > begin) & (curve.travel < end)).sum())
+    if rising >= _RISING and peak > _SUDDEN * fit.slip_max:
+        return []
+    text = (
+        f"friction is at its peak within {peak * 1e3:.2g} mm of slip ({rising} readings): the "
+        "law's rise rests on next to nothing, and a constant friction describes the curve as well"
+    )
+    return [Sentence("jump", text)]
+
+
+def _remainder(fit: CurveFit, top: float) -> list[Sentence]:
     share = fit.remainder / top
     if share < _REMAINDER:
         return []
@@ -105,10 +145,11 @@ def _remainder(fit: CurveFit, top: float) -> list[str]:
     }
     worst = max(means, key=lambda k: abs(means[k]))
     place = (worst + 0.5) / _STRETCHES * fit.slip_max * 1e3
-    return [
+    text = (
         f"the law leaves a systematic remainder of {100 * share:.1f} % of the largest friction, "
         f"largest ({means[worst]:+.3f}) near {place:.2g} mm of slip"
-    ]
+    )
+    return [Sentence("remainder", text)]
 
 
 def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]:
@@ -132,6 +173,12 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
         )
     if curve.noise > _NOISY * top:
         remarks.append(f"the readings scatter by {100 * curve.noise / top:.0f} % of the friction")
+    swings = fit.noise > _SWINGS * curve.noise and fit.noise > 0.5 * _NOISY * top
+    if swings and fit.remainder < _REMAINDER * top:
+        remarks.append(
+            f"the friction swings about the curve by {100 * fit.noise / top:.0f} %, slower than "
+            "the noise of the readings: stick-slip?"
+        )
     if "post_peak_slope" in fit.free and "residual_friction" not in fit.free:
         remarks.append(
             "friction still falls at the end of the test: its residual level was not reached"
@@ -139,6 +186,6 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
     return tuple(remarks)
 
 
-def with_misfit(judged: JudgedFit, sentence: str) -> JudgedFit:
+def with_misfit(judged: JudgedFit, sentence: Sentence) -> JudgedFit:
     """Add a sentence."""
     return replace(judged, misfit=(*judged.misfit, sentence))

@@ -5,7 +5,7 @@ out in turn, is predicted by the law of the others. The first chooses; the secon
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,7 @@ _VETO = 1.5
 _LEVELS_FOR_TWO = 5
 _UNKNOWN_SCATTER = 0.02
 _PROFILE = 41
+_NO_WEIGHT = 0.01
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,10 +78,6 @@ class PressureChoice:
     two_pieces
         The best form with a transition, whether or not it is the chosen one; None if there
         are too few pressures for one.
-    transition_interval
-        95 % interval of its transition pressure from the profile [Pa].
-    transition_inside
-        Whether it lies inside, not at the edge of, where these pressures could show one.
     notes
         Sentences on the choice.
     """
@@ -88,8 +85,6 @@ class PressureChoice:
     fit: PressureFit
     candidates: tuple[Candidate, ...]
     two_pieces: PressureFit | None
-    transition_interval: tuple[float, float] | None
-    transition_inside: bool
     notes: tuple[str, ...]
 
 
@@ -146,6 +141,7 @@ def choose_form(
     errors = {id(fit): _left_out_error(fit, points) for fit in near}
     least = min((e for e in errors.values() if np.isfinite(e)), default=np.inf)
     chosen = next((fit for fit in near if not errors[id(fit)] > _VETO * least), near[0])
+    chosen = replace(chosen, alternatives=_alternatives(chosen, fits))
     final = settled(chosen, points, flagged, given)
     pieces = [fit for fit in fits if fit.form.has_transition]
     two = final if final.form.has_transition else None
@@ -163,8 +159,6 @@ def choose_form(
             )
             for fit in fits
         ),
-        transition_interval=_transition_interval(two, points) if two else None,
-        transition_inside=two is None or _is_inside(two, points),
         notes=tuple(notes),
     )
 
@@ -187,7 +181,21 @@ def settled(
         fit = fit_form(
             fit.form, points, scatter, transition=transition, weights=weights, start=fit.theta
         )
-    return fit
+    return replace(fit, alternatives=chosen.alternatives)
+
+
+def _alternatives(
+    chosen: PressureFit, fits: Sequence[PressureFit]
+) -> tuple[tuple[float, PressureFit], ...]:
+    """Forms near the best, with their Akaike weights."""
+    least = min(fit.criterion for fit in fits)
+    weights = {id(fit): np.exp(-0.5 * (fit.criterion - least)) for fit in fits}
+    total = sum(weights.values())
+    return tuple(
+        (float(weights[id(fit)] / total), fit)
+        for fit in fits
+        if fit is not chosen and weights[id(fit)] > _NO_WEIGHT * total
+    )
 
 
 def _scatter_without_repeats(points: CurvePoints, options: PressureOptions) -> Array:
@@ -208,7 +216,8 @@ def _tried(
     two_possible = levels >= _LEVELS_FOR_TWO or (given is not None and levels >= 3)
     groups: list[Sequence[tuple[str, ...]]] = []
     if options.pieces != 2 or not two_possible:
-        groups.append([t for t in _ONE if levels > 2 or t[0] in {"constant", "linear"}])
+        # Through two pressures there is a straight line, and nothing to choose it by.
+        groups.append(_ONE if levels > 2 else [("linear",)])
     if options.pieces != 1 and two_possible:
         groups.append(_TWO)
     fits: list[PressureFit] = []
@@ -290,8 +299,8 @@ def _friction_difference(off: Array) -> float:
     return float(np.sqrt(np.mean((off[1] + by_slip * off[0]) ** 2)))
 
 
-def _transition_interval(fit: PressureFit, points: CurvePoints) -> tuple[float, float]:
-    """Where the profile of chi-squared over the transition pressure is within its 95 % level."""
+def transition_interval(fit: PressureFit, points: CurvePoints) -> tuple[float, float]:
+    """95 % interval of a transition pressure, from the profile of chi-squared over it [Pa]."""
     best = fit.transition_pressure
     assert best is not None  # noqa: S101 - asked only of forms with one
     if fit.transition_given:
@@ -320,7 +329,8 @@ def _transition_interval(fit: PressureFit, points: CurvePoints) -> tuple[float, 
     return ends[0], ends[1]
 
 
-def _is_inside(fit: PressureFit, points: CurvePoints) -> bool:
+def is_inside(fit: PressureFit, points: CurvePoints) -> bool:
+    """Whether a transition lies inside, not at the edge of, where the points could show one."""
     low, high = transition_bounds(points)
     at = fit.transition_pressure
     return at is not None and (fit.transition_given or 1.001 * low < at < 0.999 * high)

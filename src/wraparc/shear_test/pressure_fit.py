@@ -20,7 +20,7 @@ from wraparc.shear_test.record import Array
 from wraparc.shear_test.robust import minimise
 
 # Samples are never taken to agree better than this in ln x_pk, ln mu_pk.
-_LEAST_SCATTER = 1e-3
+_LEAST_SCATTER = 3e-4
 _FAR_CURVE = 3.0
 _EM_STEPS = 40
 _TRIES = 4
@@ -89,6 +89,9 @@ class PressureFit:
         Degrees of freedom for intervals.
     transition_given
         Whether the transition pressure was given, not fitted.
+    alternatives
+        Other forms that the data do not refuse, each with its Akaike weight: how far their
+        laws differ from this one is part of its uncertainty (Burnham and Anderson 2002).
     """
 
     form: LawForm
@@ -102,6 +105,7 @@ class PressureFit:
     criterion: float
     freedom: float
     transition_given: bool = False
+    alternatives: tuple[tuple[float, "PressureFit"], ...] = ()
 
     @property
     def transition_pressure(self) -> float | None:
@@ -119,12 +123,22 @@ class PressureFit:
     def own_covariance(self, pressure: Array) -> Array:
         """Covariance of (ln x_pk, ln mu_pk) at each pressure by itself, shape (n, 2, 2)."""
         _, jacobian = ln_peaks(self.form, self.theta, self.ends, pressure)
-        return np.asarray(jacobian @ self.covariance @ jacobian.transpose(0, 2, 1))
+        own = jacobian @ self.covariance @ jacobian.transpose(0, 2, 1)
+        for weight, off in self._differences(pressure):
+            own = own + weight * off[:, :, None] * off[:, None, :]
+        return np.asarray(own)
 
     def peak_covariance(self, pressure: Array) -> Array:
         """Covariance of `peaks`, shape (n, n, 2, 2)."""
         _, jacobian = ln_peaks(self.form, self.theta, self.ends, pressure)
-        return np.asarray(np.einsum("nik,kl,mjl->nmij", jacobian, self.covariance, jacobian))
+        whole = np.einsum("nik,kl,mjl->nmij", jacobian, self.covariance, jacobian)
+        for weight, off in self._differences(pressure):
+            whole = whole + weight * off[:, None, :, None] * off[None, :, None, :]
+        return np.asarray(whole)
+
+    def _differences(self, pressure: Array) -> list[tuple[float, Array]]:
+        peaks = self.peaks(pressure)
+        return [(weight, fit.peaks(pressure) - peaks) for weight, fit in self.alternatives]
 
 
 def t95(freedom: float) -> float:
@@ -283,7 +297,7 @@ def scatter_between(form: LawForm, points: CurvePoints, first: Array, **options:
 
 
 def at_least(scatter: Array) -> Array:
-    """Psi with its standard deviations not below 0.1 %."""
+    """Psi with its standard deviations not below 0.03 %."""
     values, vectors = np.linalg.eigh(scatter)
     return np.asarray((vectors * np.maximum(values, _LEAST_SCATTER**2)) @ vectors.T)
 

@@ -66,6 +66,8 @@ class FrictionCurve:
     zero
         Friction shown before the slip starts, an error of the force's zero, first guess [-];
         None if the record has no such part.
+    zero_error
+        Its standard error, for white noise [-].
     first_friction
         Friction of the first readings [-].
     onset
@@ -86,6 +88,7 @@ class FrictionCurve:
     bending: float
     noise: float
     zero: float | None
+    zero_error: float
     first_friction: float
     onset: float
     resolution: float
@@ -141,7 +144,8 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         pressure=pressure,
         bending=sample.shear_compliance * pressure + sample.compliance * sample.faces * mean_normal,
         noise=noise_level(friction),
-        zero=zero,
+        zero=zero[0] if zero else None,
+        zero_error=zero[1] if zero else 0.0,
         first_friction=float(np.median(friction[:5])),
         onset=onset,
         resolution=float(np.median(np.diff(travel))),
@@ -189,8 +193,8 @@ def _normal_force(record: MachineRecord, sample: Sample) -> Array:
     return np.full(len(record.travel), sample.normal_force)
 
 
-def _start(travel: Array, friction: Array) -> tuple[float, float | None]:
-    """Travel where friction starts to rise, and the friction before it, None if never flat.
+def _start(travel: Array, friction: Array) -> tuple[float, tuple[float, float] | None]:
+    """Travel where friction starts to rise; friction before it with its error, if it is flat.
 
     Before the lash is taken up the record is flat: its level is an error of the force's zero.
     """
@@ -213,7 +217,7 @@ def _start(travel: Array, friction: Array) -> tuple[float, float | None]:
     error = 1.25 * spread / np.sqrt(len(flat))
     if abs(rise) > max(0.01 * top, 6.0 * error):
         return onset, None
-    return onset, float(np.median(flat))
+    return onset, (float(np.median(flat)), error)
 
 
 def _binned(

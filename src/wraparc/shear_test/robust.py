@@ -15,6 +15,7 @@ from wraparc.shear_test.record import Array
 
 Residual = Callable[[Array], tuple[Array, Array]]
 _SOFT = 2.0
+_UNKNOWN = 10.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,9 +150,21 @@ class Readings:
     share: Array
 
 
-def sandwich(fit: Robust, readings: Readings) -> Array:
+def sandwich(fit: Robust, readings: Readings, scales: Array) -> Array:
     """Covariance of the parameters of a robust fit, B^-1 M B^-1.
 
+    Parameters
+    ----------
+    fit
+        The fit.
+    readings
+        The readings behind its rows.
+    scales
+        Natural size of each parameter: ten times as much is its error where the data say
+        nothing about it, shape (k,).
+
+    Notes
+    -----
     B is the curvature of the loss, M = G' V G the variance of its gradient with G its
     derivative by each reading and V the covariance of the readings: their local standard
     deviation times a correlation that is the same all along the curve, as far as it
@@ -161,15 +174,17 @@ def sandwich(fit: Robust, readings: Readings) -> Array:
     """
     n, k = fit.jacobian.shape
     root = np.sqrt(1.0 + (fit.rows / fit.scale) ** 2)
-    curvature = float(np.mean(root**-3)) * (fit.jacobian.T @ fit.jacobian)
-    inverse = np.linalg.pinv(curvature, hermitian=True)
+    ridge = np.diag(1.0 / (_UNKNOWN * scales) ** 2)
+    curvature = float(np.mean(root**-3)) * (fit.jacobian.T @ fit.jacobian) + ridge
+    inverse = np.linalg.inv(curvature * np.outer(scales, scales)) * np.outer(scales, scales)
     # How much the loss has tamed the residuals, as a whole.
     tamed = np.sqrt(np.mean((fit.rows / root) ** 2) / max(float(np.mean(fit.rows**2)), 1e-300))
     gradient = (tamed * readings.share)[:, None] * fit.jacobian
     level = _local_level(readings.residual)
     spread = gradient[readings.row] * level[:, None]
     correlated = _correlated(spread, readings.residual / level)
-    covariance = inverse @ (spread.T @ correlated) @ inverse * (n / max(n - k, 1))
+    meat = spread.T @ correlated * (n / max(n - k, 1)) + ridge
+    covariance = inverse @ meat @ inverse
     return np.asarray(0.5 * (covariance + covariance.T))
 
 

@@ -3,26 +3,26 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.consistency import FAR
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
-from wraparc.shear_test.record import Array
 
 _PREDICTED = 2.0
+_STANDS_OUT = 4.0
+_FEW = 3
+_CLEARLY = 100.0
 _FAR_FROM_LAW = 3.5
 
 
 def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Sentences on misfit, and remarks, of one condition's law."""
     tests, law, choice = found.tests, found.fit, found.choice
-    misfit = [f"{t.name}: {s}" for t in tests for s in t.judged.misfit]
-    misfit += _repeats(tests, found.repeat_distances, found.flagged)
+    misfit = _of_curves(tests) + _repeats(tests, found)
     if law is not None:
-        misfit += _curves_off(tests, law, found.flagged)
+        misfit += _curves_off(tests, law, found)
         misfit += _predictions(found.left_out)
     remarks = [_shear_sentence(plan)]
     if law is None or choice is None:
@@ -32,7 +32,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "laggings do; test at other pressures before relying on it elsewhere"
         )
     else:
-        remarks += _form(law, choice) + _transition(plan, law, choice)
+        remarks += _form(law, choice) + _transition(plan, found)
     if not all(found.tails.reached):
         remarks.append(
             "where the residual friction was not reached, the lowest friction seen is used for it"
@@ -46,43 +46,71 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     return tuple(misfit), tuple(remarks)
 
 
-def _repeats(
-    tests: Sequence[TestResult], distances: Array, flagged: NDArray[np.bool_]
-) -> list[str]:
+def _of_curves(tests: Sequence[TestResult]) -> list[str]:
+    """What single curves show; the same of more than a few is said once."""
+    about: dict[str, list[tuple[TestResult, str]]] = {}
+    for test in tests:
+        for sentence in test.judged.misfit:
+            about.setdefault(sentence.about, []).append((test, sentence.text))
     found = []
-    for k in np.flatnonzero(flagged).tolist():
-        friction = tests[k].fit.parameters.peak_friction
-        found.append(
-            f"{tests[k].name}: disagrees with its repeats by {max(distances[k], FAR):.1f} standard "
-            f"deviations (peak friction {friction:.3f}); it counts little in the law; see "
-            "whether sample, load and surface were as planned"
-        )
+    for cases in about.values():
+        if len(cases) <= _FEW:
+            found += [f"{test.name}: {text}" for test, text in cases]
+        else:
+            test, text = cases[0]
+            found.append(f"{len(cases)} of {len(tests)} tests, as {test.name}: {text}")
     return found
 
 
-def _curves_off(
-    tests: Sequence[TestResult], law: PressureFit, flagged: NDArray[np.bool_]
-) -> list[str]:
-    return [
-        f"{tests[k].name}: lies {law.distances[k]:.1f} standard deviations from the law of all"
-        for k in range(len(tests))
-        if law.distances[k] > _FAR_FROM_LAW and not flagged[k]
-    ]
+def _repeats(tests: Sequence[TestResult], found: Findings) -> list[str]:
+    sentences = []
+    for k in np.flatnonzero(found.flagged).tolist():
+        alone = not np.any((found.levels == found.levels[k]) & ~found.flagged)
+        friction = tests[k].fit.parameters.peak_friction
+        which = "; which of them is wrong cannot be told" if alone else "; it counts little"
+        sentences.append(
+            f"{tests[k].name}: disagrees with its repeats by {found.repeat_distances[k]:.1f} "
+            f"standard deviations (peak friction {friction:.3f}){which}; see whether sample, "
+            "load and surface were as planned"
+        )
+    return sentences
+
+
+def _curves_off(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> list[str]:
+    sentences = []
+    for k, test in enumerate(tests):
+        if found.flagged[k]:
+            continue
+        if law.distances[k] > _FAR_FROM_LAW:
+            far = f"{law.distances[k]:.1f} standard deviations from the law of all"
+            sentences.append(f"{test.name}: lies {far}")
+        elif found.lone_distances[k] > FAR:
+            far = f"{found.lone_distances[k]:.1f} standard deviations from the law of the others"
+            sentences.append(f"{test.name}: lies {far}; repeat it to see which is right")
+    return sentences
 
 
 def _predictions(left_out: Sequence[LeftOut]) -> list[str]:
+    """Pressures inside the tested range that the others miss, by noise, scatter and custom."""
+    inside = [item for item in left_out if item.inside]
+    usual = float(np.median([item.error for item in inside])) if len(inside) > 3 else np.inf
     poor = [
         item
-        for item in left_out
-        if item.inside and item.error > _PREDICTED * np.hypot(item.noise, item.scatter)
+        for item in inside
+        if item.error > _PREDICTED * np.hypot(item.noise, item.scatter)
+        or (item.error > _STANDS_OUT * usual and item.noise_levels > _PREDICTED)
     ]
     if not poor:
         return []
     listed = ", ".join(
-        f"{item.pressure / 1e3:.4g} kPa by {item.error:.3f} ({item.noise_levels:.1f} noise levels)"
-        for item in poor
+        f"{item.pressure / 1e3:.4g} kPa by {item.error:.3f} ({_in_noise(item)})" for item in poor
     )
     return [f"left out, these pressures are missed by the law of the others: {listed}"]
+
+
+def _in_noise(item: LeftOut) -> str:
+    levels = item.noise_levels
+    return f"{levels:.1f} noise levels" if levels < _CLEARLY else "far above the noise"
 
 
 def _shear_sentence(plan: TestPlan) -> str:
@@ -112,25 +140,24 @@ def _form(law: PressureFit, choice: PressureChoice) -> list[str]:
     return remarks
 
 
-def _transition(plan: TestPlan, law: PressureFit, choice: PressureChoice) -> list[str]:
-    two, interval = choice.two_pieces, choice.transition_interval
-    saturation = plan.saturation_pressure
+def _transition(plan: TestPlan, found: Findings) -> list[str]:
+    transition, saturation = found.transition, plan.saturation_pressure
     estimate = (
         f"; the saturation estimate E * roughness / thickness is {saturation / 1e3:.3g} kPa"
         if saturation is not None
         else ""
     )
-    if two is None or interval is None or two.transition_pressure is None:
+    if transition is None:
         return [f"too few pressures to look for a transition{estimate}"]
-    at = (law if law.form.has_transition else two).transition_pressure or two.transition_pressure
-    if two.transition_given:
-        return [f"transition pressure given: {at / 1e3:.4g} kPa{estimate}"]
-    low, high = (end / 1e3 for end in interval)
-    text = f"transition pressure {at / 1e3:.4g} kPa (95 %: {low:.4g} to {high:.4g}){estimate}"
-    if not law.form.has_transition:
-        text = f"the law needs no transition; the best law of two pieces has its {text}"
+    at = f"{transition.pressure / 1e3:.4g} kPa"
+    if transition.given:
+        return [f"transition pressure given: {at}{estimate}"]
+    low, high = (end / 1e3 for end in transition.interval)
+    text = f"transition pressure {at} (95 %: {low:.4g} to {high:.4g}){estimate}"
+    if not transition.in_law:
+        text = f"the law has no transition; the best law of two pieces has its {text}"
     remarks = [text]
-    if not choice.transition_inside:
+    if not transition.inside:
         remarks.append(
             "that transition lies at the edge of where these pressures could show one: test at "
             "more pressures beyond it"
