@@ -60,7 +60,8 @@ class MeasuredTable(FrictionLaw):
                 and all(len(row) == m for row in self.values),
                 "friction",
                 "",
-                f"the table must have {m} values for each of {len(self.pressure)} pressures",
+                f"the table must have a row of {m} values for each of {len(self.pressure)} "
+                "pressures",
             ),
             (
                 all(v >= 0 for row in self.values for v in row[:1])
