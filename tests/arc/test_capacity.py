@@ -1,0 +1,234 @@
+"""What the pulley could carry: three capacities, and the least slack-side tension.
+
+Expected values: the definitions. A solve at the capacity must show the creep or slip it is the
+capacity of; a scan over all creep ratios, by the independent twin, must find no larger one.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+
+from arc.drives import ARC, LAWS, RUBBER, SOFTENING, integral_log, random_arc
+from arc.twin import Twin
+from wraparc.arc import ArcResult, Capacities, Distributed, Status, WrapArc
+from wraparc.friction import Constant, FrictionLaw
+
+JUMPS = {"jump table", "constant", "power", "elastic-plastic"}
+every_law = pytest.mark.parametrize("name", LAWS)
+#: laws and sides; braking, the capacity of a law with a jump is not always found
+SIDES = [(name, side) for name in LAWS for side in (False, True) if not side or name not in JUMPS]
+either_side = pytest.mark.parametrize("braking", [False, True])
+
+#: falls soon and deeply: the largest ratio is reached at 16 mm of creep
+BRITTLE = integral_log(0.8, 3e-3, -60.0, 0.5)
+
+
+def solve(arc: WrapArc) -> ArcResult:
+    return Distributed(capacities=False, points=18).solve(arc)
+
+
+def capacities(arc: WrapArc) -> Capacities:
+    result = Distributed(points=18).solve(arc)
+    assert result.status is not Status.UNSOLVED
+    return result.capacities
+
+
+def drives(name: str, count: int, braking: bool) -> list[WrapArc]:
+    """Random drives with a real pull, on one side."""
+    rng = np.random.default_rng([7, sorted(LAWS).index(name)])
+    found: list[WrapArc] = []
+    while len(found) < count:
+        arc = random_arc(LAWS[name], rng)
+        ratio = max(arc.entry_tension, arc.exit_tension) / min(arc.entry_tension, arc.exit_tension)
+        if (arc.side < 0) == braking and ratio > 1.01:
+            # a kick is refused where a law holds the belt against it, as at low tensions
+            found.append(replace(arc, overrun=0.0) if name in JUMPS else arc)
+    return found
+
+
+def with_tensions(arc: WrapArc, tight: float, slack: float) -> WrapArc:
+    entry, exit_ = (tight, slack) if arc.side > 0 else (slack, tight)
+    return replace(arc, entry_tension=entry, exit_tension=exit_)
+
+
+def tight_of(arc: WrapArc) -> float:
+    return max(arc.entry_tension, arc.exit_tension)
+
+
+@pytest.mark.parametrize(("name", "braking"), SIDES)
+def test_creep_limit_capacity_is_at_the_creep_limit(name: str, braking: bool) -> None:
+    for arc in drives(name, 6, braking):
+        c = capacities(arc)
+        at = solve(with_tensions(arc, tight_of(arc), tight_of(arc) / c.creep_limit_capacity))
+        assert at.status is Status.SOLVED
+        assert at.exit_creep * arc.side == pytest.approx(arc.creep_limit, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "braking"), [side for side in SIDES if LAWS[side[0]].tested is not None]
+)
+def test_tested_slip_capacity_is_at_the_tested_slip(name: str, braking: bool) -> None:
+    for arc in drives(name, 4, braking):
+        c = capacities(arc)
+        tested = arc.law.tested
+        assert tested is not None
+        at = solve(with_tensions(arc, tight_of(arc), tight_of(arc) / c.tested_slip_capacity))
+        assert at.exit_slip * arc.side == pytest.approx(tested.slip_max, rel=1e-6)
+
+
+@every_law
+def test_margins_and_equivalent_friction(name: str) -> None:
+    braking = [] if name in JUMPS else drives(name, 3, True)
+    for arc in drives(name, 3, False) + braking:
+        result = Distributed(points=18).solve(arc)
+        c = result.capacities
+        ratio = max(arc.entry_tension / arc.exit_tension, arc.exit_tension / arc.entry_tension)
+        assert c.creep_limit_margin == pytest.approx(c.creep_limit_capacity / ratio, rel=1e-14)
+        assert c.gross_slip_margin == pytest.approx(c.gross_slip_capacity / ratio, rel=1e-14)
+        mu = math.log(c.creep_limit_capacity) / arc.wrap_angle
+        assert c.equivalent_friction == pytest.approx(mu, rel=1e-14)
+        assert result.within_creep_limit == (c.creep_limit_margin >= 1)
+        assert (result.status is Status.BREAKAWAY) == (c.gross_slip_margin < 1)
+        assert c.creep_limit_capacity <= c.gross_slip_capacity * (1 + 1e-9)
+        if arc.law.tested is None:
+            assert math.isnan(c.tested_slip_capacity)
+            assert math.isnan(c.tested_slip_margin)
+        else:
+            slip_margin = c.tested_slip_capacity / ratio
+            assert c.tested_slip_margin == pytest.approx(slip_margin, rel=1e-14)
+
+
+# --- least slack-side tension ------------------------------------------------------------------
+
+
+def carries(arc: WrapArc, slack: float) -> bool:
+    """Whether the pull of an arc is carried within the creep limit with that slack-side tension."""
+    at = solve(with_tensions(arc, slack + abs(arc.effective_tension), slack))
+    return at.within_creep_limit
+
+
+@pytest.mark.parametrize(("name", "braking"), SIDES)
+def test_least_slack_tension_is_the_smallest_that_is_enough(name: str, braking: bool) -> None:
+    for arc in drives(name, 2, braking):
+        c, pull = capacities(arc), abs(arc.effective_tension)
+        least = c.least_exit_tension
+        if math.isnan(least):
+            continue
+        assert math.isnan(c.largest_effective_tension)
+        at = solve(with_tensions(arc, least + pull, least))
+        assert at.exit_creep * arc.side == pytest.approx(arc.creep_limit, rel=1e-6)
+        tested = arc.law.tested
+        assert tested is None or arc.wrap_pressure(least + pull) <= tested.pressure_max
+        assert carries(arc, least * (1 + 1e-5))
+        assert not any(carries(arc, least * f) for f in (1e-3, 0.1, 0.3, 0.6, 0.8, 0.95, 1 - 1e-5))
+
+
+@pytest.mark.parametrize("braking", [False])
+@pytest.mark.parametrize("law", [RUBBER, SOFTENING])
+def test_the_largest_pull_where_no_slack_tension_is_enough(law: FrictionLaw, braking: bool) -> None:
+    arc = replace(ARC, law=law, entry_tension=280e3, exit_tension=20e3, overrun=1e-5)
+    if braking:
+        arc = replace(arc, entry_tension=20e3, exit_tension=280e3)
+    c = capacities(arc)
+    assert math.isnan(c.least_exit_tension)
+    top = 600e3 * arc.width * arc.radius  # tension at the highest tested pressure
+    pulls = []
+    for tight in np.geomspace(0.2 * top, top, 7):
+        there = with_tensions(arc, float(tight), 0.9 * float(tight))
+        pulls.append(float(tight) * (1 - 1 / capacities(there).creep_limit_capacity))
+    assert max(pulls) < abs(arc.effective_tension)
+    assert c.largest_effective_tension >= max(pulls) * (1 - 1e-7)
+    assert c.largest_effective_tension == pytest.approx(max(pulls), rel=0.05)
+
+
+# --- gross slip and breakaway ------------------------------------------------------------------
+
+
+def largest_by_scan(arc: WrapArc) -> tuple[float, float]:
+    """Largest ln(tight/slack) of a driving pulley over all entry creep ratios, and its creep."""
+    twin = Twin(arc)
+
+    def loss(log_g: float) -> float:
+        return twin.integrate(math.exp(log_g)).log_tension
+
+    grid = np.linspace(math.log(1e-6), 0.0, 60)
+    i = int(np.argmin([loss(z) for z in grid]))
+    bounds = (grid[max(i - 1, 0)], grid[min(i + 1, 59)])
+    best = minimize_scalar(loss, bounds=bounds, method="bounded", options={"xatol": 1e-7})
+    return -float(best.fun), twin.integrate(math.exp(float(best.x))).creep
+
+
+@pytest.mark.parametrize("kick", [0.0, 2e-5])
+@pytest.mark.parametrize("law", [BRITTLE, SOFTENING])
+@pytest.mark.parametrize("tight", [60e3, 200e3])
+def test_gross_slip_of_a_softening_law_is_the_largest_ratio_there_is(
+    law: FrictionLaw, kick: float, tight: float
+) -> None:
+    arc = replace(ARC, law=law, overrun=kick, entry_tension=tight, exit_tension=0.7 * tight)
+    ratio, creep = largest_by_scan(arc)
+    c = capacities(arc)
+    assert math.log(c.gross_slip_capacity) == pytest.approx(ratio, rel=1e-6)
+    assert c.gross_slip_creep == pytest.approx(creep, rel=0.01)  # flat at the maximum
+    # just below it the pulley carries, with less creep than there: the branch below the maximum
+    below = solve(replace(arc, exit_tension=tight * math.exp(-0.9999 * ratio)))
+    assert below.status is Status.SOLVED
+    assert below.exit_creep < creep
+    # just above it nothing carries, and the answer is the largest ratio
+    above = solve(replace(arc, exit_tension=tight * math.exp(-1.0001 * ratio)))
+    assert above.status is Status.BREAKAWAY
+    assert math.log(above.tension_ratio) == pytest.approx(ratio, rel=1e-6)
+    assert above.exit_creep == pytest.approx(creep, rel=0.01)
+
+
+def test_gross_slip_of_a_braking_softening_law() -> None:
+    # the exit is held: the same ratio by a solve just below and none just above
+    arc = replace(ARC, law=BRITTLE, entry_tension=100e3, exit_tension=150e3)
+    ratio = capacities(arc).gross_slip_capacity
+    below, above = (
+        solve(replace(arc, entry_tension=150e3 / ratio**f)) for f in (1 - 1e-5, 1 + 1e-5)
+    )
+    assert below.status is Status.SOLVED
+    assert above.status is Status.BREAKAWAY
+
+
+@every_law
+def test_gross_slip_is_out_of_reach_but_approached(name: str) -> None:
+    # a law that does not fall: no finite creep reaches its plateau everywhere
+    for arc in drives(name, 2, False):
+        c = capacities(arc)
+        if arc.law.steepest_fall() < 0:
+            continue
+        assert c.gross_slip_creep == math.inf
+        reached = -Twin(arc).integrate(0.5).log_tension
+        assert reached < math.log(c.gross_slip_capacity) * (1 + 1e-9)
+        assert reached == pytest.approx(math.log(c.gross_slip_capacity), rel=0.02)
+
+
+@every_law
+@either_side
+def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
+    for arc in drives(name, 2, braking):
+        gross = capacities(arc).gross_slip_capacity
+        asked = with_tensions(arc, tight_of(arc), tight_of(arc) / (2 * gross))
+        result = Distributed(points=18).solve(asked)
+        assert result.status is Status.BREAKAWAY
+        assert not result.within_creep_limit
+        # the tight side is kept, and the slack side falls as far as it can
+        found = max(result.tension_ratio, 1 / result.tension_ratio)
+        tight = max(result.entry_tension, result.exit_tension)
+        assert tight == pytest.approx(tight_of(arc), rel=1e-7)
+        assert gross**0.97 < found <= gross * (1 + 1e-6)
+        ends = result.profile.tension[[0, -1]]
+        assert ends == pytest.approx([result.entry_tension, result.exit_tension], rel=1e-9)
+        assert result.capacities.gross_slip_capacity == pytest.approx(gross, rel=1e-7)
+        assert result.capacities.gross_slip_margin == pytest.approx(0.5, rel=1e-7)
+
+
+def test_capacities_can_be_left_out() -> None:
+    result = Distributed(capacities=False).solve(replace(ARC, law=Constant(friction_coefficient=1)))
+    assert all(math.isnan(v) for v in vars(result.capacities).values())
