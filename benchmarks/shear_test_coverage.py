@@ -130,11 +130,11 @@ def run_once(study: Study, seed: int) -> dict[str, list[tuple[bool, float]]]:
     fit = found.fit
     assert fit is not None
     slip, friction, _, _ = law.parameters(PRESSURES)
-    off = fit.peaks(PRESSURES) - np.log(np.stack([slip, friction], axis=-1))
+    gaps = fit.peaks(PRESSURES) - np.log(np.stack([slip, friction], axis=-1))
     half = t95(fit.freedom) * fit.peak_errors(PRESSURES)
     for k, name in enumerate(("law: peak slip", "law: peak friction")):
         counted[name] += [
-            (bool(abs(o) <= h), float(o)) for o, h in zip(off[:, k], half[:, k], strict=True)
+            (bool(abs(o) <= h), float(o)) for o, h in zip(gaps[:, k], half[:, k], strict=True)
         ]
     if found.transition is not None:
         low, high = found.transition.interval

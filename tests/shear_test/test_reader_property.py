@@ -4,7 +4,7 @@ Expected values: the numbers the tables were made from (independent of the reade
 """
 
 import numpy as np
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from wraparc.errors import InputError
@@ -41,7 +41,8 @@ def tables(draw: st.DrawFn) -> tuple[bytes, list[list[float]], Choices]:
     ]
     rows = [[round(v, d) for v, d in zip(row, digits, strict=True)] for row in rows]
     place = draw(st.sampled_from(["row", "brackets", "none"]))
-    lines = draw(st.lists(st.sampled_from(["", "Specimen 1", "Width;12.5;mm", "v1,1,mm/min"]), max_size=4))
+    preamble = st.sampled_from(["", "Specimen 1", "Width;12.5;mm", "v1,1,mm/min"])
+    lines = draw(st.lists(preamble, max_size=4))
     names = [f"{name} ({unit})" if place == "brackets" else name for name, unit in COLUMNS]
     lines.append(delimiter.join(names))
     if place == "row":
@@ -52,7 +53,7 @@ def tables(draw: st.DrawFn) -> tuple[bytes, list[list[float]], Choices]:
     end = draw(st.sampled_from(["\n", "\r\n", "\r"]))
     text = end.join(lines) + draw(st.sampled_from(["", end, end + end]))
     encoding = draw(st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "cp1252"]))
-    units = {name: unit for name, unit in COLUMNS} if place == "none" else {}
+    units = dict(COLUMNS) if place == "none" else {}
     told = draw(st.booleans())
     return text.encode(encoding), rows, Choices(units=units, decimal=decimal if told else None)
 
@@ -63,8 +64,9 @@ def test_the_numbers_written_or_a_question(drawn: tuple[bytes, list[list[float]]
     data, rows, choices = drawn
     try:
         record = read_machine_bytes(data, "drawn.csv", choices)
-    except InputError as error:
-        assert all(problem.remedy for problem in error.problems)
+    except InputError as refused:
+        told = refused.problems
+        assert all(problem.remedy for problem in told)
         return
     written = np.array(rows)
     kept = np.searchsorted(np.arange(len(rows)) + record.lines[0], record.lines)

@@ -20,7 +20,6 @@ from wraparc.train.system import Line, System
 from wraparc.train.train import Motors, Pulls, Shares, Speeds, Train, TrainCase, tensions_at
 from wraparc.units import display
 
-
 #: Pull over tension that is rounding only.
 _IDLE = 1e-11
 
