@@ -1,0 +1,106 @@
+"""Friction that falls with slip: several splits for the same speeds, or none.
+
+Expected values: every solution of a tandem found by brute force, from the two arcs alone, each
+solved for its tensions by the kernel (the branch of least creep) or followed past its peak.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from arc.drives import integral_log
+from train.trains import QUICK, case, lagging, pulleys, solved, train, tried
+from wraparc.errors import BreakawayError
+from wraparc.train import Shares, Speeds, TrainStatus, solve_train
+from wraparc.train.member import FINE, Member
+from wraparc.train.solve import Setup
+
+SOFT = lagging(integral_log(0.5, 3e-3, -30.0, 0.25))
+ENTRY = 150e3
+
+
+def members(exit_: float) -> tuple[Member, Member]:
+    given = case(Shares((0.5, 0.5)), ENTRY, exit_)
+    system = Setup.of(train(pulleys(2, SOFT), given), given).system
+    return system.members[0], system.members[1]
+
+
+def all_splits(exit_: float, trim: float) -> list[float]:
+    """Shares of drive 1 at which the pulleys agree on the speeds, for creep ratios up to 10 %."""
+    first, second = members(exit_)
+
+    def last_tension(g: float) -> tuple[float, float]:
+        one = first.passage(ENTRY, first.effort_at(g), FINE)
+        ratio = (1.0 - g) * math.exp(second.stretch_log(one.exit) - first.stretch_log(ENTRY))
+        two = second.passage(one.exit, second.effort_at(1.0 - ratio / trim), FINE)
+        return two.exit, one.exit
+
+    def miss(g: float) -> float:
+        return math.log(exit_ / last_tension(g)[0])
+
+    nodes = np.sinh(np.linspace(-9.9, 9.9, 700)) * 1e-5
+    values = [miss(float(g)) for g in nodes]
+    roots = [
+        brentq(miss, float(a), float(b), xtol=1e-15)
+        for (a, b), (fa, fb) in zip(pairwise(nodes), pairwise(values), strict=True)
+        if fa * fb < 0.0
+    ]
+    return sorted((ENTRY - last_tension(g)[1]) / (ENTRY - exit_) for g in roots)
+
+
+@pytest.mark.parametrize(
+    ("exit_", "trim"),
+    [(40e3, 1.0), (40e3, 0.998), (40e3, 0.992), (20e3, 0.995), (18e3, 0.995), (15e3, 0.995)],
+)
+def test_all_splits_are_found_and_the_stable_one_given(exit_: float, trim: float) -> None:
+    expected = all_splits(exit_, trim)
+    result = solved(train(pulleys(2, SOFT), case(Speeds((1.0, trim)), ENTRY, exit_)))
+    found = sorted([result.shares[0], *(s[0] for s in result.other_splits)])
+    assert found == pytest.approx(expected, abs=1e-6)
+    assert len(expected) in (1, 2)
+    # stable: each drive pulls more if it creeps more
+    for member, m in zip(members(exit_), result, strict=True):
+        at = member.between(m.arc.entry_tension, m.arc.arc.exit_tension)
+        assert at is not None
+        assert member.slopes(at).exit_by_effort < 0.0
+
+
+def test_several_splits_are_told() -> None:
+    result = solved(train(pulleys(2, SOFT), case(Speeds((1.0, 0.995)), ENTRY, 20e3)))
+    assert len(result.other_splits) == 1
+    assert sum(result.other_splits[0]) == pytest.approx(1.0, abs=1e-9)
+    assert (
+        max(abs(p - q) for p, q in zip(result.shares, result.other_splits[0], strict=True)) > 0.02
+    )
+
+
+@pytest.mark.parametrize("trim", [1.006, 1.01, 0.98])
+def test_no_stable_split_names_the_drive_that_breaks_away(trim: float) -> None:
+    of = train(pulleys(2, SOFT), case(Speeds((1.0, trim)), ENTRY, 40e3))
+    failed = tried(of)
+    assert failed.status is TrainStatus.BREAKAWAY
+    sliding = "p2" if trim > 1.0 else "p1"
+    assert failed.reason == (
+        f"At these speeds {sliding} breaks away: the only balance there is has it sliding, past "
+        "the peak of friction."
+    )
+    with pytest.raises(BreakawayError, match=f"{sliding} breaks away"):
+        solve_train(of, method=QUICK)
+
+
+def test_nothing_carries_the_load() -> None:
+    capacity = solved(train(pulleys(1, SOFT), case(Shares((1.0,)), ENTRY, 100e3)), FULL)
+    ratio = capacity.members[0].arc.capacities.gross_slip_capacity
+    of = train(pulleys(2, SOFT), case(Speeds((1.0, 0.995)), ENTRY, ENTRY / ratio**2 * 0.9))
+    failed = tried(of)
+    assert failed.status is TrainStatus.BREAKAWAY
+    assert "away" in failed.reason or "together cannot carry" in failed.reason
+    assert all(math.isnan(m.speed_trim) or m.speed_trim > 0.0 for m in failed)
+
+
+FULL = type(QUICK)(points=20)
