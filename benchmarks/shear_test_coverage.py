@@ -129,8 +129,8 @@ def run_once(study: Study, seed: int) -> dict[str, list[tuple[bool, float]]]:
     found = fit_condition(plan, "dry", results, np.array(levels)).found
     fit = found.fit
     assert fit is not None
-    slip, friction, _, _ = law.parameters(PRESSURES)
-    gaps = fit.peaks(PRESSURES) - np.log(np.stack([slip, friction], axis=-1))
+    slips, frictions, _, _ = law.parameters(PRESSURES)
+    gaps = fit.peaks(PRESSURES) - np.log(np.stack([slips, frictions], axis=-1))
     half = t95(fit.freedom) * fit.peak_errors(PRESSURES)
     for k, name in enumerate(("law: peak slip", "law: peak friction")):
         counted[name] += [
