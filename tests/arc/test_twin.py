@@ -11,12 +11,13 @@ numbers is no better than either.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from arc.drives import LAWS, random_arc
+from arc.drives import ARC, LAWS, random_arc
 from arc.twin import Exit, Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 
@@ -98,6 +99,35 @@ def test_shooting_of_its_own(name: str) -> None:
         z = float(brentq(miss, -13.0, 13.0, xtol=1e-14, rtol=1e-14))
         found = misses(result, twin.integrate(1e-7 * math.sinh(z)))
         assert max(found.values()) <= 1.0, (arc, found)
+
+
+def test_a_belt_that_lets_go_in_the_middle_of_the_wrap() -> None:
+    # braking, the limit mu p grows faster than the stress of the stuck belt towards the exit
+    law = LAWS["elastic-plastic"]
+    rng = np.random.default_rng(9)
+    for _ in range(12):
+        arc = random_arc(law, rng)
+        tight, ratio = max(arc.entry_tension, arc.exit_tension), float(rng.uniform(3.0, 6.0))
+        arc = replace(
+            arc,
+            entry_tension=tight / ratio,
+            exit_tension=tight,
+            axial_stiffness=float(rng.uniform(6e7, 4e8)) * arc.width,
+            diameter=0.7 * arc.diameter,
+            overrun=0.0,
+        )
+        result = Distributed(capacities=False).solve(arc)
+        if result.status is Status.SOLVED:
+            _, twin = Twin(arc).solve_near(result.entry_creep_ratio)
+            assert max(misses(result, twin).values()) <= 1.0, arc
+
+
+@pytest.mark.parametrize("steps", [96, 384])
+def test_a_fine_mesh_gives_the_same_answer(steps: int) -> None:
+    for name in ("rubber", "softening"):
+        arc = replace(ARC, law=LAWS[name])
+        results = [Distributed(steps=n, capacities=False).solve(arc) for n in (24, steps)]
+        assert results[1].exit_creep == pytest.approx(results[0].exit_creep, rel=1e-6)
 
 
 def test_twin_meets_a_closed_form() -> None:
