@@ -20,6 +20,7 @@ from wraparc.arc.shoot import FOUND, effort_of, fire, jumps, largest_effort
 COARSE, SHARP, FINE = 8, 16, 24
 #: Entry creep ratio where the scale of efforts turns from linear to logarithmic.
 RATIO_SCALE = 1e-5
+_LARGEST_EFFORT = asinh(0.9 / RATIO_SCALE)  # of laws that rise from zero friction
 _BEYOND = 30.0  # logarithm of the tension ratio that stands for one too large for numbers
 _STEP = 1e-4  # of effort and of ln(tension), for differences
 
@@ -134,6 +135,7 @@ class Member:
             z = abs(effort) - (0.0 if self.rests else 1.0)
             z = min(z, largest_effort(self.law, par))
         else:
+            effort = min(max(effort, -_LARGEST_EFFORT), _LARGEST_EFFORT)
             if self.parameters(entry, 1.0)[KICK] > 0.0:
                 side = 1.0
             par = self.parameters(entry, side)

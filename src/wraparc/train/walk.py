@@ -17,7 +17,9 @@ from wraparc.train.solve import Setup, arc_of
 from wraparc.train.system import System
 from wraparc.train.train import Motors, Speeds, Train
 
-_TOLERANCE = 1e-8  # of a speed equation: about 1e-6 of a share
+_TOLERANCE = 1e-10  # of a speed equation; the last tension is met to 1e-7
+#: Least distance of places that are extrapolated from, in parts of the way that is known.
+_APART = 0.05
 _FURTHEST_GUESS = 1.0  # how far ahead, in parts of the way that is known, it is extrapolated
 
 
@@ -141,11 +143,22 @@ class Walk:
 
 
 def _extrapolation(at: Sequence[float], value: float) -> list[float]:
-    """Weights of known values for another place, by Lagrange; only the last one if it is far."""
+    """Weights of known values, the newest last, for another place.
+
+    By Lagrange through those that lie well apart: two that nearly coincide would blow up their
+    rounding. Only the newest one counts where the place is further off than all that is known.
+    """
     reach = max(at) - min(at)
-    if len(at) == 1 or min(abs(value - x) for x in at) > _FURTHEST_GUESS * reach:
-        return [0.0] * (len(at) - 1) + [1.0]
-    return [math.prod((value - other) / (x - other) for other in at if other != x) for x in at]
+    used: list[float] = []
+    for x in reversed(at):
+        if all(abs(x - other) > _APART * reach for other in used):
+            used.append(x)
+    if len(used) == 1 or min(abs(value - x) for x in used) > _FURTHEST_GUESS * reach:
+        used = [at[-1]]
+    weights = dict.fromkeys(at, 0.0)
+    for x in used:
+        weights[x] = math.prod((value - other) / (x - other) for other in used if other != x)
+    return [weights[x] for x in at]
 
 
 def place(train: Train, case: CaseResult, axis: Axis, drive: int) -> float:
