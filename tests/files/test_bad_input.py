@@ -253,6 +253,12 @@ def test_one_fault_of_a_drive_file(old: str, new: str, expected: str) -> None:
             "Write the rows in order of rising pressure.",
         ),
         (
+            '"690 kPa"',
+            '"0.34 bar"',
+            'law.knots[2].pressure = "0.34 bar": not above the pressure of the row before, '
+            '"34 kPa". Write the rows in order of rising pressure.',
+        ),
+        (
             "peak_friction = 0.4",
             "peak_friction = -0.4",
             "law.knots[2].peak_friction = -0.4: must be more than 0.",

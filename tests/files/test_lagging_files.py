@@ -17,6 +17,7 @@ from wraparc.friction import (
     ElasticPlastic,
     IntegralLog,
     MeasuredTable,
+    PressureKnots,
     PressurePower,
     TestedRange,
 )
@@ -86,6 +87,7 @@ def test_knots() -> None:
           { pressure = "34 kPa", peak_friction = 1.42, peak_slip = "5 mm",
             post_peak_slope = "-0.016 1/mm", residual_friction = 1.27 },
           { pressure = "172 kPa", peak_friction = 1.06, peak_slip = "0.65 in" },
+          { pressure = "300 kPa", peak_friction = 0.8, peak_slip = "20 mm" },
         ]
     """.replace(",\n            post", ", post")
     )
@@ -96,7 +98,12 @@ def test_knots() -> None:
     assert law.friction(50e-3, 34e3) == pytest.approx(1.27, rel=1e-12)
     assert law.friction(0.65 * 25.4e-3, 172e3) == pytest.approx(1.06, rel=1e-12)
     assert law.friction(1.0, 172e3) == pytest.approx(1.06, rel=1e-12)
-    assert law.tested == TestedRange(pressure_min=34e3, pressure_max=172e3, slip_max=15e-3)
+    assert law.tested == TestedRange(pressure_min=34e3, pressure_max=300e3, slip_max=15e-3)
+    # where no slope and no level are given, friction stays at its peak
+    assert isinstance(law, IntegralLog)
+    assert isinstance(law.coefficients, PressureKnots)
+    assert law.coefficients.post_peak_slope == (-16.0, 0.0, 0.0)
+    assert law.coefficients.residual_friction == (1.27, 1.06, 0.8)
 
 
 # The equations of a figure: A and b for slip in mm, pressure in kPa; inches and psi besides.
@@ -241,6 +248,21 @@ def test_equations_that_are_none() -> None:
          "ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."],
         ['law.pieces[1].residual_friction = "0.3 x"', found[0].split(": ")[1]],
     ]  # fmt: skip
+
+
+def test_a_slope_needs_a_level_to_fall_to() -> None:
+    knots = """
+        [law]
+        kind = "integral-log"
+        knots = [{ pressure = "1 bar", peak_friction = 1, peak_slip = "5 mm", SLOPE }]
+    """.replace("SLOPE", 'post_peak_slope = "-0.016 1/mm"')
+    sentence = (
+        "residual_friction: missing, and without it friction stays at its peak, whatever the "
+        "slope. Give the level that friction falls to."
+    )
+    assert faults(knots) == [f"law.knots[1].{sentence}"]
+    pieces = PIECES.replace(', residual_friction = "0.3 p^-0.1"', "")
+    assert faults(pieces) == [f"law.pieces[1].{sentence}"]
 
 
 @pytest.mark.parametrize(

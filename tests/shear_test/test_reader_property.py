@@ -58,7 +58,7 @@ def tables(draw: st.DrawFn) -> tuple[bytes, list[list[float]], Choices]:
     return text.encode(encoding), rows, Choices(units=units, decimal=decimal if told else None)
 
 
-@settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=200, suppress_health_check=[HealthCheck.too_slow])
 @given(tables())
 def test_the_numbers_written_or_a_question(drawn: tuple[bytes, list[list[float]], Choices]) -> None:
     data, rows, choices = drawn

@@ -112,7 +112,8 @@ def _knots(knots: PressureKnots) -> list[Tables]:
         "peak_friction": knots.peak_friction,
         "peak_slip": _quantities(knots.peak_slip, "length"),
         "post_peak_slope": _quantities(knots.post_peak_slope, "per_length"),
-        "residual_friction": knots.residual_friction,
+        "residual_friction": knots.residual_friction
+        or (knots.peak_friction if knots.post_peak_slope else ()),
     }
     columns = {key: column for key, column in columns.items() if column}
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
@@ -141,7 +142,7 @@ def _piece(piece: Piece, slip_unit: float) -> Tables:
     table = {"A": trend_text(piece.a), "b": trend_text(piece.b)}
     if piece.post_peak_slope != default.post_peak_slope:
         table["post_peak_slope"] = trend_text(piece.post_peak_slope, 1.0 / slip_unit)
-    if piece.residual_friction != default.residual_friction:
+    if "post_peak_slope" in table or piece.residual_friction != default.residual_friction:
         table["residual_friction"] = trend_text(piece.residual_friction)
     return table
 

@@ -1,5 +1,6 @@
 """Friction laws in lagging files: tables of keys to law objects."""
 
+from collections.abc import Iterable
 from itertools import pairwise
 
 from wraparc.drive import Fit
@@ -130,6 +131,11 @@ def _knots(record: Record) -> PressureKnots:
             raise _problem(key, "belongs to pieces; each number of knots has its own unit")
     rows: list[Record] = record["knots"]
     _check_order(rows, "knots")
+    _raise(
+        _useless_slope(f"knots[{number}].residual_friction")
+        for number, row in enumerate(rows, start=1)
+        if row.get("post_peak_slope", 0.0) < 0.0 and "residual_friction" not in row
+    )
     tail = any("post_peak_slope" in row or "residual_friction" in row for row in rows)
     return PressureKnots(
         pressure=tuple(row["pressure"] for row in rows),
@@ -144,6 +150,19 @@ def _knots(record: Record) -> PressureKnots:
     )
 
 
+def _useless_slope(key: str) -> Problem:
+    return Problem(
+        key=key,
+        message="missing, and without it friction stays at its peak, whatever the slope",
+        remedy="Give the level that friction falls to.",
+    )
+
+
+def _raise(problems: Iterable[Problem]) -> None:
+    if found := list(problems):
+        raise InputError(found)
+
+
 def _check_order(rows: list[Record], key: str) -> None:
     """Refuse rows whose pressures do not ascend, naming each that is out of order."""
     problems = [
@@ -155,8 +174,7 @@ def _check_order(rows: list[Record], key: str) -> None:
         for number, (before, row) in enumerate(pairwise(rows), start=2)
         if row["pressure"] <= before["pressure"]
     ]
-    if problems:
-        raise InputError(problems)
+    _raise(problems)
 
 
 def _pieces(record: Record) -> CoefficientPieces:
@@ -181,8 +199,7 @@ def _pieces(record: Record) -> CoefficientPieces:
                 Problem(message=p.message, remedy=p.remedy, key=f"pieces[{number}].{p.key}")
                 for p in error.problems
             ]
-    if problems:
-        raise InputError(problems)
+    _raise(problems)
     more = {"continuity": record["continuity"]} if "continuity" in record else {}
     return CoefficientPieces(
         pressure=(*(row["from"] for row in rows), rows[-1]["to"]),
@@ -196,6 +213,8 @@ def _piece(row: Record, slip_unit: float, pressure_unit: float) -> Piece:
     """Return one piece; A and b stay per slip unit, the slope goes to SI."""
     trends: dict[str, Trend] = {}
     problems: list[Problem] = []
+    if "post_peak_slope" in row and "residual_friction" not in row:
+        problems.append(_useless_slope("residual_friction"))
     factors = {"A": 1.0, "b": 1.0, "post_peak_slope": 1.0 / slip_unit, "residual_friction": 1.0}
     for key in [key for key in factors if key in row]:
         try:
@@ -204,8 +223,7 @@ def _piece(row: Record, slip_unit: float, pressure_unit: float) -> Piece:
             problems += [
                 Problem(message=p.message, remedy=p.remedy, key=key) for p in error.problems
             ]
-    if problems:
-        raise InputError(problems)
+    _raise(problems)
     return Piece(**trends)
 
 
@@ -234,8 +252,7 @@ def _table(record: Record) -> MeasuredTable:
         for number, row in enumerate(rows, start=1)
         if len(row["friction"]) != slips
     ]
-    if problems:
-        raise InputError(problems)
+    _raise(problems)
     return MeasuredTable(
         slip=tuple(record["slip"]),
         pressure=tuple(row["pressure"] for row in rows),

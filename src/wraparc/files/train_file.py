@@ -7,13 +7,13 @@ from dataclasses import replace
 from typing import Any, cast
 
 from wraparc.drive import DESIGN, Belt, Drive, Pulley
-from wraparc.errors import InputError, shown
+from wraparc.errors import InputError, Problem, shown
 from wraparc.files.drive_build import Laggings, build_belt, build_pulley
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.kinds import nearest
 from wraparc.files.overrides import Overrides, overridden
-from wraparc.files.problems import NOTHING, Report
+from wraparc.files.problems import NOTHING, Report, place_text
 from wraparc.files.source import Document, check_format, parse, read_text
 from wraparc.files.tables import Record
 from wraparc.files.tensions import KEYS, Given, complete, resolve
@@ -96,7 +96,6 @@ def train_from_document(
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     cases = reader.cases()
     report.raise_all()
-    names = {f"load_case.{case.name}": "train" for case in cases if case.name == DESIGN}
     try:
         return Train(
             belt=reader.belt,
@@ -106,8 +105,18 @@ def train_from_document(
             **parts,
         )
     except InputError as error:
-        report.take(error, (), document, names)
-        raise InputError(report.problems) from None
+        raise InputError(_placed(problem, cases, file) for problem in error.problems) from None
+
+
+def _placed(problem: Problem, cases: Sequence[TrainCase], file: str) -> Problem:
+    """Return a problem of a load case of the code where the file has it."""
+    for case in cases:
+        prefix = f"load_case.{case.name}."
+        if problem.key.startswith(prefix):
+            rest = problem.key.removeprefix(prefix)
+            own = () if case.name == DESIGN else ("load_case", case.name)
+            return replace(problem, key=f"{place_text((*own, 'train'))}.{rest}", file=file)
+    return replace(problem, file=file)
 
 
 def _refuse_pulley_tensions(record: Record, pulleys: Sequence[Record], report: Report) -> None:

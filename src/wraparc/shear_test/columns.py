@@ -59,7 +59,7 @@ _STEMS: dict[Role, str] = {
 }
 # A name with one of these measures something else, whatever stems it has.
 _OTHER = re.compile(
-    r"strain|stress|dehnung|stauchung|spannung|contrainte|deformation|deformacion|tension\b"
+    r"strain|stress|dehnung|stauchung|spannung|contrainte|deformation|deformacion|\btension\b"
     r"|tensao|sforzo|naprezenie|odksztalcenie|napeti|spanning|rate|speed|geschwindigkeit"
     r"|vitesse|velocidad|velocita|predkosc|modulus|modul|energy|energie|work|power|cycle"
     r"|count|index|nummer|number|temp(erature|eratur)?\b|ひずみ|応力|应变|应力"

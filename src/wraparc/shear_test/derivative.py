@@ -52,16 +52,16 @@ def derivative_check(fit: CurveFit) -> DerivativeCheck | None:
 
     The friction is averaged over equal steps of slip, then differentiated.
     """
-    end = min(fit.slip_max, fit.parameters.peak_slip)
-    edges = np.linspace(0.0, end, _STEPS + 1)
-    place = np.searchsorted(edges, fit.slip, side="right") - 1
-    inside = (place >= 0) & (place < _STEPS)
-    w = fit.weights[inside] ** 2
-    total = np.bincount(place[inside], weights=w, minlength=_STEPS)
-    if end <= 0.0 or np.any(total <= 0.0):
+    order = np.argsort(fit.slip)
+    slip, friction = fit.slip[order], fit.friction[order]
+    end = min(float(slip[-1]), fit.parameters.peak_slip)
+    if end <= 0.0 or int(((slip > 0.0) & (slip < end)).sum()) < 2 * _STEPS:
         return None
-    mean = np.bincount(place[inside], weights=w * fit.friction[inside], minlength=_STEPS) / total
+    # Means over equal steps of slip, of the straight lines between the bins.
+    area = np.concatenate([[0.0], np.cumsum(np.diff(slip) * 0.5 * (friction[1:] + friction[:-1]))])
+    edges = np.linspace(0.0, end, _STEPS + 1)
     step = end / _STEPS
+    mean = np.diff(np.interp(edges, slip, area)) / step
     slip = (np.arange(_STEPS, dtype=np.float64) + 0.5)[2:-2] * step
     slope = five_point_derivative(mean, step)
     a, b = fit.coefficients(1.0)

@@ -1,6 +1,7 @@
 """Machine files to records: find the table, its columns and units; ask for what is missing."""
 
 import hashlib
+import stat
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -35,15 +36,11 @@ def read_machine_file(path: str | Path, choices: Choices | None = None) -> Machi
     name = str(path)
     place = Path(path)
     try:
-        if place.is_dir():
-            raise InputError(
-                Problem(message="this is a folder", remedy="Name the file in it.", file=name)
-            )
-        if place.stat().st_size > LARGEST_FILE:
-            raise InputError(
-                Problem(message="the file is larger than 512 MB", remedy=_EXPORT, file=name)
-            )
-        data = place.read_bytes()
+        status = place.stat()
+        if stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST_FILE:
+            return read_machine_bytes(place.read_bytes(), name, choices)
+    except InputError:
+        raise
     except FileNotFoundError:
         raise InputError(
             Problem(message="there is no such file", remedy="Correct the name.", file=name)
@@ -55,7 +52,13 @@ def read_machine_file(path: str | Path, choices: Choices | None = None) -> Machi
                 message=f"the file cannot be read ({said})", remedy="See its rights.", file=name
             )
         ) from None
-    return read_machine_bytes(data, name, choices)
+    if stat.S_ISDIR(status.st_mode):
+        raise InputError(
+            Problem(message="this is a folder", remedy="Name a file in it.", file=name)
+        )
+    large = stat.S_ISREG(status.st_mode)
+    message = "the file is larger than 512 MB" if large else "this is not a plain file"
+    raise InputError(Problem(message=message, remedy=_EXPORT, file=name))
 
 
 def read_machine_bytes(data: bytes, file: str, choices: Choices | None = None) -> MachineRecord:

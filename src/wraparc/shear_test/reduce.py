@@ -17,6 +17,8 @@ from wraparc.shear_test.strokes import Stroke, find_stroke
 LEAST_POINTS = 10
 _BINS = 300
 _FINE = 10
+# Beyond these a column or a unit is wrong.
+_LEAST_TRAVEL, _MOST_TRAVEL, _MOST_FORCE = 1e-6, 10.0, 1e9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,6 +167,13 @@ def _check(record: MachineRecord, rows: np.ndarray[tuple[int], np.dtype[np.int64
             record,
             "the force is zero throughout",
             "See that the force column is the right one (--force).",
+        )
+    advance, largest = (float(v) for v in (np.ptp(record.travel[rows]), np.abs(record.force).max()))
+    if not _LEAST_TRAVEL < advance < _MOST_TRAVEL or largest > _MOST_FORCE:
+        raise _refused(
+            record,
+            f"the travel advances by {advance:.3g} m under {largest:.3g} N: no shear test does",
+            "See that columns and units are the right ones: wraparc read FILE.",
         )
     if len(np.unique(record.travel[rows])) < LEAST_POINTS:
         raise _refused(

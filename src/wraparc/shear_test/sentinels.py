@@ -27,7 +27,7 @@ def sentinel_rows(travel: Array, force: Array, keep: Mask) -> Mask:
     for column in (travel, force):
         marked |= _marks(column, rows)
     steps = np.abs(np.diff(travel[rows]))
-    usual = max(float(np.quantile(steps, 0.99)), float(np.median(np.abs(travel[rows]))) * 1e-6)
+    usual = max(float(np.quantile(steps, 0.9)), float(np.median(np.abs(travel[rows]))) * 1e-6)
     for inward in (rows[::-1], rows):
         for k in range(_ENDS):
             end, inner = inward[k], inward[k + 1]

@@ -7,7 +7,7 @@ letters only, so the choice among them touches column names and nothing else.
 import codecs
 from dataclasses import dataclass
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, shown
 
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -96,16 +96,6 @@ def decode(data: bytes, file: str, encoding: str | None = None) -> Decoded:
 def _decode(data: bytes, name: str, file: str) -> tuple[str, tuple[str, ...]]:
     try:
         return data.decode(name), ()
-    except LookupError:
-        raise InputError(
-            Problem(
-                message="an encoding that is not known",
-                remedy="Write for example utf-8, utf-16, cp1252, cp1250 or latin-1.",
-                file=file,
-                key="encoding",
-                value=repr(name),
-            )
-        ) from None
     except UnicodeDecodeError as error:
         # A transfer that broke off may end inside a character.
         if error.start >= len(data) - 3:
@@ -116,6 +106,16 @@ def _decode(data: bytes, name: str, file: str) -> tuple[str, tuple[str, ...]]:
                 message=f"byte {error.start} does not fit the encoding {name}",
                 remedy="Leave the encoding to be found, or name the one the machine writes.",
                 file=file,
+            )
+        ) from None
+    except (LookupError, ValueError):
+        raise InputError(
+            Problem(
+                message="an encoding that is not known",
+                remedy="Write for example utf-8, utf-16, cp1252, cp1250 or latin-1.",
+                file=file,
+                key="encoding",
+                value=shown(name),
             )
         ) from None
 

@@ -1,0 +1,289 @@
+"""Machine exports of every dialect, and the questions asked where a file does not say.
+
+Expected values: what the virtual rig recorded before a dialect wrote it down; the small
+hand-written files carry their numbers in the test.
+"""
+
+import io
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+import xlsxwriter
+
+from shear_test.virtual import rubber
+from wraparc.errors import InputError
+from wraparc.shear_test import (
+    DIALECTS,
+    Choices,
+    VirtualRig,
+    read_machine_bytes,
+    read_machine_file,
+    run_virtual_test,
+)
+
+TEST = run_virtual_test(VirtualRig(law=rubber(), points=300, wander=0.01), 207e3, 1)
+SHORT = run_virtual_test(VirtualRig(law=rubber(), points=60, wander=0.01), 207e3, 1)
+
+
+def rows(count: int = 12) -> str:
+    return "\n".join(f"{0.1 * k:.1f},{0.25 * k:.2f},{10.5 * k:.1f}" for k in range(count))
+
+
+def problems(data: bytes, choices: Choices | None = None) -> str:
+    with pytest.raises(InputError) as caught:
+        read_machine_bytes(data, "test.csv", choices)
+    assert all(problem.remedy for problem in caught.value.problems)
+    return str(caught.value)
+
+
+@pytest.mark.parametrize("name", DIALECTS)
+def test_every_dialect_gives_back_what_was_recorded(name: str) -> None:
+    dialect = DIALECTS[name]
+    record = read_machine_bytes(dialect.write(TEST), "x", Choices(units=dict(dialect.units)))
+    np.testing.assert_allclose(record.travel, TEST.travel, atol=6e-7)  # five digits at the least
+    np.testing.assert_allclose(record.force, TEST.force, atol=0.06)
+    if record.normal_force is not None:
+        np.testing.assert_allclose(record.normal_force, TEST.normal_force, atol=0.01)
+    assert (record.normal_force is None) == (name == "microtest")
+    assert len(record.lines) == len(TEST.travel)
+
+
+@pytest.mark.parametrize("name", [name for name in DIALECTS if name != "excel"])
+def test_a_file_cut_anywhere_has_no_wrong_number(name: str) -> None:
+    dialect = DIALECTS[name]
+    data, choices = dialect.write(SHORT), Choices(units=dict(dialect.units))
+    whole = read_machine_bytes(data, "x", choices)
+    for cut in range(len(data) // 2, len(data), 11):
+        try:
+            part = read_machine_bytes(data[:cut], "x", choices)
+        except InputError:
+            continue
+        count = len(part.travel)
+        np.testing.assert_array_equal(part.travel, whole.travel[:count])
+        np.testing.assert_array_equal(part.force, whole.force[:count])
+
+
+def test_units_are_asked_for_not_guessed() -> None:
+    text = problems(b"Time,Extension,Load\n" + rows().encode())
+    assert "the travel column 'Extension' has no unit in the file" in text
+    assert "the force column 'Load' has no unit in the file" in text
+    assert "--unit 'Load=N'" in text
+    told = Choices(units={"Extension": "in", "Load": "lbf"})
+    record = read_machine_bytes(b"Time,Extension,Load\n" + rows().encode(), "x", told)
+    np.testing.assert_allclose(record.travel, 0.25 * 0.0254 * np.arange(12))
+    np.testing.assert_allclose(record.force, 10.5 * 4.4482216152605 * np.arange(12))
+
+
+@pytest.mark.parametrize(
+    ("unit", "newtons"),
+    [("N", 1.0), ("kN", 1e3), ("mN", 1e-3), ("lbf", 4.4482216152605), ("kgf", 9.80665),
+     ("gf", 9.80665e-3), ("cN", 0.01), ("lb", 4.4482216152605), ("kg", 9.80665)],
+)  # fmt: skip
+def test_units_of_force(unit: str, newtons: float) -> None:
+    # NIST SP 811 (2008), appendix B: pound-force, kilogram-force.
+    data = f"Time,Extension,Load\n(s),(mm),({unit})\n{rows()}\n".encode()
+    record = read_machine_bytes(data, "x")
+    np.testing.assert_allclose(record.force, 10.5 * newtons * np.arange(12), rtol=1e-12)
+    assert ("kgf" in " ".join(record.notes)) == (unit == "kg")
+
+
+@pytest.mark.parametrize(
+    ("unit", "metres"), [("mm", 1e-3), ("cm", 1e-2), ("m", 1.0), ("in", 0.0254), ('"', 0.0254)]
+)
+def test_units_of_travel(unit: str, metres: float) -> None:
+    data = f"Time [s];Weg [{unit}];Kraft [N]\n{rows().replace(',', ';')}\n".encode()
+    record = read_machine_bytes(data, "x")
+    np.testing.assert_allclose(record.travel, 0.25 * metres * np.arange(12), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "header",
+    ["Weg / mm;Kraft / N", "Weg in mm;Kraft in N", "Weg_mm;Kraft_N", "Weg [mm];Kraft [N]",
+     "Weg;Kraft\nmm;N", "Weg;Kraft\n[mm];[N]"],
+)  # fmt: skip
+def test_units_wherever_they_stand(header: str) -> None:
+    table = "\n".join(f"{k / 8:.3f};{k:.2f}".replace(".", ",") for k in range(12))
+    record = read_machine_bytes(f"{header}\n{table}\n".encode(), "x")
+    np.testing.assert_allclose(record.travel, 0.125e-3 * np.arange(12))
+    assert record.decimal == ","
+
+
+@pytest.mark.parametrize(
+    ("travel", "force"),
+    [("Extension", "Load"), ("Standardweg", "Prüfkraft"), ("Déplacement", "Charge"),
+     ("Desplazamiento", "Fuerza"), ("Deslocamento", "Força"), ("Spostamento", "Forza"),
+     ("Przemieszczenie", "Siła"), ("Dráha", "Síla"), ("Verplaatsing", "Kracht"),
+     ("Перемещение", "Сила"), ("ストローク", "試験力"), ("位移", "力")],
+)  # fmt: skip
+def test_names_in_many_languages(travel: str, force: str) -> None:
+    # The force stands first: position must not decide.
+    table = "\n".join(f"{10.5 * k};{0.25 * k}" for k in range(12))
+    record = read_machine_bytes(f"{force};{travel}\nN;mm\n{table}\n".encode(), "x")
+    np.testing.assert_allclose(record.travel, 0.25e-3 * np.arange(12))
+    np.testing.assert_allclose(record.force, 10.5 * np.arange(12))
+
+
+def test_an_ambiguous_comma_is_asked_about() -> None:
+    table = "\n".join(f"1,{k:03d};2,{k:03d}" for k in range(100, 112))
+    data = f"Weg [mm];Kraft [N]\n{table}\n".encode()
+    assert "2,100 may be 2.100 or 2100" in problems(data) or "1,100 may be" in problems(data)
+    one = read_machine_bytes(data, "x", Choices(decimal=","))
+    other = read_machine_bytes(data, "x", Choices(decimal="."))
+    assert one.travel[0] == pytest.approx(1.1e-3)
+    assert other.travel[0] == pytest.approx(1.1)
+
+
+def test_decimal_commas_between_delimiting_commas_are_refused() -> None:
+    table = "\n".join(f"0,{k},1,{k}" for k in range(1, 20))
+    text = problems(f"Extension (mm),Load (N)\n{table}\n".encode())
+    assert "2 names stand above 4 columns" in text
+
+
+def test_thousands_in_quotes() -> None:
+    table = "\n".join(f'"{0.5 * k:.2f}","{1234.5 * k:,.2f}"' for k in range(12))
+    record = read_machine_bytes(f"Extension,Load\n(mm),(N)\n{table}\n".encode(), "x")
+    np.testing.assert_allclose(record.force, 1234.5 * np.arange(12))
+
+
+def test_lines_wholly_in_quotes_and_doubled_quotes() -> None:
+    table = "\n".join(f'"{0.5 * k:.2f};{k:.1f}"' for k in range(12))
+    record = read_machine_bytes(f'"Weg [mm];Kraft [N]"\n{table}\n'.encode(), "x")
+    np.testing.assert_allclose(record.force, np.arange(12.0))
+
+
+def test_several_travel_columns_are_named() -> None:
+    table = "\n".join(f"{k - 794.8},{k},{10 * k}" for k in range(12))
+    data = f"Traverse absolue,Course standard,Force standard\nmm,mm,N\n{table}\n".encode()
+    record = read_machine_bytes(data, "x")
+    assert record.travel[1] == pytest.approx(1e-3)
+    assert (
+        "the travel is 'Course standard'; the file also has 'Traverse absolue'" in record.notes[0]
+    )
+    other = read_machine_bytes(data, "x", Choices(travel="Traverse absolue"))
+    assert other.travel[1] == pytest.approx(-0.7938)
+    assert read_machine_bytes(data, "x", Choices(travel=1)).travel[1] == other.travel[1]
+
+
+def test_several_tables_say_which_was_read() -> None:
+    head = "Extension (mm),Load (N)\n"
+    short = "\n".join(f"{k},{k}" for k in range(3))
+    long = "\n".join(f"{k},{2 * k}" for k in range(30))
+    data = f"{head}{short}\n\nSecond part\n{head}{long}\n".encode()
+    record = read_machine_bytes(data, "x")
+    assert len(record.travel) == 30
+    assert "number 2, lines 8 to 37, was read" in record.notes[0]
+    assert len(read_machine_bytes(data, "x", Choices(table=1)).travel) == 3
+    assert "the file has 2 tables" in problems(data, Choices(table=3))
+
+
+def test_marks_of_the_machine_are_dropped_with_their_line() -> None:
+    table = "\n".join(f"{k / 10},{k}" for k in range(1, 31))
+    data = f"Extension (mm),Load (N)\n{table}\n0,0\n".encode()
+    record = read_machine_bytes(data, "x")
+    assert len(record.travel) == 30
+    assert (record.dropped[0].count, record.dropped[0].line) == (1, 32)
+    data = f"Extension (mm),Load (N)\n{table}\n-9999,-9999\n".encode()
+    assert len(read_machine_bytes(data, "x").travel) == 30
+
+
+@pytest.mark.parametrize("word", ["NaN", "inf", "1e999", "1_0", "0x1F", "#DIV/0!", "--", ""])
+def test_what_is_no_number_is_dropped_and_counted(word: str) -> None:
+    lines = [f"{k / 10},{k},1" for k in range(1, 31)]
+    lines[9] = f"1.0,{word},1"
+    record = read_machine_bytes(
+        ("Extension (mm),Load (N),Time (s)\n" + "\n".join(lines) + "\n").encode(), "x"
+    )
+    assert len(record.travel) == 29
+    assert sum(item.count for item in record.dropped) == 1
+    assert record.dropped[0].line == 11
+
+
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "latin-1"]
+)
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r", "\r\r\n"])
+def test_encodings_and_line_ends(encoding: str, end: str) -> None:
+    lines = [
+        "Prüfung;groß",
+        "Verlängerung [mm];Prüfkraft [N]",
+        *(f"{k};{2 * k}" for k in range(20)),
+    ]
+    record = read_machine_bytes(end.join([*lines, ""]).encode(encoding), "x")
+    np.testing.assert_array_equal(record.force, 2.0 * np.arange(20))
+    assert [column.name for column in record.columns] == ["Verlängerung", "Prüfkraft"]
+
+
+def test_central_european_letters() -> None:
+    lines = ["Przemieszczenie [mm];Siła [N];Prędkość", *(f"{k};{2 * k};3" for k in range(20))]
+    record = read_machine_bytes("\n".join(lines).encode("cp1250"), "x")
+    assert [column.name for column in record.columns][1:] == ["Siła", "Prędkość"]
+
+
+def workbook(rows: Sequence[Sequence[object]]) -> bytes:
+    stream = io.BytesIO()
+    with xlsxwriter.Workbook(stream, {"in_memory": True}) as book:
+        book.add_worksheet("Cover").write(0, 0, "nothing here")
+        sheet = book.add_worksheet("Raw")
+        for k, row in enumerate(rows):
+            sheet.write_row(k, 1, row)
+    return stream.getvalue()
+
+
+def test_a_workbook_with_the_data_on_another_sheet() -> None:
+    head: list[Sequence[object]] = [["Operator", "A"], [], ["Travel (mm)", "Load (kN)"]]
+    data = workbook(head + [(0.5 * k, 2.0 * k) for k in range(20)])
+    record = read_machine_bytes(data, "book.xlsx")
+    np.testing.assert_allclose(record.force, 2000.0 * np.arange(20))
+    assert "'Raw'" in record.place
+    assert "the workbook has 'Cover', 'Raw'" in problems(data, Choices(sheet="raw"))
+
+
+def test_a_long_file_goes_the_quick_way_to_the_same_numbers() -> None:
+    # The careful way, forced by one cell that only it reads, is the independent computation.
+    lines = [f"{0.01 * k:.2f};{0.003 * k:.3f};{1.5 * k - 3:.1f}" for k in range(1000)]
+    head = "Time (s);Extension (mm);Load (N)\n"
+    quick = read_machine_bytes((head + "\n".join(lines) + "\n").encode(), "x")
+    lines[500] = lines[500].replace(";", "; ", 1).replace("5.00", "+5.00")
+    careful = read_machine_bytes((head + "\n".join(lines) + "\n").encode(), "x")
+    np.testing.assert_array_equal(quick.travel, careful.travel)
+    np.testing.assert_array_equal(quick.force, careful.force)
+
+
+@pytest.mark.parametrize(
+    ("data", "sentence"),
+    [
+        (b"", "the file is empty"),
+        (b" \r\n\r\n", "the file is empty"),
+        (bytes(range(256)) * 20, "the file is binary, no text"),
+        (b"%PDF-1.7 ...", "this is a PDF document, no table"),
+        (b"PK\x03\x04nothing", "the workbook cannot be opened"),
+        (b"Dear all,\nplease find attached\n", "there is no table in it"),
+        (b"Extension (mm),Load (N)\n", "there is no table in it"),
+    ],
+)
+def test_files_that_are_no_tests(data: bytes, sentence: str) -> None:
+    assert sentence in problems(data)
+
+
+def test_unknown_columns_list_what_is_there() -> None:
+    data = b"Extension (mm),Load (N)\n" + b"\n".join(b"%d,%d" % (k, k) for k in range(12))
+    text = problems(data, Choices(force="Lod"))
+    assert "the table has 1 'Extension' [mm], 2 'Load' [N]" in text
+    text = problems(b"alpha,beta\n" + b"\n".join(b"%d,%d" % (k, k) for k in range(12)))
+    assert "it cannot be told which column is the travel" in text
+
+
+def test_a_unit_that_contradicts_the_file_is_refused() -> None:
+    data = b"Extension (mm),Load (N)\n" + b"\n".join(b"%d,%d" % (k, k) for k in range(12))
+    assert "the file says 'N' for this column" in problems(data, Choices(units={"Load": "kN"}))
+    assert "which is not a force" in problems(data, Choices(force=1, travel=2))
+
+
+def test_files_that_cannot_be_opened(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    with pytest.raises(InputError, match="there is no such file"):
+        read_machine_file(tmp_path / "missing.csv")
+    with pytest.raises(InputError, match="this is a folder"):
+        read_machine_file(tmp_path)
+    with pytest.raises(InputError):
+        read_machine_file("a\0b")
