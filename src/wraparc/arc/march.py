@@ -114,7 +114,7 @@ def rates(
     """dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law."""
     kind, edges, c, slips = law
     t1, p1, radius, _, compliance, shear, _, _, _, _ = par
-    e = exp(min(q, LARGEST_LOG))
+    e = exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
     p = p1 * e
     mu, mu_x, mu_p = friction_at(kind, edges, c, slips, segment, branch, x * sign, p)
     dq = -mu / radius

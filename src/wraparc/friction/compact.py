@@ -241,6 +241,7 @@ def friction_at(  # noqa: C901 - one branch a kind of law
         mu_x = 0.0
         mu_p = 0.0
         if c[2] != 0.0:
+            at = max(at, 1e-12)  # a trial far off the solution may have no pressure left
             mu = c[0] * (at / c[1]) ** (-c[2])
             mu_p = -c[2] * mu / at
     else:
