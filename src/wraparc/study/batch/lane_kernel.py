@@ -1,0 +1,160 @@
+"""The lane kernel: blocks of arcs read from rows of numbers, solved, written to rows of numbers.
+
+Compiled, a block is `LANES` arcs and all its lanes do the same; the last block is filled up with
+copies of its last arc. A lane never depends on its neighbours: whatever the blocks are, an arc has
+the same result to the last bit.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from wraparc.study.batch.elementwise import (
+    Lanes,
+    Table,
+    lanes,
+    memory,
+)
+from wraparc.study.batch.lane_guess import (
+    guess,
+    guess_carried,
+    guess_least,
+    load,
+)
+from wraparc.study.batch.lane_look import (
+    read_head,
+)
+from wraparc.study.batch.lane_read import (
+    read,
+)
+from wraparc.study.batch.lane_slots import (
+    ACTIVE,
+    COMPLIANCE,
+    DETERMINANT,
+    END,
+    ENTRY_STRESS,
+    EXIT_CREEP,
+    EXIT_STRESS,
+    EXIT_X,
+    GOAL,
+    KICK_FORMULA,
+    KICK_GIVEN,
+    LENGTH,
+    MISS,
+    MOST_STEPS,
+    NODE,
+    OUTSIDE,
+    PEAK_AT,
+    PEAK_STRESS,
+    PULL,
+    RADIUS,
+    ROW,
+    SHEAR,
+    SLIP_MAX,
+    STEEPEST,
+    TENSION,
+    TRACE,
+    WIDTH,
+    G,
+    X,
+    Z,
+)
+from wraparc.study.batch.lane_solve import (
+    meet_creep,
+    meet_tensions,
+    set_ratio,
+)
+
+#: slots that a row fills, in this order
+GIVEN = (
+    ROW,
+    RADIUS,
+    LENGTH,
+    SHEAR,
+    WIDTH,
+    COMPLIANCE,
+    KICK_GIVEN,
+    KICK_FORMULA,
+    TENSION,
+    END,
+    GOAL,
+    PULL,
+    SLIP_MAX,
+    Z,
+)
+#: slots that a row of results has, in this order
+FOUND = (
+    MISS,
+    Z,
+    END,
+    TENSION,
+    STEEPEST,
+    DETERMINANT,
+    G,
+    EXIT_X,
+    EXIT_CREEP,
+    EXIT_STRESS,
+    ENTRY_STRESS,
+    PEAK_STRESS,
+    PEAK_AT,
+    ACTIVE,
+    OUTSIDE,
+)
+NODES = NODE * (2 * MOST_STEPS + 1)
+TRACES = TRACE * (MOST_STEPS + 1)
+
+TENSIONS, CREEP, SLIP, LEAST = range(4)  # what is to be met
+
+
+def solve_lanes(
+    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, what: int, fresh: bool, steps: int
+) -> None:
+    """Solve a block: the tensions, or creep or slip at the exit, or creep at a given pull.
+
+    Not `fresh`, the search begins at the z given (and the END or TENSION) instead of at a guess.
+    """
+    n = lanes()
+    read_head(w, laws)
+    load(w, laws)
+    if what == TENSIONS:
+        if fresh:
+            guess(w, laws)
+        meet_tensions(w, laws, nodes, trace, steps)
+        read(w, nodes, trace, steps)
+    else:
+        of_slip = 1.0 if what == SLIP else 0.0
+        if fresh and what == LEAST:
+            guess_least(w, laws)
+        elif fresh:
+            guess_carried(w, laws, of_slip)
+        meet_creep(w, laws, nodes, steps, of_slip, what == LEAST)
+        last = NODE * 2 * steps
+        for i in range(n):
+            w[STEEPEST, i] = w[X, i] * nodes[last, i]
+    set_ratio(w)
+
+
+def solve_rows(
+    rows: Any,
+    laws_: Any,
+    what: int,
+    fresh: bool,
+    steps: int,
+    w_: Any,
+    nodes_: Any,
+    trace_: Any,
+    out: Any,
+) -> None:
+    """Solve rows of `GIVEN` numbers into rows of `FOUND` numbers; compiled only."""
+    w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
+    laws = memory(laws_, "tables")
+    n, count = lanes(), len(rows)
+    for first in range(0, count, n):
+        for i in range(n):
+            source = min(first + i, count - 1)
+            for k in range(len(GIVEN)):
+                w[GIVEN[k], i] = rows[source, k]
+        solve_lanes(w, laws, nodes, trace, what, fresh, steps)
+        for i in range(min(n, count - first)):
+            for k in range(len(FOUND)):
+                out[first + i, k] = w[FOUND[k], i]

@@ -1,0 +1,142 @@
+"""Integral-log laws for the lane kernel: cells of pressure with cubics in them, in one flat table.
+
+Laws by knots are taken over as they are. Laws by trend lines are sampled, finely enough for
+`SAMPLED_WITHIN`. A law's row is a head, `BUCKETS` numbers that say in which cell (or just before
+which) each equal part of its pressures begins, and its cells.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.friction.compact import KNOT_STRIDE, KNOTS, PIECES, peak
+from wraparc.study.laws import LawBank
+
+Array = NDArray[np.float64]
+
+HEAD = 3  # first edge, last edge [Pa], buckets per pascal
+BUCKETS = 128
+CELL = 10  # numbers of a cell: where it begins and ends, cubics of peak slip and peak friction
+FIRST_CELL = HEAD + BUCKETS
+SAMPLED_WITHIN = 1e-6  # relative error allowed in sampling trend lines
+MOST_CELLS = 64  # of a piece of a law by trend lines
+
+
+@dataclass(frozen=True, eq=False)
+class LaneLaws:
+    """The table of a bank.
+
+    Attributes
+    ----------
+    numbers
+        Rows one after the other.
+    row
+        Where the row of each law begins, -1 for a law that is not in the table: of another kind
+        than integral-log, or with knots too near each other, shape (m,).
+    traction_grows
+        Whether mu p grows with pressure up to the end of the range at every slip before the peak.
+    """
+
+    numbers: Array
+    row: NDArray[np.int64]
+    traction_grows: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, bank: LawBank) -> LaneLaws:
+        """Return the table of a bank."""
+        rows = [_row(*bank.compact(i)[:3]) for i in range(len(bank))]
+        sizes = np.array([len(row) for row in rows], dtype=np.int64)
+        starts = np.cumsum(sizes) - sizes
+        numbers = np.concatenate([*rows, np.zeros(FIRST_CELL + CELL)])
+        grows = np.array([len(row) > 0 and _traction_grows(row) for row in rows], dtype=bool)
+        return cls(numbers, np.where(sizes > 0, starts, -1), grows)
+
+
+def _row(kind: int, edges: Array, c: Array) -> Array:
+    """Row of one law; empty if there is none."""
+    found = _cells(kind, edges, c)
+    if found is None:
+        return np.empty(0)
+    edges, cubics = found
+    low, high = edges[0], edges[-1]
+    begins = low + (high - low) * np.arange(BUCKETS) / BUCKETS
+    cell = np.clip(np.searchsorted(edges, begins, side="right") - 1, 0, len(edges) - 2)
+    following = np.append(cell[1:], len(edges) - 2)
+    if np.any(following - cell > 1):
+        return np.empty(0)
+    cells = np.column_stack([edges[:-1], edges[1:], cubics])
+    return np.concatenate([[low, high, BUCKETS / (high - low)], cell.astype(float), cells.ravel()])
+
+
+def _traction_grows(row: Array) -> bool:
+    """Whether p dtau/dp = mu + p mu_p > 0 for every slip up to the peak, in the middle of cells.
+
+    mu + p mu_p = r [(mu_pk + p mu_pk') (1 - ln r) + mu_pk (p x_pk'/x_pk) ln r], which is positive
+    for all r in (0, 1] if it is for both parts: at r = 1, and where ln r outweighs everything.
+    """
+    cells = row[FIRST_CELL:].reshape(-1, CELL)
+    for part in (0.1, 0.5, 0.9):
+        t = part * (cells[:, 1] - cells[:, 0])
+        p = cells[:, 0] + t
+        x, x_p = _value_and_slope(cells[:, 2:6], t)
+        m, m_p = _value_and_slope(cells[:, 6:10], t)
+        whole = m + p * m_p
+        if np.any(whole <= 0.0) or np.any(whole <= m * p * x_p / x):
+            return False
+    return True
+
+
+def _value_and_slope(c: Array, t: Array) -> tuple[Array, Array]:
+    value = c[:, 0] + t * (c[:, 1] + t * (c[:, 2] + t * c[:, 3]))
+    return value, c[:, 1] + t * (2.0 * c[:, 2] + 3.0 * t * c[:, 3])
+
+
+def _cells(kind: int, edges: Array, c: Array) -> tuple[Array, Array] | None:
+    """Edges and cubics of one law, shapes (n,) and (n - 1, 8); None if it is of another kind."""
+    if kind == KNOTS:
+        if len(edges) == 0:
+            # one law for all pressures; the top is far above any
+            return np.array([1.0, 1e15]), c[:8].reshape(1, 8)
+        return edges, c.reshape(-1, KNOT_STRIDE)[:, :8]
+    if kind != PIECES:
+        return None
+    parts = [_sampled(edges, c, i) for i in range(len(edges) - 1)]
+    if any(p is None for p in parts):
+        return None
+    found = [p for p in parts if p is not None]
+    lower_edges = np.concatenate([*(p[0][:-1] for p in found), edges[-1:]])
+    return lower_edges, np.concatenate([p[1] for p in found])
+
+
+def _sampled(edges: Array, c: Array, piece: int) -> tuple[Array, Array] | None:
+    """Hermite cells of one piece of trend lines, as many as the accuracy asks for."""
+    ends, numbers = tuple(edges.tolist()), tuple(c.tolist())
+    n = 2
+    while n <= MOST_CELLS:
+        p = np.linspace(edges[piece], edges[piece + 1], n + 1)
+        values = np.array([peak(PIECES, ends, numbers, piece, float(v)) for v in p])
+        cells = np.concatenate(
+            [_hermite(p, values[:, 0], values[:, 2]), _hermite(p, values[:, 1], values[:, 3])],
+            axis=1,
+        )
+        middle = 0.5 * (p[1:] + p[:-1])
+        truth = np.array([peak(PIECES, ends, numbers, piece, float(v))[:2] for v in middle])
+        t = 0.5 * np.diff(p)
+        for_slip = cells[:, 0] + t * (cells[:, 1] + t * (cells[:, 2] + t * cells[:, 3]))
+        for_friction = cells[:, 4] + t * (cells[:, 5] + t * (cells[:, 6] + t * cells[:, 7]))
+        worst = np.max(np.abs(np.stack([for_slip, for_friction], axis=1) / truth - 1.0))
+        if worst < SAMPLED_WITHIN:
+            return p, cells
+        n *= 2
+    return None
+
+
+def _hermite(x: Array, y: Array, slope: Array) -> Array:
+    h = np.diff(x)
+    d = np.diff(y) / h
+    c2 = (3.0 * d - 2.0 * slope[:-1] - slope[1:]) / h
+    c3 = (slope[:-1] + slope[1:] - 2.0 * d) / h**2
+    return np.stack([y[:-1], slope[:-1], c2, c3], axis=1)

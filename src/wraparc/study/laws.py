@@ -1,0 +1,95 @@
+"""Many friction laws in flat arrays, as a batch reads them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.friction import FrictionLaw
+from wraparc.friction.compact import CompactLaw
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+nan = float("nan")
+
+
+@dataclass(frozen=True, eq=False)
+class LawBank:
+    """Laws in the numeric form of :mod:`wraparc.friction.compact`, one after the other.
+
+    Attributes
+    ----------
+    kind
+        Kind of each law, shape (m,).
+    numbers
+        Edges, coefficients and slips of every law in one array.
+    places
+        Where they begin and how many there are, (edges, n, coefficients, n, slips, n) of each law,
+        shape (m, 6).
+    onset_compliance
+        Slip per shear stress before the limit of an elastic-plastic law, shape (m,) [m/Pa].
+    steepest_fall
+        Steepest fall of friction with slip, <= 0, shape (m,) [1/m].
+    tested
+        Lowest and highest tested pressure and largest tested slip, nan without a tested range,
+        shape (m, 3) [Pa, Pa, m].
+    """
+
+    kind: Integers
+    numbers: Array
+    places: Integers
+    onset_compliance: Array
+    steepest_fall: Array
+    tested: Array
+
+    def __len__(self) -> int:
+        return len(self.kind)
+
+    @classmethod
+    def of(cls, laws: Sequence[FrictionLaw]) -> LawBank:
+        """Return the bank of some laws."""
+        compact = [law.compact() for law in laws]
+        numbers, places = _packed(compact)
+        return cls(
+            kind=np.array([c.kind for c in compact], dtype=np.int64),
+            numbers=numbers,
+            places=places,
+            onset_compliance=np.array([c.onset_compliance for c in compact], dtype=float),
+            steepest_fall=np.array([law.steepest_fall() for law in laws], dtype=float),
+            tested=np.array([_tested(law) for law in laws], dtype=float).reshape(-1, 3),
+        )
+
+    def compact(self, index: int) -> tuple[int, Array, Array, Array]:
+        """One law as the solvers read it: kind, edges, coefficients, slips."""
+        e, ne, c, nc, s, ns = self.places[index].tolist()
+        v = self.numbers
+        return int(self.kind[index]), v[e : e + ne], v[c : c + nc], v[s : s + ns]
+
+    def take(self, index: Integers) -> LawBank:
+        """Return the bank of some of the laws, in the order asked for."""
+        parts = [self.compact(int(i)) for i in index]
+        numbers, places = _packed([CompactLaw(k, e, c, s) for k, e, c, s in parts])  # type: ignore[arg-type]
+        return LawBank(
+            kind=self.kind[index],
+            numbers=numbers,
+            places=places,
+            onset_compliance=self.onset_compliance[index],
+            steepest_fall=self.steepest_fall[index],
+            tested=self.tested[index],
+        )
+
+
+def _tested(law: FrictionLaw) -> tuple[float, float, float]:
+    t = law.tested
+    return (nan, nan, nan) if t is None else (t.pressure_min, t.pressure_max, t.slip_max)
+
+
+def _packed(laws: Sequence[CompactLaw]) -> tuple[Array, Integers]:
+    parts = [np.asarray(p, float) for c in laws for p in (c.edges, c.coefficients, c.slips)]
+    sizes = np.array([len(p) for p in parts], dtype=np.int64)
+    starts = np.concatenate([[0], np.cumsum(sizes)[:-1]]) if parts else sizes
+    numbers = np.concatenate(parts) if parts else np.empty(0)
+    return numbers, np.stack([starts, sizes], axis=1).reshape(-1, 6).astype(np.int64)
