@@ -61,7 +61,7 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         },
         "remarks": list(design_remarks(drive)),
         "arcs": arcs,
-        "sources": _sources(drive),
+        "sources": sources_of(drive),
         "units": _units(arcs),
     }
 
@@ -181,7 +181,7 @@ def _lagging_data(lagging: Lagging) -> Data:
     }
 
 
-def _sources(drive: Drive) -> list[Data]:
+def sources_of(drive: Drive) -> list[Data]:
     """Return where every input came from, with what it is the source of."""
     found: list[Data] = []
     for of, thing in _sourced(drive):

@@ -40,7 +40,7 @@ def drive_sheet(
     if detail is None:
         detail = [first.arcs.index(first.governing)]
     of = Sources()
-    tables = [_summary(results, system)] if len(first) > 1 else []
+    tables = [summary_table(results, system)] if len(first) > 1 else []
     for position in detail:
         tables += _arc(first.drive, tuple(r.arcs[position] for r in results), system, of)
     return Sheet(
@@ -96,7 +96,7 @@ def _arc(drive: Drive, results: Results, system: System, of: Sources) -> list[Ta
     return tables
 
 
-def _summary(results: Sequence[DriveResult], system: System) -> Table:
+def summary_table(results: Sequence[DriveResult], system: System) -> Table:
     """One line for each arc and method; units stand in the heads, to keep the lines short."""
     force, length = (display_unit(d, system)[0] for d in ("force", "length"))
     heads = (
