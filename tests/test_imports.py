@@ -31,7 +31,8 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("study",),
     ("files", "plot", "present"),
     ("report",),
-    ("cli", "web"),
+    ("web",),
+    ("cli",),
     ("__main__", FACADE),
 )
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}

@@ -44,6 +44,7 @@ COMMANDS: dict[str, Command] = {
     "field": Command(
         "wraparc.cli.field:field", "Tell speeds to measure, alarm levels and wear of a drive."
     ),
+    "serve": Command("wraparc.cli.serve:serve", "Open the calculator in the browser."),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 

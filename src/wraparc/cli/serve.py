@@ -1,0 +1,147 @@
+"""``wraparc serve``: the calculator in the browser."""
+
+import os
+import secrets
+import socket
+from typing import Any
+
+import click
+
+from wraparc.errors import InputError, Problem, shown
+
+
+@click.command()
+@click.argument("file", type=click.Path(), required=False)
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
+@click.option("--port", type=click.IntRange(0, 65535), default=8765, show_default=True)
+@click.option("--database", metavar="URL", help="Of the saved designs: a file, or postgresql://...")
+@click.option(
+    "--token",
+    metavar="TEXT",
+    help='What requests must carry; needed beyond this machine. "new" makes one.',
+    envvar="WRAPARC_TOKEN",
+)
+@click.option("--name", "names", multiple=True, help="A name this server is reached under.")
+@click.option("--workers", type=click.IntRange(0, 64), help="Processes that solve.")
+@click.option("--open/--no-open", "browser", default=False, help="Open the page in the browser.")
+def serve(
+    file: str | None,
+    host: str,
+    port: int,
+    database: str | None,
+    token: str | None,
+    names: tuple[str, ...],
+    workers: int | None,
+    browser: bool,
+) -> int:
+    """Serve the calculator as a web page, beginning with a drive FILE.
+
+    Only this machine can reach it unless --host says otherwise, which takes a --token.
+    """
+    _require_web()
+    from wraparc.web.serving import run
+    from wraparc.web.settings import Settings, is_loopback
+
+    if token == "new":  # noqa: S105 - a word, no secret
+        token = secrets.token_urlsafe(24)
+    if not is_loopback(host):
+        _check_token(host, token)
+    listener = _listener(host, port)
+    start, start_file = _start(file)
+    settings = Settings(
+        host=host,
+        port=listener.getsockname()[1],
+        token=token or "",
+        database=_database(database),
+        names=names,
+        start=start,
+        start_file=start_file,
+        workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
+    )
+    run(settings, listener, tell=_tell(settings), browser=browser)
+    return 0
+
+
+def _require_web() -> None:
+    from importlib.util import find_spec
+
+    from wraparc.errors import MissingExtraError
+
+    for library in ("fastapi", "uvicorn", "sqlalchemy", "alembic"):
+        if find_spec(library) is None:
+            raise MissingExtraError(library, "web")
+
+
+def _check_token(host: str, token: str | None) -> None:
+    if not token:
+        raise InputError(
+            Problem(
+                key="--host",
+                value=shown(host),
+                message="others could reach this server, and it would let everybody in",
+                remedy="Add --token new, which makes a token and prints it, or leave --host out.",
+            )
+        )
+    if (
+        len(token) < 16
+        or not token.isascii()
+        or not token.replace("-", "").replace("_", "").isalnum()
+    ):
+        raise InputError(
+            Problem(
+                key="--token",
+                message="must be at least 16 letters, digits, - or _",
+                remedy="Write --token new to have one made.",
+            )
+        )
+
+
+def _listener(host: str, port: int) -> socket.socket:
+    """Return a socket that listens; whatever stands in the way is told before anything starts."""
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
+        )[0]
+        found = socket.socket(family, kind, protocol)
+        if os.name == "posix":
+            found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        found.bind(address)
+    except OSError as error:
+        key, value = ("--port", str(port)) if error.errno else ("--host", shown(host))
+        reason = error.strerror or str(error)
+        raise InputError(
+            Problem(
+                key=key,
+                value=value,
+                message=f"cannot listen on {host}: {reason}",
+                remedy="Choose another with --port, or stop the other server.",
+            )
+        ) from None
+    return found
+
+
+def _start(file: str | None) -> tuple[dict[str, Any] | None, str]:
+    if file is None:
+        return None, ""
+    from wraparc.web.opening import opened
+
+    return opened(file), file
+
+
+def _database(given: str | None) -> str:
+    from wraparc.web.database.place import database_url
+
+    return database_url(given)
+
+
+def _tell(settings: Any) -> Any:
+    def tell() -> None:
+        address = f"[{settings.host}]" if ":" in settings.host else settings.host
+        if settings.host in ("0.0.0.0", "::"):  # noqa: S104 - every address of this machine
+            address = socket.gethostname()
+        query = f"/?token={settings.token}" if settings.token else "/"
+        click.echo(f"The calculator: http://{address}:{settings.port}{query}")
+        click.echo(f"Saved designs:  {settings.shown_database}")
+        click.echo("Stop with Ctrl-C.")
+
+    return tell

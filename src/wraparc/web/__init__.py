@@ -1,0 +1,1 @@
+"""The web calculator: a local server, its API, its pages, and the saved designs."""

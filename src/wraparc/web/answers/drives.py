@@ -1,0 +1,248 @@
+"""A drive document to the answer: fast for one arc, or everything there is to say."""
+
+import math
+from dataclasses import replace
+
+from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
+from wraparc.drive import Drive, LoadCase, Pulley, design_remarks
+from wraparc.errors import InputError, Problem, shown
+from wraparc.files import drive_from_document
+from wraparc.files.kinds import nearest
+from wraparc.files.source import Document
+from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
+from wraparc.present.design_values import comparison_table
+from wraparc.present.document import sources_of
+from wraparc.present.drive_sheet import summary_table
+from wraparc.present.inputs import input_table
+from wraparc.present.sheet import Table
+from wraparc.present.sources import Sources
+from wraparc.present.words import level_of, short, verdict
+from wraparc.train import Train, solve_train
+from wraparc.units import System
+from wraparc.web.answers.shown import (
+    Data,
+    numbers_data,
+    outside_data,
+    profile_data,
+    table_data,
+    tables_data,
+    tested_data,
+    texts_data,
+    verdict_data,
+)
+
+TABLES = ("answer", "creep", "capacity", "comparison", "energy", "inputs")
+
+
+def read(document: Document) -> Drive | Train:
+    """Return what a document describes; several pulleys on one belt are a train, as for `solve`.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong; paths of files are refused.
+    """
+    if "train" in document:
+        from wraparc.files import train_from_document
+
+        return train_from_document(document)
+    drive = drive_from_document(document)
+    return drive if len(drive.pulleys) == 1 else Train.of(drive)
+
+
+def solve_fast(request: Data) -> Data:
+    """Solve one arc without capacities: what a slider needs."""
+    thing = read(request["document"])
+    points = request["points"]
+    method = Distributed(points=points, capacities=False)
+    drive = thing if isinstance(thing, Drive) else _divided(thing, request["load_case"], method)
+    pulley, case = pulley_of(drive, request["pulley"]), case_of(drive, request["load_case"])
+    result = method.solve(WrapArc.of(drive, pulley, case))
+    answered = DriveResult(drive, (result,))
+    solved = (result,)
+    return {
+        "sequence": request["sequence"],
+        "kind": "drive" if isinstance(thing, Drive) else "train",
+        "pulley": pulley.name,
+        "load_case": case.name,
+        "verdict": verdict_data(lambda system: verdict(answered, system)),
+        "tables": tables_data(
+            [answer_table(solved, "si"), creep_table(solved, "si")],
+            [answer_table(solved, "us"), creep_table(solved, "us")],
+            TABLES[:2],
+        )
+        if result.status.solved
+        else [],
+        "remarks": _remarks(drive),
+        **_arc_numbers(result),
+    }
+
+
+def _divided(train: Train, load_case: str | None, method: Distributed) -> Drive:
+    """Return the drive of a train with the tensions that its division of the load makes."""
+    if load_case is not None:
+        cases = tuple(case for case in train.cases if case.name == load_case)
+        if not cases:
+            raise _no_such("load case", load_case, [case.name for case in train.cases])
+        train = replace(train, cases=cases)
+    else:
+        train = replace(train, cases=train.cases[:1])
+    return solve_train(train, method=method, raise_on_failure=False).drive_result().drive
+
+
+def solve_all(request: Data) -> Data:
+    """Solve everything by both methods, as ``wraparc solve --method both`` does."""
+    thing = read(request["document"])
+    train_part = None
+    if isinstance(thing, Train):
+        from wraparc.web.answers.trains import train_data
+
+        thing = _case_only(thing, request["load_case"])
+        solved_train = solve_train(thing, raise_on_failure=False)
+        first = solved_train.drive_result()
+        train_part = train_data(solved_train)
+    else:
+        if request["load_case"] is not None:
+            case = case_of(thing, request["load_case"])
+            thing = replace(thing, load_cases=(case,))
+        first = solve(thing, method=Distributed(points=request["points"]), raise_on_failure=False)
+    drive = first.drive
+    second = solve(drive, method=PaperMarch(), raise_on_failure=False)
+    results = (first, second)
+    summary = None
+    if len(first) > 1:
+        summary = table_data("summary", summary_table(results, "si"), summary_table(results, "us"))
+    sources = sources_of(drive)
+    return {
+        "sequence": request["sequence"],
+        "kind": "drive" if train_part is None else "train",
+        "title": drive.title,
+        "description": drive.description,
+        "solved": first.solved,
+        "within_creep_limit": first.within_creep_limit,
+        "governing": {
+            "pulley": first.governing.arc.pulley,
+            "load_case": first.governing.arc.load_case,
+        },
+        "verdict": train_part["verdict"]
+        if train_part
+        else verdict_data(lambda system: verdict(first, system)),
+        "remarks": _remarks(drive),
+        "summary": summary,
+        "sources": sources,
+        "has": {
+            "illustrative": any(s["kind"] == "illustrative" for s in sources),
+            "calibrated": any(s["kind"] == "calibrated" for s in sources),
+            "outside_tested": any(a.outside_tested_share > 0.0 for a in first),
+        },
+        "arcs": [_arc_data(drive, a, b) for a, b in zip(first, second, strict=True)],
+        "train": train_part,
+    }
+
+
+def _case_only(train: Train, load_case: str | None) -> Train:
+    if load_case is None:
+        return train
+    cases = tuple(case for case in train.cases if case.name == load_case)
+    if not cases:
+        raise _no_such("load case", load_case, [case.name for case in train.cases])
+    return replace(train, cases=cases)
+
+
+def _arc_data(drive: Drive, result: ArcResult, paper: ArcResult) -> Data:
+    of = Sources()
+    si = _tables(drive, result, paper, "si", of)
+    return {
+        "pulley": result.arc.pulley,
+        "load_case": result.arc.load_case,
+        "status_text": str(result.status),
+        "short": short(result),
+        "unbounded": [n for n, value in result.scalars().items() if math.isinf(value)],
+        "tables": tables_data(si, _tables(drive, result, paper, "us", Sources()), TABLES),
+        "table_sources": list(of.listed()),
+        "paper": {
+            "status": paper.status.name.lower(),
+            "numbers": numbers_data(paper.scalars()),
+            "profile": profile_data(paper.profile),
+        },
+        **_arc_numbers(result),
+    }
+
+
+def _arc_numbers(result: ArcResult) -> Data:
+    return {
+        "status": result.status.name.lower(),
+        "level": level_of(result).value,
+        "creep_limit": result.arc.creep_limit,
+        "numbers": numbers_data(result.scalars()),
+        "profile": profile_data(result.profile),
+        "tested": tested_data(result),
+        "outside": outside_data(result),
+    }
+
+
+def _tables(
+    drive: Drive, result: ArcResult, paper: ArcResult, system: System, of: Sources
+) -> list[Table | None]:
+    pulley = drive.pulley(result.arc.pulley)
+    solved = tuple(r for r in (result, paper) if r.status.solved)
+    carried = result.status.solved
+    return [
+        answer_table(solved, system) if solved else None,
+        creep_table(solved, system) if solved else None,
+        capacity_table(result, system),
+        comparison_table(result, pulley.lagging, system, of),
+        energy_table(result, system) if carried else None,
+        input_table(drive, pulley, result.arc, system, of),
+    ]
+
+
+def _remarks(drive: Drive) -> list[Data]:
+    return texts_data(design_remarks(drive, "si"), design_remarks(drive, "us"))
+
+
+def check(request: Data) -> Data:
+    """Say what was read of a drive, and solve nothing."""
+    from wraparc.files.source import parse
+    from wraparc.present.drive_sheet import input_sheet
+    from wraparc.present.train_sheet import train_input_sheet
+    from wraparc.web.answers.shown import sheet_data
+
+    document = request.get("document")
+    thing = read(parse(request["toml"]) if document is None else document)
+    if isinstance(thing, Drive):
+        return {"kind": "drive", **sheet_data(lambda system: input_sheet(thing, system))}
+    return {"kind": "train", **sheet_data(lambda system: train_input_sheet(thing, system))}
+
+
+def pulley_of(drive: Drive, name: str | None) -> Pulley:
+    """Return a pulley by name, the first for None."""
+    if name is None:
+        return drive.pulleys[0]
+    found = next((p for p in drive.pulleys if p.name == name), None)
+    if found is None:
+        raise _no_such("pulley", name, [p.name for p in drive.pulleys])
+    return found
+
+
+def case_of(drive: Drive, name: str | None) -> LoadCase:
+    """Return a load case by name, the first for None."""
+    if name is None:
+        return drive.load_cases[0]
+    found = next((c for c in drive.load_cases if c.name == name), None)
+    if found is None:
+        raise _no_such("load case", name, [c.name for c in drive.load_cases])
+    return found
+
+
+def _no_such(what: str, name: str, known: list[str]) -> InputError:
+    there = f"It has {', '.join(map(shown, known))}."
+    meant = nearest(name, known)
+    return InputError(
+        Problem(
+            message=f"the drive has no such {what}",
+            remedy=f"{meant} {there}".strip(),
+            key=what.replace(" ", "_"),
+            value=shown(name),
+        )
+    )

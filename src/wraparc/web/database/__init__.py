@@ -1,0 +1,1 @@
+"""Saved designs in a database: SQLite, or PostgreSQL by URL."""

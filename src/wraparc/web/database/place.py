@@ -1,0 +1,67 @@
+"""Where the database of saved designs is."""
+
+import os
+import sys
+from pathlib import Path
+
+from wraparc.errors import InputError, Problem, shown
+
+_FILE = "designs.sqlite"
+_KINDS = ("sqlite", "postgresql")
+
+
+def database_url(given: str | None) -> str:
+    """Return the URL of a database: as given, of a file as given, or of the user's own file.
+
+    Raises
+    ------
+    InputError
+        If it is of another kind, or its folder cannot be made.
+    """
+    if given is None:
+        return _of_file(user_folder() / _FILE)
+    kind, mark, rest = given.partition("://")
+    if not mark:
+        return _of_file(Path(given))
+    dialect = kind.partition("+")[0]
+    if dialect not in _KINDS:
+        raise InputError(
+            Problem(
+                key="--database",
+                value=shown(f"{kind}://..."),
+                message="no database that can be used",
+                remedy="Write the path of a file, or postgresql://user@host/name.",
+            )
+        )
+    return f"postgresql+psycopg://{rest}" if dialect == "postgresql" else given
+
+
+def user_folder() -> Path:
+    """Return the folder of this user's data."""
+    given = os.environ.get("WRAPARC_DATA")
+    if given:
+        return Path(given)
+    home = Path.home()
+    if sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        base = home / "Library" / "Application Support"
+    else:
+        base = Path(os.environ.get("XDG_DATA_HOME") or home / ".local" / "share")
+    return base / "wraparc"
+
+
+def _of_file(path: Path) -> str:
+    whole = path.expanduser().absolute()
+    try:
+        whole.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(
+            Problem(
+                key="--database",
+                value=shown(str(path)),
+                message=f"its folder cannot be made: {error.strerror}",
+                remedy="Name another file.",
+            )
+        ) from None
+    return f"sqlite:///{whole.as_posix()}"

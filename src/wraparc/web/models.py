@@ -1,0 +1,161 @@
+"""Requests of the API."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+
+System = Literal["si", "us"]
+#: Tables of a drive file as JSON: the same keys and the same quantity texts.
+Document = Annotated[
+    dict[str, Any],
+    Field(
+        description="Tables of a drive file: the same keys and the same texts for quantities.",
+        examples=[
+            {
+                "format": 1,
+                "belt": {"preset": "Plylon Plus 1000/4", "width": "1200 mm", "speed": "3 m/s"},
+                "pulley": [
+                    {
+                        "name": "head",
+                        "diameter": "800 mm",
+                        "wrap_angle": "180 deg",
+                        "lagging": "diamond-rubber",
+                        "entry_tension": "150 kN",
+                        "exit_tension": "60 kN",
+                    }
+                ],
+            }
+        ],
+    ),
+]
+
+
+def _printable(text: str) -> str:
+    if not all(c.isprintable() or c in "\n\t" for c in text):
+        raise ValueError("holds characters that cannot be printed")
+    return text
+
+
+Line = Annotated[str, Field(max_length=200), AfterValidator(_printable)]
+Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_printable)]
+Lines = Annotated[str, Field(max_length=5000), AfterValidator(_printable)]
+Short = Annotated[str, Field(max_length=60)]
+
+
+class Request(BaseModel):
+    """A request; unknown keys are refused."""
+
+    model_config = ConfigDict(extra="forbid", strict=True)
+
+
+class FastRequest(Request):
+    """One arc without capacities."""
+
+    document: Document
+    pulley: Line | None = Field(None, description="The first if left out.")
+    load_case: Line | None = Field(None, description="The first if left out.")
+    points: int = Field(120, ge=8, le=1000, description="Parts of the wrap in the profile.")
+    sequence: int = Field(0, ge=0, le=2**53, description="Comes back as it is.")
+
+
+class SolveRequest(Request):
+    """Everything, by both methods."""
+
+    document: Document
+    load_case: Line | None = Field(None, description="Only this one.")
+    points: int = Field(180, ge=8, le=1000)
+    sequence: int = Field(0, ge=0, le=2**53)
+
+
+class CheckRequest(Request):
+    """A drive, as a document or as the text of its file."""
+
+    document: Document | None = None
+    toml: str | None = Field(None, max_length=1_000_000)
+
+
+class TomlRequest(Request):
+    """The text of a drive file."""
+
+    toml: str = Field(max_length=1_000_000)
+    name: Line = ""
+
+
+class DocumentRequest(Request):
+    """A drive."""
+
+    document: Document
+
+
+class QuantityItem(Request):
+    """A quantity as typed."""
+
+    text: str = Field(max_length=200)
+    dimension: Short
+
+
+class QuantitiesRequest(Request):
+    """Quantities as typed."""
+
+    items: list[QuantityItem] = Field(max_length=500)
+
+
+class CompareRequest(Request):
+    """The same drive with other laggings or belts."""
+
+    document: Document
+    pulley: Line | None = None
+    load_case: Line | None = None
+    what: Literal["laggings", "belts"] = "laggings"
+    names: list[Line] | None = Field(None, max_length=60)
+    years: float = Field(10.0, gt=0.0, le=100.0)
+    hours: float = Field(6000.0, ge=0.0, le=8784.0)
+    tariff: float | None = Field(None, ge=0.0, le=1e6)
+    currency: Line = "AUD"
+
+
+class TrainRequest(Request):
+    """Several drives on one belt."""
+
+    document: Document
+    load_case: Line | None = None
+    match: bool = False
+    drive: Line | None = Field(None, description="Drive to vary; the second if left out.")
+    span: list[Short] | None = Field(
+        None, min_length=2, max_length=2, description="Ends of the trims."
+    )
+    points: int = Field(61, ge=3, le=401)
+    wear: Short = "1 mm"
+    map: bool = False
+
+
+class DesignRequest(Request):
+    """A design to save."""
+
+    name: Name
+    document: Document
+    note: Lines = ""
+    who: Line = ""
+
+
+class VersionRequest(Request):
+    """A new version of a design."""
+
+    document: Document
+    note: Lines = ""
+    who: Line = ""
+    base: int = Field(ge=1, le=2**31 - 1, description="The version it was made from.")
+
+
+class RenameRequest(Request):
+    """A new name of a design."""
+
+    name: Name
+
+
+class ReportRequest(Request):
+    """A calculation note."""
+
+    document: Document
+    units: System = "si"
+    name: Line = "drive"

@@ -1,0 +1,78 @@
+"""The pages and their files."""
+
+from importlib.util import find_spec
+from pathlib import Path
+
+from fastapi import APIRouter, Request, Response
+from fastapi.responses import HTMLResponse
+
+from wraparc.version import __version__
+from wraparc.web.docs_page import docs_page
+from wraparc.web.errors import json_bytes, refused
+from wraparc.web.routes.parts import json_answer, state_of
+from wraparc.web.static_files import Static
+
+FOLDER = Path(__file__).parents[1] / "static"
+#: Addresses that all show the one page; the page itself tells them apart.
+PAGES = ("/", "/compare", "/tests", "/train", "/study", "/designs", "/about")
+router = APIRouter(include_in_schema=False)
+api = APIRouter(prefix="/api/v1", tags=["server"])
+_static = Static(FOLDER)
+_EXTRAS = {"fit": "scipy", "report": "typst", "study": "scipy", "fast": "numba"}
+
+
+def send_file(request: Request, name: str) -> Response:
+    """Return a file of the package, packed where the browser can unpack it."""
+    found = _static.get(name)
+    if found is None:
+        raise refused(404, "there is no such page", "Start at the first page.")
+    headers = {"etag": found.tag, "cache-control": "no-cache", "vary": "accept-encoding"}
+    if found.tag in request.headers.get("if-none-match", ""):
+        return Response(status_code=304, headers=headers)
+    body = found.plain
+    if "gzip" in request.headers.get("accept-encoding", ""):
+        body, headers["content-encoding"] = found.packed, "gzip"
+    headers["content-type"] = found.kind
+    return Response(body, headers=headers)
+
+
+async def _index(request: Request) -> Response:
+    return send_file(request, "index.html")
+
+
+for _page in PAGES:
+    router.add_api_route(_page, _index, methods=["GET", "HEAD"])
+
+
+@router.get("/static/{name}")
+@router.head("/static/{name}")
+async def static_file(request: Request, name: str) -> Response:
+    """Return a file of the pages."""
+    return send_file(request, name)
+
+
+@router.get("/favicon.ico")
+async def favicon(request: Request) -> Response:
+    """Return the icon."""
+    return send_file(request, "icon.svg")
+
+
+@router.get("/docs")
+async def docs(request: Request) -> Response:
+    """Return the page about the API."""
+    return HTMLResponse(docs_page(request.app.openapi()))
+
+
+@api.get("/about", summary="Version and abilities of the server")
+def about(request: Request) -> Response:
+    """Say what this server is and can do."""
+    settings = state_of(request).settings
+    data = {
+        "name": "wraparc",
+        "version": __version__,
+        "fast": find_spec("numba") is not None,
+        "database": settings.database.partition(":")[0].partition("+")[0],
+        "extras": {name: find_spec(library) is not None for name, library in _EXTRAS.items()},
+        "token": bool(settings.token),
+    }
+    return json_answer(json_bytes(data))

@@ -1,0 +1,39 @@
+"""What every part of the API uses."""
+
+from typing import Any
+
+from fastapi import Request, Response
+
+from wraparc.web.settings import Settings
+from wraparc.web.work import Workers
+
+JSON = "application/json"
+
+
+class State:
+    """What a server holds while it runs."""
+
+    def __init__(self, settings: Settings) -> None:
+        self.settings = settings
+        self.workers = Workers(settings.workers)
+
+
+def state_of(request: Request) -> State:
+    """Return the state of the server."""
+    found: State = request.app.state.wraparc
+    return found
+
+
+def json_answer(body: bytes, status: int = 200, **headers: str) -> Response:
+    """Return an answer that is JSON already."""
+    return Response(body, status, headers=headers or None, media_type=JSON)
+
+
+async def short(request: Request, where: str, body: Any) -> Response:
+    """Return the answer of a worker."""
+    return json_answer(await state_of(request).workers.short(where, body.model_dump()))
+
+
+async def long(request: Request, where: str, body: Any) -> Response:
+    """Return the answer of a process of its own."""
+    return json_answer(await state_of(request).workers.long(where, body.model_dump()))

@@ -1,0 +1,205 @@
+"""The door: who may ask, how much, and what browsers may do with the answers.
+
+Written as a plain ASGI layer, so that it costs microseconds and sees every byte.
+"""
+
+import hmac
+import socket
+from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from http.cookies import CookieError, SimpleCookie
+from typing import Any
+from urllib.parse import parse_qs, urlsplit
+
+from wraparc.errors import Problem
+from wraparc.web.errors import problems_body
+from wraparc.web.settings import Settings, is_address, is_loopback
+
+Scope = MutableMapping[str, Any]
+Message = MutableMapping[str, Any]
+Receive = Callable[[], Awaitable[Message]]
+Send = Callable[[Message], Awaitable[None]]
+App = Callable[[Scope, Receive, Send], Awaitable[None]]
+Refusal = tuple[int, str, str]
+
+COOKIE = "wraparc_token"
+#: Most bytes of a request, and of one that uploads files.
+BODY_LIMIT, UPLOAD_LIMIT = 2_000_000, 64_000_000
+UPLOADS = "/api/v1/tests/"
+_SAFE = ("GET", "HEAD", "OPTIONS")
+
+POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; "
+    "connect-src 'self'; font-src 'self'; manifest-src 'self'; form-action 'self'; "
+    "base-uri 'none'; frame-ancestors 'none'"
+)
+HEADERS: tuple[tuple[bytes, bytes], ...] = (
+    (b"content-security-policy", POLICY.encode()),
+    (b"x-content-type-options", b"nosniff"),
+    (b"x-frame-options", b"DENY"),
+    (b"referrer-policy", b"no-referrer"),
+    (b"cross-origin-opener-policy", b"same-origin"),
+    (b"cross-origin-resource-policy", b"same-origin"),
+    (b"permissions-policy", b"camera=(), geolocation=(), microphone=()"),
+)
+
+
+class Door:
+    """Checks every request before the application sees it, and every answer on its way out."""
+
+    def __init__(self, app: App, settings: Settings) -> None:
+        self.app = app
+        self.settings = settings
+        names = {"localhost", *settings.names}
+        if not settings.local:
+            names |= {socket.gethostname(), socket.getfqdn(), settings.host}
+        self._names = {name.lower().rstrip(".") for name in names}
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one request."""
+        if scope["type"] != "http":
+            if scope["type"] == "lifespan":
+                await self.app(scope, receive, send)
+            return
+        headers = {key.decode("latin-1"): v.decode("latin-1") for key, v in scope["headers"]}
+        outgoing = _with_headers(send)
+        if self._enters(scope, headers):
+            await _answer(outgoing, 303, b"", self._welcome())
+            return
+        refusal = self._refusal(scope, headers)
+        if refusal is not None:
+            await _refuse(outgoing, *refusal)
+            return
+        limit = UPLOAD_LIMIT if scope["path"].startswith(UPLOADS) else BODY_LIMIT
+        length = headers.get("content-length", "0")
+        if not length.isdecimal() or int(length) > limit:
+            await _refuse(outgoing, *_too_large(limit))
+            return
+        counted = _Counted(receive, limit)
+        try:
+            await self.app(scope, counted.receive, outgoing)
+        except _TooLargeError:
+            await _refuse(outgoing, *_too_large(limit))
+
+    def _refusal(self, scope: Scope, headers: dict[str, str]) -> Refusal | None:
+        """Return why a request is refused: status, message, remedy."""
+        host = headers.get("host", "")
+        if not self._known_host(host):
+            return 403, "this server is not known under that name", self._host_remedy()
+        if scope["method"] not in _SAFE and not _same_origin(scope, headers, host):
+            message = "a page of another origin may not change anything here"
+            return 403, message, "Use the pages of this server."
+        if self.settings.token and not self._has_token(headers):
+            message = "this server asks for its token"
+            return 401, message, "Open the address with ?token=... that the server has printed."
+        return None
+
+    def _known_host(self, host: str) -> bool:
+        name = urlsplit(f"//{host}").hostname or "" if _plausible(host) else ""
+        if is_address(name):
+            return is_loopback(name) if self.settings.local else True
+        return name.rstrip(".") in self._names
+
+    def _host_remedy(self) -> str:
+        where = "localhost or 127.0.0.1" if self.settings.local else "its address"
+        return f"Use {where}, or start it with --name."
+
+    def _has_token(self, headers: dict[str, str]) -> bool:
+        scheme, _, given = headers.get("authorization", "").partition(" ")
+        if scheme.lower() == "bearer" and self._right(given.strip()):
+            return True
+        return self._right(_cookie(headers.get("cookie", "")))
+
+    def _right(self, given: str) -> bool:
+        return hmac.compare_digest(given.encode(), self.settings.token.encode())
+
+    def _enters(self, scope: Scope, headers: dict[str, str]) -> bool:
+        """Whether a browser comes with the token in the address of the first page."""
+        if not self.settings.token or scope["path"] != "/" or scope["method"] != "GET":
+            return False
+        query = parse_qs(scope["query_string"].decode("latin-1"), max_num_fields=20)
+        given = query.get("token", [""])[0]
+        return self._known_host(headers.get("host", "")) and self._right(given)
+
+    def _welcome(self) -> list[tuple[bytes, bytes]]:
+        cookie = f"{COOKIE}={self.settings.token}; Path=/; HttpOnly; SameSite=Strict"
+        return [(b"location", b"/"), (b"set-cookie", cookie.encode())]
+
+
+def _plausible(host: str) -> bool:
+    return 0 < len(host) < 300 and host.isprintable() and not set(host) & set("/?#@\\ ")
+
+
+def _same_origin(scope: Scope, headers: dict[str, str], host: str) -> bool:
+    if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
+        return False
+    origin = headers.get("origin")
+    if origin is None:
+        return True  # no browser leaves it out of a request that changes something
+    try:
+        return origin.startswith(("http://", "https://")) and urlsplit(origin).netloc == host
+    except ValueError:
+        return False
+
+
+def _cookie(text: str) -> str:
+    try:
+        morsel = SimpleCookie(text[:8000]).get(COOKIE)
+    except CookieError:
+        return ""
+    return morsel.value if morsel else ""
+
+
+class _TooLargeError(Exception):
+    pass
+
+
+class _Counted:
+    """The body of a request, counted as it comes in."""
+
+    def __init__(self, receive: Receive, limit: int) -> None:
+        self._receive, self._left = receive, limit
+
+    async def receive(self) -> Message:
+        """Pass on a piece."""
+        message = await self._receive()
+        if message["type"] == "http.request":
+            self._left -= len(message.get("body", b""))
+            if self._left < 0:
+                raise _TooLargeError
+        return message
+
+
+def _too_large(limit: int) -> Refusal:
+    return 413, f"the request is larger than {limit / 1e6:g} MB", "Send less at a time."
+
+
+def _with_headers(send: Send) -> Send:
+    """Return `send` with the headers that protect every answer."""
+
+    async def sending(message: Message) -> None:
+        if message["type"] == "http.response.start":
+            present = {key.lower() for key, _ in message["headers"]}
+            more = [pair for pair in HEADERS if pair[0] not in present]
+            if b"cache-control" not in present:
+                more.append((b"cache-control", b"no-store"))
+            message = {**message, "headers": [*message["headers"], *more]}
+        await send(message)
+
+    return sending
+
+
+async def _refuse(send: Send, status: int, message: str, remedy: str) -> None:
+    body = problems_body([Problem(message=message, remedy=remedy)])
+    kind = [(b"content-type", b"application/json")]
+    if status == 401:
+        kind.append((b"www-authenticate", b"Bearer"))
+    await _answer(send, status, body, kind)
+
+
+async def _answer(
+    send: Send, status: int, body: bytes, headers: Iterable[tuple[bytes, bytes]]
+) -> None:
+    length = (b"content-length", str(len(body)).encode())
+    start = {"type": "http.response.start", "status": status, "headers": [*headers, length]}
+    await send(start)
+    await send({"type": "http.response.body", "body": body})

@@ -1,0 +1,70 @@
+"""How one server runs."""
+
+from dataclasses import dataclass
+from ipaddress import ip_address
+
+_LOCAL_NAMES = ("localhost",)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Settings:
+    """What the command line decides.
+
+    Attributes
+    ----------
+    host, port
+        Where the server listens.
+    token
+        What every request must carry, or empty; needed beyond this machine.
+    database
+        URL of the database of saved designs.
+    names
+        Names besides addresses under which the server is reached.
+    start
+        A drive document to open first with its name, or None for the first example.
+    start_file
+        The file it was read from, as the user gave it.
+    workers
+        Processes that solve; 0 solves in threads of this one.
+    """
+
+    host: str = "127.0.0.1"
+    port: int = 8765
+    token: str = ""
+    database: str = "sqlite://"
+    names: tuple[str, ...] = ()
+    start: dict[str, object] | None = None
+    start_file: str = ""
+    workers: int = 2
+
+    @property
+    def local(self) -> bool:
+        """Whether only this machine can reach the server."""
+        return is_loopback(self.host)
+
+    @property
+    def shown_database(self) -> str:
+        """The database as it may be shown: without a password."""
+        kind, _, rest = self.database.partition("://")
+        if kind == "sqlite":
+            return rest.removeprefix("/")
+        return f"{kind.partition('+')[0]}://{rest.rpartition('@')[2]}"
+
+
+def is_loopback(host: str) -> bool:
+    """Whether a host name or address is this machine and no other."""
+    if host.lower().rstrip(".") in _LOCAL_NAMES:
+        return True
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def is_address(host: str) -> bool:
+    """Whether a host is written as an IP address."""
+    try:
+        ip_address(host)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,221 @@
+"""Where the work runs: worker processes for short answers, one process each for long tasks.
+
+Short answers (a solve) go to a pool that stays warm. A long task (a fit, a study) gets a process
+of its own, so that it can be followed, cancelled and limited in time, and never stands in the way
+of anybody else.
+"""
+
+import asyncio
+import multiprocessing
+import sys
+import threading
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from importlib import import_module
+from multiprocessing.connection import Connection
+from typing import Any
+
+from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.web.errors import ApiError, Data, json_bytes, refused
+
+#: Most seconds for a short answer, and for a long one.
+SHORT_LIMIT, LONG_LIMIT = 20.0, 600.0
+_MOST_WAITING = 200
+_PRELOADED = ("wraparc.web.answers.drives", "wraparc.web.answers.compare")
+
+
+def context() -> Any:
+    """Return how processes are started: from a clean server where there is one, else anew."""
+    methods = multiprocessing.get_all_start_methods()
+    if "forkserver" not in methods or sys.platform == "darwin":
+        return multiprocessing.get_context("spawn")
+    found = multiprocessing.get_context("forkserver")
+    found.set_forkserver_preload(list(_PRELOADED))
+    return found
+
+
+def answer(where: str, request: Data) -> bytes:
+    """Return the answer of ``module:function`` to a request, as JSON."""
+    module, _, function = where.partition(":")
+    return json_bytes(getattr(import_module(module), function)(request))
+
+
+def _warm() -> None:
+    from wraparc.web.warm import warm
+
+    warm()
+
+
+class Workers:
+    """The pool for short answers, and the count of long tasks.
+
+    Parameters
+    ----------
+    count
+        Processes for short answers; 0 for threads of this process.
+    long_tasks
+        Long tasks that may run at the same time.
+    """
+
+    def __init__(self, count: int, long_tasks: int = 2) -> None:
+        self._count = count
+        self._context = context()
+        self._pool: Executor | None = None
+        self._lock = threading.Lock()
+        self._waiting = 0
+        self._long = threading.BoundedSemaphore(long_tasks)
+
+    def _executor(self) -> Executor:
+        with self._lock:
+            if self._pool is None:
+                if self._count:
+                    self._pool = ProcessPoolExecutor(
+                        self._count, mp_context=self._context, initializer=_warm
+                    )
+                else:
+                    self._pool = ThreadPoolExecutor(4, thread_name_prefix="solve")
+            return self._pool
+
+    def start(self) -> None:
+        """Start the processes, so that the first request need not wait for them."""
+        pool = self._executor()
+        for _ in range(self._count):
+            pool.submit(_warm)
+
+    def stop(self) -> None:
+        """End the processes."""
+        with self._lock:
+            pool, self._pool = self._pool, None
+        if pool is not None:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+    async def short(self, where: str, request: Data) -> bytes:
+        """Return the answer to a request, computed apart from this thread.
+
+        Raises
+        ------
+        InputError
+            As the function raises it.
+        ApiError
+            503 if too many wait, if it takes too long, or a worker died.
+        """
+        if self._waiting >= _MOST_WAITING:
+            raise refused(503, "too many requests are waiting", "Try again in a moment.")
+        self._waiting += 1
+        pool = self._executor()
+        try:
+            future = asyncio.get_running_loop().run_in_executor(pool, answer, where, request)
+            return await asyncio.wait_for(future, SHORT_LIMIT)
+        except BrokenExecutor:
+            self._forget(pool)
+            raise refused(503, "the process that worked on this has ended", "Try again.") from None
+        except TimeoutError:
+            self._replace(pool)
+            message = f"no answer within {SHORT_LIMIT:g} s"
+            raise refused(503, message, "Change a value, and report the drive file.") from None
+        finally:
+            self._waiting -= 1
+
+    def _forget(self, pool: Executor) -> None:
+        with self._lock:
+            if self._pool is pool:
+                self._pool = None
+
+    def _replace(self, pool: Executor) -> None:
+        """Give up a pool with a process that does not come back."""
+        self._forget(pool)
+        for process in list((getattr(pool, "_processes", None) or {}).values()):
+            process.kill()
+        pool.shutdown(wait=False, cancel_futures=True)
+
+    async def long(self, where: str, request: Data, limit: float = LONG_LIMIT) -> bytes:
+        """Return the answer to a request that may take long, from a process of its own."""
+        if not self._long.acquire(blocking=False):
+            message = "other long tasks are running"
+            raise refused(503, message, "Try again when they are done.")
+        try:
+            task = Task(self._context, where, request, lambda *_: None)
+            try:
+                return await asyncio.wait_for(asyncio.to_thread(task.result), limit)
+            except TimeoutError:
+                raise refused(503, f"no answer within {limit:g} s", "Ask for less.") from None
+            finally:
+                task.cancel()
+        finally:
+            self._long.release()
+
+    def task(self, where: str, request: Data, progress: Callable[[int, int, str], None]) -> "Task":
+        """Start a task that tells of its progress; the function gets a callback for it."""
+        return Task(self._context, where, request, progress)
+
+
+class CancelledTaskError(Exception):
+    """The process of a task was ended."""
+
+
+class Task:
+    """A function that runs in a process of its own."""
+
+    def __init__(
+        self,
+        start: Any,
+        where: str,
+        request: Data,
+        progress: Callable[[int, int, str], None],
+    ) -> None:
+        self._progress = progress
+        self._receiver, sender = start.Pipe(duplex=False)
+        self._process = start.Process(
+            target=_run_task, args=(where, request, sender), daemon=True, name="wraparc task"
+        )
+        self._process.start()
+        sender.close()
+
+    def result(self) -> bytes:
+        """Wait for the answer.
+
+        Raises
+        ------
+        InputError
+            As the function raises it.
+        CancelledTaskError
+            If the process was ended.
+        """
+        try:
+            while True:
+                kind, *content = self._receiver.recv()
+                if kind == "progress":
+                    self._progress(*content)
+                elif kind == "done":
+                    return bytes(content[0])
+                elif kind == "fault":
+                    raise ApiError(500, Problem(message=content[0]))
+                else:
+                    raise content[0]
+        except (EOFError, OSError):
+            raise CancelledTaskError from None
+        finally:
+            self._process.join(timeout=5.0)
+            self._receiver.close()
+
+    def cancel(self) -> None:
+        """End the process."""
+        if self._process.is_alive():
+            self._process.kill()
+
+
+def _run_task(where: str, request: Data, sender: Connection) -> None:
+    module, _, function = where.partition(":")
+
+    def progress(done: int, total: int, message: str = "") -> None:
+        sender.send(("progress", done, total, message))
+
+    try:
+        data = getattr(import_module(module), function)({**request, "progress": progress})
+        sender.send(("done", json_bytes(data)))
+    except (InputError, MissingExtraError, ApiError) as error:
+        sender.send(("error", error))
+    except Exception as error:  # noqa: BLE001 - told to whoever waits
+        sender.send(("fault", f"a fault in the program ({type(error).__name__})"))
+    finally:
+        sender.close()
