@@ -373,6 +373,11 @@ QUANTITIES: tuple[Quantity, ...] = (
         "control is set to.",
     ),
     Quantity(
+        "speed_setting", "", "number", "Speed setting",
+        "Speed of a motor at any torque over that of now: its set speed, gear or pole pairs "
+        "changed.",
+    ),
+    Quantity(
         "nominal_diameter", "D_n", "length", "Nominal diameter",
         "Diameter that a drum is taken to have when its speed is set.",
     ),

@@ -115,8 +115,11 @@ class Report:
             self._append(replace(problem, key=key, value=value, file=self.file))
 
     def _append(self, problem: Problem) -> None:
+        problem = problem if problem.file else replace(problem, file=self.file)
+        if problem in self.problems:  # what several load cases have from one place
+            return
         if len(self.problems) < _MOST:
-            self.problems.append(problem if problem.file else replace(problem, file=self.file))
+            self.problems.append(problem)
         else:
             self._left_out += 1
 

@@ -171,14 +171,21 @@ def plot_matching(
         case = matching.case.case.name
         head = " - ".join(part for part in (title, f"load case {case}") if part)
         figure.text(0.02, 1.0 - 0.38 / height, head, fontsize=13, weight="bold")
+        grey = " Grey: the belt between the drums would be too slack or too tight." if tall else ""
         note = (
-            f"All other drums turn as in the load case; the take-up holds. wraparc {__version__}."
+            "All other drums turn as in the load case; the take-up holds."
+            f"{grey} wraparc {__version__}."
         )
         figure.text(0.02, 0.1 / height, note, fontsize=7.5, color="#444444")
         return Picture(figure)
 
 
-_SHORT = {Axis.TRIM: "trim", Axis.DIAMETER: "diameter", Axis.LOAD: "load"}
+_SHORT = {
+    "speed_trim": "trim",
+    "speed_setting": "setting",
+    "diameter_ratio": "diameter",
+    "load_ratio": "load",
+}
 
 
 def _percent(values: Array) -> Array:
@@ -200,11 +207,20 @@ def _draw_shares(ax: "Axes", curve: ShareCurve) -> None:
     margin = 8.0
     ax.set_ylim(100.0 * shown.min() - margin, 100.0 * shown.max() + margin)
     of = "" if curve.axis is Axis.LOAD else f" of {names[curve.drive]}"
-    ax.set_xlabel(f"{GLOSSARY[curve.axis.value].title}{of} [%]")
+    ax.set_xlabel(f"{GLOSSARY[curve.quantity].title}{of} [%]")
     ax.set_ylabel("Share of the load [%]")
-    ax.set_title(f"Shares against {_SHORT[curve.axis]}")
-    ax.legend(loc="lower right", bbox_to_anchor=(1.01, 0.97), ncols=4)
+    _head(ax, f"Shares against {_SHORT[curve.quantity]}", *ax.get_legend_handles_labels())
     ax.ticklabel_format(axis="x", useOffset=False)
+
+
+def _head(ax: "Axes", title: str, handles: list[Any], labels: list[str]) -> None:
+    """Put a title above the legend, the legend above the axes."""
+    columns = 4
+    rows = -(-len(handles) // columns)
+    ax.set_title(title, pad=8.0 + 13.0 * rows)
+    ax.legend(
+        handles, labels, loc="lower left", bbox_to_anchor=(-0.02, 0.965), ncols=columns,
+    )  # fmt: skip
 
 
 def _mark_braking(ax: "Axes", curve: ShareCurve) -> None:
@@ -221,6 +237,7 @@ def _mark_braking(ax: "Axes", curve: ShareCurve) -> None:
         ax.text(
             0.5 * (low + high), 0.02, "drives fight", transform=ax.get_xaxis_transform(),
             ha="center", va="bottom", fontsize=8, color="#8a4b1c", zorder=4,
+            bbox={"facecolor": "#f4e3d7", "edgecolor": "none", "pad": 1.0},
         )  # fmt: skip
 
 
@@ -234,6 +251,7 @@ _PLACES: dict[MarkKind, tuple[str, str]] = {
 def _mark_places(ax: "Axes", curve: ShareCurve) -> None:
     """Vertical lines at the operating point and at the limits of the drives."""
     names = [m.name for m in curve.case.members]
+    now = next(iter(curve.at(MarkKind.OPERATING)), 1.0)
     for mark in curve.marks:
         if mark.kind not in _PLACES:
             continue
@@ -241,10 +259,13 @@ def _mark_places(ax: "Axes", curve: ShareCurve) -> None:
         dashes = "-" if mark.kind is MarkKind.OPERATING else (0, (1, 1.5))
         at = 100.0 * mark.value
         ax.axvline(at, color=colour, linewidth=1.1, linestyle=dashes)
-        text = words if mark.kind is MarkKind.OPERATING else f"{names[mark.drive]}: {words}"
+        # each label on the side away from the operating point, whose own stands at the bottom
+        outside = "left" if mark.value > now else "right"
+        is_now = mark.kind is MarkKind.OPERATING
+        text = words if is_now else f"{names[mark.drive]}: {words}"
         ax.text(
-            at, 0.98, f" {text}", transform=ax.get_xaxis_transform(), rotation=90, ha="right",
-            va="top", fontsize=7.5, color=colour,
+            at, 0.02 if is_now else 0.98, f" {text} ", transform=ax.get_xaxis_transform(),
+            rotation=90, ha=outside, va="bottom" if is_now else "top", fontsize=7.5, color=colour,
         )  # fmt: skip
     for mark in curve.marks:
         if mark.kind is MarkKind.EQUAL:
@@ -260,13 +281,13 @@ def _draw_creeps(ax: "Axes", matching: Matching) -> None:
         part = np.abs(curve.creeps[:, i]) / m.arc.arc.creep_limit
         ax.plot(x, _percent(part), label=f"creep of {m.name}", **_style(i))
     ax.axhline(100.0, color=RED, linewidth=1.1, linestyle=(0, (1, 1.5)))
-    ax.axvline(100.0 * matching.case.members[matching.drive].speed_trim, color="#222222", lw=1.1)
+    for now in curve.at(MarkKind.OPERATING):
+        ax.axvline(100.0 * now, color="#222222", linewidth=1.1)
     ax.set_xlim(float(x[0]), float(x[-1]))
     ax.set_ylim(bottom=0.0)
     ax.set_ylabel("Exit creep, part of its limit [%]")
     name = curve.case.members[curve.drive].name
-    ax.set_xlabel(f"{GLOSSARY['speed_trim'].title} of {name} [%]")
-    ax.set_title("Creep and loss", pad=20)
+    ax.set_xlabel(f"{GLOSSARY[curve.quantity].title} of {name} [%]")
     right = ax.twinx()
     right.plot(x, _percent(curve.loss_ratio), color=GREY, linewidth=1.2, label="loss (right)")
     right.set_ylabel("Loss over power [%]")
@@ -274,7 +295,7 @@ def _draw_creeps(ax: "Axes", matching: Matching) -> None:
     right.grid(visible=False)
     right.spines["right"].set_visible(True)
     handles = [line for a in (ax, right) for line in a.get_legend_handles_labels()[0]]
-    ax.legend(handles=handles, loc="lower left", bbox_to_anchor=(-0.02, 0.965), ncols=4)
+    _head(ax, "Creep and loss", handles, [str(line.get_label()) for line in handles])
     ax.ticklabel_format(axis="x", useOffset=False)
 
 

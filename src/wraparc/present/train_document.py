@@ -54,7 +54,7 @@ def curve_csv(curve: ShareCurve) -> str:
     page = io.StringIO()
     out = csv.writer(page, lineterminator="\n")
     heads = [f"share {n}" for n in names] + [f"exit_creep {n} [m]" for n in names]
-    out.writerow([curve.axis.value, *heads, "loss_ratio"])
+    out.writerow([curve.quantity, *heads, "loss_ratio"])
     for value, shares, creeps, loss in zip(
         curve.values, curve.shares, curve.creeps, curve.loss_ratio, strict=True
     ):
@@ -102,7 +102,7 @@ def _member_data(case: CaseResult, index: int, m: MemberResult) -> Data:
 def _curve_data(curve: ShareCurve) -> Data:
     names = [m.name for m in curve.case.members]
     return {
-        "axis": curve.axis.value,
+        "axis": curve.quantity,
         "values": curve.values.tolist(),
         "shares": {n: curve.shares[:, i].tolist() for i, n in enumerate(names)},
         "exit_creep": {n: curve.creeps[:, i].tolist() for i, n in enumerate(names)},

@@ -76,7 +76,7 @@ def train_input_sheet(train: Train, system: System = "si") -> Sheet:
             *lagging_rows(pulley.lagging, system, of),
         )
         tables.append(Table(f"Pulley {pulley.name}", rows))
-    tables.append(_cases_table(train, system))
+    tables.append(cases_table(train, system))
     count = f"{len(train.pulleys)} pulleys, {len(train.cases)} load cases"
     told = Verdict(Level.GOOD, f"The drive file of the train is in order: {count}.")
     title = train.title or "Train"
@@ -91,7 +91,8 @@ _DIVIDED = {
 }
 
 
-def _cases_table(train: Train, system: System) -> Table:
+def cases_table(train: Train, system: System) -> Table:
+    """Return the load cases of a train as they were given."""
     rows = tuple(
         Row(
             case.name,
@@ -145,7 +146,11 @@ def case_table(case: CaseResult, system: System) -> Table:
         value("rotation_speed", digits=6),
         row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),
         _creep_row(case, system),
-        arc_value("creep_limit_margin"),
+        *(
+            []
+            if all(isnan(m.arc.capacities.creep_limit_margin) for m in members)
+            else [arc_value("creep_limit_margin")]
+        ),
         arc_value("power_loss", _loss_note(case, system)),
         _sensitivity_row(case),
     ]
@@ -236,7 +241,7 @@ def matching_sheet(result: TrainResult, matching: Matching, system: System = "si
     """Return how exactly the drives of a train must be matched."""
     tables = [
         case_table(matching.case, system),
-        _curve_table("Against speed trim", matching.trim, trim_text),
+        _curve_table(f"Against {_noun(matching.trim)}", matching.trim, trim_text),
         _curve_table("Against diameter, drums turning as before", matching.diameter, trim_text),
         _curve_table("Against load, speeds and take-up as they are", matching.load, percent),
         _changes_table(matching),
@@ -255,13 +260,18 @@ def _curve_table(title: str, curve: ShareCurve, text: Callable[[float], str]) ->
         for mark in curve.marks
     )
     low, high = text(float(curve.values[0])), text(float(curve.values[-1]))
-    entry = GLOSSARY[curve.axis.value]
+    entry = GLOSSARY[curve.quantity]
     of = "" if curve.axis.value == "load_ratio" else f" of {names[curve.drive]}"
     return Table(title, rows, note=f"{entry.title}{of} from {low} to {high}.")
 
 
+def _noun(curve: ShareCurve) -> str:
+    return GLOSSARY[curve.quantity].title.lower()
+
+
 def _place(mark: Mark) -> str:
-    return "shares " + ", ".join(f"{100.0 * share:.1f} %" for share in mark.shares)
+    # rounded first, and 0 added, so that next to nothing is not -0
+    return "shares " + ", ".join(f"{round(100.0 * share, 1) + 0.0:.1f} %" for share in mark.shares)
 
 
 def _changes_table(matching: Matching) -> Table:

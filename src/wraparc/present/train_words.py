@@ -3,6 +3,9 @@
 from collections.abc import Iterator
 from math import isfinite, isnan
 
+import numpy as np
+
+from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Level, Verdict, named, percent
 from wraparc.train import (
     CaseResult,
@@ -168,13 +171,14 @@ def matching_verdict(matching: Matching, system: System = "si") -> Verdict:
     """Return how exactly the drives of a train must be matched, in words."""
     case, drive = matching.case, matching.drive
     name = case.members[drive].name
+    what = GLOSSARY[matching.trim.quantity].title.lower()
     slope = case.share_per_trim(drive)
     headline = f"{name} carries {percent(case.members[drive].share)} of load case {case.case.name}"
     if slope:
-        headline += f"; 0.1 % of speed trim moves {percent(abs(slope), 2)} of the load"
+        headline += f"; 0.1 % of {what} moves {percent(abs(slope), 2)} of the load"
     sentences = [
         *_who_and_why(matching),
-        *_range(matching.trim, name),
+        *_range(matching.trim, name, what.split()[-1]),
         *_against_load(matching.load),
         *_changes(matching),
         *_losses(matching),
@@ -191,10 +195,12 @@ def _who_and_why(matching: Matching) -> Iterator[str]:
     fair = 1.0 / len(case.members)
     gap = 100.0 * (m.speed_trim - even.speed_trim)
     trims = f"at a trim of {100.0 * m.speed_trim:.3f} %"
+    more = "more" if m.share > fair else "less"
     if abs(m.share - fair) < _ALIKE:
         yield f"{m.name} carries its equal part {trims}."
+    elif isinstance(case.case.division, Motors):
+        yield f"{m.name} carries {more} than its equal part{_other_setting(matching)}."
     elif equal.status.solved:
-        more = "more" if m.share > fair else "less"
         yield (
             f"{m.name} carries {more} than its equal part because it turns {abs(gap):.3f} % "
             f"{'faster' if gap > 0 else 'slower'} than equal shares need: {trims}, where "
@@ -204,17 +210,27 @@ def _who_and_why(matching: Matching) -> Iterator[str]:
         yield f"With equal shares: {_lower(_speed_sentence(equal, even))}"
 
 
+def _other_setting(matching: Matching) -> str:
+    """Say what change of a motor makes the share of its drive equal, if one on the curve does."""
+    found = matching.trim.at(MarkKind.EQUAL, matching.drive)
+    if not found:
+        return ""
+    change = 100.0 * (min(found, key=lambda v: abs(v - 1.0)) - 1.0)
+    way = "faster" if change > 0.0 else "slower"
+    return f": a motor set {abs(change):.2f} % {way} would equalise it"
+
+
 def _lower(sentence: str) -> str:
     return sentence[:1].lower() + sentence[1:]
 
 
-def _range(curve: ShareCurve, name: str) -> Iterator[str]:
+def _range(curve: ShareCurve, name: str, what: str) -> Iterator[str]:
     """Say between which trims no drive brakes, and where the limits of the drives are."""
     idle = curve.at(MarkKind.UNLOADED)
     if len(idle) >= 2:
         low, high = idle[0], idle[-1]
         yield (
-            f"All drives pull while the trim of {name} is between {100.0 * low:.3f} % and "
+            f"All drives pull while the {what} of {name} is between {100.0 * low:.3f} % and "
             f"{100.0 * high:.3f} %; outside, one brakes against the others."
         )
     parts = []
@@ -224,7 +240,7 @@ def _range(curve: ShareCurve, name: str) -> Iterator[str]:
                 who = curve.case.members[mark.drive].name
                 parts.append(f"{who} {kind.value} at {100.0 * mark.value:.3f} %")
     if parts:
-        yield f"As the trim of {name} changes, {', '.join(parts)}."
+        yield f"As the {what} of {name} changes, {', '.join(parts)}."
 
 
 def _against_load(curve: ShareCurve) -> Iterator[str]:
@@ -260,9 +276,22 @@ def _condition_note(notes: tuple[str, ...]) -> str:
 
 
 def _losses(matching: Matching) -> Iterator[str]:
+    """Say what creep costs, and how that changes with the split."""
     case, equal = matching.case, matching.equal
-    if equal.status.solved and isfinite(case.loss_ratio) and isfinite(equal.loss_ratio):
-        yield (
-            f"Creep costs {percent(case.loss_ratio)} of the power as it is, and "
-            f"{percent(equal.loss_ratio)} with equal shares."
-        )
+    if not isfinite(case.loss_ratio):
+        return
+    costs = [f"{percent(case.loss_ratio)} of the power as it is"]
+    fair = 1.0 / len(case.members)
+    alike = all(abs(m.share - fair) < _ALIKE for m in case)
+    if not alike and equal.status.solved and isfinite(equal.loss_ratio):
+        costs.append(f"{percent(equal.loss_ratio)} with equal shares")
+    curve, name = matching.trim, case.members[matching.drive].name
+    for mark in curve.marks:
+        if mark.kind is MarkKind.UNLOADED:
+            loss = float(np.interp(mark.value, curve.values, curve.loss_ratio))
+            who = case.members[mark.drive].name
+            costs.append(f"{percent(loss)} where {who} carries nothing")
+    best = int(np.nanargmin(curve.loss_ratio))
+    share = percent(float(curve.shares[best, matching.drive]), 2)
+    least = f"{percent(float(curve.loss_ratio[best]))} at a share of {share} of {name}"
+    yield f"Creep costs {', '.join(costs)}; the least of this curve is {least}."

@@ -15,7 +15,7 @@ from wraparc.errors import InputError, Problem, shown
 from wraparc.train.newton import Settled
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.roots import bracketed_root
-from wraparc.train.train import Train
+from wraparc.train.train import Motors, Train
 from wraparc.train.walk import Axis, Walk
 
 Array = NDArray[np.float64]
@@ -72,7 +72,8 @@ class ShareCurve:
     axis, drive
         What is varied, and of which drive (by index).
     values
-        Trim, diameter over nominal diameter, or load over that of the case; (n,) [-].
+        Trim (of drives on motors: speed setting over that of now), diameter over nominal diameter,
+        or load over that of the case; (n,) [-].
     shares
         Of every drive; nan where one of them breaks away; (n, drives) [-].
     creeps
@@ -92,6 +93,12 @@ class ShareCurve:
     creeps: Array
     loss_ratio: Array
     marks: tuple[Mark, ...]
+
+    @property
+    def quantity(self) -> str:
+        """What the values are, by its name in the glossary."""
+        motors = isinstance(self.case.case.division, Motors)
+        return "speed_setting" if motors and self.axis is Axis.TRIM else self.axis.value
 
     def at(self, kind: MarkKind, drive: int | None = None) -> tuple[float, ...]:
         """Where something happens, to one drive or to any [-]."""

@@ -163,8 +163,9 @@ def _extrapolation(at: Sequence[float], value: float) -> list[float]:
 
 def place(train: Train, case: CaseResult, axis: Axis, drive: int) -> float:
     """Return where a solved case is on an axis [-]."""
-    if axis is Axis.TRIM:
-        return case.members[drive].speed_trim
+    if axis is Axis.TRIM:  # a motor has its own way with speeds: what is changed is its setting
+        motors = isinstance(case.case.division, Motors)
+        return 1.0 if motors else case.members[drive].speed_trim
     if axis is Axis.DIAMETER:
         return train.pulleys[drive].diameter / train.nominal[drive]
     return 1.0
