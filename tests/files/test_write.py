@@ -73,7 +73,12 @@ def test_catalogue_laggings_read_back_equal(name: str) -> None:
 
 def test_conditions_of_one_lagging_share_a_file() -> None:
     dry = load_lagging("full-ceramic")
-    wet = replace(dry, condition="wet", law=load_lagging("diamond-rubber").law)
+    wet = replace(
+        dry,
+        condition="wet",
+        law=load_lagging("diamond-rubber").law,
+        notes=(*dry.notes, "tested under a spray"),
+    )
     assert lagging_from_text(lagging_text([dry, wet])) == (dry, wet)
     with pytest.raises(InputError) as caught:
         lagging_text([dry, replace(wet, thickness=0.02)])

@@ -146,6 +146,13 @@ def _progress() -> Any:
     show_default=True,
     help="Set pressures [kPa].",
 )
+@click.option(
+    "--condition",
+    "conditions",
+    multiple=True,
+    metavar="NAME[=FACTOR]",
+    help="Such as dry, or wet=0.7: friction times 0.7. Each becomes a law. dry if left out.",
+)
 @click.option("--repeats", type=click.IntRange(1, 20), default=3, show_default=True)
 @click.option("--points", type=click.IntRange(20, 200_000), default=400, show_default=True)
 @click.option("--noise", type=click.FloatRange(0, 0.5), default=0.01, show_default=True)
@@ -158,7 +165,7 @@ def _progress() -> Any:
     help="How machines write; several are taken in turn. All but the workbook if left out.",
 )
 @click.option("--seed", type=int, default=1, show_default=True)
-def rig(folder: str, lagging: str, pressures: str, dialects: tuple[str, ...], **said: Any) -> int:
+def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
     """Make a FOLDER of virtual shear tests of a known law, with the plan to fit them.
 
     For trying the reader and the fit, and for teaching: the files look as if machines had
@@ -175,6 +182,6 @@ def rig(folder: str, lagging: str, pressures: str, dialects: tuple[str, ...], **
                 value=shown(os.fspath(folder)),
             )
         )
-    plan = write_virtual_tests(path, lagging, pressures, dialects, **said)
+    plan = write_virtual_tests(path, lagging, pressures, **said)
     click.echo(f"Plan: {plan}\nFit it:  wraparc fit {plan} -o {path / 'lagging.toml'}")
     return _DONE

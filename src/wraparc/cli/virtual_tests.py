@@ -1,6 +1,9 @@
 """A folder of virtual tests with its plan."""
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +18,11 @@ from wraparc.shear_test import DIALECTS, Dialect, VirtualRig, run_virtual_test
 from wraparc.units import parse_number
 
 _AREA = 0.04
+_HEAD = "# Virtual tests, made by `wraparc rig` from a known law: no machine wrote these files.\n"
 _TEXT_DIALECTS = tuple(name for name in DIALECTS if name != "excel")
 
 
-def write_virtual_tests(
-    folder: Path, lagging: str, pressures: str, dialects: Sequence[str], **said: Any
-) -> Path:
+def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any) -> Path:
     """Write tests and plan; return the path of the plan.
 
     Parameters
@@ -31,14 +33,15 @@ def write_virtual_tests(
         Name in the catalogue or path of a file.
     pressures
         Numbers in kPa, separated by blanks.
-    dialects
-        Names of `DIALECTS`, taken in turn.
     **said
-        ``repeats``, ``points``, ``noise``, ``lash`` [mm], ``scatter``, ``seed``.
+        ``conditions``, each a name or ``NAME=FACTOR`` on friction; ``dialects``, names of
+        `DIALECTS`, taken in turn; ``repeats``, ``points``, ``noise``, ``lash`` [mm],
+        ``scatter``, ``seed``.
     """
     of = load_lagging(lagging)
     values = _pressures(pressures)
-    writers = _dialects(dialects)
+    writers = _dialects(said["dialects"])
+    conditions = _conditions(said["conditions"])
     rig = VirtualRig(
         law=of.law,
         area=_AREA,
@@ -52,24 +55,29 @@ def write_virtual_tests(
     )
     folder.mkdir(parents=True, exist_ok=True)
     tests: list[dict[str, Any]] = []
-    for pressure in values:
-        for repeat in range(1, said["repeats"] + 1):
-            dialect = writers[len(tests) % len(writers)]
-            test = run_virtual_test(rig, pressure, said["seed"] * 100_000 + len(tests))
-            name = f"{pressure / 1e3:04.0f}kPa-{repeat}{dialect.suffix}"
-            save_file(folder / name, dialect.write(test))
-            tests.append({"file": name, "pressure": quantity_text(pressure, "pressure")})
-            if dialect.units:
-                tests[-1]["units"] = dict(dialect.units)
+    repeats = range(1, said["repeats"] + 1)
+    for (condition, factor), pressure, repeat in product(conditions.items(), values, repeats):
+        dialect = writers[len(tests) % len(writers)]
+        state = replace(rig, friction_factor=factor)
+        test = run_virtual_test(state, pressure, said["seed"] * 100_000 + len(tests))
+        prefix = f"{condition}-" if len(conditions) > 1 else ""
+        name = f"{prefix}{pressure / 1e3:04.0f}kPa-{repeat}{dialect.suffix}"
+        save_file(folder / name, dialect.write(test))
+        tests.append({"file": name, "pressure": quantity_text(pressure, "pressure")})
+        tests[-1]["speed"] = "10 mm/min"
+        if conditions.keys() != {"dry"}:
+            tests[-1]["condition"] = condition
+        if dialect.units:
+            tests[-1]["units"] = dict(dialect.units)
     plan = folder / "plan.toml"
-    save_file(plan, document_text(_plan(of, tests, said)))
+    save_file(plan, _HEAD + document_text(_plan(of, tests, said)))
     return plan
 
 
 def _plan(lagging: Lagging, tests: list[dict[str, Any]], said: dict[str, Any]) -> dict[str, Any]:
     sample: dict[str, Any] = {
         "name": f"{lagging.name}-virtual"[:60],
-        "title": f"Virtual tests of {lagging.title or lagging.name}"[:200],
+        "title": f"{lagging.title or lagging.name}, virtual tests"[:200],
     }
     if lagging.surface:
         sample["surface"] = lagging.surface
@@ -86,6 +94,9 @@ def _plan(lagging: Lagging, tests: list[dict[str, Any]], said: dict[str, Any]) -
         f"made by the virtual rig from the law of {lagging.name}: noise {said['noise']:g}, "
         f"lash {said['lash']:g} mm, scatter between samples {said['scatter']:g}"
     )
+    changed = [f"{n} {f:g}" for n, f in _conditions(said["conditions"]).items() if f != 1.0]
+    if changed:
+        note += f"; friction times, by condition: {', '.join(changed)}"
     return {
         "format": 1,
         "lagging": sample,
@@ -112,6 +123,28 @@ def _pressures(text: str) -> list[float]:
             )
         )
     return sorted(set(values))
+
+
+def _conditions(given: Sequence[str]) -> dict[str, float]:
+    """Friction of each condition over that of the law."""
+    factors: dict[str, float] = {}
+    for text in given or ("dry",):
+        name, sign, number = text.partition("=")
+        try:
+            factor = parse_number(number) if sign else 1.0
+        except InputError:
+            factor = 0.0
+        if not re.fullmatch(r"[A-Za-z0-9_]{1,30}", name) or not 0.0 < factor <= 10.0:
+            raise InputError(
+                Problem(
+                    message="must be a word, or a word and a factor on friction up to 10",
+                    remedy="Write for example --condition dry --condition wet=0.7.",
+                    key="--condition",
+                    value=shown(text),
+                )
+            )
+        factors[name] = factor
+    return factors
 
 
 def _dialects(names: Sequence[str]) -> list[Dialect]:

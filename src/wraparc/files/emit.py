@@ -1,5 +1,6 @@
 """Documents to TOML text, laid out for people: short tables on one line, values by tomli_w."""
 
+import textwrap
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -55,8 +56,18 @@ def _value(value: object) -> str:
         line = f"[{', '.join(items)}]"
         if len(line) <= _WIDTH and not any(isinstance(item, Mapping) for item in value):
             return line
+        if all(isinstance(item, int | float) for item in value):
+            return "[\n" + _filled(items) + "]"
         return "[\n" + "".join(f"  {item},\n" for item in items) + "]"
     return _dumped("k", value).removeprefix("k = ")
+
+
+def _filled(items: list[str]) -> str:
+    """Numbers side by side, as many as a line takes."""
+    text = textwrap.fill(
+        ", ".join(items) + ",", _WIDTH, initial_indent="  ", subsequent_indent="  "
+    )
+    return text + "\n"
 
 
 def _key(key: str) -> str:

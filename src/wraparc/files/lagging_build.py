@@ -23,11 +23,11 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
     sources = read_sources(record, _KEYS, report)
     common: dict[str, Any] = {key: record[key] for key in _SAME if key in record}
     common["provenance"] = own_provenance(record, report) or Provenance()
-    common["notes"] = tuple(record.get("notes", ()))
     common["cost"] = _cost(record, report)
     common |= _elasticity(record, sources, common["provenance"], report)
     laws = [law for law in record.get("law", ()) if isinstance(law, Record)]
-    parts = [_law_parts(law, sources, report) for law in laws]
+    notes = tuple(record.get("notes", ()))
+    parts = [_law_parts(law, sources, notes, report) for law in laws]
     _check_conditions(laws, report)
     if not record.get("law") and record.sound("law"):
         report.add((*record.place, "law"), "missing", "Add a [law] table, as the examples show.")
@@ -40,14 +40,17 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
         return ()
 
 
-def _law_parts(law: Record, sources: dict[str, Provenance], report: Report) -> dict[str, Any]:
-    """Return what a law gives to its lagging: the law, its condition, fit and sources."""
+def _law_parts(
+    law: Record, sources: dict[str, Provenance], notes: tuple[str, ...], report: Report
+) -> dict[str, Any]:
+    """Return what a law gives to its lagging: the law, its condition, fit, notes and sources."""
     own = own_provenance(law, report)
     fit = law.get("fit")
     return {
         "law": read_law(law, report),
         "condition": law.get("condition", "dry"),
         "fit": read_fit(fit, report) if isinstance(fit, Record) else None,
+        "notes": (*notes, *law.get("notes", ())),
         "sources": sources | ({"law": own} if own else {}),
     }
 

@@ -139,6 +139,7 @@ def _law(kind: str, *entries: Entry, tested: bool = True) -> Table:
         Entry("condition", Name(), "Condition", "State of the surface; dry if left out."),
         Entry("provenance", PROVENANCE, "Provenance", "Where this law came from, if elsewhere."),
         Entry("fit", FIT, "Fit", "Statistics of the fit."),
+        Entry("notes", _NOTES, "Notes", "What a reader must know of this law."),
     ]
     if tested:
         common += [

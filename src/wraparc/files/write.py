@@ -2,6 +2,8 @@
 
 import os
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import takewhile
 from typing import Any
 
 from wraparc import catalogue
@@ -214,12 +216,19 @@ def _lagging_keys(lagging: Lagging) -> Tables:
 def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
     several = (laggings,) if isinstance(laggings, Lagging) else tuple(laggings)
     first = several[0]
-    commons = [_common(lagging) for lagging in several]
+    shared = _shared_notes(several)
+    commons = [_common(replace(lagging, notes=shared)) for lagging in several]
     if any(common != commons[0] for common in commons):
         message = f"laggings of one file differ in more than their laws: {first.name}"
         raise InputError(Problem(message=message, remedy="Write them into files of their own."))
-    laws = [_law(lagging) for lagging in several]
+    laws = [_law(lagging, lagging.notes[len(shared) :]) for lagging in several]
     return {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
+
+
+def _shared_notes(laggings: Sequence[Lagging]) -> tuple[str, ...]:
+    """Return the notes that all begin with; the others go with each law."""
+    together = zip(*(lagging.notes for lagging in laggings), strict=False)
+    return tuple(notes[0] for notes in takewhile(lambda notes: len(set(notes)) == 1, together))
 
 
 def _common(lagging: Lagging) -> Tables:
@@ -245,10 +254,12 @@ def _common(lagging: Lagging) -> Tables:
     return table | _origins(lagging.provenance, sources)
 
 
-def _law(lagging: Lagging) -> Tables:
+def _law(lagging: Lagging, notes: Sequence[str]) -> Tables:
     table = {"condition": lagging.condition, **law_table(lagging.law)}
     if "law" in lagging.sources:
         table["provenance"] = _provenance(lagging.sources["law"])
+    if notes:
+        table["notes"] = list(notes)
     return table | ({"fit": fit_table(lagging.fit)} if lagging.fit else {})
 
 

@@ -65,10 +65,13 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
     design = [d for d in catalogue.design_friction() if d.surface == first.surface]
     tables += [_design_table(first.surface, system, of)] if design else []
     tables += [_cost_table(first)] if first.cost else []
-    remarks = [*first.notes]
+    remarks = _notes(laggings)
     if first.source_of("law").kind is Kind.ILLUSTRATIVE and not remarks:
         remarks.append("Illustrative: it describes no real product.")
-    remarks += [m for lagging in laggings if lagging.fit for m in lagging.fit.misfit]
+    remarks += [
+        f"{lagging.condition}: {m}" if len(laggings) > 1 else m
+        for lagging in laggings if lagging.fit for m in lagging.fit.misfit
+    ]  # fmt: skip
     return Sheet(
         first.title or first.name,
         str(first.provenance),
@@ -77,6 +80,24 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
         tuple(remarks),
         of.listed(),
     )
+
+
+def _notes(laggings: Sequence[Lagging]) -> list[str]:
+    """Return the notes of all conditions; what is not said of all, with its condition."""
+    texts = dict.fromkeys(note for lagging in laggings for note in lagging.notes)
+    return [
+        text
+        if all(text in lagging.notes for lagging in laggings)
+        else f"{', '.join(lag.condition for lag in laggings if text in lag.notes)}: {text}"
+        for text in texts
+    ]
+
+
+def law_table(lagging: Lagging, system: System = "si") -> Table:
+    """Return the table that a friction law can be drawn from again: coefficients, or friction."""
+    if isinstance(lagging.law, IntegralLog):
+        return _coefficient_table(lagging.law, system, f", {lagging.name}")
+    return _friction_table(lagging, system, f", {lagging.name}")
 
 
 def _pressures(law: FrictionLaw) -> list[float]:

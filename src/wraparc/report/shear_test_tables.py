@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from wraparc.friction import ab_from_peak
 from wraparc.present.sheet import NONE, Level, Row, Sheet, Table, Verdict
+from wraparc.report.shear_test_files import files_table, left_out_table, remarks_table
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.pressure_fit import t95
@@ -54,7 +55,10 @@ def _subtitle(result: PlanResult) -> str:
 
 
 def _started(sentence: str) -> str:
-    return sentence[:1].upper() + sentence[1:] + ("" if sentence.endswith(".") else ".")
+    """A sentence with its capital, unless it begins with a name, and its full stop."""
+    first = sentence.split(" ", 1)[0]
+    begin = sentence[:1].upper() if first.isalpha() else sentence[:1]
+    return begin + sentence[1:] + ("" if sentence.endswith(".") else ".")
 
 
 def verdict(result: PlanResult) -> Verdict:
@@ -73,12 +77,6 @@ def verdict(result: PlanResult) -> Verdict:
     return Verdict(Level.GOOD, "The law describes the tests within their noise and scatter.")
 
 
-def left_out_table(result: PlanResult) -> Table:
-    """Tests that could not be used, and why."""
-    rows = tuple(Row(_started(str(problem)), ()) for problem in result.left_out)
-    return Table("Tests left out", rows, heads=())
-
-
 def condition_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
     """Tables of one condition."""
     tables = [
@@ -94,7 +92,8 @@ def condition_tables(condition: ConditionResult, system: System, name: str) -> l
         tables.append(prediction_table(condition, system, name))
     if any(test.other is not None for test in condition.tests):
         tables.append(shear_table(condition, system, name))
-    return tables
+    single = remarks_table(condition, name)
+    return [*tables, files_table(condition, name), *([single] if single else [])]
 
 
 def curves_table(condition: ConditionResult, system: System, name: str) -> Table:

@@ -7,6 +7,7 @@ decimal signs, encodings, marks at the end. The text is our own.
 import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from wraparc.shear_test.virtual_rig import VirtualTest
 
 _LBF = 4.4482216152605
 _INCH = 0.0254
+_MADE = datetime(2026, 1, 1, tzinfo=UTC)
 
 
 @dataclass(frozen=True)
@@ -157,6 +159,7 @@ def _excel(test: VirtualTest) -> bytes:
         raise MissingExtraError("xlsxwriter", "report") from None
     stream = io.BytesIO()
     book = xlsxwriter.Workbook(stream, {"in_memory": True})
+    book.set_properties({"created": _MADE})  # else the same test gives other bytes each time
     cover = book.add_worksheet("Summary")
     cover.write_row(0, 0, ["Operator", "virtual"])
     cover.write_row(1, 0, ["Pressure", test.pressure / 1e3, "kPa"])

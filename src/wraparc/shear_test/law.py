@@ -63,7 +63,11 @@ def _changing(tails: Tails) -> Array:
 
 def rounded(values: Array) -> Array:
     """Six significant digits: more would only make a file harder to read."""
-    return np.array([float(f"{value:.6g}") for value in values.ravel()]).reshape(values.shape)
+    return _to_digits(values, 6)
+
+
+def _to_digits(values: Array, digits: int) -> Array:
+    return np.array([float(f"{v:.{digits}g}") for v in values.ravel()]).reshape(values.shape)
 
 
 def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) -> IntegralLog:
@@ -121,7 +125,8 @@ def _knot_statistics(
     return Fit(
         parameters=tuple(names),
         values=tuple(values.tolist()),
-        covariance=tuple(tuple(row) for row in matrix.tolist()),
+        # Of fewer digits it would have negative eigenvalues: the knots outnumber the parameters.
+        covariance=tuple(tuple(row) for row in _to_digits(matrix, 9).tolist()),
         residual_noise=float(np.median([test.curve.noise for test in found.tests])),
         date=datetime.now(UTC).date().isoformat(),
         method=_METHOD,

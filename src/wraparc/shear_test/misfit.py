@@ -155,18 +155,11 @@ def _remainder(fit: CurveFit, top: float) -> list[Sentence]:
 def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]:
     remarks: list[str] = []
     q, error = fit.parameters, fit.error("ln_peak_slip")
-    if not fit.peak_inside:
-        tested = f"the tested {fit.slip_max * 1e3:.3g} mm"
-        if error > _UNKNOWN_PEAK:
-            remarks.append(
-                f"the peak lies beyond {tested} and this curve does not determine it "
-                f"(peak slip uncertain by a factor of {np.exp(1.96 * error):.1f})"
-            )
-        else:
-            remarks.append(
-                f"the peak lies beyond {tested}, by extrapolation at {q.peak_slip * 1e3:.3g} mm "
-                f"({196 * error:.2g} % either way)"
-            )
+    if not fit.peak_inside and error > _UNKNOWN_PEAK:
+        remarks.append(
+            f"the peak lies beyond the tested {fit.slip_max * 1e3:.3g} mm and this curve does "
+            f"not determine it (peak slip uncertain by a factor of {np.exp(1.96 * error):.1f})"
+        )
     if q.lash < 0.0 and "lash" in fit.free:
         remarks.append(
             f"the record starts under load: {-q.lash * 1e3:.2f} mm of slip were past by then"

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.consistency import FAR
@@ -24,7 +25,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     if law is not None:
         misfit += _curves_off(tests, law, found)
         misfit += _predictions(found.left_out)
-    remarks = [_shear_sentence(plan)]
+    remarks = [_shear_sentence(plan), _tests_sentence(tests, found.levels)]
     if law is None or choice is None:
         pressure = tests[0].curve.pressure / 1e3
         remarks.append(
@@ -44,6 +45,37 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "slip the law is an extrapolation"
         )
     return tuple(misfit), tuple(remarks)
+
+
+def _tests_sentence(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:
+    """What was tested, as far as the plan says: pressures, slip, temperature, speed, dates."""
+    planned = [test.test for test in tests]
+    parts = [
+        _range([test.curve.pressure / 1e3 for test in tests], "kPa"),
+        _slip_reached(tests, levels),
+        _range([t.temperature - 273.15 for t in planned if t.temperature is not None], "degC"),
+        _range([t.speed * 60e3 for t in planned if t.speed is not None], "mm/min"),
+    ]
+    dates = sorted({test.date for test in planned if test.date})
+    parts.append(" to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
+    count = f"{len(tests)} tests" if len(tests) > 1 else "1 test"
+    return f"{count}: {', '.join(part for part in parts if part)}"
+
+
+def _slip_reached(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:
+    reached = np.array([test.fit.slip_max for test in tests]) * 1e3
+    everywhere = min(float(reached[levels == k].max()) for k in np.unique(levels))
+    short = f", {everywhere:.3g} mm at every pressure" if everywhere < 0.9 * reached.max() else ""
+    return f"slip up to {reached.max():.3g} mm{short}"
+
+
+def _range(values: Sequence[float], unit: str) -> str:
+    ends = (
+        list(dict.fromkeys(f"{value:.4g}" for value in (min(values), max(values))))
+        if values
+        else []
+    )
+    return f"{' to '.join(ends)} {unit}" if ends else ""
 
 
 def _of_curves(tests: Sequence[TestResult]) -> list[str]:

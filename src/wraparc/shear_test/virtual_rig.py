@@ -46,6 +46,8 @@ class VirtualRig:
         Fraction of the readings that are far off.
     wander
         Standard deviation of the slow relative change of the normal force.
+    friction_factor
+        Friction over that of the law, for another state of its surface, such as wet.
     scatter_friction, scatter_slip
         Standard deviation of ln mu_pk and ln x_pk from sample to sample, by scaling
         friction and slip of the whole law.
@@ -71,6 +73,7 @@ class VirtualRig:
     drift: float = 0.0
     spikes: float = 0.0
     wander: float = 0.0
+    friction_factor: float = 1.0
     scatter_friction: float = 0.0
     scatter_slip: float = 0.0
     force_zero: float = 0.0
@@ -123,7 +126,7 @@ def run_virtual_test(rig: VirtualRig, pressure: float, seed: int) -> VirtualTest
         Of the random numbers; the same seed gives the same test.
     """
     rng = np.random.default_rng(seed)
-    friction_factor = float(np.exp(rng.normal(0.0, rig.scatter_friction)))
+    friction_factor = rig.friction_factor * float(np.exp(rng.normal(0.0, rig.scatter_friction)))
     slip_factor = float(np.exp(rng.normal(0.0, rig.scatter_slip)))
     travel = np.linspace(0.0, rig.stroke, rig.points)
     normal = pressure * rig.area

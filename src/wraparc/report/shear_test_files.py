@@ -1,0 +1,85 @@
+"""What was read, test by test: rows, circumstances, and what must be known of single tests."""
+
+from collections.abc import Iterator, Sequence
+
+from wraparc.present.sheet import NONE, Row, Table
+from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+
+#: More tests than this, of which the same is to be said, are counted instead of named.
+_FEW = 3
+
+
+def left_out_table(result: PlanResult) -> Table:
+    """Tests that could not be used, and why."""
+    return Table("Tests left out", tuple(Row(str(p), ()) for p in result.left_out), heads=())
+
+
+def files_table(condition: ConditionResult, name: str) -> Table:
+    """One line a file: what was read of it and under what circumstances it was tested."""
+    rows = []
+    for test in condition.tests:
+        planned, record = test.test, test.record
+        warm = planned.temperature
+        rows.append(
+            Row(
+                title=planned.file,
+                values=(
+                    str(record.rows),
+                    str(len(record.travel)),
+                    str(len(test.curve.travel)),
+                    "measured" if record.normal_force is not None else "as set",
+                    f"{test.fit.slip_max * 1e3:.1f}",
+                    NONE if warm is None else f"{warm - 273.15:.4g}",
+                    NONE if planned.speed is None else f"{planned.speed * 60e3:.4g}",
+                    planned.date or NONE,
+                    planned.sample or NONE,
+                ),
+            )
+        )
+    heads = (
+        "rows",
+        "kept",
+        "of the pull",
+        "normal force",
+        "slip [mm]",
+        "degC",
+        "mm/min",
+        "date",
+        "sample",
+    )
+    # A column that the plan says nothing of is left out.
+    told = [k for k in range(len(heads)) if any(row.values[k] != NONE for row in rows)]
+    return Table(
+        f"Files{name}",
+        tuple(Row(row.title, tuple(row.values[k] for k in told)) for row in rows),
+        tuple(heads[k] for k in told),
+        "Rows of numbers in the file, those kept, and those of the pull that were fitted; largest "
+        "slip.",
+    )
+
+
+def remarks_table(condition: ConditionResult, name: str) -> Table | None:
+    """What was chosen, left out or noticed in single tests; None if there is nothing to say."""
+    about: dict[str, list[str]] = {}
+    for test in condition.tests:
+        for text in _remarks(test):
+            about.setdefault(text, []).append(test.test.file)
+    if not about:
+        return None
+    lines = tuple(Row(f"{_listed(files)}: {text}.", ()) for text, files in about.items())
+    return Table(f"Remarks on single tests{name}", lines, heads=())
+
+
+def _remarks(test: TestResult) -> Iterator[str]:
+    for item in test.record.dropped:
+        rows = "1 row" if item.count == 1 else f"{item.count} rows"
+        yield f"{rows} left out, {item.reason}"
+    yield from test.record.notes
+    yield from test.curve.notes
+    yield from test.judged.remarks
+
+
+def _listed(files: Sequence[str]) -> str:
+    if len(files) > _FEW:
+        return f"{len(files)} tests, as {files[0]}"
+    return ", ".join(files)
