@@ -55,6 +55,7 @@ class FastRequest(Request):
     pulley: Line | None = Field(None, description="The first if left out.")
     load_case: Line | None = Field(None, description="The first if left out.")
     points: int = Field(120, ge=8, le=1000, description="Parts of the wrap in the profile.")
+    tables: bool = Field(False, description="Whether to send tables as well.")
     sequence: int = Field(0, ge=0, le=2**53, description="Comes back as it is.")
 
 
@@ -85,6 +86,12 @@ class DocumentRequest(Request):
     """A drive."""
 
     document: Document
+
+
+class LaggingRequest(Request):
+    """The text of a lagging file."""
+
+    toml: str = Field(max_length=1_000_000)
 
 
 class QuantityItem(Request):

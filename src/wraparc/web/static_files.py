@@ -42,15 +42,21 @@ class Static:
     """The files of a folder. A request names a file by a key of a table, never by a path."""
 
     def __init__(self, folder: Path) -> None:
-        self._paths: Mapping[str, Path] = {
+        self._folder = folder
+        self._paths = self._listed()
+        self._kept: dict[str, tuple[int, StaticFile]] = {}
+
+    def _listed(self) -> Mapping[str, Path]:
+        return {
             path.name: path
-            for path in sorted(folder.iterdir())
+            for path in self._folder.iterdir()
             if path.is_file() and path.suffix in _KINDS
         }
-        self._kept: dict[str, tuple[int, StaticFile]] = {}
 
     def get(self, name: str) -> StaticFile | None:
         """Return a file, read anew if it has changed; None if there is none of this name."""
+        if name not in self._paths:
+            self._paths = self._listed()  # a file that came later
         path = self._paths.get(name)
         if path is None:
             return None

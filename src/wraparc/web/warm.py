@@ -13,6 +13,7 @@ def warm() -> None:
             "load_case": None,
             "points": 60,
             "sequence": 0,
+            "tables": False,
         }
         solve_fast(request)
         solve_all(request)

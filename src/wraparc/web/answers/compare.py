@@ -9,6 +9,7 @@ from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
+from wraparc.files.problems import place_text
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import named, percent
 from wraparc.present.words import level_of, short
@@ -82,7 +83,9 @@ def _drive(document: dict[str, Any]) -> Drive:
     return thing
 
 
-_Candidate = tuple[str, Drive | InputError, Data]
+Changes = list[Data]
+_Candidate = tuple[str, Drive | InputError, Changes]
+_OF_BELT = ("name", "kind", "modulus", "rating", "least_pulley_diameter", "sources", "provenance")
 
 
 def _candidates(request: Data, drive: Drive, pulley: str) -> Iterable[_Candidate]:
@@ -93,14 +96,18 @@ def _candidates(request: Data, drive: Drive, pulley: str) -> Iterable[_Candidate
     names = request["names"]
     wanted = catalogue.lagging_names() if names is None else names
     if own.name not in wanted and names is None:
-        yield own.name, drive, {}
+        yield own.name, drive, []
     for name in wanted:
-        change = {"path": f"pulley.{pulley}.lagging", "value": name}
+        change = [{"path": place_text(("pulley", pulley, "lagging")), "value": name}]
         if name == own.name:
-            yield name, drive, {}
+            yield name, drive, []
             continue
         try:
-            lagging = _like(load_lagging_conditions(name, allow_paths=False), own)
+            conditions = load_lagging_conditions(name, allow_paths=False)
+            lagging = _like(conditions, own)
+            first = lagging is conditions[0]
+            condition = None if first else lagging.condition
+            change.append({"path": place_text(("pulley", pulley, "condition")), "value": condition})
             yield name, with_lagging(drive, pulley, lagging), change
         except InputError as error:
             yield name, error, change
@@ -116,11 +123,12 @@ def _belts(names: list[str] | None, drive: Drive) -> Iterable[_Candidate]:
     if names is None:
         names = _neighbours(drive)
         if own.name not in names:
-            yield own.name, drive, {}
+            yield own.name, drive, []
     for name in names:
-        change = {"path": "belt.preset", "value": name}
+        change: Changes = [{"path": "belt.preset", "value": name}]
+        change += [{"path": f"belt.{key}", "value": None} for key in _OF_BELT]
         if name == own.name:
-            yield name, drive, {}
+            yield name, drive, []
             continue
         try:
             yield name, with_belt(drive, catalogue.belt(name)), change
@@ -142,7 +150,7 @@ def _neighbours(drive: Drive) -> list[str]:
     return [b.name for b in found]
 
 
-def _row(name: str, drive: Drive, result: ArcResult, change: Data, request: Data) -> Data:
+def _row(name: str, drive: Drive, result: ArcResult, change: Changes, request: Data) -> Data:
     lagging = drive.pulley(result.arc.pulley).lagging
     what = lagging if request["what"] == "laggings" else drive.belt
     origin = lagging.source_of("law") if isinstance(what, Lagging) else what.provenance
@@ -158,7 +166,7 @@ def _row(name: str, drive: Drive, result: ArcResult, change: Data, request: Data
         "cost_note": note,
         "kind": origin.kind.value,
         "source": str(origin),
-        "change": change or None,
+        "change": change,
     }
 
 

@@ -59,23 +59,22 @@ def solve_fast(request: Data) -> Data:
     pulley, case = pulley_of(drive, request["pulley"]), case_of(drive, request["load_case"])
     result = method.solve(WrapArc.of(drive, pulley, case))
     answered = DriveResult(drive, (result,))
-    solved = (result,)
     return {
         "sequence": request["sequence"],
         "kind": "drive" if isinstance(thing, Drive) else "train",
         "pulley": pulley.name,
         "load_case": case.name,
         "verdict": verdict_data(lambda system: verdict(answered, system)),
-        "tables": tables_data(
-            [answer_table(solved, "si"), creep_table(solved, "si")],
-            [answer_table(solved, "us"), creep_table(solved, "us")],
-            TABLES[:2],
-        )
-        if result.status.solved
+        "tables": tables_data(_first_tables(result, "si"), _first_tables(result, "us"), TABLES[:2])
+        if request["tables"] and result.status.solved
         else [],
         "remarks": _remarks(drive),
         **_arc_numbers(result),
     }
+
+
+def _first_tables(result: ArcResult, system: System) -> list[Table | None]:
+    return [answer_table((result,), system), creep_table((result,), system)]
 
 
 def _divided(train: Train, load_case: str | None, method: Distributed) -> Drive:

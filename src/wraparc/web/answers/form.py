@@ -10,7 +10,7 @@ from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.files.tables import Entry, Table
 from wraparc.files.train_keys import TRAIN
 from wraparc.glossary import GLOSSARY
-from wraparc.units import DIMENSION_TEXT, DIMENSIONS, Dimension, display, display_unit
+from wraparc.units import DIMENSION_TEXT, DIMENSIONS, Dimension, display, display_unit, unit_factor
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Data, both
 
@@ -166,6 +166,11 @@ def _units(dimension: Dimension) -> Data:
     return {
         **both(unit),
         "choices": _choices(dimension),
+        "factors": {
+            unit: unit_factor(unit, dimension)
+            for unit in (*_choices(dimension), *(("%",) if dimension == "number" else ()))
+            if unit not in ("degC", "degF")
+        },
         "example": DIMENSION_TEXT[dimension].example,
     }
 

@@ -7,6 +7,7 @@ from typing import Any, get_args
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.common_keys import FORMAT
 from wraparc.files.emit import document_text
+from wraparc.files.lagging_file import lagging_from_document
 from wraparc.files.quantity_text import quantity_text
 from wraparc.files.source import Document, parse
 from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
@@ -76,6 +77,14 @@ def json_like(value: Any) -> Any:
         finite = not isinstance(value, float) or abs(value) < float("inf")
         return value if finite else str(value)
     return str(value)
+
+
+def read_lagging(request: Data) -> Data:
+    """Return the lagging of the text of a lagging file, as a table for a drive document."""
+    document = parse(request["toml"])
+    first = lagging_from_document(document)[0]
+    table = {k: v for k, v in json_like(document).items() if k not in ("format", "name")}
+    return {"name": first.name, "title": first.title, "lagging": table}
 
 
 def quantities(request: Data) -> Data:

@@ -110,6 +110,12 @@ async def write_toml(request: Request, body: models.DocumentRequest) -> Response
     return await short(request, f"{_TEXTS}:write_toml", body)
 
 
+@router.post("/lagging/read", summary="Text of a lagging file to a table for a drive document")
+async def read_lagging(request: Request, body: models.LaggingRequest) -> Response:
+    """Read the text of a lagging file."""
+    return await short(request, f"{_TEXTS}:read_lagging", body)
+
+
 @router.post("/quantities", summary="Read and convert quantities as typed")
 async def quantities(request: Request, body: models.QuantitiesRequest) -> Response:
     """Read quantities as strictly as the drive file does."""

@@ -4,6 +4,7 @@ from typing import Any
 
 from fastapi import Request, Response
 
+from wraparc.web.database.store import Store
 from wraparc.web.settings import Settings
 from wraparc.web.work import Workers
 
@@ -16,6 +17,7 @@ class State:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.workers = Workers(settings.workers)
+        self.store = Store.open(settings.database, settings.shown_database)
 
 
 def state_of(request: Request) -> State:

@@ -1,0 +1,190 @@
+"""Designs saved, listed, opened: the only place that asks the database."""
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from typing import Any
+
+from sqlalchemy import Engine, func, select
+from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
+
+from wraparc.version import __version__
+from wraparc.web.database.engine import WRITES, open_engine
+from wraparc.web.database.tables import Design, Version
+
+Data = dict[str, Any]
+
+
+class NoSuchDesignError(LookupError):
+    """There is no such design, or version of it."""
+
+
+class NewerVersionError(Exception):
+    """Somebody has saved another version meanwhile."""
+
+    def __init__(self, newest: int) -> None:
+        super().__init__(newest)
+        self.newest = newest
+
+
+class Store:
+    """The saved designs.
+
+    Parameters
+    ----------
+    engine
+        See `open_engine`.
+    """
+
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+
+    @classmethod
+    def open(cls, url: str, shown: str = "") -> "Store":
+        """Return the designs of a database; its tables are made where they are missing."""
+        return cls(open_engine(url, shown))
+
+    def close(self) -> None:
+        """Give back the connections."""
+        self._engine.dispose()
+
+    @contextmanager
+    def _session(self, *, writes: bool = False) -> Iterator[Session]:
+        options = {WRITES: writes}
+        with Session(self._engine.execution_options(**options)) as session, session.begin():
+            yield session
+
+    def listed(self, query: str = "", offset: int = 0, limit: int = 50) -> Data:
+        """Return designs, last changed first, whose name contains a text."""
+        chosen = select(Design)
+        if query:
+            chosen = chosen.where(Design.name.icontains(query, autoescape=True))
+        with self._session() as session:
+            total = session.scalar(select(func.count()).select_from(chosen.subquery())) or 0
+            order = chosen.order_by(Design.changed.desc(), Design.id.desc())
+            newest = (Version.design_id == Design.id) & (Version.number == Design.newest)
+            rows = session.execute(
+                order.join(Version, newest)
+                .add_columns(Version.who, Version.note)
+                .offset(offset)
+                .limit(limit)
+            )
+            found = [_summary(design, who, note) for design, who, note in rows]
+        return {"total": total, "designs": found}
+
+    def create(self, name: str, kind: str, document: Data, *, note: str, who: str) -> Data:
+        """Save a new design; return its first version."""
+        now = datetime.now(UTC)
+        with self._session(writes=True) as session:
+            design = Design(name=name, kind=kind, created=now, changed=now, newest=1)
+            version = _version(1, now, document, note, who)
+            design.versions.append(version)
+            session.add(design)
+            session.flush()
+            return _opened(design, version)
+
+    def design(self, number: int) -> Data:
+        """Return a design with all its versions, without their documents."""
+        with self._session() as session:
+            found = _get(session, number)
+            newest = found.versions[-1]
+            versions = [_version_data(version) for version in found.versions]
+            summary = _summary(found, newest.who, newest.note)
+        return {**summary, "newest": summary["versions"], "versions": versions}
+
+    def version(self, design: int, number: int) -> Data:
+        """Return one version with its document."""
+        with self._session() as session:
+            found = _get(session, design)
+            chosen = select(Version).where(Version.design_id == design, Version.number == number)
+            version = session.scalar(chosen)
+            if version is None:
+                raise NoSuchDesignError
+            return _opened(found, version)
+
+    def add(
+        self, design: int, base: int, kind: str, document: Data, *, note: str, who: str
+    ) -> Data:
+        """Save a new version made from version `base`; return it.
+
+        Raises
+        ------
+        NewerVersionError
+            If `base` is not the newest any more.
+        """
+        now = datetime.now(UTC)
+        try:
+            with self._session(writes=True) as session:
+                found = _get(session, design, lock=True)
+                if found.newest != base:
+                    raise NewerVersionError(found.newest)
+                found.newest, found.kind, found.changed = base + 1, kind, now
+                version = _version(base + 1, now, document, note, who)
+                found.versions.append(version)
+                session.flush()
+                return _opened(found, version)
+        except IntegrityError:
+            raise NewerVersionError(base + 1) from None
+
+    def rename(self, design: int, name: str) -> None:
+        """Give a design another name."""
+        with self._session(writes=True) as session:
+            _get(session, design, lock=True).name = name
+
+    def delete(self, design: int) -> None:
+        """Delete a design with all its versions."""
+        with self._session(writes=True) as session:
+            session.delete(_get(session, design, lock=True))
+
+
+def _get(session: Session, design: int, *, lock: bool = False) -> Design:
+    found = session.get(Design, design, with_for_update=lock)
+    if found is None:
+        raise NoSuchDesignError
+    return found
+
+
+def _version(number: int, now: datetime, document: Data, note: str, who: str) -> Version:
+    text = json.dumps(document, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+    return Version(
+        number=number, created=now, who=who, note=note, document=text, program=__version__
+    )
+
+
+def _summary(design: Design, who: str, note: str) -> Data:
+    return {
+        "id": design.id,
+        "name": design.name,
+        "kind": design.kind,
+        "versions": design.newest,
+        "created": _text(design.created),
+        "changed": _text(design.changed),
+        "who": who,
+        "note": note,
+    }
+
+
+def _version_data(version: Version) -> Data:
+    return {
+        "version": version.number,
+        "created": _text(version.created),
+        "who": version.who,
+        "note": version.note,
+        "program": version.program,
+    }
+
+
+def _opened(design: Design, version: Version) -> Data:
+    return {
+        "id": design.id,
+        "name": design.name,
+        "kind": design.kind,
+        **_version_data(version),
+        "document": json.loads(version.document),
+    }
+
+
+def _text(moment: datetime) -> str:
+    return moment.astimezone(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
