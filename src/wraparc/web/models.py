@@ -166,3 +166,40 @@ class ReportRequest(Request):
     document: Document
     units: System = "si"
     name: Line = "drive"
+
+
+class FileChoices(Request):
+    """What a machine file does not tell of itself."""
+
+    travel: Line | int | None = None
+    force: Line | int | None = None
+    normal_force: Line | int | None = None
+    time: Line | int | None = None
+    units: dict[str, Short] | None = Field(None, max_length=100)
+    decimal: Short | None = None
+    delimiter: Short | None = None
+    encoding: Short | None = None
+    sheet: Line | None = None
+    table: int | None = None
+
+
+class TestFileRequest(Request):
+    """What is said of a machine file."""
+
+    __test__ = False  # not a test class, whatever its name suggests to a test collector
+
+    pressure: Short | None = None
+    normal_force: Short | None = None
+    condition: Line = "dry"
+    repeat: Line = ""
+    sample: Line = ""
+    choices: FileChoices = FileChoices()
+    illustrative: bool = False
+
+
+class FitRequest(Request):
+    """The lagging, the rig and how to fit, as in a test plan."""
+
+    lagging: dict[str, Any]
+    rig: dict[str, Any]
+    fit: dict[str, Any] = {}

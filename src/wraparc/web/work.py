@@ -20,8 +20,14 @@ from wraparc.web.errors import ApiError, Data, json_bytes, refused
 
 #: Most seconds for a short answer, and for a long one.
 SHORT_LIMIT, LONG_LIMIT = 20.0, 600.0
-_MOST_WAITING = 200
-_PRELOADED = ("wraparc.web.answers.drives", "wraparc.web.answers.compare")
+_MOST_WAITING, _MOST_LONG_WAITING = 200, 40
+#: Most memory of a long task [bytes]: a file made to fill it all fills no more than this.
+_MEMORY = 6 * 1024**3
+_PRELOADED = (
+    "wraparc.web.answers.drives",
+    "wraparc.web.answers.compare",
+    "wraparc.web.answers.trains",
+)
 
 
 def context() -> Any:
@@ -63,7 +69,8 @@ class Workers:
         self._pool: Executor | None = None
         self._lock = threading.Lock()
         self._waiting = 0
-        self._long = threading.BoundedSemaphore(long_tasks)
+        self._long = asyncio.Semaphore(long_tasks)
+        self._long_waiting = 0
 
     def _executor(self) -> Executor:
         with self._lock:
@@ -130,23 +137,35 @@ class Workers:
 
     async def long(self, where: str, request: Data, limit: float = LONG_LIMIT) -> bytes:
         """Return the answer to a request that may take long, from a process of its own."""
-        if not self._long.acquire(blocking=False):
-            message = "other long tasks are running"
+        if self._long_waiting >= _MOST_LONG_WAITING:
+            message = "too many long tasks are waiting"
             raise refused(503, message, "Try again when they are done.")
+        self._long_waiting += 1
         try:
-            task = Task(self._context, where, request, lambda *_: None)
-            try:
-                return await asyncio.wait_for(asyncio.to_thread(task.result), limit)
-            except TimeoutError:
-                raise refused(503, f"no answer within {limit:g} s", "Ask for less.") from None
-            finally:
-                task.cancel()
+            async with self._long:
+                return await self._apart(where, request, limit)
         finally:
-            self._long.release()
+            self._long_waiting -= 1
+
+    async def _apart(self, where: str, request: Data, limit: float) -> bytes:
+        task = await asyncio.to_thread(self.task, where, request, _ignored)
+        try:
+            return await asyncio.wait_for(asyncio.to_thread(task.result), limit)
+        except TimeoutError:
+            raise refused(503, f"no answer within {limit:g} s", "Ask for less.") from None
+        except CancelledTaskError:
+            message = "the process that worked on this has ended; it may have lacked memory"
+            raise refused(503, message, "Ask for less.") from None
+        finally:
+            task.cancel()
 
     def task(self, where: str, request: Data, progress: Callable[[int, int, str], None]) -> "Task":
         """Start a task that tells of its progress; the function gets a callback for it."""
         return Task(self._context, where, request, progress)
+
+
+def _ignored(done: int, total: int, message: str) -> None:
+    """Progress that nobody asks for."""
 
 
 class CancelledTaskError(Exception):
@@ -204,8 +223,19 @@ class Task:
             self._process.kill()
 
 
+def _limit_memory() -> None:
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    if soft == resource.RLIM_INFINITY or soft > _MEMORY:
+        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, hard))
+
+
 def _run_task(where: str, request: Data, sender: Connection) -> None:
     module, _, function = where.partition(":")
+    _limit_memory()
 
     def progress(done: int, total: int, message: str = "") -> None:
         sender.send(("progress", done, total, message))

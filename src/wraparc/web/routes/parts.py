@@ -5,6 +5,7 @@ from typing import Any
 from fastapi import Request, Response
 
 from wraparc.web.database.store import Store
+from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
 from wraparc.web.work import Workers
 
@@ -17,6 +18,7 @@ class State:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.workers = Workers(settings.workers)
+        self.sessions = Sessions()
         self.store = Store.open(settings.database, settings.shown_database)
 
 

@@ -1,0 +1,134 @@
+"""Uploaded files, in memory only, for a while, limited in size and number."""
+
+import secrets
+import threading
+import time
+from dataclasses import dataclass, field
+from typing import Any
+
+from wraparc.web.errors import Data, refused
+
+LIFE = 1800.0
+MOST_SESSIONS, MOST_FILES = 8, 60
+MOST_FILE, MOST_SESSION, MOST_IN_ALL = 20_000_000, 60_000_000, 200_000_000
+
+
+@dataclass
+class Upload:
+    """One file as it was sent, and what is said about it.
+
+    Attributes
+    ----------
+    id
+        Its number in the session; it is never found by its name.
+    name
+        As the browser told it, for messages only.
+    data
+        Its bytes.
+    said
+        What the user says about it: pressure, condition, choices ...
+    read
+        What was read.
+    """
+
+    id: str
+    name: str
+    data: bytes
+    said: Data = field(default_factory=dict)
+    read: Data = field(default_factory=dict)
+
+
+@dataclass
+class Session:
+    """The files of one visitor."""
+
+    id: str
+    used: float
+    uploads: dict[str, Upload] = field(default_factory=dict)
+    next: int = 1
+
+    @property
+    def size(self) -> int:
+        """Bytes held."""
+        return sum(len(upload.data) for upload in self.uploads.values())
+
+
+class Sessions:
+    """All sessions of a server."""
+
+    def __init__(self, clock: Any = time.monotonic) -> None:
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._sessions: dict[str, Session] = {}
+
+    def create(self) -> Session:
+        """Return a new session; the one longest unused gives way if there are too many."""
+        with self._lock:
+            self._sweep()
+            if len(self._sessions) >= MOST_SESSIONS:
+                oldest = min(self._sessions.values(), key=lambda s: s.used)
+                if self._clock() - oldest.used < 60.0:
+                    message = "too many people are working on shear tests"
+                    raise refused(429, message, "Try again in some minutes.")
+                del self._sessions[oldest.id]
+            session = Session(secrets.token_urlsafe(16), self._clock())
+            self._sessions[session.id] = session
+            return session
+
+    def get(self, name: str) -> Session:
+        """Return a session, which lives on from now."""
+        with self._lock:
+            self._sweep()
+            found = self._sessions.get(name)
+            if found is None:
+                message = "these files are not kept any more"
+                raise refused(404, message, "Drop them again.")
+            found.used = self._clock()
+            return found
+
+    def add(self, session: Session, name: str, data: bytes) -> Upload:
+        """Keep a file."""
+        with self._lock:
+            if len(session.uploads) >= MOST_FILES:
+                raise refused(413, f"more than {MOST_FILES} files", "Take some away.", name)
+            if len(data) > MOST_FILE:
+                limit = f"{MOST_FILE / 1e6:g} MB"
+                raise refused(413, f"the file is larger than {limit}", "Send a part.", name)
+            in_all = sum(s.size for s in self._sessions.values())
+            if session.size + len(data) > MOST_SESSION or in_all + len(data) > MOST_IN_ALL:
+                message = "the files together are too large"
+                raise refused(413, message, "Take some away.", name)
+            upload = Upload(str(session.next), name, data)
+            session.next += 1
+            session.uploads[upload.id] = upload
+            return upload
+
+    def upload(self, session: Session, number: str) -> Upload:
+        """Return a file of a session."""
+        found = session.uploads.get(number)
+        if found is None:
+            raise refused(404, "there is no such file", "Drop it again.")
+        return found
+
+    def remove(self, session: Session, number: str) -> None:
+        """Forget a file."""
+        with self._lock:
+            if session.uploads.pop(number, None) is None:
+                raise refused(404, "there is no such file")
+
+    def forget(self, name: str) -> None:
+        """Forget a session with its files."""
+        with self._lock:
+            if self._sessions.pop(name, None) is None:
+                raise refused(404, "there is no such session")
+
+    def _sweep(self) -> None:
+        now = self._clock()
+        for session in [s for s in self._sessions.values() if now - s.used > LIFE]:
+            del self._sessions[session.id]
+
+
+def shown_name(name: str | None) -> str:
+    """Return the name of an upload for messages: its last part, printable, short."""
+    last = (name or "").replace("\\", "/").rpartition("/")[2]
+    return "".join(c for c in last if c.isprintable())[:120].strip() or "file"
