@@ -39,6 +39,7 @@ def _printable(text: str) -> str:
 Line = Annotated[str, Field(max_length=200), AfterValidator(_printable)]
 Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_printable)]
 Lines = Annotated[str, Field(max_length=5000), AfterValidator(_printable)]
+Head = Annotated[str, Field(max_length=120)]
 Short = Annotated[str, Field(max_length=60)]
 
 
@@ -160,12 +161,25 @@ class RenameRequest(Request):
     name: Name
 
 
+class ReportHead(Request):
+    """Title block of a calculation note."""
+
+    title: Head = ""
+    project: Head = ""
+    number: Head = ""
+    revision: Head = ""
+    author: Head = ""
+    date: Head = ""
+    paper: Literal["a4", "us-letter"] = "a4"
+
+
 class ReportRequest(Request):
     """A calculation note."""
 
     document: Document
     units: System = "si"
-    name: Line = "drive"
+    name: Line = Field("drive", description="Name of the file, without its ending.")
+    head: ReportHead = ReportHead()
 
 
 class FileChoices(Request):

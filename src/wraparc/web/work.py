@@ -41,9 +41,10 @@ def context() -> Any:
 
 
 def answer(where: str, request: Data) -> bytes:
-    """Return the answer of ``module:function`` to a request, as JSON."""
+    """Return the answer of ``module:function`` to a request, as JSON unless it is bytes."""
     module, _, function = where.partition(":")
-    return json_bytes(getattr(import_module(module), function)(request))
+    found = getattr(import_module(module), function)(request)
+    return found if isinstance(found, bytes) else json_bytes(found)
 
 
 def _warm() -> None:

@@ -31,6 +31,7 @@ from wraparc.web.answers.shown import (
     verdict_data,
 )
 
+_PAPER_POINTS = 121
 TABLES = ("answer", "creep", "capacity", "comparison", "energy", "inputs")
 
 
@@ -162,7 +163,7 @@ def _arc_data(drive: Drive, result: ArcResult, paper: ArcResult) -> Data:
         "paper": {
             "status": paper.status.name.lower(),
             "numbers": numbers_data(paper.scalars()),
-            "profile": profile_data(paper.profile),
+            "profile": profile_data(paper.profile, _PAPER_POINTS),
         },
         **_arc_numbers(result),
     }

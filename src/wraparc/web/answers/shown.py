@@ -118,9 +118,13 @@ def rounded(values: Any, digits: int = 6) -> list[Any]:
     return [v if math.isfinite(v) else None for v in result.tolist()]
 
 
-def profile_data(profile: Profile) -> dict[str, list[Any]]:
-    """Return a profile."""
-    return arrays_data(profile.columns())
+def profile_data(profile: Profile, most: int = 0) -> dict[str, list[Any]]:
+    """Return a profile, of at most so many points if said, both ends included."""
+    columns = profile.columns()
+    if 0 < most < len(profile):
+        kept = np.unique(np.linspace(0, len(profile) - 1, most).round().astype(int))
+        return arrays_data((name, column[kept]) for name, column in columns)
+    return arrays_data(columns)
 
 
 def outside_data(result: ArcResult) -> list[list[float]]:

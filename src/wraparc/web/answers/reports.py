@@ -1,0 +1,30 @@
+"""The calculation note of a drive."""
+
+from datetime import UTC, datetime
+from typing import Any
+
+from wraparc.arc import Distributed, PaperMarch, solve
+from wraparc.drive import Drive
+from wraparc.report import NoteHead, markdown, pdf, workbook
+from wraparc.train import solve_train
+from wraparc.web.answers.drives import read
+from wraparc.web.answers.shown import Data
+
+_KINDS: dict[str, Any] = {"pdf": pdf, "xlsx": workbook, "md": markdown}
+
+
+def report(request: Data) -> bytes:
+    """Return the note as a file: ``pdf``, ``xlsx`` or ``md``."""
+    thing = read(request["document"])
+    given = {key: text for key, text in request["head"].items() if text}
+    date = datetime.now(UTC).date().isoformat()
+    head = NoteHead(**{"date": date, "file": f"{request['name']}.toml", **given})
+    train = None
+    if isinstance(thing, Drive):
+        first = solve(thing, method=Distributed(), raise_on_failure=False)
+    else:
+        train = solve_train(thing, raise_on_failure=False)
+        first = train.drive_result()
+    second = solve(first.drive, method=PaperMarch(), raise_on_failure=False)
+    made = _KINDS[request["kind"]]([first, second], head, system=request["units"], train=train)
+    return made.encode("utf-8") if isinstance(made, str) else bytes(made)
