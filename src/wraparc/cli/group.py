@@ -19,6 +19,9 @@ COMMANDS: dict[str, Command] = {
     "trim": Command(
         "wraparc.cli.trim:trim", "Show how exactly the drives on one belt must be matched."
     ),
+    "report": Command(
+        "wraparc.cli.report:report", "Write the calculation note of a drive: PDF, Excel, Markdown."
+    ),
     "check": Command("wraparc.cli.solve:check", "Read a drive file and say what is wrong with it."),
     "laggings": Command("wraparc.cli.catalogue:laggings", "List the laggings of the catalogue."),
     "lagging": Command("wraparc.cli.catalogue:lagging", "Show one lagging and its friction law."),

@@ -80,10 +80,10 @@ def solve(
     draw = _drawing() if plot_file else None
     drive = load_drive_or_train(file, overrides=settings)
     if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
-        train, results = _solve_train(drive, method, load_case, creep_limit, file)
+        train, results = solve_as_train(drive, method, load_case, creep_limit, file)
     else:
         train = None
-        drive = _with_limit(_with_case(drive, load_case, file), creep_limit)
+        drive = with_limit(with_case(drive, load_case, file), creep_limit)
         results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
     texts = {}
     if json_file:
@@ -107,9 +107,10 @@ def solve(
     return exit_code(results[0])
 
 
-def _solve_train(
+def solve_as_train(
     read: "Drive | Train", method: str, load_case: str | None, creep_limit: str | None, file: str
 ) -> "tuple[TrainResult, list[DriveResult]]":
+    """Solve what was read as a train, its pulleys by the methods of a name in `METHODS`."""
     from wraparc.cli import train_answer
     from wraparc.train import Train
 
@@ -194,7 +195,8 @@ def _picture(
     return plot_train(train, units=units)
 
 
-def _with_case(drive: Drive, name: str | None, file: str) -> Drive:
+def with_case(drive: Drive, name: str | None, file: str) -> Drive:
+    """Return the drive with one load case only."""
     if name is None:
         return drive
     chosen = tuple(case for case in drive.load_cases if case.name == name)
@@ -215,7 +217,8 @@ def _with_case(drive: Drive, name: str | None, file: str) -> Drive:
     return replace(drive, load_cases=chosen)
 
 
-def _with_limit(drive: Drive, text: str | None) -> Drive:
+def with_limit(drive: Drive, text: str | None) -> Drive:
+    """Return the drive with one creep limit for all pulleys, as it was typed."""
     if text is None:
         return drive
     limit = _limit(text)

@@ -9,7 +9,7 @@ from wraparc.drive import Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
 from wraparc.present.inputs import lagging_rows
-from wraparc.present.sheet import NONE, Row, Sheet, Table, named, quantity
+from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, quantity
 from wraparc.present.sources import Sources
 from wraparc.provenance import Kind
 from wraparc.units import System, display, display_unit
@@ -142,16 +142,18 @@ def _coefficient_table(law: IntegralLog, system: System, of_condition: str) -> T
         values = (
             f"{a:.5f}",
             f"{b:.5f}",
-            named("peak_slip", float(slip[i]), system),
+            number("peak_slip", float(slip[i]), system),
             f"{peak[i]:.3f}",
-            named("post_peak_slope", float(slope[i]), system),
+            number("post_peak_slope", float(slope[i]), system),
             f"{residual[i]:.3f}",
         )
         rows.append(Row(named("wrap_pressure", pressure, system), values))
     heads = (
         f"A [1/{unit}]",
         f"b [1/{unit}]",
-        *(GLOSSARY[n].symbol for n in ("peak_slip", "peak_friction", "post_peak_slope")),
+        f"{GLOSSARY['peak_slip'].symbol} [{unit}]",
+        GLOSSARY["peak_friction"].symbol,
+        f"{GLOSSARY['post_peak_slope'].symbol} [1/{unit}]",
         GLOSSARY["residual_friction"].symbol,
     )
     kind = "monotone cubics between knots" if isinstance(law.coefficients, PressureKnots) else ""

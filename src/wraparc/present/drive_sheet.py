@@ -48,7 +48,7 @@ def drive_sheet(
         subtitle=first.drive.description,
         verdict=verdict(first, system),
         tables=tuple(tables),
-        remarks=(*design_remarks(first.drive, system), *_method_remarks(results)),
+        remarks=(*design_remarks(first.drive, system), *method_remarks(results)),
         sources=of.listed(),
     )
 
@@ -131,7 +131,8 @@ def _summary_values(result: ArcResult, system: System) -> tuple[str, ...]:
     )
 
 
-def _method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:
+def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:
+    """Yield what to know of results by further methods."""
     for other in results[1:]:
         for arc in other:
             if not arc.status.solved:

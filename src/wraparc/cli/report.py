@@ -1,0 +1,126 @@
+"""``wraparc report``."""
+
+import datetime as dt
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import click
+
+from wraparc.arc import DriveResult
+from wraparc.arc import solve as solve_drive
+from wraparc.cli import train_answer
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
+from wraparc.drive import Drive
+from wraparc.errors import InputError
+from wraparc.files import load_drive_or_train
+from wraparc.report.note import PAPERS, NoteHead, Paper
+from wraparc.saving import save_file
+from wraparc.train import TrainResult
+from wraparc.units import System
+
+SUFFIXES = (".pdf", ".xlsx", ".md")
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    metavar="FILE",
+    help="The document: .pdf, .xlsx or .md; - prints Markdown.",
+)
+@units_option
+@click.option("--case", "--load-case", "case", metavar="NAME", help="Report this load case only.")
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
+@click.option("--title", default="", metavar="TEXT", help="Title; that of the drive unless given.")
+@click.option("--project", default="", metavar="TEXT", help="Project or customer.")
+@click.option("--number", default="", metavar="TEXT", help="Number of the document.")
+@click.option("--revision", default="", metavar="TEXT", help="Its revision.")
+@click.option("--author", default="", metavar="TEXT", help="Who prepared it.")
+@click.option("--date", metavar="TEXT", help="Date to print; today unless given.")
+@click.option(
+    "--paper",
+    type=click.Choice(PAPERS),
+    help="Paper; A4, with US units US Letter.",
+)
+def report(
+    file: str,
+    output: str,
+    units: System,
+    case: str | None,
+    settings: tuple[str, ...],
+    creep_limit: str | None,
+    title: str,
+    project: str,
+    number: str,
+    revision: str,
+    author: str,
+    date: str | None,
+    paper: Paper | None,
+) -> int:
+    """Write the calculation note of a drive FILE: PDF to sign, Excel workbook or Markdown.
+
+    Inputs and where they came from, assumptions, equations, results by both methods, pictures,
+    checks against limits, a box to sign.
+    """
+    check_outputs({"--output": (output, SUFFIXES)}, [file])
+    head = _head(
+        title=title,
+        project=project,
+        number=number,
+        revision=revision,
+        author=author,
+        date=dt.date.today().isoformat() if date is None else date,  # noqa: DTZ011 - the user's
+        file=os.path.basename(file),
+        paper=paper or ("us-letter" if units == "us" else "a4"),
+    )
+    results, train = _solved(file, settings, case, creep_limit)
+    _write(output, results, head, units, train)
+    if train is not None:
+        return train_answer.exit_code(train)
+    return exit_code(results[0])
+
+
+def _head(**values: str) -> NoteHead:
+    try:
+        return NoteHead(**values)  # type: ignore[arg-type]
+    except InputError as error:
+        raise InputError(replace(p, key=f"--{p.key}") for p in error.problems) from None
+
+
+def _solved(
+    file: str, settings: Sequence[str], case: str | None, creep_limit: str | None
+) -> tuple[list[DriveResult], TrainResult | None]:
+    """Solve a drive by both methods; a belt with several pulleys as a train."""
+    read = load_drive_or_train(file, overrides=settings)
+    if isinstance(read, Drive) and len(read.pulleys) == 1:
+        drive = with_limit(with_case(read, case, file), creep_limit)
+        return [
+            solve_drive(drive, method=method(), raise_on_failure=False)
+            for method in METHODS["both"]
+        ], None
+    train, results = solve_as_train(read, "both", case, creep_limit, file)
+    return results, train
+
+
+def _write(
+    output: str,
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    units: System,
+    train: TrainResult | None,
+) -> None:
+    from wraparc.report import markdown, pdf, workbook
+
+    if output == STANDARD_OUTPUT:
+        click.echo(markdown(results, head, system=units, train=train), nl=False)
+        return
+    makers: dict[str, Callable[..., str | bytes]]
+    makers = {".pdf": pdf, ".xlsx": workbook, ".md": markdown}
+    make = makers[os.path.splitext(output)[1].lower()]
+    save_file(output, make(results, head, system=units, train=train))
+    click.echo(f"Wrote {output}", err=True)

@@ -1,0 +1,352 @@
+"""What a calculation note says, section by section, before anybody sets it in type."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Literal
+
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.drive import Pulley, design_remarks
+from wraparc.errors import InputError, Problem, shown
+from wraparc.glossary import GLOSSARY
+from wraparc.present.arc_tables import answer_table, belongs, capacity_table, creep_table
+from wraparc.present.catalogue_sheets import law_table
+from wraparc.present.design_values import comparison_table
+from wraparc.present.drive_sheet import method_remarks
+from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent
+from wraparc.present.sources import Sources
+from wraparc.present.train_sheet import case_table, trim_text
+from wraparc.present.train_words import train_verdict
+from wraparc.present.words import level_of, short, verdict
+from wraparc.report.checks import Check, Outcome, check_table, checks
+from wraparc.report.equations import Equation, equations
+from wraparc.report.inputs import Input, drive_inputs, input_tables
+from wraparc.report.profile_drawing import profile_drawing
+from wraparc.report.pulley_drawing import budget_drawing, pulley_drawing
+from wraparc.report.svg import Drawing
+from wraparc.report.train_inputs import train_inputs
+from wraparc.train import TrainResult
+from wraparc.units import System, display_unit
+
+Paper = Literal["a4", "us-letter"]
+PAPERS: tuple[Paper, ...] = ("a4", "us-letter")
+_LONGEST = 120
+_MOST_PULLEYS_DRAWN = 4
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoteHead:
+    """What stands in the title block and in the box to sign; plain text, never markup.
+
+    Parameters
+    ----------
+    title
+        Title; that of the drive unless given.
+    project, number, revision
+        Project or customer, number and revision of the document.
+    author
+        Who prepared it.
+    date
+        As it shall be printed.
+    file
+        Name of the drive file.
+    paper
+        ``a4`` or ``us-letter``.
+
+    Raises
+    ------
+    InputError
+        For texts that are longer than a line, or hold letters that cannot be printed.
+    """
+
+    title: str = ""
+    project: str = ""
+    number: str = ""
+    revision: str = ""
+    author: str = ""
+    date: str = ""
+    file: str = ""
+    paper: Paper = "a4"
+
+    def __post_init__(self) -> None:
+        problems = []
+        for f in fields(self):
+            value = getattr(self, f.name)
+            if not isinstance(value, str) or len(value) > _LONGEST or not value.isprintable():
+                message = f"must be printable text of at most {_LONGEST} characters"
+                problems.append(Problem(key=f.name, value=shown(value), message=message))
+        if self.paper not in PAPERS:
+            message = f"no such paper, only {' and '.join(PAPERS)}"
+            problems.append(Problem(key="paper", value=shown(self.paper), message=message))
+        if problems:
+            raise InputError(problems)
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of a note under one heading: sentences, then tables, pictures and equations."""
+
+    title: str
+    sentences: tuple[str, ...] = ()
+    tables: tuple[Table, ...] = ()
+    drawings: tuple[Drawing, ...] = ()
+    equations: tuple[Equation, ...] = ()
+    numbered: bool = False
+
+
+@dataclass(frozen=True)
+class Note:
+    """A calculation note.
+
+    Attributes
+    ----------
+    head
+        Title block.
+    title, subtitle, belt
+        Headings, and the name of the belt.
+    told
+        The answer in words.
+    summary
+        How the checks end, in one sentence.
+    sections
+        Everything else.
+    """
+
+    head: NoteHead
+    title: str
+    subtitle: str
+    belt: str
+    told: Verdict
+    summary: str
+    sections: tuple[Section, ...]
+
+
+def make_note(
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    system: System = "si",
+    train: TrainResult | None = None,
+) -> Note:
+    """Return the note of a solved drive.
+
+    Parameters
+    ----------
+    results
+        The drive by the main solver, then by others.
+    head
+        Title block.
+    system
+        Units to show.
+    train
+        How the drives share the load, where there are several on the belt.
+    """
+    first = results[0]
+    of = Sources()
+    found = checks(first)
+    details = tuple(_details(results, system, of))
+    inputs = Section("Inputs and where they came from", tables=_inputs(first, system, of, train))
+    assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
+    sections = [
+        Section("Checks against limits", tables=(check_table(found, system),)),
+        _results_section(results, system, train),
+        *details,
+        inputs,
+        assumed,
+        _equation_section(results, train),
+        Section("Warnings", sentences=tuple(_warnings(results, system))),
+        Section("Sources", sentences=of.listed(), numbered=True),
+    ]
+    return Note(
+        head=head,
+        title=head.title or first.drive.title or "Drive",
+        subtitle=first.drive.description,
+        belt=first.drive.belt.name,
+        told=verdict(first, system) if train is None else train_verdict(train, system),
+        summary=_summary(found),
+        sections=tuple(s for s in sections if s.sentences or s.tables or s.drawings or s.equations),
+    )
+
+
+def _summary(found: Sequence[Check]) -> str:
+    failed = [check.title for check in found if check.outcome is Outcome.FAIL]
+    unknown = [check.title for check in found if check.outcome is Outcome.NOT_KNOWN]
+    passed = len(found) - len(failed) - len(unknown)
+    text = f"{passed} of {len(found)} checks pass"
+    text += f"; {len(failed)} fail: {', '.join(failed)}" if failed else ""
+    text += f"; not known: {', '.join(unknown)}" if unknown else ""
+    return f"{text}."
+
+
+def _inputs(
+    result: DriveResult, system: System, of: Sources, train: TrainResult | None
+) -> tuple[Table, ...]:
+    laggings = {p.lagging.name: p.lagging for p in result.drive.pulleys}
+    laws = (law_table(lagging, system) for lagging in laggings.values())
+    inputs = note_inputs(result, train)
+    return (*input_tables(inputs, system, of), *laws)
+
+
+def note_inputs(result: DriveResult, train: TrainResult | None) -> tuple[Input, ...]:
+    """Return every input of a note."""
+    more = () if train is None else train_inputs(train.train)
+    return (*drive_inputs(result, divided=train is not None), *more)
+
+
+def _results_section(
+    results: Sequence[DriveResult], system: System, train: TrainResult | None
+) -> Section:
+    tables = [_arcs_table(results, system)]
+    if train is not None:
+        tables += [_shares_table(train, system), case_table(train.governing, system)]
+    return Section("Results by load case", tables=tuple(tables))
+
+
+def _arcs_table(results: Sequence[DriveResult], system: System) -> Table:
+    """One line for each arc; the creep by the other methods beside that of the first."""
+    columns = (
+        ("entry_tension", "T1"), ("exit_tension", "T2"), ("tension_ratio", "T1/T2"),
+        ("exit_creep", "creep"), ("exit_slip", "slip"), ("peak_shear_angle", "shear angle"),
+        ("peak_shear_stress", "shear stress"), ("creep_limit_margin", "margin"),
+        ("power_loss", "loss"),
+    )  # fmt: skip
+    others = ["creep, paper"] if len(results) > 1 else []
+    heads = [_head(name, words, system) for name, words in columns]
+    heads[4:4] = [_head("exit_creep", words, system) for words in others]
+    rows = []
+    for position, arc in enumerate(results[0]):
+        values = [_number(arc, name, system) for name, _ in columns]
+        values[4:4] = [_number(r.arcs[position], "exit_creep", system) for r in results[1:2]]
+        title = arc.arc.load_case
+        if len(results[0].drive.pulleys) > 1:
+            title += f": {arc.arc.pulley}"
+        rows.append(Row(title, (*values, short(arc)), level=level_of(arc)))
+    note = (
+        "Margin: capacity at the creep limit over the actual tension ratio. Shear angle and shear "
+        "stress at their peak."
+    )
+    return Table("", tuple(rows), (*heads, "answer"), note)
+
+
+def _shares_table(train: TrainResult, system: System) -> Table:
+    """One line for each drive of each load case: what it carries, how fast it turns."""
+    rows = []
+    for case in train:
+        for m in case.members:
+            values = (
+                percent(m.share),
+                number("drum_power", m.drum_power, system),
+                f"{100.0 * (m.speed_ratio - 1.0):+.4f}",
+                trim_text(m.speed_trim),
+                percent(m.motor.motor_load) if m.motor else NONE,
+            )
+            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(m.arc)))
+    heads = (
+        "share", _head("drum_power", "power", system), "speed to the first [%]", "speed trim",
+        "motor load",
+    )  # fmt: skip
+    return Table("Shares and speeds", tuple(rows), heads)
+
+
+def _head(name: str, words: str, system: System) -> str:
+    unit, _ = display_unit(GLOSSARY[name].dimension, system)
+    return f"{words} [{unit}]" if unit else words
+
+
+def _number(result: ArcResult, name: str, system: System) -> str:
+    if name in ("entry_tension", "exit_tension", "tension_ratio"):
+        arc = result.arc
+        ratio = arc.entry_tension / arc.exit_tension
+        value = ratio if name == "tension_ratio" else getattr(arc, name)
+    elif not result.status.solved and name != "creep_limit_margin":
+        return NONE
+    else:
+        value = result.scalars()[name]
+    return number(name, value, system)
+
+
+def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Iterator[Section]:
+    """The arc that governs in full, with its pictures."""
+    first = results[0]
+    worst = first.governing
+    position = first.arcs.index(worst)
+    arcs = tuple(r.arcs[position] for r in results)
+    solved = tuple(r for r in arcs if r.status.solved)
+    drawn = solved or arcs[:1]
+    pulleys = [r for r in first if r.arc.load_case == worst.arc.load_case]
+    pictures = [pulley_drawing(r, system) for r in pulleys[:_MOST_PULLEYS_DRAWN]]
+    if worst.status.solved:
+        pictures.append(budget_drawing(drawn, system))
+    pictures.append(profile_drawing(drawn, system))
+    yield Section(f"The arc that governs: {belongs(worst)}", drawings=tuple(pictures))
+    tables = []
+    if solved:
+        tables += [replace(answer_table(solved, system), title=""), creep_table(solved, system)]
+    capacity = capacity_table(worst, system)
+    tables += [capacity] if capacity else []
+    lagging = first.drive.pulley(worst.arc.pulley).lagging
+    tables.append(comparison_table(worst, lagging, system, of))
+    yield Section(f"Its results: {belongs(worst)}", tables=tuple(tables))
+
+
+def _assumptions(results: Sequence[DriveResult], train: TrainResult | None) -> Iterator[str]:
+    drive = results[0].drive
+    yield (
+        "Steady running; tension and pressure uniform over the width of the belt; weight, bending "
+        "and centrifugal force of the belt left out; diameters over the unloaded lagging."
+    )
+    yield (
+        "The friction law knows slip and pressure, not speed, temperature or time; it is that of "
+        f"the condition named ({_conditions(drive.pulleys)})."
+    )
+    if any(p.lagging.law.tested is not None for p in drive.pulleys):
+        yield (
+            "Outside the tested pressures the friction is held below the lowest, the traction "
+            "above the highest; that is an extrapolation, and so is slip beyond the tested one."
+        )
+    if any(p.recovery for p in drive.pulleys):
+        yield "The compressed lagging recovers as the pressure falls, which adds creep."
+    if train is not None:
+        yield (
+            "Friction on runs between drives is as given; the load is divided as the drive file "
+            "says, and belt mass flow is continuous."
+        )
+    if len(results) > 1:
+        yield (
+            "The headline numbers are those of the distributed method, which solves equilibrium "
+            "and creep along the wrap; the paper's march stands beside it as a second opinion."
+        )
+
+
+def _conditions(pulleys: Sequence[Pulley]) -> str:
+    names = dict.fromkeys(f"{p.lagging.name}: {p.lagging.condition}" for p in pulleys)
+    return ", ".join(names)
+
+
+def _equation_section(results: Sequence[DriveResult], train: TrainResult | None) -> Section:
+    design = any(p.lagging.surface for p in results[0].drive.pulleys)
+    listed = equations(
+        results[0].arcs, paper=len(results) > 1, train=train is not None, design=design
+    )
+    return Section("Equations", equations=listed)
+
+
+def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
+    yield from design_remarks(results[0].drive, system)
+    for arc in results[0]:
+        if arc.status.solved and arc.outside_tested_share > 0.0:
+            share = percent(arc.outside_tested_share)
+            yield (
+                f"{belongs(arc)[0].upper()}{belongs(arc)[1:]}: on {share} of the wrap pressure or "
+                "slip lies outside the tested range; the friction is extrapolated there."
+            )
+    gross = results[0].governing.capacities.gross_slip_capacity
+    if gross == gross:
+        yield (
+            "The capacity at gross slip extrapolates the friction law, often far beyond any tested "
+            "slip; do not design by it."
+        )
+    yield from method_remarks(results)
+    limit = {named("creep_limit", r.arc.creep_limit, system) for r in results[0]}
+    yield (
+        f"The creep limit ({', '.join(sorted(limit))}) is a limit of practice, not of strength; "
+        "this note does not check bond strength, shaft, shell, or the belt's splice."
+    )

@@ -1,0 +1,337 @@
+"""A solved drive as an Excel workbook: numbers as numbers, units in the heads, native charts."""
+
+import io
+import math
+from collections.abc import Iterable, Sequence
+from datetime import datetime
+from typing import Any
+
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.errors import MissingExtraError
+from wraparc.glossary import GLOSSARY
+from wraparc.present.arc_tables import METHOD_TITLES
+from wraparc.present.sources import Sources
+from wraparc.present.words import short
+from wraparc.provenance import Provenance
+from wraparc.report.checks import Check, checks
+from wraparc.report.inputs import Input
+from wraparc.report.note import Note, NoteHead, make_note, note_inputs
+from wraparc.train import TrainResult
+from wraparc.units import Dimension, System, display_unit
+from wraparc.version import __version__
+
+Cell = str | float
+#: Titles of the sheets, in order.
+SHEETS = ("Summary", "Inputs", "Results", "Profile", "All profiles", "Sources")
+_WIDEST = 60
+_BLUE, _ORANGE, _RED = "#0072B2", "#D55E00", "#A50F15"
+
+
+def note_workbook(
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    system: System = "si",
+    train: TrainResult | None = None,
+) -> bytes:
+    """Return an .xlsx of a solved drive, see `make_note` for the parameters.
+
+    Raises
+    ------
+    MissingExtraError
+        If xlsxwriter is not installed.
+    """
+    try:
+        import xlsxwriter
+    except ImportError:
+        raise MissingExtraError("xlsxwriter", "report") from None
+    data = io.BytesIO()
+    # no text of the user's may become a formula or a link
+    options = {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False}
+    with xlsxwriter.Workbook(data, options) as book:
+        note = make_note(results, head, system, train)
+        book.set_properties(_properties(note))
+        _Workbook(book, note, results, system, train).write()
+    return data.getvalue()
+
+
+def _properties(note: Note) -> dict[str, Any]:
+    head = note.head
+    told = {
+        "title": note.title,
+        "author": head.author,
+        "subject": head.project,
+        "comments": f"wraparc {__version__}",
+    }
+    try:
+        return told | {"created": datetime.fromisoformat(head.date).replace(tzinfo=None)}
+    except ValueError:
+        return told
+
+
+class _Workbook:
+    """Writes the sheets of one workbook."""
+
+    def __init__(
+        self,
+        book: Any,
+        note: Note,
+        results: Sequence[DriveResult],
+        system: System,
+        train: TrainResult | None,
+    ) -> None:
+        self.book, self.note, self.results = book, note, results
+        self.system, self.train = system, train
+        self.bold = book.add_format({"bold": True})
+        self.head = book.add_format(
+            {"bold": True, "text_wrap": True, "valign": "top", "bottom": 1, "bg_color": "#EEEEEE"}
+        )
+        self.wrapped = book.add_format({"text_wrap": True, "valign": "top"})
+
+    def write(self) -> None:
+        """Write every sheet, in the order of `SHEETS`."""
+        self._summary()
+        inputs = note_inputs(self.results[0], self.train)
+        self._table("Inputs", _INPUT_HEADS, (self._input(entry) for entry in inputs))
+        self._results()
+        self._profile()
+        self._all_profiles()
+        self._sources(inputs)
+
+    def _put(self, sheet: Any, row: int, column: int, value: Cell, style: Any = None) -> None:
+        if isinstance(value, str):
+            sheet.write_string(row, column, value, style)
+        elif math.isnan(value):
+            sheet.write_blank(row, column, None, style)
+        elif math.isinf(value):
+            sheet.write_string(row, column, "without bound", style)
+        else:
+            sheet.write_number(row, column, value, style)
+
+    def _sheet(self, title: str, landscape: bool = True) -> Any:
+        sheet = self.book.add_worksheet(title)
+        sheet.set_paper(9 if self.note.head.paper == "a4" else 1)
+        if landscape:
+            sheet.set_landscape()
+        sheet.fit_to_pages(1, 0)
+        sheet.set_footer(f"&Lwraparc {__version__}&R&P of &N")
+        return sheet
+
+    def _table(
+        self, title: str, heads: Sequence[str], rows: Iterable[Sequence[Cell]], frozen: int = 1
+    ) -> Any:
+        """Write a table from the top of a new sheet, its heads and first columns frozen."""
+        sheet = self._sheet(title)
+        widths = [max(9, min(len(head), 16)) for head in heads]
+        for column, head in enumerate(heads):
+            self._put(sheet, 0, column, head, self.head)
+        last = 0
+        for last, values in enumerate(rows, start=1):
+            for column, value in enumerate(values):
+                self._put(sheet, last, column, value)
+                if isinstance(value, str):
+                    widths[column] = min(max(widths[column], len(value) + 1), _WIDEST)
+        for column, width in enumerate(widths):
+            sheet.set_column(column, column, width)
+        sheet.freeze_panes(1, frozen)
+        sheet.repeat_rows(0)
+        sheet.autofilter(0, 0, max(last, 1), len(heads) - 1)
+        return sheet
+
+    def _unit(self, dimension: Dimension) -> tuple[str, float]:
+        return display_unit(dimension, self.system)
+
+    def _headed(self, name: str) -> str:
+        unit, _ = self._unit(GLOSSARY[name].dimension)
+        return f"{GLOSSARY[name].title} [{unit}]" if unit else GLOSSARY[name].title
+
+    def _scaled(self, name: str, value: float) -> float:
+        return value / self._unit(GLOSSARY[name].dimension)[1]
+
+    def _summary(self) -> None:
+        sheet, note, head = self._sheet("Summary", landscape=False), self.note, self.note.head
+        self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
+        pairs = (
+            ("Project", head.project), ("Document", head.number), ("Revision", head.revision),
+            ("Prepared by", head.author), ("Date", head.date), ("Drive file", head.file),
+            ("Program", f"wraparc {__version__}"), ("Belt", note.belt),
+            (str(note.told.level), note.told.headline), ("Checks", note.summary),
+        )  # fmt: skip
+        row = 1
+        for title, value in (
+            *((t, v) for t, v in pairs if v),
+            *(("", s) for s in note.told.sentences),
+        ):
+            self._put(sheet, row, 0, title, self.bold)
+            sheet.merge_range(row, 1, row, 8, "", self.wrapped)
+            self._put(sheet, row, 1, value, self.wrapped)
+            sheet.set_row(row, 15.0 * max(1, math.ceil(len(value) / 95)))
+            row += 1
+        for column, title in enumerate(_CHECK_HEADS):
+            self._put(sheet, row + 1, column, title, self.head)
+        sheet.freeze_panes(row + 2, 1)
+        for line, check in enumerate(checks(self.results[0]), start=row + 2):
+            for column, cell in enumerate(self._check(check)):
+                self._put(sheet, line, column, cell)
+        for column, width in enumerate((46, 10, 12, 12, 8, 12, 12, 42)):
+            sheet.set_column(column, column, width)
+
+    def _check(self, check: Check) -> tuple[Cell, ...]:
+        unit, size = self._unit(check.dimension)
+        bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
+        return (
+            check.title, bound, check.limit / size, check.found / size, unit or "-",
+            100.0 * check.margin, str(check.outcome), check.where,
+        )  # fmt: skip
+
+    def _input(self, entry: Input) -> tuple[Cell, ...]:
+        value: Cell = entry.value
+        unit = ""
+        if not isinstance(value, str):
+            unit, size = self._unit(entry.dimension)
+            value = value / size if math.isfinite(value) else "rigid"
+        origin = entry.origin
+        told = ("computed", "", entry.computed) if origin is None else _told(origin)
+        return entry.group, entry.title, entry.symbol, value, unit, *told
+
+    def _results(self) -> None:
+        names = [n for n in self.results[0].arcs[0].scalars() if n in GLOSSARY]
+        heads = ["Load case", "Pulley", "Method", "Answer", *map(self._headed, names)]
+        shares: tuple[str, ...] = ()
+        if self.train is not None:
+            shares = tuple(n for n in self.train.cases[0].members[0].scalars() if n in GLOSSARY)
+            heads += list(map(self._headed, shares))
+        rows: list[list[Cell]] = [
+            [
+                *_belongs(arc),
+                short(arc),
+                *(self._scaled(name, arc.scalars()[name]) for name in names),
+                *self._member(arc, shares),
+            ]
+            for result in self.results
+            for arc in result
+        ]
+        self._table("Results", heads, rows, frozen=4)
+
+    def _member(self, arc: ArcResult, names: Sequence[str]) -> Sequence[float]:
+        """Return what a train adds to an arc; nothing for other methods, which know no speeds."""
+        if self.train is None or arc.method != self.results[0].arcs[0].method:
+            return ()
+        member = self.train[arc.arc.load_case][arc.arc.pulley]
+        numbers = member.scalars()
+        return [self._scaled(name, numbers.get(name, math.nan)) for name in names]
+
+    def _profile(self) -> None:
+        """Write the profile of the arc that governs, by every method, with charts beside it."""
+        worst = self.results[0].governing
+        arcs = [r.arcs[self.results[0].arcs.index(worst)] for r in self.results]
+        names = [name for name, _ in worst.profile.columns()]
+        heads, columns = [], []
+        for arc in arcs:
+            method = "" if arc is worst else f", {METHOD_TITLES.get(arc.method, arc.method)}"
+            heads += [f"{self._headed(name)}{method}" for name in names]
+            columns += [
+                [self._scaled(name, v) for v in column.tolist()]
+                for name, column in arc.profile.columns()
+            ]
+        limit = self._scaled("creep_limit", math.copysign(worst.arc.creep_limit, worst.arc.side))
+        heads.append(self._headed("creep_limit"))
+        columns.append([limit] * len(worst.profile))
+        longest = max(map(len, columns))
+        padded = [column + [math.nan] * (longest - len(column)) for column in columns]
+        sheet = self._table("Profile", heads, zip(*padded, strict=True))
+        place = len(heads) + 1
+        for number, (title, quantities) in enumerate(_CHARTS):
+            chart = self._chart(title, quantities, names, arcs, len(heads) - 1)
+            sheet.insert_chart(1 + 16 * number, place, chart)
+
+    def _chart(
+        self,
+        title: str,
+        quantities: Sequence[str],
+        names: Sequence[str],
+        arcs: Sequence[ArcResult],
+        limit: int,
+    ) -> Any:
+        chart = self.book.add_chart({"type": "scatter", "subtype": "straight"})
+        for method, arc in enumerate(arcs):
+            for k, name in enumerate(quantities):
+                first = method * len(names)
+                words = GLOSSARY[name].title + (", paper's march" if method else "")
+                colour = "#000000" if method else (_BLUE, _ORANGE)[k]
+                line = {"color": colour, "width": 1.0 if method else 2.0}
+                if k:
+                    line["dash_type"] = "dash"
+                rows = len(arc.profile)
+                self._series(chart, words, (first, first + names.index(name)), rows, line)
+        if "creep" in quantities:
+            line = {"color": _RED, "width": 1.5, "dash_type": "round_dot"}
+            self._series(chart, "Creep limit", (0, limit), len(arcs[0].profile), line)
+        chart.set_title({"name": title, "name_font": {"size": 11}})
+        end = math.degrees(arcs[0].arc.wrap_angle)
+        chart.set_x_axis({"name": "Wrap angle [deg]", "min": 0, "max": end})
+        chart.set_y_axis(
+            {"name": self._headed(quantities[0]), "major_gridlines": {"visible": True}}
+        )
+        chart.set_legend({"position": "bottom"})
+        chart.set_size({"width": 620, "height": 310})
+        return chart
+
+    def _series(
+        self, chart: Any, words: str, columns: tuple[int, int], rows: int, line: dict[str, Any]
+    ) -> None:
+        along, value = columns
+        chart.add_series(
+            {
+                "name": words,
+                "categories": ["Profile", 1, along, rows, along],
+                "values": ["Profile", 1, value, rows, value],
+                "line": line,
+                "marker": {"type": "none"},
+            }
+        )
+
+    def _all_profiles(self) -> None:
+        names = [name for name, _ in self.results[0].arcs[0].profile.columns()]
+        heads = ["Load case", "Pulley", "Method", *map(self._headed, names)]
+        rows: Iterable[list[Cell]] = (
+            [*_belongs(arc), *(self._scaled(n, v) for n, v in zip(names, point, strict=True))]
+            for result in self.results
+            for arc in result
+            for point in zip(*(c.tolist() for _, c in arc.profile.columns()), strict=True)
+        )
+        self._table("All profiles", heads, rows, frozen=3)
+
+    def _sources(self, inputs: Sequence[Input]) -> None:
+        of, rows = Sources(), []
+        for entry in inputs:
+            if entry.origin is not None:
+                of.note(entry.origin)
+        rows += [("source", text) for text in of.listed()]
+        for section in self.note.sections:
+            if section.title in ("Assumptions", "Warnings", "Sources"):
+                kind = section.title.lower().rstrip("s")
+                rows += [(kind, text) for text in section.sentences]
+            rows += [("equation", f"{e.title}: {e.latex}") for e in section.equations]
+        sheet = self._table("Sources", ("Kind", "Text"), dict.fromkeys(rows))
+        sheet.set_column(1, 1, 120, self.wrapped)
+
+
+_INPUT_HEADS = ("Of", "Quantity", "Symbol", "Value", "Unit", "Kind", "Source", "Note")
+_CHECK_HEADS = (
+    "Check", "Bound", "Limit", "Found", "Unit", "Margin [%]", "Answer", "Where it comes off worst",
+)  # fmt: skip
+_CHARTS = (
+    ("Belt tension", ("tension",)),
+    ("Friction", ("friction", "friction_used")),
+    ("Creep and slip", ("creep", "slip")),
+    ("Shear stress", ("shear_stress",)),
+)
+
+
+def _told(origin: Provenance) -> tuple[str, str, str]:
+    source = ", ".join(part for part in (origin.source, origin.date) if part)
+    return origin.kind.value, source, origin.note
+
+
+def _belongs(arc: ArcResult) -> tuple[str, str, str]:
+    return arc.arc.load_case, arc.arc.pulley, METHOD_TITLES.get(arc.method, arc.method)
