@@ -76,7 +76,7 @@ def train_input_sheet(train: Train, system: System = "si") -> Sheet:
             *lagging_rows(pulley.lagging, system, of),
         )
         tables.append(Table(f"Pulley {pulley.name}", rows))
-    tables.append(cases_table(train, system))
+    tables.append(_cases_table(train, system))
     count = f"{len(train.pulleys)} pulleys, {len(train.cases)} load cases"
     told = Verdict(Level.GOOD, f"The drive file of the train is in order: {count}.")
     title = train.title or "Train"
@@ -91,8 +91,7 @@ _DIVIDED = {
 }
 
 
-def cases_table(train: Train, system: System) -> Table:
-    """Return the load cases of a train as they were given."""
+def _cases_table(train: Train, system: System) -> Table:
     rows = tuple(
         Row(
             case.name,
