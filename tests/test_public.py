@@ -42,13 +42,17 @@ PUBLIC = [
     "Status",
     "Tensions",
     "TestedRange",
+    "Train",
+    "TrainResult",
     "Trend",
     "WrapArc",
     "WraparcError",
     "__version__",
     "load_drive",
     "load_lagging",
+    "load_train",
     "solve",
+    "solve_train",
 ]
 
 

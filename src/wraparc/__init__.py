@@ -32,7 +32,7 @@ if typing.TYPE_CHECKING:
         Problem,
         WraparcError,
     )
-    from wraparc.files import load_drive, load_lagging
+    from wraparc.files import load_drive, load_lagging, load_train
     from wraparc.friction import (
         CoefficientPieces,
         Constant,
@@ -47,6 +47,7 @@ if typing.TYPE_CHECKING:
         Trend,
     )
     from wraparc.provenance import Kind, Provenance
+    from wraparc.train import Train, TrainResult, solve_train
     from wraparc.version import __version__
 
 __all__ = [
@@ -82,13 +83,17 @@ __all__ = [
     "Status",
     "Tensions",
     "TestedRange",
+    "Train",
+    "TrainResult",
     "Trend",
     "WrapArc",
     "WraparcError",
     "__version__",
     "load_drive",
     "load_lagging",
+    "load_train",
     "solve",
+    "solve_train",
 ]
 
 _ROOMS = {
@@ -98,12 +103,13 @@ _ROOMS = {
     ),
     "drive": "Belt Drive Lagging LoadCase Pulley Tensions",
     "errors": ("BreakawayError ConvergenceError InputError MissingExtraError Problem WraparcError"),
-    "files": "load_drive load_lagging",
+    "files": "load_drive load_lagging load_train",
     "friction": (
         "CoefficientPieces Constant ElasticPlastic FrictionLaw IntegralLog MeasuredTable Piece "
         "PressureKnots PressurePower TestedRange Trend"
     ),
     "provenance": "Kind Provenance",
+    "train": "Train TrainResult solve_train",
     "version": "__version__",
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}

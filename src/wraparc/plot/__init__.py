@@ -8,6 +8,8 @@ from wraparc.drive import Lagging
 from wraparc.plot.drive import plot_arc, plot_drive
 from wraparc.plot.lagging import plot_lagging
 from wraparc.plot.picture import SUFFIXES, Picture, require_matplotlib
+from wraparc.plot.train import plot_matching, plot_train
+from wraparc.train import Matching, ShareMap, TrainResult
 from wraparc.units import System
 
 __all__ = [
@@ -17,6 +19,8 @@ __all__ = [
     "plot_arc",
     "plot_drive",
     "plot_lagging",
+    "plot_matching",
+    "plot_train",
     "require_matplotlib",
 ]
 
@@ -28,7 +32,8 @@ def plot(thing: Any, *, units: System = "si") -> Picture:
     Parameters
     ----------
     thing
-        A `DriveResult` (its governing arc is drawn), an `ArcResult` or a `Lagging`.
+        A `DriveResult` (its governing arc is drawn), an `ArcResult`, a `Lagging`, a
+        `TrainResult` (its governing load case, or ``case="name"``) or a `Matching` of its drives.
     units
         ``"si"`` or ``"us"``.
 
@@ -55,3 +60,13 @@ def _(thing: ArcResult, *, units: System = "si", quantity: str = "shear_stress")
 @plot.register
 def _(thing: Lagging, *, units: System = "si") -> Picture:
     return plot_lagging(thing, units)
+
+
+@plot.register
+def _(thing: TrainResult, *, units: System = "si", case: str = "") -> Picture:
+    return plot_train(thing, case, units)
+
+
+@plot.register
+def _(thing: Matching, *, units: System = "si", over_load: ShareMap | None = None) -> Picture:
+    return plot_matching(thing, over_load)

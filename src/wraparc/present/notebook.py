@@ -10,6 +10,7 @@ from wraparc.errors import MissingExtraError
 from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.present.drive_sheet import arc_sheet, drive_sheet, input_sheet
 from wraparc.present.sheet import Sheet, Table
+from wraparc.train.result import TrainResult
 
 
 @singledispatch
@@ -36,6 +37,13 @@ def _(thing: Drive) -> Sheet:
 @sheet_of.register
 def _(thing: Lagging) -> Sheet:
     return lagging_sheet([thing])
+
+
+@sheet_of.register
+def _(thing: TrainResult) -> Sheet:
+    from wraparc.present.train_sheet import train_sheet
+
+    return train_sheet(thing)
 
 
 @sheet_of.register
@@ -88,8 +96,8 @@ def _list_html(tag: str, sentences: tuple[str, ...]) -> str:
 def frame(thing: Any) -> Any:
     """Return the numbers of a result as a pandas DataFrame [SI].
 
-    A profile has a row for each point; an arc is its profile; a drive has a row for each load
-    case and pulley with every scalar.
+    A profile has a row for each point; an arc is its profile; a drive and a train have a row for
+    each load case and pulley with every scalar.
 
     Raises
     ------
@@ -119,6 +127,22 @@ def _(thing: DriveResult) -> Any:
             **result.scalars(),
         }
         for result in thing
+    ]
+    return _pandas().DataFrame(rows).set_index(["load_case", "pulley"])
+
+
+@frame.register
+def _(thing: TrainResult) -> Any:
+    rows = [
+        {
+            "load_case": case.case.name,
+            "pulley": member.name,
+            "status": case.status.name.lower(),
+            **member.scalars(),
+            **member.arc.scalars(),
+        }
+        for case in thing
+        for member in case
     ]
     return _pandas().DataFrame(rows).set_index(["load_case", "pulley"])
 

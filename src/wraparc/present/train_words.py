@@ -23,6 +23,8 @@ from wraparc.units import System
 
 #: Differences of shares that count as none.
 _ALIKE = 0.005
+#: Difference of speeds that shows as none [-].
+_AS_FAST = 5e-6
 #: How far a share may be off before somebody minds.
 _TOLERATED = 0.05
 
@@ -51,6 +53,13 @@ def _headline(result: TrainResult, worst: CaseResult, system: System) -> str:
     where = f" in all {count} load cases" if count > 1 else ""
     over = [m for case in result for m in case if not m.arc.within_creep_limit]
     if not over:
+        fights = [case.case.name for case in result if _fights(case)]
+        if fights:
+            cases = " and ".join(fights)
+            return (
+                f"The drives carry the load{where}, every creep within its limit, but work against "
+                f"each other in load case {cases}."
+            )
         return f"The drives carry the load{where}, every creep within its limit."
     m = max(over, key=lambda m: abs(m.arc.exit_creep) / m.arc.arc.creep_limit)
     creep = named("exit_creep", abs(m.arc.exit_creep), system)
@@ -121,31 +130,37 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
     """Say how fast a drum turns against the first one, and which term decides."""
     first = case.members[0].name
     ratio = m.drum_ratio - 1.0
-    verb = "must turn" if isinstance(case.case.division, Shares | Pulls) else "turns"
+    asked = isinstance(case.case.division, Shares | Pulls)
+    verb = "must turn" if asked else "turns"
     way = "faster" if ratio > 0.0 else "slower"
     terms = (
         f"belt contraction {100.0 * m.contraction_term:+.3f} %, lagging compression "
         f"{100.0 * m.compression_term:+.3f} %, extra creep {100.0 * m.creep_term:+.3f} %"
     )
+    if abs(ratio) < _AS_FAST:
+        return (
+            f"The drum of {m.name} {verb} as fast as that of {first}, at equal diameters: {terms}."
+        )
+    rule = _rule(ratio) if asked and m.creep_term > 0.0 else ""
     return (
         f"The drum of {m.name} {verb} {abs(100.0 * ratio):.3f} % {way} than that of {first}, at "
-        f"equal diameters ({terms}): {_rule(m, ratio)}."
+        f"equal diameters ({terms}): {_reason(m, ratio)}{rule}."
     )
 
 
-def _rule(m: MemberResult, ratio: float) -> str:
+def _rule(ratio: float) -> str:
     """Say whether the rule of the slightly faster second drive holds."""
+    holds = "holds" if ratio > 0.0 else "does not hold"
+    return f", and the rule of the slightly faster second drive {holds}"
+
+
+def _reason(m: MemberResult, ratio: float) -> str:
+    """Say which of the terms makes a drum faster or slower."""
     shorter = m.contraction_term + m.compression_term
     if ratio > 0.0 and m.creep_term > 0.0 and shorter <= 0.0:
-        return (
-            "its extra creep outweighs contraction and compression, and the rule of the slightly "
-            "faster second drive holds"
-        )
+        return "its extra creep outweighs contraction and compression"
     if ratio <= 0.0 < m.creep_term and shorter < 0.0:
-        return (
-            "contraction and compression outweigh its extra creep, and the rule of the slightly "
-            "faster second drive does not hold"
-        )
+        return "contraction and compression outweigh its extra creep"
     if shorter < 0.0:
         return "contraction, compression and a smaller creep all ask for it"
     return "the belt is as tight there as at the first drive, or tighter"

@@ -10,6 +10,7 @@ from math import isfinite, nan
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.train.train import Train, TrainCase
+from wraparc.views import Viewable
 
 
 class TrainStatus(StrEnum):
@@ -209,8 +210,12 @@ class CaseResult:
 
 
 @dataclass(frozen=True, eq=False)
-class TrainResult:
-    """A train in all its load cases, in their order."""
+class TrainResult(Viewable):
+    """A train in all its load cases, in their order.
+
+    In a notebook it shows its tables; `plot`, with ``case="name"``, draws one load case (the
+    governing one without a name), and `to_frame` has a row for each load case and pulley.
+    """
 
     train: Train
     cases: tuple[CaseResult, ...]

@@ -1,0 +1,71 @@
+"""A solved train in a notebook: its tables, its pictures, its data frame."""
+
+import functools
+from pathlib import Path
+
+import pytest
+
+from present.test_notebook import checked
+from wraparc import Distributed, TrainResult, load_train, solve_train
+from wraparc.plot import plot
+from wraparc.train import match_drives
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@functools.cache
+def tandem() -> TrainResult:
+    """The shipped tandem with a fabric belt."""
+    train = load_train(EXAMPLES / "tandem-fabric.toml")
+    return solve_train(train, method=Distributed(capacities=False, points=20))
+
+
+def test_it_shows_its_drives() -> None:
+    text = " ".join(checked(tandem()._repr_html_()).text)
+    assert (
+        "OK. The drives carry the load in all 2 load cases, every creep within its limit." in text
+    )
+    assert "Drives: load case design" in text
+    assert "Drives: load case empty" in text
+    assert "Speed by belt contraction" in text
+    assert "Speed by extra creep" in text
+
+
+def test_its_frame_has_a_row_for_each_drive_of_each_case() -> None:
+    table = tandem().to_frame()
+    assert list(table.index) == [
+        ("design", "first"), ("design", "second"), ("empty", "first"), ("empty", "second"),
+    ]  # fmt: skip
+    row, member = table.loc[("design", "second")], tandem()["design"]["second"]
+    for name in ("share", "speed_trim", "contraction_term", "creep_term"):
+        assert row[name] == getattr(member, name)
+    assert row["exit_creep"] == member.arc.exit_creep
+
+
+@pytest.mark.parametrize("case", ["design", "empty"])
+def test_it_draws_the_load_case_asked_for(case: str) -> None:
+    picture = tandem().plot(case=case)
+    texts = [t.get_text() for ax in picture.figure.axes for t in ax.texts]
+    for m in tandem()[case]:
+        assert f"{100 * m.share:.1f} %" in texts
+        assert f"{m.arc.entry_tension / 1e3:.4g}" in " ".join(texts)
+    tension, creep = picture.figure.axes[1:3]
+    for line, m in zip(tension.lines, tandem()[case], strict=False):
+        assert line.get_ydata() == pytest.approx(m.arc.profile.tension / 1e3)
+    for line, m in zip(creep.lines, tandem()[case], strict=False):
+        assert line.get_ydata() == pytest.approx(1e3 * m.arc.profile.creep)
+
+
+def test_the_matching_draws_its_curves() -> None:
+    matching = match_drives(tandem(), points=5)
+    picture = plot(matching)
+    shares = {ax.get_title("left") or ax.get_title(): ax for ax in picture.figure.axes}
+    for title, curve in (
+        ("Shares against trim", matching.trim),
+        ("Shares against diameter", matching.diameter),
+        ("Shares against load", matching.load),
+    ):
+        for i, name in enumerate(("first", "second")):
+            (line,) = (drawn for drawn in shares[title].lines if drawn.get_label() == name)
+            assert line.get_xdata() == pytest.approx(100 * curve.values)
+            assert line.get_ydata() == pytest.approx(100 * curve.shares[:, i], nan_ok=True)
