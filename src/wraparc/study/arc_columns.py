@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.arc import WrapArc
 from wraparc.drive import Lagging
+from wraparc.study.arcs import Arcs, arcs_of_table
+from wraparc.study.batch import Setting, solve_arcs
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -26,6 +28,8 @@ ANSWERS = (
     "largest_effective_tension",
 )
 _ALWAYS = ANSWERS[3:]
+#: arcs up to which a batch is solved precisely
+MOST_PRECISE = 3000
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -70,6 +74,12 @@ class ArcColumns:
     def __len__(self) -> int:
         return len(self.lagging)
 
+    def table(self, laggings: Sequence[Lagging]) -> Arcs:
+        """Return the arcs as a batch takes them."""
+        names = [f.name for f in fields(self) if f.name != "thickness"]
+        columns = {name: getattr(self, name) for name in names}
+        return arcs_of_table({**columns, "lagging_thickness": self.thickness}, laggings)
+
     def arc(self, i: int, laggings: Sequence[Lagging]) -> WrapArc:
         """Return one of the arcs."""
         lagging = laggings[int(self.lagging[i])]
@@ -96,7 +106,7 @@ class ArcColumns:
 def solve_columns(
     arcs: ArcColumns, laggings: Sequence[Lagging], *, capacities: bool
 ) -> Mapping[str, Array]:
-    """Solve arcs, one after another.
+    """Solve arcs by the batch, at its engineering accuracy; few arcs precisely.
 
     Parameters
     ----------
@@ -111,22 +121,13 @@ def solve_columns(
     -------
     ``solved`` (1 or 0) and the columns of `ANSWERS`, shape (n,) each, SI.
     """
-    quick = Distributed(points=60, capacities=False)
-    full = Distributed(points=60)
-    answers = {name: np.full(len(arcs), np.nan) for name in ANSWERS}
-    solved = np.zeros(len(arcs))
-    for i in range(len(arcs)):
-        arc = arcs.arc(i, laggings)
-        result = (full if capacities else quick).solve(arc)
-        if not capacities and result.status is Status.BREAKAWAY:
-            result = full.solve(arc)
-        solved[i] = result.status.solved
-        for name, value in _answers(result):
-            answers[name][i] = value
-    return {"solved": solved, **answers}
-
-
-def _answers(result: ArcResult) -> list[tuple[str, float]]:
-    scalars = result.scalars()
-    names = ANSWERS if result.status.solved else _ALWAYS
-    return [(name, float(scalars[name])) for name in names]
+    setting = Setting.PRECISE if len(arcs) <= MOST_PRECISE else Setting.ENGINEERING
+    table = arcs.table(laggings)
+    batch = solve_arcs(table, setting=setting, capacities=capacities)
+    answers = {name: np.array(batch[name]) for name in ANSWERS}
+    lost = np.flatnonzero(batch.breakaway)
+    if not capacities and len(lost):
+        again = solve_arcs(table.rows(lost), setting=setting)
+        for name in _ALWAYS:
+            answers[name][lost] = again[name]
+    return {"solved": batch.solved.astype(float), **answers}

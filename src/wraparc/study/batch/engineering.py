@@ -33,6 +33,7 @@ Flags = NDArray[np.bool_]
 
 #: largest last correction: what is left after it is about its square, and a sixteenth for the mesh
 ACCEPTED_MISS = 1e-3
+ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with kinks is left
 SMALLEST_LOG_RATIO = 1e-5
 MOST_KICK = 0.3  # of the creep limit: past it more tension may carry less pull
 NO_LIMIT = 1e300
@@ -136,17 +137,35 @@ class _Batch:
         return made
 
     def solve(self, rows: Array, what: int) -> tuple[Array, Flags]:
-        """Solve rows, those that have not come near enough a second time, and say which have."""
+        """Solve rows, some a second time on a finer mesh, and say which are near enough.
+
+        Those are the ones that were not, and those whose law has kinks that the pressure passes:
+        within its range, or at an end of it.
+        """
         out = run_lanes(rows, self.laws.numbers, what, True, slot.MESHES[0])
-        good = np.abs(out[:, _FOUND[slot.MISS]]) < ACCEPTED_MISS
-        again = np.flatnonzero(~good & np.isfinite(out[:, _FOUND[slot.Z]]))
+        good = _near(out, what)
+        fine = self._kinked(rows, out) | ~good
+        again = np.flatnonzero(fine & np.isfinite(out[:, _FOUND[slot.Z]]))
         if len(again):
             second = rows[again]
             for name in (slot.Z, slot.END, slot.TENSION):
                 second[:, GIVEN.index(name)] = out[again, _FOUND[name]]
             out[again] = run_lanes(second, self.laws.numbers, what, False, slot.MESHES[1])
-            good[again] = np.abs(out[again, _FOUND[slot.MISS]]) < ACCEPTED_MISS
+            good[again] = _near(out[again], what)
         return out, good
+
+    def _kinked(self, rows: Array, out: Array) -> Flags:
+        """Whether the law has kinks, or the pressure passes its first or last edge."""
+        place = rows[:, GIVEN.index(slot.ROW)].astype(np.int64)
+        area = rows[:, GIVEN.index(slot.WIDTH)] * rows[:, GIVEN.index(slot.RADIUS)]
+        first = out[:, _FOUND[slot.TENSION]] / area
+        last = first * np.exp(-out[:, _FOUND[slot.END]])
+        of_row = np.zeros(len(self.laws.numbers), dtype=bool)
+        of_row[self.laws.row[self.laws.kinked]] = True
+        passes = of_row[place]
+        for edge in (self.laws.numbers[place], self.laws.numbers[place + 1]):
+            passes |= (first > edge) & (last < edge)
+        return passes
 
     def find_gross(self, parts: int) -> None:
         """Gross slip of laws flat past their peak, and the breakaways that follow from it."""
@@ -234,6 +253,14 @@ class _Batch:
             these = (left & part) > 0
             for place in places:
                 self.found[which[these], place] = done[these, place]
+
+
+def _near(out: Array, what: int) -> Flags:
+    """Whether what is left of the search, and the change by a finer mesh, are small enough."""
+    near = np.abs(out[:, _FOUND[slot.MISS]]) < ACCEPTED_MISS
+    if what == TENSIONS:
+        near &= out[:, _FOUND[slot.CHANGE]] < ACCEPTED_CHANGE
+    return np.asarray(near)
 
 
 def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int) -> Array:

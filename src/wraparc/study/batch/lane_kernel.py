@@ -29,6 +29,7 @@ from wraparc.study.batch.lane_read import (
 )
 from wraparc.study.batch.lane_slots import (
     ACTIVE,
+    CHANGE,
     COMPLIANCE,
     DETERMINANT,
     END,
@@ -99,6 +100,7 @@ FOUND = (
     PEAK_AT,
     ACTIVE,
     OUTSIDE,
+    CHANGE,
 )
 NODES = NODE * (2 * MOST_STEPS + 1)
 TRACES = TRACE * (MOST_STEPS + 1)

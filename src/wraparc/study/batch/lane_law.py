@@ -23,6 +23,8 @@ CELL = 10  # numbers of a cell: where it begins and ends, cubics of peak slip an
 FIRST_CELL = HEAD + BUCKETS
 SAMPLED_WITHIN = 1e-6  # relative error allowed in sampling trend lines
 MOST_CELLS = 64  # of a piece of a law by trend lines
+#: jumps at the edge of a cell, of d ln/d ln p and of p^2 d2/dp2 over the value
+SHARP_SLOPE, SHARP_CURVATURE = 0.02, 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,14 +37,18 @@ class LaneLaws:
         Rows one after the other.
     row
         Where the row of each law begins, -1 for a law that is not in the table: of another kind
-        than integral-log, or with knots too near each other, shape (m,).
+        than integral-log, with knots too near each other, or with trend lines that meet at an
+        angle, shape (m,).
     traction_grows
         Whether mu p grows with pressure up to the end of the range at every slip before the peak.
+    kinked
+        Whether cells meet so sharply that a coarse mesh would feel it.
     """
 
     numbers: Array
     row: NDArray[np.int64]
     traction_grows: NDArray[np.bool_]
+    kinked: NDArray[np.bool_]
 
     @classmethod
     def of(cls, bank: LawBank) -> LaneLaws:
@@ -52,7 +58,8 @@ class LaneLaws:
         starts = np.cumsum(sizes) - sizes
         numbers = np.concatenate([*rows, np.zeros(FIRST_CELL + CELL)])
         grows = np.array([len(row) > 0 and _traction_grows(row) for row in rows], dtype=bool)
-        return cls(numbers, np.where(sizes > 0, starts, -1), grows)
+        kinked = np.array([len(row) > 0 and _kinked(row) for row in rows], dtype=bool)
+        return cls(numbers, np.where(sizes > 0, starts, -1), grows, kinked)
 
 
 def _row(kind: int, edges: Array, c: Array) -> Array:
@@ -68,6 +75,8 @@ def _row(kind: int, edges: Array, c: Array) -> Array:
     if np.any(following - cell > 1):
         return np.empty(0)
     cells = np.column_stack([edges[:-1], edges[1:], cubics])
+    if _sharpest(cells)[0] > SHARP_SLOPE:
+        return np.empty(0)
     return np.concatenate([[low, high, BUCKETS / (high - low)], cell.astype(float), cells.ravel()])
 
 
@@ -87,6 +96,29 @@ def _traction_grows(row: Array) -> bool:
         if np.any(whole <= 0.0) or np.any(whole <= m * p * x_p / x):
             return False
     return True
+
+
+def _kinked(row: Array) -> bool:
+    """Whether peak slip or friction bends sharply over ln p where cells meet."""
+    return _sharpest(row[FIRST_CELL:].reshape(-1, CELL))[1] > SHARP_CURVATURE
+
+
+def _sharpest(cells: Array) -> tuple[float, float]:
+    """Largest jumps of first and second derivatives where cells meet, see `_bends`."""
+    width = cells[:, 1] - cells[:, 0]
+    jumps = [(0.0, 0.0)]
+    for c in (cells[:, 2:6], cells[:, 6:10]):
+        leaving = _bends(c[:-1], width[:-1], cells[:-1, 1])
+        entering = _bends(c[1:], 0.0 * width[1:], cells[1:, 0])
+        jumps += zip(*(np.abs(b - a) for a, b in zip(leaving, entering, strict=True)), strict=True)
+    slopes, curvatures = zip(*jumps, strict=True)
+    return float(max(slopes)), float(max(curvatures))
+
+
+def _bends(c: Array, t: Array, p: Array) -> tuple[Array, Array]:
+    """Derivatives over the value, p d/dp and p^2 d2/dp2."""
+    value, slope = _value_and_slope(c, t)
+    return p * slope / value, p * p * (2.0 * c[:, 2] + 6.0 * c[:, 3] * t) / value
 
 
 def _value_and_slope(c: Array, t: Array) -> tuple[Array, Array]:

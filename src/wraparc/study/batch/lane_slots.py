@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from wraparc.study.batch.lane_law import CELL
 
-MESHES = (32, 64)  # steps of the mesh: at first, and where that is not enough
-MOST_STEPS = 64
+MESHES = (32, 96)  # steps of the mesh: at first, and where that is not enough
+MOST_STEPS = 96
 NODE = 9  # numbers of a node, see `lay_node`
 TRACE = 5  # numbers recorded at the ends of every step: s, x, ds by step, shear stress, its change
 SMALLEST = 1e-30
@@ -87,8 +87,10 @@ MARCH_SLOTS = FETCHED + 4
     KEPT_GOAL,
     KEPT_SZ,
     KEPT_VZ,
-) = range(MARCH_SLOTS, MARCH_SLOTS + 32)
-SOLVE_SLOTS = MARCH_SLOTS + 32
+    COARSE_X,  # exit slip by the mesh of half the steps [m]
+    CHANGE,  # of the exit slip by the mesh of all steps, relative
+) = range(MARCH_SLOTS, MARCH_SLOTS + 34)
+SOLVE_SLOTS = MARCH_SLOTS + 34
 
 (
     SLIP_MAX,  # largest tested slip, 1e300 without a tested range [m]

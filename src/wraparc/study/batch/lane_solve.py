@@ -27,6 +27,8 @@ from wraparc.study.batch.lane_march import (
     start,
 )
 from wraparc.study.batch.lane_slots import (
+    CHANGE,
+    COARSE_X,
     DETERMINANT,
     END,
     EXIT_X,
@@ -115,8 +117,11 @@ def meet_tensions(w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, steps: int)
         march_z(w, nodes, steps, stride)
         correct(w, 2.0)
     for i in range(n):
-        w[SLOPE_Z, i] = lower(w[S_Z, i] / w[S, i], -SMALLEST)
+        slope = lower(w[S_Z, i] / w[S, i], -SMALLEST)
+        miss = ln(upper(w[S, i], SMALLEST) / w[LENGTH, i])
+        w[SLOPE_Z, i] = slope
         w[EXIT_X_Z, i] = w[X_Z, i]
+        w[COARSE_X, i] = w[X, i] - w[X_Z, i] * lower(upper(miss / slope, -1.0), 1.0)
     set_ratio(w)
     start(w)
     march(w, nodes, steps, trace)
@@ -128,6 +133,8 @@ def meet_tensions(w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, steps: int)
         w[Z, i] = w[Z, i] - step
         change = change / w[X, i]
         w[MISS, i] = upper(upper(miss, -miss), upper(change, -change))
+        change = w[COARSE_X, i] / w[EXIT_X, i] - 1.0
+        w[CHANGE, i] = upper(change, -change)
 
 
 def meet_creep(

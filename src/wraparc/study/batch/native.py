@@ -100,10 +100,11 @@ def _cached(entry: FunctionType, options: dict[str, Any], name: str) -> Any:
     return numba.njit(**options)(entry)
 
 
-def called(entry: FunctionType) -> Iterator[FunctionType]:
+def called(entry: Callable[..., Any]) -> Iterator[FunctionType]:
     """Yield a function and every plain function of its package that it calls, each once."""
     package = entry.__module__.partition(".")[0]
-    waiting, seen = [entry], {entry}
+    waiting: list[Any] = [entry]
+    seen = {entry}
     while waiting:
         function = waiting.pop(0)
         yield function

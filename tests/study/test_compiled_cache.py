@@ -1,0 +1,98 @@
+"""Compiled code on disk is never that of another source.
+
+Expected values: the interpreter, which has no cache.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import wraparc
+from wraparc.study.batch import native
+from wraparc.study.batch.lane_kernel import solve_rows as lane_rows
+from wraparc.study.batch.precise import solve_rows
+
+RUN = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import wraparc.study.batch.native as native
+from wraparc.study.batch.probe import entry
+assert native.__file__.startswith(sys.argv[1])
+print(native.compiled(entry)(2.0), entry(2.0))
+"""
+ENTRY = """
+from wraparc.study.batch.probe_helper import inner
+
+def entry(x):
+    return inner(x) + 1.0
+"""
+HELPER = """
+FACTOR = {factor}
+
+def deepest(x):
+    return {body}
+
+def inner(x):
+    return FACTOR * deepest(x)
+"""
+
+
+def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> None:
+    """What numba's own cache gets wrong: it looks at the file of the entry alone."""
+    package = tmp_path / "source" / "wraparc"
+    shutil.copytree(Path(wraparc.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc"))
+    folder = package / "study" / "batch"
+    (folder / "probe.py").write_text(ENTRY, "utf-8")
+    for factor, body, expected in (
+        ("3.0", "x * x", "13.0 13.0"),
+        ("3.0", "x * x", "13.0 13.0"),  # from disk
+        ("5.0", "x * x", "21.0 21.0"),  # a constant
+        ("5.0", "x + x + x", "31.0 31.0"),  # a function two calls away
+    ):
+        (folder / "probe_helper.py").write_text(HELPER.format(factor=factor, body=body), "utf-8")
+        run = subprocess.run(
+            [sys.executable, "-B", "-c", RUN, str(package.parent)],
+            capture_output=True,
+            text=True,
+            check=False,
+            env={**os.environ, "WRAPARC_CACHE_DIR": str(tmp_path / "cache")},
+        )
+        assert run.stdout.strip() == expected, run.stderr
+    assert len(list((tmp_path / "cache" / "compiled").iterdir())) == 3
+
+
+def test_the_fingerprint_covers_all_that_is_compiled() -> None:
+    modules = {f.__module__ for f in (*native.called(solve_rows), *native.called(lane_rows))}
+    assert {
+        "wraparc.friction.compact",
+        "wraparc.arc.march",
+        "wraparc.arc.tension_march",
+        "wraparc.arc.stick",
+        "wraparc.arc.shoot",
+        "wraparc.arc.capacity",
+        "wraparc.arc.profile",
+        "wraparc.study.batch.row",
+        "wraparc.study.batch.lane_march",
+        "wraparc.study.batch.lane_look",
+    } <= modules
+
+
+def test_a_place_that_cannot_be_written_costs_the_cache_only(tmp_path: Path) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("", "utf-8")
+    run = subprocess.run(
+        [
+            sys.executable,
+            "-c",
+            "from wraparc.study.batch.native import _folder; print(_folder('abc'))",
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "WRAPARC_CACHE_DIR": str(blocked)},
+    )
+    assert run.stdout.strip() == "None", run.stderr
