@@ -18,7 +18,7 @@ async function open(name) {
   modules[page].update();
 }
 const address = later(250, async () => {
-  const view = { d: app.doc, u: app.units, p: app.pulley, c: app.case, s: app.design };
+  const view = { d: app.doc, u: app.units, p: app.pulley, c: app.case, s: app.design && { ...app.design, saved: undefined } };
   link = `#/${page}/${await packed(view)}`;
   history.replaceState(null, "", link);
 });
@@ -71,8 +71,10 @@ async function download() {
   const r = await ask("toml/write", { document: app.doc });
   save(r.name || `${fileName()}.toml`, r.toml, "application/toml");
 }
+const HEAD = { project: "Project", number: "Number", revision: "Revision", author: "Author" };
 async function report(kind) {
-  const r = await ask(`report/${kind}`, { document: app.doc, units: app.units, name: fileName() }, { as: "blob" });
+  const head = Object.fromEntries(Object.keys(HEAD).map((k) => [k, $(`head-${k}`).value.trim()]).filter(([, v]) => v));
+  const r = await ask(`report/${kind}`, { document: app.doc, units: app.units, name: fileName(), head: { ...head, paper: $("head-paper").value } }, { as: "blob" });
   const said = /filename="?([^";]+)/.exec(r.headers.get("Content-Disposition") || "");
   save(said?.[1] || `${fileName()}.${kind}`, await r.blob());
 }
@@ -86,7 +88,8 @@ function menus() {
     item("Print", () => window.print()),
     h("p", { class: "help" }, "Examples"),
     app.catalogue.examples.map((x) => item(x.title, async () => take((await ask(`examples/${x.name}`)).document, { name: x.name }))));
-  put($("report-menu"), [["pdf", "Calculation note (PDF)"], ["xlsx", "Workbook (Excel)"], ["md", "Text (Markdown)"]].map(([k, t]) => item(t, () => report(k))));
+  put($("report-menu"), h("div", { class: "stack pad" }, Object.entries(HEAD).map(([k, label]) => h("label", {}, label, h("input", { type: "text", id: `head-${k}`, maxlength: 120, autocomplete: "off" }))),
+    h("label", {}, "Paper", h("select", { id: "head-paper" }, h("option", { value: "a4" }, "A4"), h("option", { value: "us-letter" }, "US Letter")))), [["pdf", "Calculation note (PDF)"], ["xlsx", "Workbook (Excel)"], ["md", "Text (Markdown)"]].map(([k, t]) => item(t, () => report(k))));
   document.addEventListener("click", (e) => document.querySelectorAll(".menu[open]").forEach((m) => { if (!m.contains(e.target)) m.open = false; }));
 }
 function keys(e) {

@@ -28,15 +28,16 @@ const load = later(150, act(async (force) => {
     draw();
   } catch (x) { ui.said.textContent = ""; put(ui.table, h("ul", { class: "verdict bad" }, (x.problems || [x]).map((p) => h("li", {}, p.sentence || p.message)))); }
 }));
+const label = (r) => (open.what === "belts" ? `${r.name}${r.title ? `, ${r.title}` : ""}` : r.title || r.name);
 function use(row) {
   let doc = app.doc;
-  for (const c of [row.changes].flat()) doc = set(doc, place(c.path), c.value ?? undefined);
+  for (const c of row.change) doc = set(doc, place(c.path), c.value ?? undefined);
   change(doc);
-  note(`${row.title || row.name} is in the drive now; Undo takes it out again.`);
+  note(`${label(row)} is in the drive now; Undo takes it out again.`);
 }
 function draw() {
-  const { rows, columns } = answer, [key, way] = sort;
-  const value = (r, k) => (k === "name" ? r.title || r.name : r.cells[k]?.value);
+  const { rows } = answer, [key, way] = sort, columns = answer.columns.filter((c) => c.key !== "outside" && rows.some((r) => r.cells[c.key]?.value != null));
+  const value = (r, k) => (k === "name" ? label(r) : r.cells[k]?.value);
   const ordered = [...rows].sort((a, b) => {
     const pin = pinned.has(b.name) - pinned.has(a.name);
     if (pin || !key) return pin;
@@ -50,12 +51,12 @@ function draw() {
   const head = (k, text, cls) => h("th", { scope: "col", class: cls, "aria-sort": key === k ? (way > 0 ? "ascending" : "descending") : "none" }, h("button", { type: "button", id: `sort-${k}`, onclick: () => { sort = [k, key === k ? -way : 1]; draw(); document.getElementById(`sort-${k}`).focus(); } }, text, key === k ? (way > 0 ? " ▲" : " ▼") : ""));
   put(ui.table, h("table", { class: "grid-table" }, h("thead", {}, h("tr", {}, h("td"), head("name", open.what === "belts" ? "Belt" : "Lagging"), h("th", { scope: "col" }, "Answer"), columns.map((c) => head(c.key, c.title, "num")), h("th", { scope: "col" }, "Data"), h("td"))),
     h("tbody", {}, ordered.map((r) => h("tr", { class: `${pinned.has(r.name) ? "pinned" : ""} ${r.present ? "present" : ""}` },
-      h("td", {}, h("button", { type: "button", "aria-pressed": String(pinned.has(r.name)), "aria-label": `Pin ${r.title || r.name}`, onclick: () => { pinned.has(r.name) ? pinned.delete(r.name) : pinned.add(r.name); draw(); } }, pinned.has(r.name) ? "★" : "☆")),
-      h("th", { scope: "row" }, r.title || r.name, r.condition && r.condition !== "dry" ? `, ${r.condition}` : "", r.present && " (present)"),
+      h("td", {}, h("button", { type: "button", "aria-pressed": String(pinned.has(r.name)), "aria-label": `Pin ${label(r)}`, onclick: () => { pinned.has(r.name) ? pinned.delete(r.name) : pinned.add(r.name); draw(); } }, pinned.has(r.name) ? "★" : "☆")),
+      h("th", { scope: "row" }, label(r), r.condition && r.condition !== "dry" ? `, ${r.condition}` : "", r.present && " (present)"),
       h("td", {}, badge(r.level), " ", r.short),
       columns.map((c) => h("td", { class: "num" }, r.cells[c.key]?.value != null && r.cells[c.key].value === best[c.key] ? h("strong", {}, words(r.cells[c.key]), h("span", { class: "away" }, " (best)")) : words(r.cells[c.key]) || "–")),
-      h("td", {}, r.kind && h("span", { class: `mark ${r.kind}`, title: r.source }, r.kind), r.outside > 0 && h("span", { class: "mark outside" }, `outside tested range ${Math.round(100 * r.outside)} %`)),
-      h("td", {}, !r.present && r.changes && h("button", { type: "button", "aria-label": `Use ${r.title || r.name}`, onclick: () => use(r) }, "Use")))))));
+      h("td", {}, r.kind && h("span", { class: `mark ${r.kind}`, title: r.source }, r.kind), r.cells.outside?.value > 0 && h("span", { class: "mark outside" }, `outside tested range ${words(r.cells.outside)}`)),
+      h("td", {}, !r.present && r.change && h("button", { type: "button", "aria-label": `Use ${label(r)}`, onclick: () => use(r) }, "Use")))))));
   put(ui.remarks, (answer.remarks || []).map((r) => h("li", {}, words(r))), [...new Set(rows.map((r) => words(r.cost_note)).filter(Boolean))].map((t) => h("li", {}, t)),
     (answer.not_possible || []).map((r) => h("li", {}, `${r.name}: ${r.problems.map((p) => p.sentence || p.message).join(" ")}`)));
 }

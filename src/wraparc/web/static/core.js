@@ -124,10 +124,20 @@ export const unit = (dim, system = app.units) => {
 export const factor = (name, dimension) => (app.form.units[dimension]?.factors || {})[name];
 export const dim = (name) => app.form.glossary[name]?.dimension || "number";
 export const title = (name) => app.form.glossary[name]?.title || name;
-export const symbol = (name) => app.form.glossary[name]?.symbol || "";
+export const symbol = (name) => sign(app.form.glossary[name]?.symbol);
+const GREEK = { phi: "φ", theta: "θ", tau: "τ", gamma: "γ", mu: "μ", eta: "η", omega: "ω" };
+/** A symbol as equations print it: Greek letters, what follows an underscore set low. */
+export function sign(text) {
+  const [first, ...low] = (text || "").replace(/(phi|theta|tau|gamma|mu|omega|eta)(?![a-z])/g, (g) => GREEK[g]).split("_");
+  return low.length ? [first, h("sub", {}, low.join(" "))] : [first];
+}
+// From which size on a larger unit reads better, as on the command line.
+const LARGER = { si: { length: [10, "m"], pressure: [1e7, "MPa"] }, us: { length: [10.16, "ft"], force: [44482.2, "klbf"], pressure: [6.8948e7, "ksi"] } };
 /** Value [SI] with the unit that people read it in. */
 export function show(v, dimension, n = 4) {
-  const [u, f] = unit(dimension);
+  let [u, f] = unit(dimension);
+  const big = LARGER[app.units][dimension];
+  if (big && Math.abs(v) >= big[0] && factor(big[1], dimension)) [u, f] = [big[1], factor(big[1], dimension)];
   return v == null ? "–" : `${digits(v / f, n)} ${Number.isFinite(v) ? u : ""}`.trim();
 }
 export const shown = (name, v, n) => show(v, dim(name), n);

@@ -1,5 +1,5 @@
 // The drive page: inputs on the left, the answer moving as they change.
-import { app, h, $, put, on, tell, ask, later, show, shown, unit, digits, percent, title, symbol, dim, si } from "./core.js";
+import { app, h, $, put, on, tell, ask, later, show, shown, unit, digits, percent, title, symbol, sign, dim, si } from "./core.js";
 import { form, mark } from "./form.js";
 import { Chart, Pulley, budget, swatch, scale } from "./plots.js";
 
@@ -18,7 +18,7 @@ export function table(t, open = true) {
   return h("details", { class: `table t-${t.key}`, open }, h("summary", {}, t.title), h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": t.title },
     h("table", {},
       head && h("thead", {}, h("tr", {}, h("td"), symbols && h("td"), heads.map((x) => (x ? h("th", { scope: "col", class: "num" }, x) : h("td"))), notes && h("td"))),
-      h("tbody", {}, t.rows.map((r) => h("tr", { class: LEVELS[r.level]?.[0] }, h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning }, r.title), symbols && h("td", { class: "sym" }, r.symbol), r.values[app.units].map((v) => h("td", { class: "num" }, v)), notes && h("td", { class: "remark" }, badge(r.level), " ", words(r.note))))))),
+      h("tbody", {}, t.rows.map((r) => h("tr", { class: LEVELS[r.level]?.[0] }, h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning }, r.title), symbols && h("td", { class: "sym" }, sign(r.symbol)), r.values[app.units].map((v) => h("td", { class: "num" }, v)), notes && h("td", { class: "remark" }, badge(r.level), " ", words(r.note))))))),
     words(t.note) && h("p", { class: "help" }, words(t.note)));
 }
 export const verdict = (v, extra = []) => h("div", { class: `verdict ${LEVELS[v.level]?.[0] || ""}` },
@@ -38,7 +38,7 @@ export function mount(place) {
   ui.cursor.oninput = () => point(ui.cursor.value / 1000);
   const figures = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"].map((t, i) => [t, h("figure", {})]);
   put(ui.plots, figures.map((f) => f[1]));
-  ui.result = e("div", { class: "results", id: "results" }, ui.pick, ui.verdict, ui.chips, ui.spoken, ui.problems,
+  ui.result = e("div", { class: "results", id: "results" }, ui.pick, ui.problems, ui.verdict, ui.chips, ui.spoken,
     e("div", { class: "pair" },
       e("figure", { class: "card" }, ui.pulley, e("figcaption", {}, e("label", { for: "quantity" }, "Colour and inner ring: "), ui.quantity, ui.scale)),
       e("section", { class: "card", "aria-label": "Key figures" }, e("h2", {}, "Key figures"), ui.figures)),
@@ -70,7 +70,7 @@ async function quick() {
     wanted = false;
     const doc = app.doc, name = doc.pulley?.[app.pulley]?.name;
     try {
-      const a = await ask("solve/fast", { document: doc, pulley: name ?? null, load_case: app.case || null, points: 120, sequence: ++sequence });
+      const a = await ask("solve/fast", { document: doc, pulley: name ?? null, load_case: app.case || null, points: 120, sequence: ++sequence, tables: false });
       if (doc === app.doc) { mark([]); put(ui.problems); }
       arc = a; quickDoc = doc;
       ui.result.classList.remove("refused");
@@ -90,7 +90,7 @@ function refused(problems) {
   put(ui.problems, h("div", { class: "verdict bad" }, h("p", { class: "headline" }, badge("FAILS"), ` ${n === 1 ? "One value" : `${n} values`} cannot be used; the answer below is of the last drive that could.`), h("ul", {}, (rest.length ? rest : problems).map((p) => h("li", {}, p.sentence || p.message)))));
 }
 /** Everything there is to say, once the hand rests. */
-const complete = later(200, async () => {
+const complete = later(250, async () => {
   stop?.abort();
   stop = new AbortController();
   const doc = app.doc;
@@ -153,9 +153,9 @@ function point(part) {
   charts.forEach((c) => c.at(part));
   pulley.at(at);
   const text = ["position", "tension", "wrap_pressure", "friction", "friction_used", "creep", "slip", "shear_stress", "shear_angle"].map((k) => [symbol(k), shown(k, k === "position" ? at : v(k)), title(k)]);
-  text.push(["", p.sliding[j] ? "slides" : "at rest", "Sliding or at rest"]);
+  text.push([[""], p.sliding[j] ? "slides" : "at rest", "Sliding or at rest"]);
   if (ui.read.children.length === text.length) text.forEach((t, i) => (ui.read.children[i].lastChild.textContent = t[1]));
-  else put(ui.read, text.map(([k, t, name]) => h("div", { title: name }, h("dt", {}, k || "belt"), h("dd", {}, t))));
+  else put(ui.read, text.map(([k, t, name]) => h("div", { title: name }, h("dt", {}, k[0] ? k : "belt"), h("dd", {}, t))));
   ui.cursor.setAttribute("aria-valuetext", shown("position", at));
 }
 /** Key figures: those of the quick solve first, the others when everything is solved. */

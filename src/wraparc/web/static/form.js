@@ -1,5 +1,5 @@
 // Fields, made from the schema of the drive file.
-import { app, h, $, put, get, edit, change, set, on, split, si, unit, factor, trim, written, shown } from "./core.js";
+import { app, h, $, put, get, edit, change, set, on, split, si, unit, factor, trim, written, sign } from "./core.js";
 
 const all = new Map(); // place in the document -> field on the page
 let typing = null;
@@ -40,8 +40,8 @@ class Field {
     this.help = h("p", { class: "help", id: `${at}-h`, hidden: true }, [spec.help, this.allowed(), spec.word && `Or the word "${spec.word}".`, spec.default && `${spec.default} if left empty.`].filter(Boolean).join(" "));
     this.error = h("p", { class: "error", id: `${at}-e` });
     const q = h("button", { type: "button", class: "q", "aria-label": `Help: ${name}`, "aria-expanded": "false", "aria-controls": `${at}-h`, onclick: () => { this.help.hidden = !this.help.hidden; q.setAttribute("aria-expanded", String(!this.help.hidden)); } }, "?");
-    this.row = h("div", { class: "field" },
-      h("label", { for: at }, name, spec.symbol && h("span", { class: "sym" }, ` ${spec.symbol}`)), q,
+    this.row = h("div", { class: `field${options && !spec.dimension ? " wide" : ""}` },
+      h("label", { for: at }, name, spec.symbol && h("span", { class: "sym" }, " ", sign(spec.symbol))), q,
       h("span", { class: "box" }, this.input, this.suffix));
     if (spec.slider && slider !== false) this.row.append((this.slider = h("input", { type: "range", "aria-label": `${name}, slider`, tabindex: 0 })));
     this.row.append(this.help, this.error);

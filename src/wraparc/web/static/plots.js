@@ -41,7 +41,7 @@ export class Chart {
   draw(data) {
     this.data = data;
     const w = (this.w = this.box.clientWidth || 480), ht = this.height;
-    const left = (this.left = 52), right = (this.right = data.other ? 50 : 14), top = 8, bottom = this.xlabel ? 36 : 22;
+    const right = (this.right = data.other ? 50 : 14), top = 8, bottom = this.xlabel ? 36 : 22;
     const [x0, x1] = data.xs || [data.x[0], data.x[data.x.length - 1]];
     let lo = data.zero ? 0 : Infinity, hi = data.zero ? 0 : -Infinity;
     for (const l of data.lines) if (!l.free) for (const y of l.y) { if (y < lo) lo = y; if (y > hi) hi = y; }
@@ -50,6 +50,7 @@ export class Chart {
     if (!(hi > lo)) { hi = (Number.isFinite(hi) ? hi : 0) + 1e-3; lo = (Number.isFinite(lo) ? lo : 0) - (data.zero ? 0 : 1e-3); }
     const step = nice(hi - lo, ht < 150 ? 4 : 5);
     lo = Math.floor(lo / step + 1e-9) * step; hi = Math.ceil(hi / step - 1e-9) * step;
+    const left = (this.left = 26 + 6.8 * Math.max(trim(lo).length, trim(hi).length, trim(hi - step).length));
     const X = (v) => left + ((v - x0) / (x1 - x0)) * (w - left - right);
     const Y = (v) => top + ((hi - v) / (hi - lo)) * (ht - top - bottom);
     Object.assign(this, { X, Y, x0, x1, top, floor: ht - bottom });
