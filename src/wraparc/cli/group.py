@@ -32,6 +32,9 @@ COMMANDS: dict[str, Command] = {
     "choose": Command(
         "wraparc.cli.choose:choose", "Choose lagging, belt and take-up: rank candidates by cost."
     ),
+    "study": Command(
+        "wraparc.cli.study:study", "Solve many variants of a drive: grid, Monte Carlo, sensitivity."
+    ),
     "what-if": Command(
         "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
     ),

@@ -113,7 +113,7 @@ def resolve(
             report.add(place, "power needs the belt speed", remedy)
             sure = False
     tensions = {}
-    for item, (entry, exit_) in zip(given, _spread(given, speed), strict=True):
+    for item, (entry, exit_) in zip(given, spread(given, speed), strict=True):
         if entry is None or exit_ is None:
             if sure:
                 report.add(item.place, _missing(item), f"Give two of {_PAIR}.")
@@ -124,14 +124,17 @@ def resolve(
 
 def complete(given: Sequence[Given], speed: float | None) -> bool:
     """Whether all tensions follow from what is given."""
-    return all(None not in pair for pair in _spread(given, speed))
+    return all(None not in pair for pair in spread(given, speed))
 
 
 Pair = tuple[float | None, float | None]
 
 
-def _spread(given: Sequence[Given], speed: float | None) -> list[Pair]:
-    """Return entry and exit tensions as far as pulls and neighbours give them."""
+def spread(given: Sequence[Given], speed: float | None) -> list[Pair]:
+    """Return entry and exit tensions as far as pulls and neighbours give them.
+
+    Only adds, subtracts, multiplies and divides: arrays of numbers will do as well.
+    """
     pairs: list[Pair] = [(item.values.get(ENTRY), item.values.get(EXIT)) for item in given]
     pulls = [item.pull(speed) for item in given]
     for _ in range(2 * len(pairs)):

@@ -1,0 +1,238 @@
+"""``wraparc study``: many variants of a drive, by a study file."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import click
+
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.saving import save_file
+from wraparc.units import Dimension, System
+
+if TYPE_CHECKING:
+    from wraparc.files.study_file import StudyFile
+    from wraparc.plot.picture import Picture
+    from wraparc.present.study_sheet import Global, Local
+    from wraparc.study.executor import Executor
+    from wraparc.study.monte_carlo import Summary
+    from wraparc.study.parameter_study import Progress, Study
+
+_DONE = 0
+
+
+@click.command()
+@click.argument("file", type=click.Path())
+@click.option(
+    "-o",
+    "--output",
+    metavar="FILE",
+    help="Results, Parquet; by default the name of the study file with .parquet.",
+)
+@units_option
+@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="Over the study file.")
+@click.option(
+    "--setting",
+    type=click.Choice(["engineering", "precise"]),
+    help="How accurately, over that of the file.",
+)
+@click.option("--threads", type=click.IntRange(1, 1024), help="Threads; one a processor if unsaid.")
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Solve on a Dask cluster: tcp://host:8786; local or local:4 starts processes here.",
+)
+@click.option("--resume", is_flag=True, help="Go on with what an interrupted run has left.")
+@click.option(
+    "--confirm", type=int, metavar="ROWS", help="Run a large study: the number of its rows."
+)
+@click.option("--dry-run", is_flag=True, help="Check everything and tell the size; solve nothing.")
+@click.option("--json", "json_file", metavar="FILE", help="Write the summary as JSON; - prints it.")
+@click.option("--plot", "plot_file", metavar="FILE", help="Draw the summary.")
+@click.option("--report", "report_file", metavar="FILE", help="Summary and pictures as HTML.")
+def study(
+    file: str,
+    output: str | None,
+    units: System,
+    settings: tuple[str, ...],
+    setting: str | None,
+    threads: int | None,
+    scheduler: str | None,
+    resume: bool,
+    confirm: int | None,
+    dry_run: bool,
+    json_file: str | None,
+    plot_file: str | None,
+    report_file: str | None,
+) -> int:
+    """Solve a study FILE: grid, random draws, load cases, Monte Carlo or sensitivity.
+
+    Results go to a Parquet file as they are solved. Ctrl-C keeps what is done; --resume goes on
+    from there.
+    """
+    from wraparc.files.study_file import load_study
+    from wraparc.study.executor import Threads, executor_named
+    from wraparc.study.run import Run, run_study
+
+    check_outputs(
+        {
+            "--json": (json_file, (".json",)),
+            "--plot": (plot_file, (".svg", ".png", ".pdf")),
+            "--report": (report_file, (".html",)),
+        },
+        [file],
+    )
+    if plot_file or report_file:
+        from wraparc.plot import require_matplotlib
+
+        require_matplotlib()
+    over = (*settings, *([f"setting={setting}"] if setting else []))
+    asked = load_study(file, overrides=over)
+    path = output or f"{os.path.splitext(os.path.basename(file))[0]}.parquet"
+    executor: Executor = executor_named(scheduler) if scheduler else Threads(threads)
+    if dry_run:
+        click.echo(_size(asked.study))
+        return _DONE
+    with _bar(asked.study) as tell:
+        try:
+            run_study(
+                asked.study,
+                path,
+                Run(executor=executor, resume=resume, confirmed_rows=confirm, progress=tell),
+            )
+        except KeyboardInterrupt:
+            click.echo("What is solved is kept: go on with --resume.", err=True)
+            raise
+    _tell(asked, path, units, json_file, plot_file, report_file)
+    return _DONE
+
+
+def _size(asked: Study) -> str:
+    from wraparc.study.parquet import schema_of
+    from wraparc.study.run import part_designs
+
+    columns = len(schema_of(asked).names)
+    size = asked.rows * columns * 8
+    return (
+        f"{len(asked.plan):,} designs in {len(asked.cases)} cases: {asked.rows:,} rows of "
+        f"{columns} columns, at most {size / 1e6:,.1f} MB, in parts of {part_designs(asked):,} "
+        "designs."
+    )
+
+
+@contextmanager
+def _bar(asked: Study) -> Iterator[Progress | None]:
+    """A bar with the time left on a terminal; nothing where the messages go elsewhere."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
+    with Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("designs,"),
+        TimeRemainingColumn(),
+        TextColumn("left"),
+        console=Console(stderr=True),
+        transient=True,
+    ) as progress:
+        task = progress.add_task("Solving", total=len(asked.plan))
+        yield lambda done, total: progress.update(task, completed=done, total=total)
+
+
+def _tell(
+    asked: StudyFile,
+    path: str,
+    units: System,
+    json_file: str | None,
+    plot_file: str | None,
+    report_file: str | None,
+) -> None:
+    from wraparc.present.document import json_text
+    from wraparc.present.study_sheet import study_document, study_sheet
+    from wraparc.study.monte_carlo import summarise
+
+    summary = summarise(path)
+    local, indices = _sensitivities(asked, path)
+    dimensions = _dimensions(asked)
+    sheet = study_sheet(
+        summary,
+        dimensions,
+        units,
+        local=local,
+        indices=indices,
+        remarks=asked.remarks,
+        sources=asked.sources,
+    )
+    if json_file != STANDARD_OUTPUT:
+        from wraparc.cli.show import show
+
+        show(sheet)
+    texts: dict[str, str | bytes] = {}
+    if json_file:
+        texts[json_file] = json_text(study_document(summary, local=local, indices=indices))
+    if plot_file or report_file:
+        pictures = _pictures(asked, summary, local, indices, dimensions, units)
+    if plot_file:
+        kind = os.path.splitext(plot_file)[1].lower().lstrip(".")
+        texts[plot_file] = pictures[0].to_bytes(kind)
+    if report_file:
+        from wraparc.present.study_html import study_html
+
+        drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
+        texts[report_file] = study_html(sheet, drawn, summary)
+    if STANDARD_OUTPUT in texts:
+        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
+    for name, text in texts.items():
+        save_file(name, text)
+    for name in (path, *texts):
+        click.echo(f"Wrote {name}", err=True)
+
+
+def _sensitivities(asked: StudyFile, path: str) -> tuple[Local | None, Global | None]:
+    if not asked.sensitivity:
+        return None, None
+    from wraparc.study.sensitivity import global_sensitivity, local_sensitivity
+
+    local = local_sensitivity(asked.study)
+    return local, global_sensitivity(path, asked.study, asked.sensitivity)
+
+
+def _dimensions(asked: StudyFile) -> dict[str, Dimension | None]:
+    plan = asked.study.plan
+    known: dict[str, Dimension | None] = {axis.field: axis.dimension for axis in plan.levels}
+    for drawn in plan.drawn:
+        known.update(drawn.columns)
+    return known
+
+
+def _pictures(
+    asked: StudyFile,
+    summary: Summary,
+    local: Local | None,
+    indices: Global | None,
+    dimensions: dict[str, Dimension | None],
+    units: System,
+) -> list[Picture]:
+    from wraparc.plot.study import plot_sensitivity, plot_study
+
+    if local is None or indices is None:
+        return [plot_study(summary, dimensions, units)]
+    return [
+        plot_sensitivity(name, local[case][name], found, dimensions, units)
+        for case, of_case in indices.items()
+        for name, found in of_case.items()
+    ]

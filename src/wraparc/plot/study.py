@@ -1,0 +1,186 @@
+"""Pictures of a study: probabilities, percentiles, convergence, tornado and Sobol indices."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from wraparc.glossary import GLOSSARY
+from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
+from wraparc.study.monte_carlo import CONFIDENCE, Group, Summary
+from wraparc.study.sensitivity import Indices, Swing
+from wraparc.units import Dimension, System, display, display_unit
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_LINES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (RED, ":"), (GREY, "-"))
+_MOST_LINES = 8
+
+
+def plot_study(
+    summary: Summary, units: Mapping[str, Dimension | None], system: System = "si"
+) -> Picture:
+    """Return what a study says: probabilities or values over the levels, and how they settle."""
+    with styled():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(9.6, 4.2), layout="constrained")
+        left, right = figure.subplots(1, 2)
+        if summary.drawn:
+            _chances(left, summary, units, system)
+            _settling(right, summary, units, system)
+        else:
+            _over_levels(left, summary, "exit_creep", units, system)
+            _over_levels(right, summary, "least_exit_tension", units, system)
+        return Picture(figure)
+
+
+def _axis_of(summary: Summary) -> str:
+    """Axis of levels to draw over: the one of numbers with the most values."""
+    levels: Mapping[str, Sequence[Any]] = summary.data["levels"]
+    numbers = [n for n, v in levels.items() if not isinstance(v[0], str | bool)]
+    return max(numbers, key=lambda name: len(levels[name]), default="")
+
+
+def _curves(summary: Summary, axis: str) -> dict[str, list[Group]]:
+    """Groups along an axis, a curve for each combination of everything else."""
+    curves: dict[str, list[Group]] = {}
+    for group in summary.groups:
+        others = [str(v) for name, v in group.levels.items() if name != axis]
+        name = ", ".join(part for part in (*others, group.load_case, group.condition) if part)
+        curves.setdefault(name, []).append(group)
+    return dict(list(curves.items())[:_MOST_LINES])
+
+
+def _chances(
+    ax: Axes, summary: Summary, units: Mapping[str, Dimension | None], system: System
+) -> None:
+    axis = _axis_of(summary)
+    unit, size = display_unit(units.get(axis) or "number", system)
+    for (name, groups), (color, dashes) in zip(
+        _curves(summary, axis).items(), _cycle(), strict=False
+    ):
+        x = [float(g.levels[axis]) / size for g in groups] if axis else [0.0] * len(groups)
+        p = np.array([100.0 * g.over_limit.value for g in groups])
+        ends = 100.0 * np.array([g.over_limit.interval for g in groups])
+        spread = np.abs(ends.T - p)
+        ax.errorbar(
+            x, p, yerr=spread, color=color, linestyle=dashes, marker="o", markersize=4,
+            capsize=2, label=name,
+        )  # fmt: skip
+    ax.set_xlabel(f"{axis} [{unit}]" if axis else "all draws")
+    ax.set_ylabel("Creep over its limit [% of draws]")
+    ax.set_title(f"Probability, {CONFIDENCE:.0%} interval")
+    ax.set_ylim(bottom=0.0)
+    if summary.groups:
+        ax.legend(loc="best")
+
+
+def _settling(
+    ax: Axes, summary: Summary, units: Mapping[str, Dimension | None], system: System
+) -> None:
+    """The estimate over the draws, for the groups that are least certain."""
+    groups = sorted(
+        summary.groups, key=lambda g: g.over_limit.interval[0] - g.over_limit.interval[1]
+    )
+    for group, (color, dashes) in zip(groups[:3], _cycle(), strict=False):
+        n = [step.draws for step in group.steps]
+        p = [100.0 * step.over_limit.value for step in group.steps]
+        ends = 100.0 * np.array([step.over_limit.interval for step in group.steps]).reshape(-1, 2)
+        parts = [_shown(name, v, units, system) for name, v in group.levels.items()]
+        name = ", ".join(part for part in (*parts, group.load_case, group.condition) if part)
+        ax.plot(n, p, color=color, linestyle=dashes, marker="o", markersize=4, label=name)
+        ax.fill_between(n, ends[:, 0], ends[:, 1], color=color, alpha=0.15, linewidth=0.0)
+    ax.set_xscale("log", base=2)
+    ax.set_xlabel("Draws")
+    ax.set_ylabel("Creep over its limit [% of draws]")
+    ax.set_title("Convergence where it is least certain")
+    if groups:
+        ax.legend(loc="best")
+
+
+def _shown(field: str, value: Any, units: Mapping[str, Dimension | None], system: System) -> str:
+    dimension = units.get(field)
+    return str(value) if dimension is None else display(value, dimension, system)
+
+
+def _over_levels(
+    ax: Axes,
+    summary: Summary,
+    result: str,
+    units: Mapping[str, Dimension | None],
+    system: System,
+) -> None:
+    axis = _axis_of(summary)
+    unit, size = display_unit(units.get(axis) or "number", system)
+    of, scale = display_unit(GLOSSARY[result].dimension, system)
+    for (name, groups), (color, dashes) in zip(
+        _curves(summary, axis).items(), _cycle(), strict=False
+    ):
+        x = [float(g.levels[axis]) / size if axis else 0.0 for g in groups]
+        y = [g.percentiles.get(result, (math.nan,) * 4)[1] / scale for g in groups]
+        ax.plot(x, y, color=color, linestyle=dashes, marker="o", markersize=4, label=name)
+    ax.set_xlabel(f"{axis} [{unit}]" if axis else "")
+    ax.set_ylabel(f"{GLOSSARY[result].title} [{of}]")
+    if summary.groups:
+        ax.legend(loc="best")
+
+
+def _cycle() -> list[tuple[str, str]]:
+    return [_LINES[k % len(_LINES)] for k in range(_MOST_LINES)]
+
+
+def plot_sensitivity(
+    result: str,
+    swings: Sequence[Swing],
+    indices: Indices | None,
+    units: Mapping[str, Dimension | None],
+    system: System = "si",
+) -> Picture:
+    """Return the tornado of a result, and its Sobol indices beside it."""
+    with styled():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(9.6, 1.6 + 0.42 * max(len(swings), 3)), layout="constrained")
+        left, right = figure.subplots(1, 2)
+        _tornado(left, result, swings, system)
+        _bars(right, indices)
+        return Picture(figure)
+
+
+def _tornado(ax: Axes, result: str, swings: Sequence[Swing], system: System) -> None:
+    unit, scale = display_unit(GLOSSARY[result].dimension, system)
+    names = [s.field for s in swings][::-1]
+    for place, swing in enumerate(swings[::-1]):
+        for end, color in ((swing.at_low, BLUE), (swing.at_high, ORANGE)):
+            width = (end - swing.base) / scale
+            ax.barh(place, width, left=swing.base / scale, color=color, height=0.6)
+    ax.set_yticks(range(len(names)), names)
+    if swings:
+        ax.axvline(swings[0].base / scale, color=GREY, linewidth=1.0)
+    ax.plot([], [], color=BLUE, linewidth=6, label="input at its 5 %")
+    ax.plot([], [], color=ORANGE, linewidth=6, label="input at its 95 %")
+    ax.legend(loc="lower right")
+    ax.set_xlabel(f"{GLOSSARY[result].title}{f' [{unit}]' if unit else ''}")
+    ax.set_title("Each input alone")
+
+
+def _bars(ax: Axes, indices: Indices | None) -> None:
+    inputs = indices.inputs[::-1] if indices else ()
+    for place, one in enumerate(inputs):
+        for value, ends, color, shift in (
+            (one.first, one.first_interval, BLUE, 0.2),
+            (one.total, one.total_interval, ORANGE, -0.2),
+        ):
+            ax.barh(place + shift, value, color=color, height=0.36)
+            ax.plot(ends, [place + shift] * 2, color=GREY, linewidth=1.2)
+    ax.set_yticks(range(len(inputs)), [one.name for one in inputs])
+    ax.plot([], [], color=BLUE, linewidth=6, label="alone")
+    ax.plot([], [], color=ORANGE, linewidth=6, label="with others")
+    ax.legend(loc="best")
+    ax.set_xlabel("Part of the variance [-]")
+    ax.set_title("All together (Sobol indices)")

@@ -1,0 +1,379 @@
+"""The sheet of a study, and its results as plain data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
+from typing import Any
+
+from wraparc.glossary import GLOSSARY
+from wraparc.present.sheet import (
+    NONE,
+    Level,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    named,
+    number,
+    percent,
+    quantity,
+)
+from wraparc.study.monte_carlo import CONFIDENCE, PERCENTS, Group, Share, Summary, over_conditions
+from wraparc.study.sensitivity import Indices, Swing
+from wraparc.units import DIMENSION_TEXT, Dimension, System, display_unit
+
+Local = Mapping[tuple[str, str], Mapping[str, Sequence[Swing]]]
+Global = Mapping[tuple[str, str], Mapping[str, Indices]]
+
+#: Results that a table of groups shows the percentiles of.
+_SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
+_MOST_ROWS = 60
+_SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
+
+
+def study_sheet(
+    summary: Summary,
+    units: Mapping[str, Dimension | None],
+    system: System = "si",
+    *,
+    local: Local | None = None,
+    indices: Global | None = None,
+    remarks: Sequence[str] = (),
+    sources: Sequence[str] = (),
+) -> Sheet:
+    """Return what a study says.
+
+    Parameters
+    ----------
+    summary
+        Its results.
+    units
+        What the fields of its axes measure.
+    system
+        Units to show.
+    local, indices
+        Sensitivities, if they were asked for.
+    remarks, sources
+        What else a reader must know, and where numbers came from.
+    """
+    data = summary.data
+    tables: list[Table] = []
+    if indices is not None:
+        tables += _index_tables(indices, units, system)
+    if local is not None:
+        wanted = set(next(iter(indices.values()), {})) if indices else None
+        tables += _tornado_tables(local, units, system, wanted)
+    if local is None and summary.groups:
+        tables += _group_tables(summary, units, system)
+    return Sheet(
+        title=str(data["title"]),
+        subtitle=_subtitle(data),
+        verdict=_verdict(summary, system),
+        tables=tuple(tables),
+        remarks=(*_remarks(summary), *remarks),
+        sources=tuple(sources),
+    )
+
+
+def _subtitle(data: Mapping[str, Any]) -> str:
+    drawn = f", {data['sampling']} draws, seed {data['seed']}" if data["sampling"] else ""
+    cases = len(data["load_cases"]) * max(1, len(data["conditions"]))
+    times = f" in {cases} cases" if cases > 1 else ""
+    setting = _SETTINGS[data["setting"]]
+    return f"{data['designs']:,} designs{times}{drawn}; {data['setting']} setting, {setting}."
+
+
+def _verdict(summary: Summary, system: System) -> Verdict:
+    counts, total = summary.counts, sum(summary.counts.values())
+    solved, away = counts["solved"], counts["breakaway"]
+    sentences = []
+    for word, why in (
+        ("refused", "the friction law is unfit for their arc"),
+        ("invalid", "their tensions or sizes cannot be"),
+        ("unsolved", "the solver did not reach its accuracy"),
+    ):
+        if counts[word]:
+            sentences.append(f"{counts[word]:,} rows have no answer: {why}.")
+    within = sum(g.answered - g.over_limit.count for g in summary.groups)
+    if summary.groups:
+        sentences.insert(
+            0, f"{within:,} of {solved + away:,} keep the creep limit ({_share(within, total)})."
+        )
+    bad = within < total if summary.groups else bool(sentences or away)
+    level = Level.WARNING if bad else Level.GOOD
+    headline = f"{total:,} rows: {solved:,} solved, {away:,} break away."
+    return Verdict(level, headline, tuple(sentences))
+
+
+def _share(part: int, total: int) -> str:
+    return percent(part / total if total else math.nan)
+
+
+def _field(name: str) -> str:
+    return name.removeprefix("condition.")
+
+
+def _value(
+    name: str, value: float | str, units: Mapping[str, Dimension | None], system: System
+) -> str:
+    dimension = units.get(name)
+    if isinstance(value, str | bool) or dimension is None:
+        return str(value)
+    return quantity(value, dimension, system)
+
+
+def _name(group: Group, units: Mapping[str, Dimension | None], system: System) -> str:
+    parts = [_value(name, value, units, system) for name, value in group.levels.items()]
+    return ", ".join(parts)
+
+
+def _group_tables(
+    summary: Summary, units: Mapping[str, Dimension | None], system: System
+) -> Iterator[Table]:
+    fields = ", ".join(summary.data["levels"])
+    by_case: dict[tuple[str, str], list[Group]] = {}
+    for group in summary.groups:
+        by_case.setdefault((group.load_case, group.condition), []).append(group)
+    for (load, condition), groups in by_case.items():
+        where = ", ".join(part for part in (load, condition) if part)
+        if summary.drawn:
+            yield _chances(
+                f"{where}: probability by {fields or 'all draws'}", groups, units, system
+            )
+        else:
+            yield _values(f"{where}: by {fields}", groups, units, system)
+    together = over_conditions(summary) if summary.drawn else ()
+    if together:
+        yield _together(together, units, system)
+    if summary.drawn:
+        yield _convergence(summary, units, system)
+
+
+def _chances(
+    title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None], system: System
+) -> Table:
+    outputs = [n for n in _SHOWN[:2] if n in groups[0].percentiles]
+    heads = ["breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]"]
+    for name in outputs:
+        unit, _ = display_unit(GLOSSARY[name].dimension, system)
+        short = {"exit_creep": "creep", "least_exit_tension": "least T2"}[name]
+        heads += [f"{short} {p:g} % [{unit}]" for p in PERCENTS[1:3]]
+    rows = []
+    for group in groups[:_MOST_ROWS]:
+        cells = [percent(group.breakaway.value), _with_interval(group.over_limit)]
+        for name in outputs:
+            of = group.percentiles[name]
+            cells += [number(name, value, system) for value in of[1:3]]
+        rows.append(Row(_name(group, units, system) or "all", tuple(cells)))
+    lacking = any(g.known.get(n, 0) < g.answered for g in groups for n in outputs)
+    note = "without bound: so many draws have none within the tested pressures" if lacking else ""
+    more = len(groups) - len(rows)
+    note += f"; {more} more in the file" if more > 0 else ""
+    return Table(title, tuple(rows), tuple(heads), note)
+
+
+def _with_interval(share: Share) -> str:
+    low, high = share.interval
+    return f"{percent(share.value)} [{100 * low:.3g}-{100 * high:.3g}]"
+
+
+def _values(
+    title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None], system: System
+) -> Table:
+    """Results of a grid, a design a row."""
+    names = [n for n in _SHOWN if n in groups[0].percentiles]
+    heads = ["answer"]
+    for name in names:
+        unit, _ = display_unit(GLOSSARY[name].dimension, system)
+        heads.append(f"{GLOSSARY[name].title}{f' [{unit}]' if unit else ''}")
+    rows = []
+    for group in groups[:_MOST_ROWS]:
+        word = next(word for word, count in group.counts.items() if count)
+        over = group.over_limit.count and word == "solved"
+        cells = ["over the limit" if over else word]
+        cells += [number(name, group.percentiles[name][1], system) for name in names]
+        rows.append(Row(_name(group, units, system), tuple(cells)))
+    more = len(groups) - len(rows)
+    note = f"{more} more designs are in the file" if more > 0 else ""
+    return Table(title, tuple(rows), tuple(heads), note)
+
+
+def _together(
+    groups: Sequence[tuple[Group, float, float]],
+    units: Mapping[str, Dimension | None],
+    system: System,
+) -> Table:
+    rows = []
+    for group, away, over in groups[:_MOST_ROWS]:
+        name = ", ".join(part for part in (_name(group, units, system), group.load_case) if part)
+        rows.append(Row(name, (percent(away), percent(over))))
+    note = "each condition counted by its share of the time"
+    heads = ("breakaway", "creep over limit")
+    return Table("Over all conditions", tuple(rows), heads, note)
+
+
+def _convergence(summary: Summary, units: Mapping[str, Dimension | None], system: System) -> Table:
+    """How the estimate settles, for the group that is least certain."""
+    group = max(summary.groups, key=lambda g: g.over_limit.interval[1] - g.over_limit.interval[0])
+    rows = [
+        Row(f"{s.draws:,} draws", (percent(s.breakaway.value), _with_interval(s.over_limit)))
+        for s in group.steps[-6:]
+    ]
+    parts = (_name(group, units, system), group.load_case, group.condition)
+    where = ", ".join(part for part in parts if part)
+    heads = ("breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]")
+    return Table(f"Convergence where it is least certain ({where})", tuple(rows), heads)
+
+
+def _index_tables(
+    indices: Global, units: Mapping[str, Dimension | None], system: System
+) -> Iterator[Table]:
+    for (load, condition), of_case in indices.items():
+        where = ", ".join(part for part in (load, condition) if part)
+        for name, found in of_case.items():
+            title = f"{GLOSSARY[name].title}, {where}: part of the variance (Sobol indices)"
+            spread = named(name, found.deviation, system)
+            if not found.inputs:
+                lost = f"{found.lost:,} of {found.samples:,} draws lack the result"
+                note = f"no indices: {lost}; ask for creep_limit_margin, which breakaways have too"
+                yield Table(title, (Row("none", (NONE, NONE)),), ("alone", "with others"), note)
+                continue
+            rows = [
+                Row(
+                    _field(i.name),
+                    (
+                        _index(i.first, i.first_interval),
+                        _index(i.total, i.total_interval),
+                    ),
+                )
+                for i in found.inputs
+            ]
+            note = f"standard deviation {spread}; {found.samples:,} draws"
+            note += f", {found.lost} left out" if found.lost else ""
+            heads = (f"alone [{CONFIDENCE:.0%}]", f"with others [{CONFIDENCE:.0%}]")
+            yield Table(title, tuple(rows), heads, note)
+
+
+def _index(value: float, interval: tuple[float, float]) -> str:
+    return f"{value:.3f} [{interval[0]:.3f} to {interval[1]:.3f}]"
+
+
+def _tornado_tables(
+    local: Local,
+    units: Mapping[str, Dimension | None],
+    system: System,
+    wanted: set[str] | None,
+) -> Iterator[Table]:
+    for (load, condition), of_case in local.items():
+        where = ", ".join(part for part in (load, condition) if part)
+        for name, swings in of_case.items():
+            if (wanted is not None and name not in wanted) or not swings:
+                continue
+            rows = [
+                Row(
+                    _field(s.field),
+                    (
+                        named(name, s.per_percent, system),
+                        _range(s, units, system),
+                        f"{named(name, s.at_low, system)} to {named(name, s.at_high, system)}",
+                    ),
+                )
+                for s in swings
+            ]
+            base = named(name, swings[0].base, system)
+            yield Table(
+                f"{GLOSSARY[name].title}, {where}: each input alone",
+                tuple(rows),
+                ("for 1 % more", "plausible range", "result over it"),
+                f"{base} with every input at its median; plausible range: 5 % to 95 %",
+            )
+
+
+def _range(swing: Swing, units: Mapping[str, Dimension | None], system: System) -> str:
+    dimension = units.get(swing.field) or "number"
+    return " to ".join(quantity(v, dimension, system) for v in (swing.low, swing.high))
+
+
+def _remarks(summary: Summary) -> Iterator[str]:
+    data = summary.data
+    if not summary.groups:
+        yield "Too many combinations to tell apart here: read the file, pandas.read_parquet(...)."
+    shares = [
+        (g.percentiles["outside_tested_share"][2], g)
+        for g in summary.groups
+        if "outside_tested_share" in g.percentiles
+    ]
+    worst = max((v for v, _ in shares if not math.isnan(v)), default=0.0)
+    if worst > 0.0:
+        yield (
+            f"Up to {percent(worst, 2)} of the wrap (95 % of the rows) lies outside the tested "
+            "range of the lagging: an extrapolation."
+        )
+    if data["plan"] == "sweep" and data["sampling"] in ("sobol", "latin-hypercube"):
+        yield (
+            f"The intervals are those of independent draws; {data['sampling']} draws are spread "
+            "more evenly, and mostly nearer to the truth than that."
+        )
+    if data["sampling"] == "sobol" and data["samples"] & (data["samples"] - 1):
+        yield f"{data['samples']} samples is no power of 2: Sobol points are then less even."
+
+
+def study_document(
+    summary: Summary, *, local: Local | None = None, indices: Global | None = None
+) -> dict[str, Any]:
+    """Return what a study says as plain data [SI] for JSON."""
+    document: dict[str, Any] = {
+        "format": 1,
+        "study": {key: value for key, value in summary.data.items() if key != "input"},
+        "input": summary.data["input"],
+        "counts": dict(summary.counts),
+        "confidence": CONFIDENCE,
+        "percents": list(PERCENTS),
+        "groups": [_group_data(group) for group in summary.groups],
+        "units": {
+            name: DIMENSION_TEXT[GLOSSARY[name].dimension].si_unit
+            for name in summary.data["outputs"]
+        },
+    }
+    if local is not None:
+        document["local"] = [
+            {"load_case": load, "condition": condition, "result": name, **asdict(swing)}
+            for (load, condition), of_case in local.items()
+            for name, swings in of_case.items()
+            for swing in swings
+        ]
+    if indices is not None:
+        document["global"] = [
+            {"load_case": load, "condition": condition, "result": name, **asdict(found)}
+            for (load, condition), of_case in indices.items()
+            for name, found in of_case.items()
+        ]
+    return document
+
+
+def _group_data(group: Group) -> dict[str, Any]:
+    return {
+        "levels": dict(group.levels),
+        "load_case": group.load_case,
+        "condition": group.condition,
+        "share": group.share,
+        "counts": dict(group.counts),
+        "breakaway": _share_data(group.breakaway),
+        "over_limit": _share_data(group.over_limit),
+        "percentiles": {name: list(values) for name, values in group.percentiles.items()},
+        "known": dict(group.known),
+        "convergence": [
+            {
+                "draws": step.draws,
+                "breakaway": _share_data(step.breakaway),
+                "over_limit": _share_data(step.over_limit),
+            }
+            for step in group.steps
+        ],
+    }
+
+
+def _share_data(share: Share) -> dict[str, Any]:
+    return {"value": share.value, "interval": list(share.interval), "count": share.count}

@@ -1,0 +1,254 @@
+"""Where the parts of a study are solved: threads of this process, or a Dask cluster."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import islice
+from threading import Event
+from typing import Any, NamedTuple, Protocol
+
+from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.study.parameter_study import Study
+from wraparc.study.parquet import solve_part
+from wraparc.version import __version__
+
+
+class Part(NamedTuple):
+    """A range of designs."""
+
+    start: int
+    stop: int
+
+
+Solved = Iterator[tuple[Part, bytes]]
+
+
+class Executor(Protocol):
+    """What solves parts; each comes back as a Parquet file, in any order."""
+
+    def check(self) -> None:
+        """Raise `InputError` if it cannot work, before anything is done."""
+
+    def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
+        """Solve parts; closing the iterator drops those not begun."""
+
+
+class _StoppedError(Exception):
+    """The work was given up."""
+
+
+@dataclass(frozen=True)
+class Threads:
+    """Threads of this process.
+
+    Attributes
+    ----------
+    count
+        How many; one a processor if None.
+    """
+
+    count: int | None = None
+
+    @property
+    def workers(self) -> int:
+        """How many there are."""
+        return self.count or os.cpu_count() or 1
+
+    def check(self) -> None:
+        """Refuse fewer than one."""
+        if self.count is not None and self.count < 1:
+            text = str(self.count)
+            raise InputError(Problem(key="threads", value=text, message="must be at least 1"))
+
+    def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
+        """Solve parts, a few more begun than there are threads, so that memory stays the same."""
+        stop = Event()
+
+        def tell(*_: int) -> None:
+            if stop.is_set():
+                raise _StoppedError
+
+        waiting: dict[Future[bytes], Part] = {}
+        todo = iter(parts)
+        with ThreadPoolExecutor(self.workers) as pool:
+            try:
+                while True:
+                    for part in islice(todo, self.workers + 1 - len(waiting)):
+                        waiting[pool.submit(solve_part, study, *part, tell)] = part
+                    if not waiting:
+                        return
+                    for future in wait(waiting, return_when=FIRST_COMPLETED).done:
+                        yield waiting.pop(future), future.result()
+            finally:
+                stop.set()
+                pool.shutdown(wait=True, cancel_futures=True)
+
+
+@dataclass(frozen=True)
+class DaskCluster:
+    """A Dask cluster that is running already.
+
+    Parts are tasks with a name of their own that are tried again on another worker if theirs dies;
+    a part that was solved twice is taken once.
+
+    Attributes
+    ----------
+    address
+        Of its scheduler, ``tcp://host:8786``.
+    timeout
+        How long to wait for the scheduler and for a first worker [s].
+    retries
+        How often a part is tried again.
+    """
+
+    address: str
+    timeout: float = 15.0
+    retries: int = 5
+
+    def check(self) -> None:
+        """Refuse a cluster that does not answer, has no workers, or another version of wraparc."""
+        with self._client() as client:
+            _check_workers(client, self.address, self.timeout)
+
+    @contextmanager
+    def _client(self) -> Iterator[Any]:
+        distributed = require_distributed()
+        try:
+            client = distributed.Client(self.address, timeout=self.timeout, set_as_default=False)
+        except (OSError, ValueError, TimeoutError) as error:
+            raise _unreachable(self.address, error) from None
+        try:
+            yield client
+        finally:
+            client.close(timeout=self.timeout)
+
+    def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
+        """Solve parts on the workers, a few more begun than they have threads."""
+        distributed = require_distributed()
+        with self._client() as client:
+            todo = iter(parts)
+            places: dict[str, Part] = {}
+            running = distributed.as_completed()
+            try:
+                while True:
+                    room = 2 * max(1, sum(client.nthreads().values())) - len(places)
+                    for part in islice(todo, max(0, room)):
+                        key = f"wraparc-{study.fingerprint[:16]}-{part.start}-{part.stop}"
+                        future = client.submit(
+                            solve_part, study, *part, key=key, retries=self.retries, pure=True
+                        )
+                        places[future.key] = part
+                        running.add(future)
+                    if not places:
+                        return
+                    future = next(running)
+                    yield places.pop(future.key), _result(future)
+                    future.release()
+            finally:
+                client.cancel(list(running.futures))
+
+
+@dataclass(frozen=True)
+class LocalCluster:
+    """Processes of this computer under a Dask scheduler that is started for the study.
+
+    Attributes
+    ----------
+    workers
+        How many; one a processor if None.
+    """
+
+    workers: int | None = None
+
+    def check(self) -> None:
+        """Refuse where Dask is not installed."""
+        require_distributed()
+
+    def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
+        """Solve parts on the processes."""
+        distributed = require_distributed()
+        with distributed.LocalCluster(
+            n_workers=self.workers or os.cpu_count() or 1,
+            threads_per_worker=1,
+            dashboard_address=None,
+            host="127.0.0.1",
+        ) as cluster:
+            yield from DaskCluster(cluster.scheduler_address).solve(study, parts)
+
+
+def executor_named(text: str) -> Executor:
+    """Return the executor of a command line: an address, ``local`` or ``local:4``."""
+    if text == "local" or text.startswith("local:"):
+        count = text.partition(":")[2]
+        if count and not (count.isascii() and count.isdigit() and 1 <= int(count) <= 1000):
+            message, remedy = "no number of processes", "Write local:4, or local."
+            raise InputError(
+                Problem(key="--scheduler", value=shown(text), message=message, remedy=remedy)
+            )
+        return LocalCluster(int(count) if count else None)
+    return DaskCluster(text)
+
+
+def require_distributed() -> Any:
+    """Return dask.distributed, its own messages kept quiet, or say how to get it."""
+    try:
+        import distributed
+    except ImportError as error:
+        raise MissingExtraError("distributed", "dask") from error
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    return distributed
+
+
+def _unreachable(address: str, error: Exception) -> InputError:
+    reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
+    return InputError(
+        Problem(
+            key="--scheduler",
+            value=shown(address),
+            message=f"no Dask scheduler answers there: {reason}",
+            remedy="Start one with `dask scheduler`, workers with `dask worker ADDRESS`.",
+        )
+    )
+
+
+def _check_workers(client: Any, address: str, timeout: float) -> None:
+    try:
+        client.wait_for_workers(1, timeout=timeout)
+        versions: dict[str, Any] = client.run(_version_here, on_error="return")
+    except (OSError, TimeoutError) as error:
+        message = f"the scheduler has no worker after {timeout:g} s"
+        raise InputError(
+            Problem(
+                key="--scheduler",
+                value=shown(address),
+                message=message,
+                remedy=f"Start some: dask worker {address}",
+            )
+        ) from error
+    wrong = {worker: told for worker, told in versions.items() if told != __version__}
+    if wrong:
+        worker, told = next(iter(wrong.items()))
+        has = f"version {told}" if isinstance(told, str) else "none that can be imported"
+        raise InputError(
+            Problem(
+                key="--scheduler",
+                value=shown(address),
+                message=f"{len(wrong)} of {len(versions)} workers have another wraparc than this "
+                f"({__version__}); {worker} has {has}",
+                remedy="Install the same version on every worker.",
+            )
+        )
+
+
+def _version_here() -> str:
+    return __version__
+
+
+def _result(future: Any) -> bytes:
+    made = future.result()
+    return bytes(made)

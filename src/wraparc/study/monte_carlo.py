@@ -1,0 +1,314 @@
+"""What the results of a study say: probabilities with their intervals, percentiles, convergence.
+
+Read from the file of results a part at a time: memory does not grow with the study.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from statistics import NormalDist
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.study.parameter_study import (
+    BREAKAWAY,
+    DESIGN,
+    SOLVED,
+    STATUS,
+    STATUS_WORDS,
+    WITHIN,
+)
+from wraparc.study.parquet import batches, read_data
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+#: Percentiles that are told [%].
+PERCENTS = (5.0, 50.0, 95.0, 99.0)
+#: Numbers of one result and group that are kept to find percentiles exactly.
+KEPT = 200_000
+#: Results of which none at all is more than any number: no creep holds the belt, no tension is
+#: enough.
+WITHOUT_BOUND = ("exit_creep", "exit_slip", "least_exit_tension")
+#: Most groups that are told apart.
+MOST_GROUPS = 400
+CONFIDENCE = 0.95
+
+
+@dataclass(frozen=True)
+class Share:
+    """An estimated probability.
+
+    Attributes
+    ----------
+    count, total
+        How many of how many.
+    """
+
+    count: int
+    total: int
+
+    @property
+    def value(self) -> float:
+        """count/total; nan of nothing [-]."""
+        return self.count / self.total if self.total else math.nan
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Wilson's score interval at `CONFIDENCE`."""
+        return wilson(self.count, self.total)
+
+
+def wilson(count: int, total: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
+    """Wilson's score interval of a proportion [-].
+
+    (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) for independent draws; Latin
+    hypercube and Sobol draws are spread more evenly, and their estimate is mostly better than that.
+
+    References
+    ----------
+    E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
+    """
+    if not total:
+        return 0.0, 1.0
+    z = NormalDist().inv_cdf(0.5 + 0.5 * confidence)
+    p, n = count / total, float(total)
+    middle = p + z * z / (2.0 * n)
+    half = z * math.sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))
+    low, high = (middle - half) / (1.0 + z * z / n), (middle + half) / (1.0 + z * z / n)
+    return (0.0 if count == 0 else max(0.0, low)), (1.0 if count == total else min(1.0, high))
+
+
+@dataclass(frozen=True)
+class Step:
+    """The estimate when so many draws were done: of breakaway, and of creep over its limit."""
+
+    draws: int
+    breakaway: Share
+    over_limit: Share
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Group:
+    """The draws at one combination of levels, load case and condition.
+
+    Attributes
+    ----------
+    levels
+        Value of each axis of levels [SI], or its word.
+    load_case, condition
+        The case; empty for all together.
+    share
+        Part of the time of the condition, or None.
+    counts
+        Rows by their status.
+    over_limit
+        Rows that break away or creep beyond the creep limit, of those that have an answer.
+    percentiles
+        By result: values at `PERCENTS` of the rows with an answer; of those that have the number,
+        but for results of `WITHOUT_BOUND`, which are infinite where there is none [SI].
+    known
+        By result: rows that have one.
+    steps
+        How the estimates settle, as draws are added in their order.
+    """
+
+    levels: Mapping[str, float | str]
+    load_case: str
+    condition: str
+    share: float | None
+    counts: Mapping[str, int]
+    over_limit: Share
+    percentiles: Mapping[str, tuple[float, ...]]
+    known: Mapping[str, int]
+    steps: tuple[Step, ...]
+
+    @property
+    def answered(self) -> int:
+        """Rows with an answer: solved, or a breakaway."""
+        return self.counts["solved"] + self.counts["breakaway"]
+
+    @property
+    def breakaway(self) -> Share:
+        """Probability of breakaway."""
+        return Share(self.counts["breakaway"], self.answered)
+
+
+@dataclass(frozen=True, eq=False)
+class Summary:
+    """What results say.
+
+    Attributes
+    ----------
+    data
+        What the file says of the study.
+    counts
+        Rows by their status.
+    groups
+        One for each combination of levels, load case and condition; none where there are more
+        than `MOST_GROUPS`.
+    """
+
+    data: Mapping[str, Any]
+    counts: Mapping[str, int]
+    groups: tuple[Group, ...]
+
+    @property
+    def drawn(self) -> bool:
+        """Whether anything was drawn at random."""
+        return bool(self.data["sampling"])
+
+
+def over_conditions(summary: Summary) -> tuple[tuple[Group, float, float], ...]:
+    """Probabilities over all conditions by their share of the time, where that is known.
+
+    Returns
+    -------
+    For each combination of levels and load case: a group of it, P(breakaway), P(over the limit).
+    """
+    sums: dict[tuple[Any, ...], list[Any]] = {}
+    for group in summary.groups:
+        if group.share is None:
+            return ()
+        key = (*group.levels.values(), group.load_case)
+        entry = sums.setdefault(key, [group, 0.0, 0.0])
+        entry[1] += group.share * group.breakaway.value
+        entry[2] += group.share * group.over_limit.value
+    return tuple((group, p, q) for group, p, q in sums.values())
+
+
+@dataclass(eq=False)
+class _Collected:
+    """What is gathered of one group while the results go by."""
+
+    outputs: tuple[str, ...]
+    counts: Array = field(default_factory=lambda: np.zeros(len(STATUS_WORDS)))
+    over: int = 0
+    kept: dict[str, list[Array]] = field(default_factory=dict)
+    known: dict[str, int] = field(default_factory=dict)
+    seen: dict[str, int] = field(default_factory=dict)
+    thinned: dict[str, int] = field(default_factory=dict)
+    marks: list[tuple[int, int, int]] = field(default_factory=list)  # draws, breakaways, over
+
+    def take(self, status: Integers, within: Flags, values: Mapping[str, Array]) -> None:
+        """Add rows in the order of their draws."""
+        answered = (status == SOLVED) | (status == BREAKAWAY)
+        away, over = (status == BREAKAWAY), answered & ~within
+        self._mark(answered, away, over)
+        self.counts += np.bincount(status, minlength=len(STATUS_WORDS))
+        self.over += int(over.sum())
+        for name in self.outputs:
+            self._keep(name, values[name][answered])
+
+    def _mark(self, answered: Flags, away: Flags, over: Flags) -> None:
+        """Note the estimates at every power of 2 of draws."""
+        before = int(self.counts[SOLVED] + self.counts[BREAKAWAY])
+        done = before + np.cumsum(answered)
+        power = 16 if before < 16 else 1 << before.bit_length()
+        while len(done) and power <= done[-1]:
+            at = int(np.searchsorted(done, power)) + 1
+            marked = int(self.counts[BREAKAWAY] + away[:at].sum())
+            self.marks.append((power, marked, self.over + int(over[:at].sum())))
+            power *= 2
+
+    def _keep(self, name: str, value: Array) -> None:
+        """Keep numbers for percentiles: all of them, or every second, fourth ... by their place."""
+        known = np.isfinite(value)
+        self.known[name] = self.known.get(name, 0) + int(known.sum())
+        finite = np.where(known, value, np.inf) if name in WITHOUT_BOUND else value[known]
+        before = self.seen.get(name, 0)
+        self.seen[name] = before + len(finite)
+        step = self.thinned.setdefault(name, 1)
+        kept = self.kept.setdefault(name, [])
+        kept.append(finite[(-before) % step :: step])
+        if sum(map(len, kept)) > KEPT:
+            whole = np.concatenate(kept)[::2]
+            self.kept[name], self.thinned[name] = [whole], 2 * step
+
+    def group(self, **of: Any) -> Group:
+        """Return the group."""
+        counts = {word: int(n) for word, n in zip(STATUS_WORDS, self.counts, strict=True)}
+        answered = counts["solved"] + counts["breakaway"]
+        percentiles = {}
+        for name in self.outputs:
+            numbers = np.concatenate(self.kept.get(name) or [np.empty(0)])
+            found = _percentiles(numbers)
+            percentiles[name] = tuple(float(v) for v in found)
+        last = (answered, counts["breakaway"], self.over)
+        marks = [*self.marks, *([last] if answered and last not in self.marks else [])]
+        return Group(
+            counts=counts,
+            over_limit=Share(self.over, answered),
+            percentiles=percentiles,
+            known={name: self.known.get(name, 0) for name in self.outputs},
+            steps=tuple(Step(n, Share(b, n), Share(o, n)) for n, b, o in marks),
+            **of,
+        )
+
+
+def _percentiles(numbers: Array) -> Array:
+    if not len(numbers):
+        return np.full(len(PERCENTS), np.nan)
+    found: Array = np.percentile(numbers, PERCENTS, method="inverted_cdf")
+    return found
+
+
+def summarise(path: str | os.PathLike[str]) -> Summary:
+    """Return what a file of results says.
+
+    Raises
+    ------
+    InputError
+        If it is no file of results of a study.
+    """
+    data = read_data(path)
+    outputs = tuple(data["outputs"])
+    cases = _cases(data)
+    combinations = math.prod(len(v) for v in data["levels"].values())
+    counts = np.zeros(len(STATUS_WORDS))
+    many = combinations * len(cases) > MOST_GROUPS
+    collected: dict[tuple[int, int], _Collected] = {}
+    per_combination = data["designs"] // max(1, combinations)
+    columns = [DESIGN, STATUS, WITHIN, *([] if many else outputs)]
+    for batch in batches(path, columns):
+        status = batch[STATUS][0]
+        counts += np.bincount(status, minlength=len(STATUS_WORDS))
+        if many:
+            continue
+        combination = batch[DESIGN] // per_combination
+        case = np.arange(len(status)) % len(cases)
+        for key in sorted(set(zip(combination.tolist(), case.tolist(), strict=True))):
+            rows = (combination == key[0]) & (case == key[1])
+            group = collected.setdefault(key, _Collected(outputs))
+            values = {name: batch[name][rows] for name in outputs}
+            group.take(status[rows], batch[WITHIN][rows], values)
+    return Summary(
+        data=data,
+        counts={w: int(n) for w, n in zip(STATUS_WORDS, counts, strict=True)},
+        groups=tuple(_groups(data, cases, collected)),
+    )
+
+
+def _cases(data: Mapping[str, Any]) -> list[tuple[str, str, float | None]]:
+    conditions = list(data["conditions"].items()) or [("", None)]
+    return [(load, name, share) for load in data["load_cases"] for name, share in conditions]
+
+
+def _groups(
+    data: Mapping[str, Any],
+    cases: list[tuple[str, str, float | None]],
+    collected: Mapping[tuple[int, int], _Collected],
+) -> Iterator[Group]:
+    levels: dict[str, list[Any]] = data["levels"]
+    shape = tuple(len(values) for values in levels.values())
+    for (combination, case), found in sorted(collected.items()):
+        places = np.unravel_index(combination, shape) if shape else ()
+        at = {name: v[int(p)] for (name, v), p in zip(levels.items(), places, strict=True)}
+        load, condition, share = cases[case]
+        yield found.group(levels=at, load_case=load, condition=condition, share=share)

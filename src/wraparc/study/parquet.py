@@ -1,0 +1,231 @@
+"""Results of a study as Parquet: parts that stand for themselves, and the file made of them.
+
+pyarrow is imported where it is used; it comes with the extra ``study``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.glossary import GLOSSARY
+from wraparc.study.parameter_study import (
+    CONDITION,
+    DESIGN,
+    FRICTION_FACTOR,
+    LOAD_CASE,
+    STATUS,
+    STATUS_WORDS,
+    WITHIN,
+    Study,
+)
+from wraparc.units import DIMENSION_TEXT
+from wraparc.version import __version__
+
+Array = NDArray[np.float64]
+
+METADATA = b"wraparc.study"
+_COMPRESSION = "zstd"
+
+
+def require_pyarrow() -> Any:
+    """Return pyarrow, or say how to get it."""
+    try:
+        import pyarrow as pa
+        import pyarrow.parquet
+    except ImportError as error:
+        raise MissingExtraError("pyarrow", "study") from error
+    return pa
+
+
+def words_of(study: Study) -> dict[str, tuple[str, ...]]:
+    """Columns that hold words, and the words by their places."""
+    words: dict[str, tuple[str, ...]] = {LOAD_CASE: study.load_cases, STATUS: STATUS_WORDS}
+    if study.conditions:
+        words[CONDITION] = tuple(c.name for c in study.conditions)
+    for axis in study.plan.levels:
+        if not axis.numeric:
+            words[axis.field] = tuple(str(value) for value in axis.values)
+    return words
+
+
+def units_of(study: Study) -> dict[str, str]:
+    """SI unit of every column of numbers, in the order of the columns after the first ones."""
+    units: dict[str, str] = {}
+    for axis in study.plan.levels:
+        if axis.dimension is not None:
+            units[axis.field] = DIMENSION_TEXT[axis.dimension].si_unit
+    for drawn in study.plan.drawn:
+        for name, dimension in drawn.columns.items():
+            if not name.startswith("condition."):
+                units[name] = DIMENSION_TEXT[dimension].si_unit
+    if study.conditions:
+        units[FRICTION_FACTOR] = ""
+    for name in study.outputs:
+        units[name] = DIMENSION_TEXT[GLOSSARY[name].dimension].si_unit
+    return units
+
+
+def schema_of(study: Study) -> Any:
+    """Arrow schema of the results, the study itself in its metadata."""
+    pa = require_pyarrow()
+    word = pa.dictionary(pa.int32(), pa.string())
+    levels = [axis.field for axis in study.plan.levels]
+    words, units = words_of(study), units_of(study)
+    axes = list(dict.fromkeys([*levels, *(n for n in units if n not in study.outputs)]))
+    first = [DESIGN, LOAD_CASE, *([CONDITION] if study.conditions else []), *axes]
+    fields = []
+    for name in (*first, STATUS, WITHIN, *study.outputs):
+        if name in words:
+            fields.append(pa.field(name, word))
+        elif name == DESIGN:
+            fields.append(pa.field(name, pa.int64()))
+        elif name == WITHIN:
+            fields.append(pa.field(name, pa.bool_()))
+        else:
+            fields.append(pa.field(name, pa.float64(), metadata={"unit": units[name]}))
+    return pa.schema(fields, metadata={METADATA: json.dumps(study_data(study))})
+
+
+def study_data(study: Study) -> dict[str, Any]:
+    """What a reader of the results must know of the study, as plain data."""
+    plan = study.plan
+    return {
+        "program": f"wraparc {__version__}",
+        "fingerprint": study.fingerprint,
+        "title": study.title,
+        "designs": len(plan),
+        "rows": study.rows,
+        "plan": type(plan).__name__.lower(),
+        "levels": {axis.field: list(axis.values) for axis in plan.levels},
+        "drawn": [name for axis in plan.drawn for name in axis.columns],
+        "sampling": plan.sampling.name if plan.drawn else "",
+        "samples": plan.samples,
+        "seed": plan.seed,
+        "load_cases": list(study.load_cases),
+        "conditions": {c.name: c.share for c in study.conditions},
+        "setting": study.setting.value,
+        "outputs": list(study.outputs),
+        "input": study.description,
+    }
+
+
+def table_of(study: Study, columns: Mapping[str, Array]) -> Any:
+    """Arrow table of columns as `Study.solve` returns them."""
+    pa = require_pyarrow()
+    words, schema = words_of(study), schema_of(study)
+    arrays = []
+    for name in schema.names:
+        column = columns[name]
+        if name in words:
+            codes = pa.array(column.astype(np.int32))
+            arrays.append(pa.DictionaryArray.from_arrays(codes, pa.array(words[name], pa.string())))
+        else:
+            arrays.append(pa.array(column))
+    return pa.Table.from_arrays(arrays, schema=schema)
+
+
+def solve_part(study: Study, start: int, stop: int, progress: Any = None) -> bytes:
+    """Solve the designs `start` to `stop`; return them as a Parquet file.
+
+    All that a worker of a cluster is asked: it depends on nothing but its arguments, and doing it
+    twice does no harm.
+    """
+    pa = require_pyarrow()
+    sink = pa.BufferOutputStream()
+    table = table_of(study, study.solve(start, stop, progress=progress))
+    with _writer(sink, table.schema) as writer:
+        writer.write_table(table)
+    return bytes(sink.getvalue())
+
+
+def _writer(where: Any, schema: Any) -> Any:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    words = [f.name for f in schema if pa.types.is_dictionary(f.type)]
+    numbers = {f.name: "BYTE_STREAM_SPLIT" for f in schema if pa.types.is_floating(f.type)}
+    encodings = {DESIGN: "DELTA_BINARY_PACKED", **numbers}
+    return pq.ParquetWriter(
+        where,
+        schema,
+        compression=_COMPRESSION,
+        compression_level=1,
+        use_dictionary=words,
+        column_encoding=encodings,
+    )
+
+
+def rows_of(path: Path, fingerprint: str) -> int:
+    """Rows of a part; -1 if it is no whole part of that study."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        found = pq.read_metadata(path)
+        told = json.loads((found.metadata or {}).get(METADATA, b"{}"))
+    except (OSError, ValueError, pa.ArrowException):
+        return -1
+    return int(found.num_rows) if told.get("fingerprint") == fingerprint else -1
+
+
+def merge(parts: Iterable[Path], schema: Any, target: Path) -> None:
+    """Write parts into one file, a row group a part; whole or not at all."""
+    import pyarrow.parquet as pq
+
+    draft = target.with_name(f".{target.name[:80]}.{os.getpid()}.tmp")
+    try:
+        with _writer(str(draft), schema) as writer:
+            for part in parts:
+                writer.write_table(pq.read_table(part, schema=schema))
+        os.replace(draft, target)
+    finally:
+        draft.unlink(missing_ok=True)
+
+
+def read_data(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Return what the results say of their study.
+
+    Raises
+    ------
+    InputError
+        If the file is no results of a study.
+    """
+    pa = require_pyarrow()
+    import pyarrow.parquet as pq
+
+    try:
+        found = pq.read_metadata(path).metadata or {}
+        data: dict[str, Any] = json.loads(found[METADATA])
+    except (OSError, KeyError, ValueError, pa.ArrowException):
+        name = shown(os.fspath(path))
+        message = "is no file of results of a study"
+        raise InputError(Problem(value=name, message=message)) from None
+    return data
+
+
+def batches(path: str | os.PathLike[str], columns: Iterable[str]) -> Iterator[dict[str, Any]]:
+    """Yield some columns of results, a row group at a time; words as their places."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    with pq.ParquetFile(path) as file:
+        for group in range(file.num_row_groups):
+            table = file.read_row_group(group, columns=list(columns)).combine_chunks()
+            found = {}
+            for name in table.column_names:
+                column = table.column(name)
+                if pa.types.is_dictionary(column.type):
+                    column = column.combine_chunks() if column.num_chunks else column
+                    chunk = column.chunk(0) if isinstance(column, pa.ChunkedArray) else column
+                    found[name] = chunk.indices.to_numpy(), chunk.dictionary.to_pylist()
+                else:
+                    found[name] = column.to_numpy()
+            yield found
