@@ -59,7 +59,8 @@ class Workers:
     Parameters
     ----------
     count
-        Processes for short answers; 0 for threads of this process.
+        Processes for short answers; 0 to do everything in threads of this process, where nothing
+        can be ended.
     long_tasks
         Long tasks that may run at the same time.
     """
@@ -144,6 +145,8 @@ class Workers:
         self._long_waiting += 1
         try:
             async with self._long:
+                if not self._count:
+                    return await asyncio.to_thread(answer, where, {**request, "progress": _ignored})
                 return await self._apart(where, request, limit)
         finally:
             self._long_waiting -= 1
@@ -165,7 +168,7 @@ class Workers:
         return Task(self._context, where, request, progress)
 
 
-def _ignored(done: int, total: int, message: str) -> None:
+def _ignored(done: int, total: int, message: str = "") -> None:
     """Progress that nobody asks for."""
 
 

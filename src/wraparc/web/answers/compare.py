@@ -17,7 +17,8 @@ from wraparc.study.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.study.what_if import with_belt, with_lagging
 from wraparc.train import Train, solve_train
 from wraparc.units import display
-from wraparc.web.answers.drives import case_of, pulley_of, read
+from wraparc.web.answers.documents import read
+from wraparc.web.answers.drives import case_of, pulley_of
 from wraparc.web.answers.shown import Data, both, texts_data
 from wraparc.web.errors import problems_data
 

@@ -6,9 +6,7 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.drive import Drive, LoadCase, Pulley, design_remarks
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files import drive_from_document
 from wraparc.files.kinds import nearest
-from wraparc.files.source import Document
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
@@ -19,6 +17,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
 from wraparc.train import Train, solve_train
 from wraparc.units import System
+from wraparc.web.answers.documents import read
 from wraparc.web.answers.shown import (
     Data,
     numbers_data,
@@ -33,22 +32,6 @@ from wraparc.web.answers.shown import (
 
 _PAPER_POINTS = 121
 TABLES = ("answer", "creep", "capacity", "comparison", "energy", "inputs")
-
-
-def read(document: Document) -> Drive | Train:
-    """Return what a document describes; several pulleys on one belt are a train, as for `solve`.
-
-    Raises
-    ------
-    InputError
-        With everything that is wrong; paths of files are refused.
-    """
-    if "train" in document:
-        from wraparc.files import train_from_document
-
-        return train_from_document(document)
-    drive = drive_from_document(document)
-    return drive if len(drive.pulleys) == 1 else Train.of(drive)
 
 
 def solve_fast(request: Data) -> Data:

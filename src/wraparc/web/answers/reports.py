@@ -7,7 +7,7 @@ from wraparc.arc import Distributed, PaperMarch, solve
 from wraparc.drive import Drive
 from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.train import solve_train
-from wraparc.web.answers.drives import read
+from wraparc.web.answers.documents import read
 from wraparc.web.answers.shown import Data
 
 _KINDS: dict[str, Any] = {"pdf": pdf, "xlsx": workbook, "md": markdown}

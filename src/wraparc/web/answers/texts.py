@@ -11,7 +11,7 @@ from wraparc.files.lagging_file import lagging_from_document
 from wraparc.files.quantity_text import quantity_text
 from wraparc.files.source import Document, parse
 from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
-from wraparc.web.answers.drives import read
+from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Data, both
 from wraparc.web.errors import problem_data, problems_data
 
@@ -56,15 +56,6 @@ def file_stem(title: object) -> str:
     """Return a file name without ending for a title."""
     stem = _NAME.sub("-", title[:200]).strip("-").lower() if isinstance(title, str) else ""
     return stem[:60].strip("-") or "drive"
-
-
-def without_none(value: Any) -> Any:
-    """Return a document without keys that hold nothing: TOML has no null."""
-    if isinstance(value, dict):
-        return {k: without_none(v) for k, v in value.items() if v is not None}
-    if isinstance(value, list):
-        return [without_none(item) for item in value if item is not None]
-    return value
 
 
 def json_like(value: Any) -> Any:

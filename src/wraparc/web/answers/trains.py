@@ -14,6 +14,7 @@ from wraparc.present.train_sheet import matching_sheet, train_sheet
 from wraparc.study.conditions import Condition
 from wraparc.train import Train, TrainResult, match_drives, share_map, solve_train
 from wraparc.units import parse_quantity
+from wraparc.web.answers.documents import without_none
 from wraparc.web.answers.shown import Data, rounded, sheet_data
 
 _MAP_POINTS = 61
@@ -28,7 +29,7 @@ def train_data(result: TrainResult) -> Data:
 
 def train(request: Data) -> Data:
     """Divide the load; with ``match``, also show how it moves with speed, diameter and load."""
-    thing = train_from_document(request["document"])
+    thing = train_from_document(without_none(request["document"]))
     name = request["load_case"] or ""
     _known_case(thing, name)
     result = solve_train(thing, method=Distributed(capacities=False), raise_on_failure=False)

@@ -6,7 +6,7 @@ from typing import Annotated
 from fastapi import APIRouter, Path, Query, Request, Response
 
 from wraparc.web import models
-from wraparc.web.answers.drives import read
+from wraparc.web.answers.documents import read
 from wraparc.web.database.store import NewerVersionError, NoSuchDesignError
 from wraparc.web.errors import ApiError, Data, json_bytes, refused
 from wraparc.web.routes.parts import json_answer, state_of

@@ -1,0 +1,124 @@
+"""Servers for tests: inside the test, or as a process of its own."""
+
+import contextlib
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from starlette.testclient import TestClient
+
+from wraparc.web.app import create_app
+from wraparc.web.examples import examples
+from wraparc.web.settings import Settings
+
+ADDRESS = "http://127.0.0.1:8765"
+API = "/api/v1"
+
+
+def document(name: str = "head-drive-fabric") -> dict[str, Any]:
+    """Return a copy of an example drive."""
+    found = next(e for e in examples() if e.name == name)
+    copy: dict[str, Any] = json.loads(json.dumps(found.document))
+    return copy
+
+
+@contextlib.contextmanager
+def client(**settings: Any) -> Iterator[TestClient]:
+    """Return a client of a server inside this process, its designs in memory."""
+    app = create_app(Settings(workers=0, **settings))
+    with TestClient(app, base_url=ADDRESS, raise_server_exceptions=False) as found:
+        yield found
+
+
+class Answer(NamedTuple):
+    status: int
+    body: bytes
+    headers: Any
+
+    def json(self) -> Any:
+        return json.loads(self.body)
+
+
+class Process:
+    """``wraparc serve`` as a process."""
+
+    def __init__(self, *arguments: str, cwd: Path | None = None) -> None:
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self.port = probe.getsockname()[1]
+        run = "from wraparc.cli import main; main()"
+        command = [sys.executable, "-c", run, "serve", "--port", str(self.port), *arguments]
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd,
+            start_new_session=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        )  # fmt: skip
+        assert self.process.stdout is not None
+        self.told = ""
+        for line in self.process.stdout:
+            self.told += line
+            if line.startswith("Stop"):
+                break
+        else:
+            assert self.process.stderr is not None
+            raise AssertionError(self.told + self.process.stderr.read())
+        found = re.search(r"http://\S+", self.told)
+        assert found
+        self.address = found[0]
+
+    def ask(self, path: str, data: Any = None, method: str | None = None) -> Answer:
+        """Ask the server."""
+        body = None if data is None else json.dumps(data).encode()
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{self.port}{path}",
+            body,
+            {"content-type": "application/json"},
+            method=method,
+        )
+        try:
+            with urllib.request.urlopen(request, timeout=60) as answer:  # noqa: S310
+                return Answer(answer.status, answer.read(), answer.headers)
+        except urllib.error.HTTPError as error:
+            return Answer(error.code, error.read(), error.headers)
+
+    def kill(self) -> None:
+        """End it at once, with everything it started."""
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.communicate()
+
+    def stop(self) -> int:
+        """Ask it to end; return its exit code."""
+        self.process.send_signal(signal.SIGINT)
+        try:
+            self.process.communicate(timeout=30)
+        finally:
+            self.kill()
+        return self.process.returncode
+
+
+@contextlib.contextmanager
+def serving(*arguments: str) -> Iterator[Process]:
+    """Run ``wraparc serve`` for a while."""
+    process = Process(*arguments)
+    try:
+        yield process
+    finally:
+        process.kill()
+
+
+def wait_for(condition: Any, seconds: float = 60.0) -> None:
+    """Wait until something holds; give up after a while."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it did not come to pass"
+        time.sleep(0.02)

@@ -1,0 +1,309 @@
+"""The API gives what the command line gives: the same numbers, texts, files and errors."""
+
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+
+from cli.running import wraparc
+from web.calculators import API, client, document
+from wraparc import Distributed, WrapArc
+from wraparc.files import drive_from_document, load_lagging
+from wraparc.study.cost import catalogue_price, energy_cost, lagging_cost
+from wraparc.study.what_if import with_lagging
+from wraparc.web.examples import examples
+
+
+@pytest.fixture(scope="module")
+def api() -> Iterator[TestClient]:
+    with client() as found:
+        yield found
+
+
+def post(api: TestClient, path: str, status: int = 200, **body: Any) -> Any:
+    answer = api.post(API + path, json=body)
+    assert answer.status_code == status, answer.text
+    return answer.json()
+
+
+@pytest.mark.parametrize("name", ["head-drive-fabric", "tandem-steel-cord"])
+def test_solve_has_the_numbers_of_the_command_line(
+    api: TestClient, name: str, tmp_path: Path
+) -> None:
+    # expected: `wraparc solve --method both` on the file that the page would save
+    saved = post(api, "/toml/write", document=document(name))
+    file = tmp_path / saved["name"]
+    file.write_text(saved["toml"], "utf-8")
+    _, out, _ = wraparc("solve", str(file), "--method", "both", "--json", "-")
+    expected = json.loads(out)
+    found = post(api, "/solve", document=document(name))
+    assert found["verdict"]["headline"]["si"]
+    assert found["solved"] == expected["solved"]
+    arcs = [a for a in expected["arcs"] if a["method"] == "distributed"]
+    papers = [a for a in expected["arcs"] if a["method"] == "paper"]
+    assert len(found["arcs"]) == len(arcs)
+    for mine, theirs, paper in zip(found["arcs"], arcs, papers, strict=True):
+        assert (mine["pulley"], mine["load_case"]) == (theirs["pulley"], theirs["load_case"])
+        assert mine["numbers"] == {name: theirs[name] for name in mine["numbers"]}
+        assert mine["paper"]["numbers"] == {n: paper[n] for n in mine["paper"]["numbers"]}
+        exact = theirs["profile"]["tension"]
+        assert mine["profile"]["tension"] == pytest.approx(exact, rel=1e-5)
+
+
+def test_fast_agrees_with_the_whole_answer(api: TestClient) -> None:
+    whole = post(api, "/solve", document=document())
+    for arc in whole["arcs"]:
+        where = {"pulley": arc["pulley"], "load_case": arc["load_case"]}
+        fast = post(api, "/solve/fast", document=document(), sequence=7, tables=True, **where)
+        assert fast["sequence"] == 7
+        for name in ("exit_creep", "peak_shear_stress", "entry_creep_ratio", "power_loss"):
+            # the peak is read off a coarser profile: within the 1e-5 of every solve
+            assert fast["numbers"][name] == pytest.approx(arc["numbers"][name], rel=1e-5)
+        assert fast["level"] == arc["level"]
+        assert [t["key"] for t in fast["tables"]] == ["answer", "creep"]
+        assert fast["numbers"]["creep_limit_capacity"] is None
+
+
+def test_stretches_outside_the_tested_range_add_up_to_the_share(api: TestClient) -> None:
+    drive = document()
+    drive["pulley"][0]["entry_tension"] = "700 kN"  # wrap pressures beyond those tested
+    drive["pulley"][0]["exit_tension"] = "280 kN"
+    found = post(api, "/solve/fast", document=drive, points=1000)
+    span = sum(b - a for a, b in found["outside"])
+    share = found["numbers"]["outside_tested_share"]
+    assert share > 0.0
+    assert span / math.pi == pytest.approx(share, abs=0.004)  # wrap of 180 degrees
+
+
+def test_a_breakaway_is_an_answer(api: TestClient) -> None:
+    drive = document()
+    drive["pulley"][0]["exit_tension"] = "2 kN"
+    for path in ("/solve/fast", "/solve"):
+        found = post(api, path, document=drive)
+        assert found["verdict"]["level"] == "FAILS"
+        assert "Breakaway" in found["verdict"]["headline"]["us"]
+
+
+def test_every_error_comes_at_once_with_the_sentences_of_the_command_line(
+    api: TestClient, tmp_path: Path
+) -> None:
+    drive = document()
+    drive["belt"]["width"] = "1200 mn"
+    drive["pulley"][0]["wrap_angle"] = "-5 deg"
+    drive["pulley"][0]["lagging"] = "diamond-ruber"
+    drive["pulley"][0]["colour"] = 1
+    file = tmp_path / "drive.toml"
+    file.write_text(post(api, "/toml/write", document=drive)["toml"], "utf-8")
+    code, _, told = wraparc("solve", str(file))
+    assert code == 2
+    for path in ("/solve", "/solve/fast", "/check", "/compare", "/train"):
+        problems = post(api, path, 422, document=drive)["problems"]
+        assert [p["path"] for p in problems] == [
+            "belt.width", "pulley.head.wrap_angle", "pulley.head.colour", "pulley.head.lagging"
+        ] or {p["path"] for p in problems} == {
+            "belt.width", "pulley.head.wrap_angle", "pulley.head.colour", "pulley.head.lagging"
+        }  # fmt: skip
+        for problem in problems:
+            assert problem["sentence"] in told
+            assert problem["message"] in problem["sentence"]
+
+
+def test_paths_of_files_are_refused(api: TestClient) -> None:
+    for path in ("/etc/passwd", "../secret.toml", "x.toml", "C:\\x.toml"):
+        drive = document()
+        drive["pulley"][0]["lagging"] = path
+        problems = post(api, "/solve", 422, document=drive)["problems"]
+        assert problems[0]["path"] == "pulley.head.lagging"
+        assert "root:" not in json.dumps(problems)
+
+
+@pytest.mark.parametrize("example", [e.name for e in examples()])
+def test_examples_open_check_and_save(api: TestClient, example: str) -> None:
+    found = api.get(f"{API}/examples/{example}").json()
+    read = post(api, "/toml/read", toml=found["toml"])
+    assert read["document"] == found["document"]
+    assert read["valid"]
+    assert read["kind"] == found["kind"]
+    written = post(api, "/toml/write", document=found["document"])
+    again = post(api, "/toml/read", toml=written["toml"])
+    assert again["document"] == found["document"]
+    assert post(api, "/check", toml=written["toml"])["kind"] == found["kind"]
+
+
+def test_a_wrong_drive_can_be_saved_and_says_what_is_wrong(api: TestClient) -> None:
+    drive = document()
+    drive["pulley"][0]["diameter"] = ""
+    drive["pulley"][0]["power"] = None  # a field left empty
+    written = post(api, "/toml/write", document=drive)
+    assert not written["valid"]
+    assert written["problems"][0]["path"] == "pulley.head.diameter"
+    assert "power" not in written["toml"]
+    assert post(api, "/toml/read", toml=written["toml"])["problems"] == written["problems"]
+    broken = post(api, "/toml/read", 422, toml="a = [")
+    assert broken["problems"][0]["line"] == 1
+
+
+def test_quantities_are_read_as_strictly_as_in_files(api: TestClient) -> None:
+    items = [
+        {"text": "150 kN", "dimension": "force"},
+        {"text": "1,5 kN", "dimension": "force"},
+        {"text": "1/3", "dimension": "number"},
+        {"text": "180 deg", "dimension": "angle"},
+        {"text": "3", "dimension": "colour"},
+        {"text": "40 in", "dimension": "length"},
+    ]
+    read = post(api, "/quantities", items=items)["items"]
+    assert read[0]["value"] == 150e3
+    assert read[0]["text"] == {"si": "150.0 kN", "us": "33.72 klbf"}
+    assert read[1]["value"] is None
+    assert "comma" in read[1]["problem"]["message"]
+    assert read[2]["problem"]
+    assert read[3]["exact"]["us"] == "180 deg"
+    assert read[4]["problem"]["value"] == '"colour"'
+    assert read[5]["exact"] == {"si": "1016 mm", "us": "40 in"}
+    texts = [{"text": read[0]["exact"][s], "dimension": "force"} for s in ("si", "us")]
+    again = post(api, "/quantities", items=texts)["items"]
+    assert [item["value"] for item in again] == [150e3, 150e3]
+
+
+def test_comparison_agrees_with_solving_and_pricing_each(api: TestClient) -> None:
+    found = post(api, "/compare", document=document(), tariff=0.2, hours=5000, years=10)
+    rows = {row["name"]: row for row in found["rows"]}
+    assert rows["diamond-rubber"]["present"]
+    assert rows["diamond-rubber"]["change"] == []
+    drive = drive_from_document(document())
+    case = drive.load_cases[0]
+    for name, row in rows.items():
+        changed = with_lagging(drive, "head", load_lagging(name))
+        result = Distributed().solve(WrapArc.of(changed, changed.pulleys[0], case))
+        assert row["cells"]["creep"]["value"] == pytest.approx(result.exit_creep, rel=1e-12)
+        margin = result.capacities.creep_limit_margin
+        assert row["cells"]["margin"]["value"] == pytest.approx(margin, rel=1e-12)
+        price = catalogue_price(load_lagging(name))
+        energy = float(energy_cost(result.energy.power_loss, 5000, 0.2, 10))
+        assert row["cells"]["cost_energy"]["value"] == pytest.approx(energy)
+        if price is None:
+            assert row["cells"]["cost_total"]["value"] is None
+            continue
+        bought = float(lagging_cost(price.cost, math.pi * 0.8 * 1.2, 10)[0])
+        assert row["cells"]["cost_total"]["value"] == pytest.approx(bought + energy)
+
+
+def test_what_a_comparison_changes_makes_that_drive(api: TestClient) -> None:
+    for what in ("laggings", "belts"):
+        found = post(api, "/compare", document=document(), what=what)
+        assert found["rows"]
+        for row in found["rows"]:
+            drive = document()
+            for change in row["change"]:
+                table = drive["belt"] if change["path"].startswith("belt.") else drive["pulley"][0]
+                key = change["path"].rpartition(".")[2]
+                if change["value"] is None:
+                    table.pop(key, None)
+                else:
+                    table[key] = change["value"]
+            fast = post(api, "/solve/fast", document=drive)
+            exact = row["cells"]["creep"]["value"]
+            assert fast["numbers"]["exit_creep"] == pytest.approx(exact, rel=1e-9)
+
+
+def test_comparison_names_what_cannot_be_had(api: TestClient) -> None:
+    found = post(api, "/compare", document=document(), names=["nothing", "full-ceramic"])
+    assert [row["name"] for row in found["rows"]] == ["full-ceramic"]
+    assert found["not_possible"][0]["name"] == "nothing"
+
+
+def test_schema_has_every_key_of_the_form_with_its_words(api: TestClient) -> None:
+    schema = api.get(f"{API}/schema").json()
+    fields = {f["path"]: f for s in schema["sections"] for f in s["fields"]}
+    assert {"belt.width", "pulley[].diameter", "pulley[].entry_tension", "creep_limit"} <= set(
+        fields
+    )
+    width = fields["belt.width"]
+    assert (width["kind"], width["dimension"], width["required"]) == ("quantity", "length", True)
+    assert fields["pulley[].overrun"]["word"] == "formula"
+    assert fields["pulley[].lagging.shear_modulus"]["word"] == "rigid"
+    for field in fields.values():
+        assert field["title"]
+        if field["kind"] in ("quantity", "number"):
+            assert field["dimension"] in schema["units"]
+        slider = field["slider"]
+        if slider:
+            limits = [field["least"] or -math.inf, field["most"] or math.inf]
+            assert limits[0] <= slider["least"] < slider["most"] <= limits[1]
+    for units in schema["units"].values():
+        assert units["si"]["unit"] in units["factors"] or not units["factors"]
+
+
+def test_catalogue_and_unknown_names(api: TestClient) -> None:
+    catalogue = api.get(f"{API}/catalogue").json()
+    assert {"diamond-rubber", "full-ceramic"} <= {one["name"] for one in catalogue["laggings"]}
+    one = api.get(f"{API}/catalogue/laggings/full-ceramic").json()
+    assert len(one["law"]["friction"]) == len(one["law"]["pressures"])
+    assert post(api, "/check", document={**document(), "lagging": {"mine": one["document"]}})
+    assert api.get(f"{API}/catalogue/laggings/none").status_code == 422
+    assert api.get(f"{API}/examples/none").status_code == 404
+    assert api.get(f"{API}/none").status_code == 404
+    problem = api.get(f"{API}/none").json()["problems"][0]
+    assert problem["sentence"]
+
+
+def test_a_lagging_file_becomes_a_table_of_the_drive(api: TestClient) -> None:
+    from wraparc.catalogue import lagging_text
+
+    read = post(api, "/lagging/read", toml=lagging_text("medium-ceramic"))
+    drive = document()
+    drive["lagging"] = {"mine": read["lagging"]}
+    drive["pulley"][0]["lagging"] = "mine"
+    own = post(api, "/solve/fast", document=drive)
+    drive["pulley"][0]["lagging"] = "medium-ceramic"
+    assert own["numbers"] == post(api, "/solve/fast", document=drive)["numbers"]
+
+
+def test_train_divides_the_load_as_the_command_line_does(api: TestClient, tmp_path: Path) -> None:
+    drive = document("tandem-fabric")
+    file = tmp_path / "train.toml"
+    file.write_text(post(api, "/toml/write", document=drive)["toml"], "utf-8")
+    _, out, _ = wraparc("solve", str(file), "--json", "-")
+    expected = json.loads(out)["train"]
+    found = post(api, "/train", document=drive)
+    assert found["matching"] is None
+    for mine, theirs in zip(found["load_cases"], expected["load_cases"], strict=True):
+        shares = [d["share"] for d in theirs["drives"]]
+        assert [d["share"] for d in mine["drives"]] == pytest.approx(shares)
+    more = post(api, "/train", document=drive, match=True, points=9)
+    curve = more["matching"]["curves"][0]
+    assert len(curve["values"]) == 9
+    sums = [sum(shares) for shares in zip(*curve["shares"].values(), strict=True)]
+    assert sums == pytest.approx([1.0] * 9, abs=1e-6)
+    assert more["matching"]["map"] is None
+    problem = post(api, "/train", 422, document=document(), match=True)["problems"][0]
+    assert problem["path"] == "pulley"
+
+
+def test_reports_download(api: TestClient) -> None:
+    begins = {"pdf": b"%PDF-", "xlsx": b"PK", "md": b"# Head drive"}
+    for kind, begin in begins.items():
+        answer = api.post(
+            f"{API}/report/{kind}",
+            json={"document": document(), "name": 'Ä "x"/..\\drive', "head": {"author": "A. B."}},
+        )
+        assert answer.status_code == 200, answer.text
+        assert answer.content.startswith(begin)
+        named = answer.headers["content-disposition"]
+        assert named == f'attachment; filename="x-drive.{kind}"'
+    long = {"document": document(), "head": {"author": "x" * 121}}
+    assert api.post(f"{API}/report/pdf", json=long).status_code == 422
+
+
+def test_the_api_page_and_document_load_nothing_from_elsewhere(api: TestClient) -> None:
+    page = api.get("/docs")
+    assert page.status_code == 200
+    assert "http://" not in page.text
+    assert "https://" not in page.text
+    openapi = api.get(f"{API}/openapi.json").json()
+    assert all(path.startswith(API) for path in openapi["paths"])
