@@ -59,9 +59,10 @@ def note_pdf(note: Note) -> bytes:
 def _made(head: NoteHead) -> datetime:
     """Return the time that the document says it was made: its date, if that is one."""
     try:
-        return datetime.fromisoformat(head.date).replace(tzinfo=UTC)
+        made = datetime.fromisoformat(head.date)
     except ValueError:
-        return datetime.now(UTC)
+        made = datetime.now(UTC)
+    return made.replace(microsecond=0, tzinfo=UTC)
 
 
 def _untypeset(error: Any) -> Problem:

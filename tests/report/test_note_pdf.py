@@ -1,0 +1,193 @@
+"""The note as PDF: kept for long, readable aloud, safe against what users type."""
+
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from present.drives import drive, marched, solved, sticking
+from report.cases import EXAMPLES, train
+from report.reading import (
+    RARE,
+    media_box,
+    metadata,
+    objects,
+    pages,
+    structure,
+    without_system_fonts,
+)
+from wraparc import DriveResult, InputError, load_drive, solve
+from wraparc.report import NoteHead, pdf
+from wraparc.report.equations import equations
+from wraparc.report.note import make_note
+
+HEAD = NoteHead(
+    project="Overland", number="CN-1", revision="B", author="A. Smith", date="2026-11-21",
+    file="drive.toml",
+)  # fmt: skip
+BOTH = [solved(), marched()]
+
+
+@pytest.fixture(scope="module")
+def note() -> bytes:
+    return pdf(BOTH, HEAD)
+
+
+def test_it_says_that_it_is_pdf_a_and_accessible(note: bytes) -> None:
+    """Marks of ISO 19005-2, level A, and ISO 14289-1 in the XMP packet."""
+    told = metadata(note)
+    assert "<pdfaid:part>2</pdfaid:part>" in told
+    assert "<pdfaid:conformance>A</pdfaid:conformance>" in told
+    assert "<pdfuaid:part>1</pdfuaid:part>" in told
+    assert "<rdf:li>A. Smith</rdf:li>" in told
+    assert "Test drive" in told
+    raw = objects(note)
+    assert b"/MarkInfo" in raw
+    assert b"/Marked true" in raw
+    assert b"/Lang(en" in raw
+
+
+def test_every_picture_and_equation_is_told_in_words(note: bytes) -> None:
+    figures, formulas = structure(note, "Figure"), structure(note, "Formula")
+    assert len(figures) == 3
+    typeset = equations(solved().arcs, paper=True, train=False, design=True)
+    assert len(formulas) == len(typeset) >= 9
+    assert all(b"/Alt" in element for element in (*figures, *formulas))
+    assert any(b"Pulley head, driving" in element for element in figures)
+
+
+def test_it_has_two_to_four_pages(note: bytes) -> None:
+    assert 2 <= pages(note) <= 4
+    three = load_drive(EXAMPLES / "head-drive-fabric.toml")
+    assert pages(pdf([solve(three, raise_on_failure=False)])) <= 4
+
+
+def test_the_same_note_gives_the_same_bytes(note: bytes) -> None:
+    assert pdf(BOTH, HEAD) == note
+    assert pdf(BOTH, replace(HEAD, date="2026-11-22")) != note
+
+
+def test_the_paper_is_the_one_asked_for(note: bytes) -> None:
+    assert media_box(note) == pytest.approx([0, 0, 595.28, 841.89], abs=0.01)
+    letter = pdf(BOTH, replace(HEAD, paper="us-letter"), system="us")
+    assert media_box(letter) == pytest.approx([0, 0, 612, 792])
+    assert 2 <= pages(letter) <= 4
+
+
+HOSTILE = [
+    '#panic("no")',
+    "$x^2$ *bold* _it_ `raw` @ref <label>",
+    '#import "@preview/x:1.0.0": *',
+    '#read("/etc/passwd") \\ // /* [',
+    '") #panic() #("',
+    "<script>alert(1)</script> & \"quotes\" 'too'",
+]
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_what_users_type_is_text_and_never_markup(text: str) -> None:
+    """Each of these would stop the typesetter or change the page if it were taken for markup."""
+    belt = replace(drive().belt, name=text[:60])
+    hostile = replace(drive(), title=text, description=text, belt=belt)
+    head = NoteHead(title=text, project=text, number=text, revision=text, author=text, file=text)
+    data = pdf([solve(hostile, raise_on_failure=False)], head)
+    escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    quoted = escaped.replace('"', "&quot;").replace("'", "&apos;")
+    assert any(form in metadata(data) for form in (escaped, quoted, quoted.replace("&apos;", "'")))
+
+
+def test_names_of_pulleys_and_cases_are_text_too() -> None:
+    """They reach the pictures as well, as SVG."""
+    named = '</text><script>#panic()"&'
+    base = drive()
+    pulley = replace(base.pulleys[0], name=named)
+    case = replace(base.load_cases[0], name=named, tensions={named: next(
+        iter(base.load_cases[0].tensions.values()))})  # fmt: skip
+    hostile = replace(base, pulleys=(pulley,), load_cases=(case,))
+    assert pdf([solve(hostile, raise_on_failure=False)]).startswith(b"%PDF-")
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [("title", "x" * 121), ("author", "two\nlines"), ("project", "bell\x07"), ("date", "\u202e")],
+)
+def test_a_text_that_cannot_be_printed_is_refused(field: str, value: str) -> None:
+    with pytest.raises(InputError, match="printable text of at most 120 characters") as caught:
+        NoteHead(**{field: value})  # type: ignore[arg-type]
+    assert caught.value.problems[0].key == field
+
+
+def test_letters_that_no_font_has_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    without_system_fonts(monkeypatch)
+    with pytest.raises(InputError, match="cannot be set as an accessible PDF") as caught:
+        pdf(BOTH, NoteHead(title=f"drive {RARE}"))
+    assert "choose .md" in str(caught.value)
+
+
+@pytest.mark.parametrize("date", ["21 November 2026", "", "2026-11-21T10:00:00.5+02:00"])
+def test_any_date_may_be_printed(date: str) -> None:
+    assert pdf(BOTH, NoteHead(date=date)).startswith(b"%PDF-")
+
+
+def test_a_breakaway_is_reported_as_such() -> None:
+    broken = solve(drive(180e3, 1e3), raise_on_failure=False)
+    assert not broken.solved
+    note = make_note([broken], NoteHead())
+    assert note.told.level == "FAILS"
+    assert "Friction carries the load" in note.summary
+    assert pages(pdf([broken])) <= 4
+
+
+@pytest.mark.parametrize("name", ["tandem-fabric", "triple-steel-cord"])
+def test_several_pulleys_have_a_picture_each(name: str) -> None:
+    whole, results = train(name)
+    data = pdf(results, HEAD, train=whole)
+    assert len(structure(data, "Figure")) == len(results[0].drive.pulleys) + 2
+    assert all(b"/Alt" in element for element in structure(data, "Formula"))
+
+
+def test_a_belt_at_rest_and_a_range_left_are_drawn_and_warned_of() -> None:
+    note = make_note([sticking()], NoteHead())
+    warnings = next(s for s in note.sections if s.title == "Warnings").sentences
+    assert any("outside the tested range" in sentence for sentence in warnings)
+    assert pdf([sticking()]).startswith(b"%PDF-")
+
+
+def test_sections_come_in_the_order_of_a_note() -> None:
+    titles = [section.title for section in make_note(BOTH, HEAD).sections]
+    assert titles == [
+        "Checks against limits", "Results by load case",
+        "The arc that governs: pulley head, load case full",
+        "Its results: pulley head, load case full", "Inputs and where they came from",
+        "Assumptions", "Equations", "Warnings", "Sources",
+    ]  # fmt: skip
+
+
+def test_illustrative_data_is_warned_of() -> None:
+    note = make_note(BOTH, HEAD)
+    warnings = next(s for s in note.sections if s.title == "Warnings").sentences
+    assert (
+        "The friction of diamond-rubber is illustrative: it describes no real product." in warnings
+    )
+
+
+def test_it_needs_no_plotting_library() -> None:
+    script = (
+        "import sys; sys.path.insert(0, 'tests'); from present.drives import solved\n"
+        "from wraparc.report import pdf, workbook, markdown\n"
+        "pdf([solved()]); workbook([solved()]); markdown([solved()])\n"
+        "assert not {'matplotlib', 'scipy', 'pandas', 'numba'} & set(sys.modules)"
+    )
+    root = Path(__file__).parents[2]
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", script], cwd=root, capture_output=True, check=False
+    )
+    assert done.returncode == 0, done.stderr.decode()
+
+
+def test_results_of_one_method_alone_make_a_note() -> None:
+    alone: list[DriveResult] = [solved()]
+    text = "".join(t for s in make_note(alone, HEAD).sections for t in s.sentences)
+    assert "march" not in text
