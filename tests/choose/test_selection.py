@@ -10,8 +10,10 @@ import pytest
 
 from choose.searches import CERAMIC, CORD, FABRIC, RUBBER, drive, search
 from wraparc import Belt, InputError, Lagging, LoadCase, Tensions, solve
+from wraparc.study import selection as selection_module
 from wraparc.study.arc_columns import ANSWERS, ArcColumns, solve_columns
 from wraparc.study.belt_rating import least_belt
+from wraparc.study.search import Limits
 from wraparc.study.selection import Selection, choose, front
 
 
@@ -121,7 +123,7 @@ def test_front_of_made_up_numbers() -> None:
     assert front(ranking, np.arange(5.0), other).tolist() == [0, 3]
 
 
-def made_up(arcs: ArcColumns, laggings: Any, *, capacities: bool) -> dict[str, Any]:
+def made_up(arcs: ArcColumns, laggings: Any, *, capacities: bool, precise: bool) -> dict[str, Any]:
     """Creep D T1/T2 in mm: a solver of one line, for large searches."""
     n = len(arcs)
     out = {name: np.full(n, np.nan) for name in ANSWERS}
@@ -160,6 +162,31 @@ def test_a_large_search_equals_a_loop_and_its_best_beats_its_neighbours() -> Non
             if 0 <= near[kind] < found.search.shape[kind]:
                 i = int(np.ravel_multi_index(tuple(near), found.search.shape))
                 assert not found.feasible[i] or found.costs.total[i] >= best * (1 - 1e-12)
+
+
+def test_engineering_accuracy_decides_as_precision_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Expected: the same search with every design solved at the accuracy of one arc."""
+    many = search(
+        diameters=tuple(np.linspace(0.6, 1.2, 7)),
+        slack_tensions=tuple(np.linspace(30e3, 90e3, 25)),
+        limits=Limits(bond_stress=4e5),
+        drive=replace(drive(), load_cases=drive().load_cases[:1]),
+    )
+    precise = choose(many)
+    monkeypatch.setattr(selection_module, "MOST_PRECISE", 0)
+    asked: list[bool] = []
+
+    def watched(*args: Any, precise: bool, **options: Any) -> Any:
+        asked.append(precise)
+        return solve_columns(*args, precise=precise, **options)
+
+    quick = choose(many, solve=watched)
+    assert set(asked) == {False, True}
+    np.testing.assert_array_equal(quick.feasible, precise.feasible)
+    assert 200 < len(quick.ranking) < len(many)
+    np.testing.assert_array_equal(quick.ranking[:100], precise.ranking[:100])
+    np.testing.assert_allclose(quick.costs.total, precise.costs.total, rtol=1e-4)
+    assert not np.array_equal(quick.creep, precise.creep)  # it was the other accuracy
 
 
 def test_the_least_slack_tension_just_meets_the_creep_limit_in_the_worst_case() -> None:
@@ -230,7 +257,7 @@ def test_columns_give_what_one_arc_gives() -> None:
     grid = Grid.of(search(diameters=(0.9,), slack_tensions=(60e3,)))
     s = grid.search
     arcs = grid.arcs(s.drive.load_cases[0], 1)
-    answer = solve_columns(arcs, s.conditioned(), capacities=True)
+    answer = solve_columns(arcs, s.conditioned(), capacities=True, precise=True)
     for i in range(len(grid)):
         one = Distributed().solve(arcs.arc(i, s.conditioned())).scalars()
         for name in ANSWERS:

@@ -28,8 +28,6 @@ ANSWERS = (
     "largest_effective_tension",
 )
 _ALWAYS = ANSWERS[3:]
-#: arcs up to which a batch is solved precisely
-MOST_PRECISE = 3000
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -74,6 +72,10 @@ class ArcColumns:
     def __len__(self) -> int:
         return len(self.lagging)
 
+    def rows(self, which: Integers) -> ArcColumns:
+        """Return some of the arcs."""
+        return ArcColumns(**{f.name: getattr(self, f.name)[which] for f in fields(self)})
+
     def table(self, laggings: Sequence[Lagging]) -> Arcs:
         """Return the arcs as a batch takes them."""
         names = [f.name for f in fields(self) if f.name != "thickness"]
@@ -104,9 +106,9 @@ class ArcColumns:
 
 
 def solve_columns(
-    arcs: ArcColumns, laggings: Sequence[Lagging], *, capacities: bool
+    arcs: ArcColumns, laggings: Sequence[Lagging], *, capacities: bool, precise: bool = False
 ) -> Mapping[str, Array]:
-    """Solve arcs by the batch, at its engineering accuracy; few arcs precisely.
+    """Solve arcs by the batch.
 
     Parameters
     ----------
@@ -116,12 +118,14 @@ def solve_columns(
         What their `lagging` points to.
     capacities
         Whether capacities and margins are wanted; breakaways get them always.
+    precise
+        Whether at the accuracy of one arc instead of the batch's own (1e-4).
 
     Returns
     -------
     ``solved`` (1 or 0) and the columns of `ANSWERS`, shape (n,) each, SI.
     """
-    setting = Setting.PRECISE if len(arcs) <= MOST_PRECISE else Setting.ENGINEERING
+    setting = Setting.PRECISE if precise else Setting.ENGINEERING
     table = arcs.table(laggings)
     batch = solve_arcs(table, setting=setting, capacities=capacities)
     answers = {name: np.array(batch[name]) for name in ANSWERS}

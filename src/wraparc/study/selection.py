@@ -20,6 +20,8 @@ Solver = Callable[..., Mapping[str, Array]]
 
 #: a value may pass its limit by this much, as a least tension meets its limit exactly [-]
 TOLERANCE = 1e-6
+#: designs up to which all are solved precisely; else those this near a limit, and the first ones
+MOST_PRECISE, UNDECIDED, RANKED_PRECISELY = 1000, 3e-3, 100
 #: limits in the order they are told
 LIMITS = (
     "traction",
@@ -33,6 +35,9 @@ LIMITS = (
     "belt_rating",
     "least_pulley_diameter",
 )
+#: limits of what the solver answers
+OF_THE_ARC = {"creep", "bond_stress", "creep_limit_margin", "tested_slip_margin",
+              "gross_slip_margin"}  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,24 +174,32 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
     """
     grid = Grid.of(search)
     shortage = np.zeros(len(grid))
+    # a least tension meets its limit exactly, and few designs cost little
+    precise = search.least_slack or len(grid) <= MOST_PRECISE
     if search.least_slack:
         least, shortage = least_slack(search, grid, solve)
         grid = grid.with_slack(np.where(np.isnan(least), _own_slack(search), least))
     laggings = search.conditioned()
     cases = search.drive.load_cases
-    answers: list[Mapping[str, Array]] = []
-    for condition in range(len(search.conditions)):
-        for case in cases:
-            arcs = grid.arcs(case, condition)
-            wanted = search.limits.needs_capacities
-            answers.append(solve(arcs, laggings, capacities=wanted))
-    held = _held(search, grid, laggings, answers, shortage)
-    costs = _costs(search, grid, answers[: len(cases)])
-    creep = _worst([np.abs(a["exit_creep"]) for a in answers])
     tensions = [grid.tensions(case) for case in cases]
-    tight = np.max([np.maximum(*t) for t in tensions], axis=0)
     slack = np.min([np.minimum(*t) for t in tensions], axis=0)
-    ranking = _ranking(feasible(held, len(grid)), costs.total, creep, slack)
+    answers = _answers(search, grid, solve, np.arange(len(grid)), precise=precise)
+    refined = np.full(len(grid), precise)
+    while True:
+        held = _held(search, grid, laggings, answers, shortage)
+        costs = _costs(search, grid, answers[: len(cases)])
+        creep = _worst([np.abs(a["exit_creep"]) for a in answers])
+        ranking = _ranking(feasible(held, len(grid)), costs.total, creep, slack)
+        again = _undecided(held, ranking, refined)
+        if not len(again):
+            break
+        for old, new in zip(
+            answers, _answers(search, grid, solve, again, precise=True), strict=True
+        ):
+            for name, column in old.items():
+                column[again] = new[name]
+        refined[again] = True
+    tight = np.max([np.maximum(*t) for t in tensions], axis=0)
     return Selection(
         search=search,
         grid=grid,
@@ -200,6 +213,35 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
         creep_front=front(ranking, costs.total, creep),
         slack_front=front(ranking, costs.total, slack),
     )
+
+
+def _answers(
+    search: Search, grid: Grid, solve: Solver, which: Integers, *, precise: bool
+) -> list[dict[str, Array]]:
+    """What the solver says of some designs, load case by load case, condition by condition."""
+    laggings, wanted = search.conditioned(), search.limits.needs_capacities
+    return [
+        dict(
+            solve(
+                grid.arcs(case, condition).rows(which),
+                laggings,
+                capacities=wanted,
+                precise=precise,
+            )
+        )
+        for condition in range(len(search.conditions))
+        for case in search.drive.load_cases
+    ]
+
+
+def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.bool_]) -> Integers:
+    """Designs so near a limit, or so high in the ranking, that they must be solved precisely."""
+    close = np.zeros(len(refined), dtype=bool)
+    close[ranking[:RANKED_PRECISELY]] = True
+    for name in OF_THE_ARC & held.keys():
+        with np.errstate(invalid="ignore"):
+            close |= np.abs(held[name].excess) < UNDECIDED
+    return np.flatnonzero(close & ~refined)
 
 
 def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tuple[Array, Array]:
@@ -223,7 +265,7 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
             pull = abs(case.tensions[search.pulley].effective)
             if pull == 0.0:
                 continue
-            answer = solve(own.arcs(case, condition), laggings, capacities=True)
+            answer = solve(own.arcs(case, condition), laggings, capacities=True, precise=True)
             found = np.maximum(found, answer["least_exit_tension"])  # nan stays nan
             missing = np.isnan(answer["least_exit_tension"])
             most = answer["largest_effective_tension"]
