@@ -13,7 +13,7 @@ from wraparc.errors import InputError, Problem, shown
 from wraparc.files import load_train
 from wraparc.saving import save_file
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
-from wraparc.units import System, parse_quantity
+from wraparc.units import System, display, parse_quantity
 
 SOLVED = 0
 
@@ -68,7 +68,7 @@ def trim(
         require_matplotlib()
     train = load_train(file, overrides=settings)
     drive = _drive(train, pulley, file)
-    depth = _quantity("--wear", wear, "length")
+    depth = _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))
     _check_case(train, load_case, file)
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
@@ -158,6 +158,15 @@ def _quantity(option: str, text: str, dimension: Any) -> float:
     except InputError as error:
         problem = replace(error.problems[0], key=option, value=shown(text))
         raise InputError(problem) from None
+
+
+def _wear(text: str, train: Train) -> float:
+    depth = _quantity("--wear", text, "length")
+    thickest = max(pulley.lagging.thickness for pulley in train.pulleys)
+    if not 0.0 <= depth <= thickest:
+        message = f"must be between 0 and the thickness of a lagging, {display(thickest, 'length')}"
+        raise InputError(Problem(message=message, key="--wear", value=shown(text)))
+    return depth
 
 
 def _trim(text: str) -> float:

@@ -62,3 +62,7 @@ def __getattr__(name: str) -> Any:
     from wraparc.files import schema, write
 
     return getattr(schema if name == "json_schema" else write, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

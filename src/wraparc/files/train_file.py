@@ -105,7 +105,10 @@ def train_from_document(
             **parts,
         )
     except InputError as error:
-        raise InputError(_placed(problem, cases, file) for problem in error.problems) from None
+        told: dict[tuple[str, str], Problem] = {}  # once only what several cases have from [train]
+        for problem in error.problems:
+            told.setdefault((problem.message, problem.value), _placed(problem, cases, file))
+        raise InputError(told.values()) from None
 
 
 def _placed(problem: Problem, cases: Sequence[TrainCase], file: str) -> Problem:

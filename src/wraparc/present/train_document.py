@@ -108,7 +108,13 @@ def _curve_data(curve: ShareCurve) -> Data:
         "exit_creep": {n: curve.creeps[:, i].tolist() for i, n in enumerate(names)},
         "loss_ratio": curve.loss_ratio.tolist(),
         "marks": [
-            {"what": mark.kind.name.lower(), "pulley": names[mark.drive], "at": mark.value}
+            {
+                "what": mark.kind.name.lower(),
+                "pulley": names[mark.drive],
+                "at": mark.value,
+                "shares": list(mark.shares),
+                "loss_ratio": mark.loss_ratio,
+            }
             for mark in curve.marks
         ],
     }

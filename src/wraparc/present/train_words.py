@@ -3,8 +3,6 @@
 from collections.abc import Iterator
 from math import isfinite, isnan
 
-import numpy as np
-
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Level, Verdict, named, percent
 from wraparc.train import (
@@ -303,10 +301,12 @@ def _losses(matching: Matching) -> Iterator[str]:
     curve, name = matching.trim, case.members[matching.drive].name
     for mark in curve.marks:
         if mark.kind is MarkKind.UNLOADED:
-            loss = float(np.interp(mark.value, curve.values, curve.loss_ratio))
             who = case.members[mark.drive].name
-            costs.append(f"{percent(loss)} where {who} carries nothing")
-    best = int(np.nanargmin(curve.loss_ratio))
-    share = percent(float(curve.shares[best, matching.drive]), 2)
-    least = f"{percent(float(curve.loss_ratio[best]))} at a share of {share} of {name}"
-    yield f"Creep costs {', '.join(costs)}; the least of this curve is {least}."
+            costs.append(f"{percent(mark.loss_ratio)} where {who} carries nothing")
+    known = [
+        (loss, s[matching.drive]) for loss, s in zip(curve.loss_ratio, curve.shares, strict=True)
+    ]
+    known += [(mark.loss_ratio, mark.shares[matching.drive]) for mark in curve.marks]
+    least, share = min(found for found in known if isfinite(found[0]))
+    best = f"{percent(float(least))} with {percent(float(share), 2)} on {name}"
+    yield f"Creep costs {', '.join(costs)}; the least found by trimming is {best}."

@@ -53,12 +53,15 @@ class Mark:
         Where on the axis [-].
     shares
         Of every drive there [-].
+    loss_ratio
+        Power lost to creep there over power at the surfaces [-].
     """
 
     kind: MarkKind
     drive: int
     value: float
     shares: tuple[float, ...]
+    loss_ratio: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,7 +184,8 @@ def _span(walk: Walk) -> tuple[float, float]:
 
 def _marks(walk: Walk, states: dict[float, Settled | None]) -> Iterator[Mark]:
     """Find where something happens, between the points of a curve."""
-    yield Mark(MarkKind.OPERATING, walk.drive, walk.here, walk.case.shares)
+    now = walk.case
+    yield Mark(MarkKind.OPERATING, walk.drive, walk.here, now.shares, now.loss_ratio)
     points = sorted(states.items(), key=lambda point: point[0])
     for i, (a, b) in enumerate(pairwise(points)):
         if a[1] is not None and b[1] is not None:
@@ -234,7 +238,12 @@ def _events(
         value, _ = bracketed_root(miss, a[0], at_a, b[0], at_b, _MARK_MISS)
         state = walk.to(value)
         if state is not None:
-            yield Mark(kind, drive, value, tuple(walk.shares(state, value)))
+            yield _mark(walk, kind, drive, value, state)
+
+
+def _mark(walk: Walk, kind: MarkKind, drive: int, value: float, state: Settled) -> Mark:
+    loss = walk.loss_ratio(state, value)
+    return Mark(kind, drive, value, tuple(walk.shares(state, value)), loss)
 
 
 def _breakaway(
@@ -255,4 +264,4 @@ def _breakaway(
             inside, state = middle, found
     if state is not None:
         for drive in fallen:
-            yield Mark(MarkKind.BREAKAWAY, drive, inside, tuple(walk.shares(state, inside)))
+            yield _mark(walk, MarkKind.BREAKAWAY, drive, inside, state)
