@@ -22,6 +22,7 @@ from wraparc import DriveResult, InputError, load_drive, solve
 from wraparc.report import NoteHead, pdf
 from wraparc.report.equations import equations
 from wraparc.report.note import make_note
+from wraparc.report.note_pdf import note_pages
 
 HEAD = NoteHead(
     project="Overland", number="CN-1", revision="B", author="A. Smith", date="2026-11-21",
@@ -191,3 +192,14 @@ def test_results_of_one_method_alone_make_a_note() -> None:
     alone: list[DriveResult] = [solved()]
     text = "".join(t for s in make_note(alone, HEAD).sections for t in s.sentences)
     assert "march" not in text
+
+
+def test_pages_can_be_looked_at(note: bytes) -> None:
+    """As many as the PDF has, A4 at 72 points to the inch, something printed on each."""
+    pictures = note_pages(make_note(BOTH, HEAD), ppi=72.0)
+    assert len(pictures) == pages(note)
+    for picture in pictures:
+        assert picture.startswith(b"\x89PNG")
+        assert int.from_bytes(picture[16:20], "big") == pytest.approx(595, abs=1)
+        assert int.from_bytes(picture[20:24], "big") == pytest.approx(842, abs=1)
+        assert len(picture) > 5000

@@ -34,6 +34,25 @@ def note_pdf(note: Note) -> bytes:
     InputError
         If a text has letters that no font at hand can show.
     """
+    settings = {"format": "pdf", "pdf_standards": list(STANDARDS), "timestamp": _made(note.head)}
+    return bytes(_typeset(note, settings))
+
+
+def note_pages(note: Note, *, ppi: float = 100.0) -> list[bytes]:
+    """Return the pages of a note as PNG, to be looked at; errors as for `note_pdf`.
+
+    Parameters
+    ----------
+    note
+        The note.
+    ppi
+        Points of the picture to an inch.
+    """
+    pages = _typeset(note, {"format": "png", "ppi": ppi})
+    return [pages] if isinstance(pages, bytes) else [bytes(page) for page in pages]
+
+
+def _typeset(note: Note, settings: dict[str, Any]) -> Any:
     try:
         import typst
     except ImportError:
@@ -41,15 +60,14 @@ def note_pdf(note: Note) -> bytes:
     # The stub of typst does not know that it takes files by name.
     compile_files: Any = typst.compile
     parts = _parts(note)
-    settings = {"format": "pdf", "pdf_standards": list(STANDARDS), "timestamp": _made(note.head)}
     try:
-        return bytes(compile_files(parts, ignore_system_fonts=True, **settings))
+        return compile_files(parts, ignore_system_fonts=True, **settings)
     except typst.TypstError as error:
         if _NO_GLYPH not in error.message:
             raise
         # a script that the fonts brought along lack: the system may have one
         try:
-            return bytes(compile_files(parts, **settings))
+            return compile_files(parts, **settings)
         except typst.TypstError as error:
             if _NO_GLYPH not in error.message:
                 raise
