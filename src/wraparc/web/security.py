@@ -74,11 +74,7 @@ class Door:
         if not length.isdecimal() or int(length) > limit:
             await _refuse(outgoing, *_too_large(limit))
             return
-        counted = _Counted(receive, limit)
-        try:
-            await self.app(scope, counted.receive, outgoing)
-        except _TooLargeError:
-            await _refuse(outgoing, *_too_large(limit))
+        await self.app(scope, *_counted(receive, outgoing, limit))
 
     def _refusal(self, scope: Scope, headers: dict[str, str]) -> Refusal | None:
         """Return why a request is refused: status, message, remedy."""
@@ -94,7 +90,7 @@ class Door:
         return None
 
     def _known_host(self, host: str) -> bool:
-        name = urlsplit(f"//{host}").hostname or "" if _plausible(host) else ""
+        name = _host_name(host)
         if is_address(name):
             return is_loopback(name) if self.settings.local else True
         return name.rstrip(".") in self._names
@@ -116,7 +112,7 @@ class Door:
         """Whether a browser comes with the token in the address of the first page."""
         if not self.settings.token or scope["path"] != "/" or scope["method"] != "GET":
             return False
-        query = parse_qs(scope["query_string"].decode("latin-1"), max_num_fields=20)
+        query = parse_qs(scope["query_string"][:1000].decode("latin-1"))
         given = query.get("token", [""])[0]
         return self._known_host(headers.get("host", "")) and self._right(given)
 
@@ -125,8 +121,14 @@ class Door:
         return [(b"location", b"/"), (b"set-cookie", cookie.encode())]
 
 
-def _plausible(host: str) -> bool:
-    return 0 < len(host) < 300 and host.isprintable() and not set(host) & set("/?#@\\ ")
+def _host_name(host: str) -> str:
+    """Return the name in a Host header, without the port; empty if it is not one."""
+    if len(host) > 300 or not host.isprintable() or set(host) & set("/?#@\\ "):
+        return ""
+    try:
+        return urlsplit(f"//{host}").hostname or ""
+    except ValueError:
+        return ""
 
 
 def _same_origin(scope: Scope, headers: dict[str, str], host: str) -> bool:
@@ -149,24 +151,28 @@ def _cookie(text: str) -> str:
     return morsel.value if morsel else ""
 
 
-class _TooLargeError(Exception):
-    pass
+def _counted(receive: Receive, send: Send, limit: int) -> tuple[Receive, Send]:
+    """Return what counts a request as it comes in, and refuses it once it is too large."""
+    left, refused = limit, False
 
-
-class _Counted:
-    """The body of a request, counted as it comes in."""
-
-    def __init__(self, receive: Receive, limit: int) -> None:
-        self._receive, self._left = receive, limit
-
-    async def receive(self) -> Message:
-        """Pass on a piece."""
-        message = await self._receive()
+    async def receiving() -> Message:
+        nonlocal left
+        message = await receive()
         if message["type"] == "http.request":
-            self._left -= len(message.get("body", b""))
-            if self._left < 0:
-                raise _TooLargeError
+            left -= len(message.get("body", b""))
+            if left < 0:  # the application sees an empty end, its answer is not sent
+                return {"type": "http.request", "body": b"", "more_body": False}
         return message
+
+    async def sending(message: Message) -> None:
+        nonlocal refused
+        if left >= 0:
+            await send(message)
+        elif not refused:
+            refused = True
+            await _refuse(send, *_too_large(limit))
+
+    return receiving, sending
 
 
 def _too_large(limit: int) -> Refusal:

@@ -18,6 +18,8 @@ from typing import Any
 from wraparc.errors import InputError, MissingExtraError, Problem
 from wraparc.web.errors import ApiError, Data, json_bytes, refused
 
+#: Queues of short answers, with processes of their own.
+QUICK, WHOLE = "quick", "whole"
 #: Most seconds for a short answer, and for a long one.
 SHORT_LIMIT, LONG_LIMIT = 20.0, 600.0
 _MOST_WAITING, _MOST_LONG_WAITING = 200, 40
@@ -68,38 +70,49 @@ class Workers:
     def __init__(self, count: int, long_tasks: int = 2) -> None:
         self._count = count
         self._context = context()
-        self._pool: Executor | None = None
+        self._pools: dict[str, Executor] = {}
         self._lock = threading.Lock()
         self._waiting = 0
         self._long = asyncio.Semaphore(long_tasks)
         self._long_waiting = 0
 
-    def _executor(self) -> Executor:
+    def _executor(self, queue: str) -> Executor:
         with self._lock:
-            if self._pool is None:
-                if self._count:
-                    self._pool = ProcessPoolExecutor(
-                        self._count, mp_context=self._context, initializer=_warm
-                    )
-                else:
-                    self._pool = ThreadPoolExecutor(4, thread_name_prefix="solve")
-            return self._pool
+            if queue not in self._pools:
+                self._pools[queue] = self._made(queue)
+            return self._pools[queue]
+
+    def _made(self, queue: str) -> Executor:
+        if not self._count:
+            return ThreadPoolExecutor(4, thread_name_prefix=queue)
+        count = self._count if queue == QUICK else max(1, self._count // 2)
+        return ProcessPoolExecutor(count, mp_context=self._context, initializer=_warm)
 
     def start(self) -> None:
         """Start the processes, so that the first request need not wait for them."""
-        pool = self._executor()
-        for _ in range(self._count):
-            pool.submit(_warm)
+        for queue in (QUICK, WHOLE) if self._count else ():
+            pool = self._executor(queue)
+            for _ in range(self._count):
+                pool.submit(_warm)
 
     def stop(self) -> None:
         """End the processes."""
         with self._lock:
-            pool, self._pool = self._pool, None
-        if pool is not None:
+            pools, self._pools = list(self._pools.values()), {}
+        for pool in pools:
             pool.shutdown(wait=False, cancel_futures=True)
 
-    async def short(self, where: str, request: Data) -> bytes:
+    async def short(self, where: str, request: Data, queue: str = WHOLE) -> bytes:
         """Return the answer to a request, computed apart from this thread.
+
+        Parameters
+        ----------
+        where
+            ``module:function``.
+        request
+            What the function gets.
+        queue
+            `QUICK` for what must not wait behind larger work.
 
         Raises
         ------
@@ -111,7 +124,7 @@ class Workers:
         if self._waiting >= _MOST_WAITING:
             raise refused(503, "too many requests are waiting", "Try again in a moment.")
         self._waiting += 1
-        pool = self._executor()
+        pool = self._executor(queue)
         try:
             future = asyncio.get_running_loop().run_in_executor(pool, answer, where, request)
             return await asyncio.wait_for(future, SHORT_LIMIT)
@@ -127,8 +140,7 @@ class Workers:
 
     def _forget(self, pool: Executor) -> None:
         with self._lock:
-            if self._pool is pool:
-                self._pool = None
+            self._pools = {name: one for name, one in self._pools.items() if one is not pool}
 
     def _replace(self, pool: Executor) -> None:
         """Give up a pool with a process that does not come back."""

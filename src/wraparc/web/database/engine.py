@@ -1,6 +1,7 @@
 """Connections to the database, and its migrations."""
 
 from pathlib import Path
+from threading import Lock
 from typing import Any
 
 from alembic import command
@@ -16,6 +17,7 @@ MIGRATIONS = Path(__file__).with_name("migrations")
 #: Execution option of a transaction that will write.
 WRITES = "wraparc_writes"
 _BUSY_MS = 15_000
+_migrating = Lock()  # alembic has one context in a process
 _LOCK = 0x77726170  # of all servers on one PostgreSQL database while one of them migrates
 
 
@@ -36,8 +38,12 @@ def open_engine(url: str, shown: str) -> Engine:
     """
     try:
         engine = _engine(url)
-        with engine.begin() as connection:
-            migrate(connection)
+        try:
+            with _migrating, engine.execution_options(**{WRITES: True}).begin() as connection:
+                migrate(connection)
+        except BaseException:
+            engine.dispose()
+            raise
     except CommandError:
         message = "this database was made by a newer version of wraparc"
         raise _unusable(shown, message, "Update wraparc, or name another database.") from None

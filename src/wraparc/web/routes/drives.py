@@ -11,6 +11,7 @@ from wraparc.web.answers.texts import json_like
 from wraparc.web.errors import ApiError, json_bytes
 from wraparc.web.examples import examples
 from wraparc.web.routes.parts import json_answer, long, short, state_of
+from wraparc.web.work import QUICK
 
 router = APIRouter(prefix="/api/v1", tags=["drives"])
 _DRIVES = "wraparc.web.answers.drives"
@@ -80,7 +81,7 @@ def start(request: Request) -> Response:
 @router.post("/solve/fast", summary="One arc without capacities, for sliders")
 async def solve_fast(request: Request, body: models.FastRequest) -> Response:
     """Solve one arc by the main solver."""
-    return await short(request, f"{_DRIVES}:solve_fast", body)
+    return await short(request, f"{_DRIVES}:solve_fast", body, QUICK)
 
 
 @router.post("/solve", summary="Every arc by both methods, with capacities")
@@ -119,7 +120,7 @@ async def read_lagging(request: Request, body: models.LaggingRequest) -> Respons
 @router.post("/quantities", summary="Read and convert quantities as typed")
 async def quantities(request: Request, body: models.QuantitiesRequest) -> Response:
     """Read quantities as strictly as the drive file does."""
-    return await short(request, f"{_TEXTS}:quantities", body)
+    return await short(request, f"{_TEXTS}:quantities", body, QUICK)
 
 
 @router.post("/compare", summary="The same drive with other laggings or belts")

@@ -7,7 +7,7 @@ from fastapi import Request, Response
 from wraparc.web.database.store import Store
 from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
-from wraparc.web.work import Workers
+from wraparc.web.work import WHOLE, Workers
 
 JSON = "application/json"
 
@@ -33,9 +33,9 @@ def json_answer(body: bytes, status: int = 200, **headers: str) -> Response:
     return Response(body, status, headers=headers or None, media_type=JSON)
 
 
-async def short(request: Request, where: str, body: Any) -> Response:
+async def short(request: Request, where: str, body: Any, queue: str = WHOLE) -> Response:
     """Return the answer of a worker."""
-    return json_answer(await state_of(request).workers.short(where, body.model_dump()))
+    return json_answer(await state_of(request).workers.short(where, body.model_dump(), queue))
 
 
 async def long(request: Request, where: str, body: Any) -> Response:

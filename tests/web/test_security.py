@@ -1,0 +1,228 @@
+"""The door: hosts, origins, tokens, sizes, headers, paths; and hostile requests."""
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+
+from web.calculators import ADDRESS, API, client, document
+from wraparc.web import security
+from wraparc.web.settings import is_loopback
+
+TOKEN = "0123456789abcdef0123"  # noqa: S105
+
+
+@pytest.fixture(scope="module")
+def local() -> Iterator[TestClient]:
+    with client() as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def remote() -> Iterator[TestClient]:
+    with client(host="192.0.2.7", token=TOKEN, names=("conveyor.example",)) as found:
+        yield found
+
+
+@pytest.mark.parametrize(
+    ("host", "status"),
+    [
+        ("127.0.0.1:8765", 200),
+        ("localhost:8765", 200),
+        ("LOCALHOST", 200),
+        ("[::1]:8765", 200),
+        ("evil.example", 403),  # DNS rebinding: a foreign name that leads here
+        ("evil.example:8765", 403),
+        ("localhost.evil.example", 403),
+        ("192.168.0.9:8765", 403),
+        ("127.0.0.1@evil.example", 403),
+        ("evil.example#127.0.0.1", 403),
+        ("[::1", 403),
+        ("", 403),
+    ],
+)
+def test_only_names_of_this_machine(local: TestClient, host: str, status: int) -> None:
+    assert local.get(f"{API}/about", headers={"host": host}).status_code == status
+
+
+@pytest.mark.parametrize(
+    ("headers", "status"),
+    [
+        ({}, 201),
+        ({"origin": ADDRESS}, 201),
+        ({"origin": ADDRESS, "sec-fetch-site": "same-origin"}, 201),
+        ({"origin": "http://evil.example"}, 403),
+        ({"origin": "http://127.0.0.1:9999"}, 403),
+        ({"origin": "http://127.0.0.1:8765.evil.example"}, 403),
+        ({"origin": "null"}, 403),
+        ({"origin": "http://["}, 403),
+        ({"sec-fetch-site": "cross-site"}, 403),
+        ({"sec-fetch-site": "same-site"}, 403),
+    ],
+)
+def test_other_origins_change_nothing(
+    local: TestClient, headers: dict[str, str], status: int
+) -> None:
+    body = {"name": "mine", "document": document()}
+    before = local.get(f"{API}/designs").json()["total"]
+    assert local.post(f"{API}/designs", json=body, headers=headers).status_code == status
+    after = local.get(f"{API}/designs").json()["total"]
+    assert after - before == (status == 201)
+    if status == 403:  # nor is anything deleted, renamed or solved from there
+        for method in ("DELETE", "PATCH", "PUT", "POST"):
+            answer = local.request(method, f"{API}/designs/1", headers=headers)
+            assert answer.status_code == 403
+
+
+def test_a_token_is_asked_for_beyond_this_machine(remote: TestClient) -> None:
+    host = {"host": "192.0.2.7:8765"}
+    for path in ("/", "/docs", "/static/app.js", f"{API}/about", f"{API}/openapi.json"):
+        answer = remote.get(path, headers=host)
+        assert answer.status_code == 401
+        assert answer.headers["www-authenticate"] == "Bearer"
+    right = {"authorization": f"Bearer {TOKEN}"}
+    assert remote.get(f"{API}/about", headers=host | right).status_code == 200
+    assert remote.get(f"{API}/about", headers=right | {"host": "conveyor.example"}).is_success
+    for wrong in (f"Bearer {TOKEN}x", f"Bearer {TOKEN[:-1]}", f"Basic {TOKEN}", "Bearer", "Ä"):
+        headers = [(b"host", b"192.0.2.7"), (b"authorization", wrong.encode("latin-1"))]
+        assert remote.get(f"{API}/about", headers=headers).status_code == 401
+    assert remote.get(f"{API}/about", headers=right | {"host": "evil.example"}).status_code == 403
+
+
+def test_the_address_with_the_token_lets_a_browser_in(remote: TestClient) -> None:
+    host = {"host": "192.0.2.7:8765"}
+    answer = remote.get(f"/?token={TOKEN}", headers=host, follow_redirects=False)
+    assert answer.status_code == 303
+    assert answer.headers["location"] == "/"  # the token leaves the address bar
+    cookie = answer.headers["set-cookie"]
+    assert "HttpOnly" in cookie
+    assert "SameSite=Strict" in cookie
+    carried = host | {"cookie": cookie.partition(";")[0]}
+    assert remote.get(f"{API}/about", headers=carried).status_code == 200
+    remote.cookies.clear()
+    for query in ("?token=wrong", "?token=", "?token=%00", "?" + "a=1&" * 500):
+        assert remote.get(f"/{query}", headers=host).status_code in (401, 400)
+    assert remote.get(f"/?token={TOKEN}", headers={"host": "evil.example"}).status_code == 403
+
+
+def test_every_answer_carries_the_headers_that_protect(local: TestClient) -> None:
+    for path in ("/", "/docs", f"{API}/about", f"{API}/none", "/static/../app.py"):
+        headers = local.get(path).headers
+        policy = headers["content-security-policy"]
+        assert "unsafe" not in policy
+        assert policy.startswith("default-src 'none'; script-src 'self';")
+        assert headers["x-content-type-options"] == "nosniff"
+        assert headers["x-frame-options"] == "DENY"
+        assert headers["referrer-policy"] == "no-referrer"
+        assert "access-control-allow-origin" not in headers
+        assert "server" not in headers
+    assert local.get(f"{API}/about").headers["cache-control"] == "no-store"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "../app.py",
+        "..%2fapp.py",
+        "%2e%2e%2f%2e%2e%2fapp.py",
+        "/etc/passwd",
+        "%2fetc%2fpasswd",
+        "..\\app.py",
+        "app.js%00.html",
+        "%2e%2e",
+        "",
+    ],
+)
+def test_no_path_of_a_request_reaches_the_files(local: TestClient, name: str) -> None:
+    answer = local.get(f"/static/{name}")
+    assert answer.status_code == 404
+    assert b"import" not in answer.content
+    assert b"root:" not in answer.content
+
+
+def test_pages_are_packed_and_asked_for_once(local: TestClient) -> None:
+    first = local.get("/", headers={"accept-encoding": "gzip"})
+    assert first.status_code == 200
+    assert first.headers["content-encoding"] == "gzip"
+    again = local.get("/", headers={"if-none-match": first.headers["etag"]})
+    assert again.status_code == 304
+    assert again.content == b""
+
+
+def test_large_requests_are_refused(local: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(security, "BODY_LIMIT", 10_000)
+    big = json.dumps({"document": {"title": "x" * 20_000}})
+    headers = {"content-type": "application/json"}
+    answer = local.post(f"{API}/solve", content=big, headers=headers)
+    assert answer.status_code == 413
+    assert "larger than" in answer.json()["problems"][0]["message"]
+
+    def pieces() -> Iterator[bytes]:  # sent in chunks, without a length
+        yield big[:5000].encode()
+        yield big[5000:].encode()
+
+    assert local.post(f"{API}/solve", content=pieces(), headers=headers).status_code == 413
+    lying = headers | {"content-length": "-5"}
+    assert local.post(f"{API}/solve", content=b"{}", headers=lying).status_code == 413
+
+
+HOSTILE: list[Any] = [
+    b"",
+    b"null",
+    b"[]",
+    b"{",
+    b'{"document": ' + b"[" * 100_000 + b"]" * 100_000 + b"}",
+    b'{"document": ' + b'{"a":' * 20_000 + b"1" + b"}" * 20_000 + b"}",
+    b'{"document": {"belt": {"width": NaN}}}',
+    b'{"document": {"format": 1e999}}',
+    b'{"document": {"format": ' + b"9" * 5000 + b"}}",
+    b'{"document": {"title": "\\ud800"}}',
+    b'{"document": {"\\ud800": "\\u0000"}}',
+    b'{"document": {"title": "\xff"}}',
+    b'{"document": {"lagging": {"__proto__": {}}, "pulley": [null, 1, [], {}]}}',
+    b'{"document": {"pulley": [{"name": {"a": 1}, "lagging": {"law": [{"kind": "table"}]}}]}}',
+    b'{"document": {"train": 1, "pulley": "x"}}',
+    b'{"document": {"pulley": {"a": 1}, "load_case": [[]]}}',
+]
+
+
+@pytest.mark.parametrize("body", HOSTILE, ids=range(len(HOSTILE)))
+def test_hostile_documents_are_answered_with_problems(local: TestClient, body: bytes) -> None:
+    headers = {"content-type": "application/json"}
+    for path in ("/solve/fast", "/solve", "/check", "/compare", "/train", "/report/md"):
+        answer = local.post(API + path, content=body, headers=headers)
+        assert answer.status_code in (400, 422), (path, answer.text[:200])
+        assert answer.json()["problems"]
+    answer = local.post(f"{API}/toml/write", content=body, headers=headers)
+    assert answer.status_code in (200, 400, 422)
+
+
+def test_hostile_toml(local: TestClient) -> None:
+    texts = ("a" * 300_000, "a=" + "[" * 50_000, "a." * 20_000 + "b=1", "x = 1979-05-27", "\x00")
+    for text in (*texts, "n = 1e400", "n = nan", "[a]\n[a]", "'\ud800'=1"):
+        answer = local.post(f"{API}/toml/read", content=json.dumps({"toml": text}))
+        assert answer.status_code in (200, 422), answer.text[:200]
+        answer.json()
+
+
+def test_a_fault_tells_nothing_of_the_program(
+    local: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(_: object) -> None:
+        raise RuntimeError("secret /home/somebody")
+
+    monkeypatch.setattr("wraparc.web.answers.drives.check", fails)
+    answer = local.post(f"{API}/check", json={"document": document()})
+    assert answer.status_code == 500
+    assert "secret" not in answer.text
+    assert "Traceback" not in answer.text
+    assert "fault in wraparc" in answer.json()["problems"][0]["message"]
+
+
+def test_which_hosts_are_this_machine() -> None:
+    for host in ("127.0.0.1", "127.8.9.1", "localhost", "::1", "LocalHost."):
+        assert is_loopback(host)
+    for host in ("0.0.0.0", "::", "192.168.1.2", "example.org", "", "localhost.example"):  # noqa: S104
+        assert not is_loopback(host)
