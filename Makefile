@@ -25,7 +25,7 @@ sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test dev format lint types docs tests bench lock clean
+.PHONY: help demo serve test dev format lint types docs system tests bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -34,6 +34,11 @@ demo: $(UV) ## solve an example drive and draw it (sets itself up)
 	@echo "== installing wraparc into .venv (locked versions)"
 	@$(call sync,--frozen --inexact --no-default-groups --extra plot)
 	@$(BIN)/wraparc demo
+
+serve: $(UV) ## open the calculator in the browser (sets itself up); FILE=drive.toml for a drive
+	@echo "== installing wraparc with its calculator into .venv (locked versions)"
+	@$(call sync,--frozen --inexact --no-default-groups --extra web --extra fit --extra study)
+	@$(BIN)/wraparc serve --open $(FILE)
 
 test: dev format lint types docs tests ## the whole gate (sets itself up)
 
@@ -58,7 +63,20 @@ docs: dev ## build the documentation into build/docs, running its code
 	@$(BIN)/python -W ignore -m sphinx -W --keep-going -n -q -E -b html -d build/doctrees docs build/docs
 	@echo "documentation: build/docs/index.html"
 
-tests: dev
+# Programs that no Python package brings, for the tests of the calculator and its database.
+browser = $(shell command -v chromium || command -v chromium-browser || command -v google-chrome)
+initdb = $(firstword $(wildcard /usr/lib/postgresql/*/bin/initdb) $(shell command -v initdb))
+lacking = $(if $(browser),,chromium) $(if $(initdb),,postgresql)
+
+system: ## install Chromium and PostgreSQL for the tests where they are missing
+	@test -z "$(strip $(lacking))" || { \
+	  echo "== system: installing $(strip $(lacking))"; \
+	  test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
+	  { apt-get install -qq -y --no-install-recommends $(lacking) >/dev/null || \
+	    { apt-get update -qq && apt-get install -qq -y --no-install-recommends $(lacking) >/dev/null; }; }; } || \
+	  { echo "the tests need $(strip $(lacking)), which could not be installed here; as root on Debian or Ubuntu: apt-get install $(strip $(lacking))" >&2; exit 1; }
+
+tests: dev system
 	@echo "== tests: pytest, warnings are errors"
 	@$(BIN)/python -m pytest --no-header -n $(WORKERS) -W error
 

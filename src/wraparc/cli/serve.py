@@ -1,13 +1,16 @@
 """``wraparc serve``: the calculator in the browser."""
 
 import os
+import re
 import secrets
-import socket
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from wraparc.errors import InputError, Problem, shown
+
+if TYPE_CHECKING:
+    from wraparc.web.settings import Settings
 
 
 @click.command()
@@ -46,11 +49,10 @@ def serve(
         token = secrets.token_urlsafe(24)
     if not is_loopback(host):
         _check_token(host, token)
-    listener = _listener(host, port)
     start, start_file = _start(file)
     settings = Settings(
         host=host,
-        port=listener.getsockname()[1],
+        port=port,
         token=token or "",
         database=_database(database),
         names=names,
@@ -58,7 +60,7 @@ def serve(
         start_file=start_file,
         workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
     )
-    run(settings, listener, tell=_tell(settings), browser=browser)
+    run(settings, tell=_tell, browser=browser)
     return 0
 
 
@@ -82,11 +84,7 @@ def _check_token(host: str, token: str | None) -> None:
                 remedy="Add --token new, which makes a token and prints it, or leave --host out.",
             )
         )
-    if (
-        len(token) < 16
-        or not token.isascii()
-        or not token.replace("-", "").replace("_", "").isalnum()
-    ):
+    if not re.fullmatch(r"[A-Za-z0-9_-]{16,200}", token):
         raise InputError(
             Problem(
                 key="--token",
@@ -94,30 +92,6 @@ def _check_token(host: str, token: str | None) -> None:
                 remedy="Write --token new to have one made.",
             )
         )
-
-
-def _listener(host: str, port: int) -> socket.socket:
-    """Return a socket that listens; whatever stands in the way is told before anything starts."""
-    try:
-        family, kind, protocol, _, address = socket.getaddrinfo(
-            host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
-        )[0]
-        found = socket.socket(family, kind, protocol)
-        if os.name == "posix":
-            found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        found.bind(address)
-    except OSError as error:
-        key, value = ("--port", str(port)) if error.errno else ("--host", shown(host))
-        reason = error.strerror or str(error)
-        raise InputError(
-            Problem(
-                key=key,
-                value=value,
-                message=f"cannot listen on {host}: {reason}",
-                remedy="Choose another with --port, or stop the other server.",
-            )
-        ) from None
-    return found
 
 
 def _start(file: str | None) -> tuple[dict[str, Any] | None, str]:
@@ -134,14 +108,7 @@ def _database(given: str | None) -> str:
     return database_url(given)
 
 
-def _tell(settings: Any) -> Any:
-    def tell() -> None:
-        address = f"[{settings.host}]" if ":" in settings.host else settings.host
-        if settings.host in ("0.0.0.0", "::"):  # noqa: S104 - every address of this machine
-            address = socket.gethostname()
-        query = f"/?token={settings.token}" if settings.token else "/"
-        click.echo(f"The calculator: http://{address}:{settings.port}{query}")
-        click.echo(f"Saved designs:  {settings.shown_database}")
-        click.echo("Stop with Ctrl-C.")
-
-    return tell
+def _tell(settings: "Settings") -> None:
+    click.echo(f"The calculator: {settings.address}")
+    click.echo(f"Saved designs:  {settings.shown_database}")
+    click.echo("Stop with Ctrl-C.")

@@ -36,8 +36,7 @@ def create_app(settings: Settings) -> FastAPI:
     async def running(_: FastAPI) -> AsyncIterator[None]:
         state.workers.start()
         yield
-        state.workers.stop()
-        state.store.close()
+        state.close()
 
     app = FastAPI(
         title="wraparc",

@@ -1,6 +1,7 @@
 """A drive file to a document that needs no other file."""
 
 import os
+from collections.abc import Collection
 from typing import Any
 
 from wraparc.files import load_drive_or_train
@@ -27,7 +28,13 @@ def opened(path: str) -> Document:
             conditions = load_lagging_conditions(os.path.join(folder, named))
             table = parse(lagging_text(conditions))
             table.pop("format")
-            name = table.pop("name")
+            name = _free(table.pop("name"), own)
             own[name] = table
             pulley["lagging"] = name
     return {**document, "lagging": own} if own else document
+
+
+def _free(name: str, taken: Collection[str]) -> str:
+    """Return the name, with a number behind it if another lagging has it."""
+    others = (f"{name[:50]}-{number}" for number in range(2, len(taken) + 3))
+    return next(n for n in (name, *others) if n not in taken)

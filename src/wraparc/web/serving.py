@@ -1,13 +1,17 @@
 """Run one server until it is stopped."""
 
 import logging
+import os
 import socket
 import threading
 import webbrowser
 from collections.abc import Callable
+from contextlib import closing
+from dataclasses import replace
 
 import uvicorn
 
+from wraparc.errors import InputError, Problem, shown
 from wraparc.web.app import create_app
 from wraparc.web.settings import Settings
 
@@ -28,39 +32,77 @@ class _Server(uvicorn.Server):
             self._ready()
 
 
-def run(
-    settings: Settings, listener: socket.socket, *, tell: Callable[[], None], browser: bool = False
-) -> None:
-    """Serve on a socket until interrupted.
+def run(settings: Settings, *, tell: Callable[[Settings], None], browser: bool = False) -> None:
+    """Serve until interrupted.
 
     Parameters
     ----------
     settings
         How it runs.
-    listener
-        A bound socket.
     tell
-        Called once requests are answered.
+        Called once requests are answered, with the port that was really taken.
     browser
         Whether to open the first page.
+
+    Raises
+    ------
+    InputError
+        If the database cannot be used, or the address not be listened on.
     """
     logging.getLogger("uvicorn.error").setLevel(logging.WARNING)
-    config = uvicorn.Config(
-        create_app(settings),
-        access_log=False,
-        log_level="warning",
-        server_header=False,
-        limit_concurrency=_MOST_CONNECTIONS,
-        timeout_keep_alive=_KEEP_ALIVE,
-        timeout_graceful_shutdown=3,
-        ws="none",
-    )
+    app = create_app(settings)
+    with closing(app.state.wraparc), closing(listener(settings.host, settings.port)) as found:
+        known = replace(settings, port=found.getsockname()[1])
 
-    def ready() -> None:
-        tell()
-        if browser:
-            query = f"?token={settings.token}" if settings.token else ""
-            url = f"http://{settings.host}:{settings.port}/{query}"
-            threading.Thread(target=webbrowser.open, args=(url,), daemon=True).start()
+        def ready() -> None:
+            tell(known)
+            if browser:
+                opening = threading.Thread(target=webbrowser.open, args=(known.address,))
+                opening.daemon = True
+                opening.start()
 
-    _Server(config, ready).run(sockets=[listener])
+        config = uvicorn.Config(
+            app,
+            access_log=False,
+            log_level="warning",
+            server_header=False,
+            limit_concurrency=_MOST_CONNECTIONS,
+            timeout_keep_alive=_KEEP_ALIVE,
+            timeout_graceful_shutdown=3,
+            ws="none",
+        )
+        _Server(config, ready).run(sockets=[found])
+
+
+def listener(host: str, port: int) -> socket.socket:
+    """Return a bound socket; what stands in the way is told before anything starts.
+
+    Raises
+    ------
+    InputError
+        If there is no such address, or the port is taken.
+    """
+    found = None
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(
+            host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE
+        )[0]
+        found = socket.socket(family, kind, protocol)
+        if os.name == "posix":
+            found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        found.bind(address)
+    except OSError as error:
+        if found is not None:
+            found.close()
+        unknown = isinstance(error, socket.gaierror)
+        raise InputError(
+            Problem(
+                key="--host" if unknown else "--port",
+                value=shown(host) if unknown else str(port),
+                message=f"cannot listen on {host}: {error.strerror or error}",
+                remedy="Give another address."
+                if unknown
+                else "Choose another with --port, or stop the other server.",
+            )
+        ) from None
+    return found

@@ -1,5 +1,6 @@
 """How one server runs."""
 
+import socket
 from dataclasses import dataclass
 from ipaddress import ip_address
 
@@ -41,6 +42,15 @@ class Settings:
     def local(self) -> bool:
         """Whether only this machine can reach the server."""
         return is_loopback(self.host)
+
+    @property
+    def address(self) -> str:
+        """What to type into a browser."""
+        everywhere = self.host in ("0.0.0.0", "::")  # noqa: S104 - compared, not bound
+        host = socket.gethostname() if everywhere else self.host
+        host = f"[{host}]" if ":" in host else host
+        query = f"?token={self.token}" if self.token else ""
+        return f"http://{host}:{self.port}/{query}"
 
     @property
     def shown_database(self) -> str:

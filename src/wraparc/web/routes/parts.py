@@ -21,6 +21,11 @@ class State:
         self.sessions = Sessions()
         self.store = Store.open(settings.database, settings.shown_database)
 
+    def close(self) -> None:
+        """End what runs, and give back what is held."""
+        self.workers.stop()
+        self.store.close()
+
 
 def state_of(request: Request) -> State:
     """Return the state of the server."""

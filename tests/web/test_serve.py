@@ -1,0 +1,130 @@
+"""``wraparc serve`` as a user starts it: what it says, what it refuses, how it ends."""
+
+import re
+import socket
+from pathlib import Path
+
+import pytest
+
+from cli.running import drive_file, wraparc
+from web.calculators import API, serving, wait_for
+
+
+def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
+    lagging = Path(tmp_path / "mine.toml")
+    from wraparc.catalogue import lagging_text
+
+    lagging.write_text(lagging_text("medium-ceramic"), "utf-8")
+    text = drive_file(tmp_path).read_text("utf-8")
+    file = drive_file(tmp_path, text.replace('"diamond-rubber"', '"mine.toml"'), "own.toml")
+    database = tmp_path / "folder" / "designs.sqlite"
+    with serving(str(file), "--database", str(database), "--workers", "1") as server:
+        assert f"The calculator: http://127.0.0.1:{server.port}/" in server.told
+        assert str(database) in server.told
+        assert database.exists()
+        start = server.ask(f"{API}/start").json()
+        assert start["name"] == "own"
+        # the lagging file stands in the document: it can be saved, sent and solved elsewhere
+        assert start["document"]["pulley"][0]["lagging"] == "medium-ceramic"
+        assert "law" in start["document"]["lagging"]["medium-ceramic"]
+        fast = server.ask(f"{API}/solve/fast", {"document": start["document"]})
+        assert fast.status == 200
+        _, out, _ = wraparc("solve", file, "--json", "-")
+        exact = re.search(r'"exit_creep": ([-0-9.e]+)', out)
+        assert exact
+        creep = fast.json()["numbers"]["exit_creep"]
+        assert creep == pytest.approx(float(exact[1]), rel=1e-9)
+        about = server.ask(f"{API}/about").json()
+        assert (about["database"], about["token"]) == ("sqlite", False)
+        assert server.stop() in (0, 130, -2)
+
+
+def test_a_worker_that_dies_is_replaced(tmp_path: Path) -> None:
+    import json
+    import os
+    import signal
+
+    from web.calculators import document
+
+    body = {"document": document()}
+    with serving("--database", str(tmp_path / "d.sqlite"), "--workers", "1") as server:
+        assert server.ask(f"{API}/solve/fast", body).status == 200
+        for pid in _children(server.process.pid):
+            os.kill(pid, signal.SIGKILL)
+        wait_for(lambda: server.ask(f"{API}/solve/fast", body).status == 200)
+        assert json.loads(server.ask(f"{API}/about").body)["name"] == "wraparc"
+
+
+def _children(pid: int) -> list[int]:
+    """Return the processes of a server's group, itself left out."""
+    found = []
+    for path in Path("/proc").iterdir():
+        if path.name.isdecimal():
+            try:
+                fields = (path / "stat").read_text().rpartition(")")[2].split()
+            except OSError:
+                continue
+            if int(fields[2]) == pid and int(path.name) != pid:
+                found.append(int(path.name))
+    return found
+
+
+def test_beyond_this_machine_it_needs_a_token() -> None:
+    for host in ("0.0.0.0", "192.0.2.7", "::", "conveyor.example"):  # noqa: S104
+        code, _, told = wraparc("serve", "--host", host)
+        assert code == 2
+        assert "--token" in told
+        assert host in told
+    code, _, told = wraparc("serve", "--host", "0.0.0.0", "--token", "short")  # noqa: S104
+    assert code == 2
+    assert "at least 16" in told
+
+
+def test_beyond_this_machine_with_a_token_it_serves(tmp_path: Path) -> None:
+    import urllib.error
+    import urllib.request
+
+    place = ("--database", str(tmp_path / "d.sqlite"), "--workers", "0")
+    with serving("--host", "0.0.0.0", "--token", "new", *place) as server:  # noqa: S104
+        found = re.search(r"\?token=(\S{16,})", server.told)
+        assert found
+        assert server.ask(f"{API}/about").status == 401
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{server.port}{API}/about",
+            headers={"authorization": f"Bearer {found[1]}"},
+        )
+        with urllib.request.urlopen(request) as answer:  # noqa: S310
+            assert answer.status == 200
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["none.toml"], "none.toml"),
+        (["--port", "99999"], "99999"),
+        (["--database", "mysql://u:secret@h/n"], "no database that can be used"),
+        (["--database", "postgresql://u:secret@localhost:1/n"], "cannot be used"),
+        (["--host", "no.such.host.invalid", "--token", "0123456789abcdef"], "cannot listen"),
+    ],
+)
+def test_what_is_wrong_is_told_before_it_starts(
+    arguments: list[str], told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("WRAPARC_DATA", str(tmp_path))
+    code, out, error = wraparc("serve", "--port", "0", *arguments)
+    assert code == 2
+    assert told in error
+    assert "secret" not in error
+    assert "Traceback" not in error
+    assert "calculator" not in out
+
+
+def test_a_port_that_is_taken(tmp_path: Path) -> None:
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        port = str(other.getsockname()[1])
+        code, _, error = wraparc("serve", "--port", port, "--database", tmp_path / "d.sqlite")
+    assert code == 2
+    assert "--port" in error
+    assert "in use" in error
