@@ -9,7 +9,7 @@ import numpy as np
 
 from wraparc.errors import InputError, Problem
 from wraparc.train.member import RATIO_SCALE, Member
-from wraparc.train.passage_table import LARGEST_RATIO, Array, PassageTable
+from wraparc.train.passage_table import LARGEST_RATIO, Array, Passages, PassageTable, one_by_one
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import Setup
 from wraparc.train.system import System
@@ -19,6 +19,7 @@ from wraparc.train.walk import Axis, check_axis, held, place, varied
 _LEVELS = 48  # to look for the solution at, before it is closed in on
 _CLOSING = 14
 _MISS = 1e-9
+_NARROW = 1.02  # ratio of diameters between which two tables are enough
 #: Ends of the tabulated tensions, over the least and the largest at the ends of the train.
 _SLACKEST, _TIGHTEST = 0.6, 1.5
 
@@ -64,6 +65,7 @@ def share_map(
     y: Array,
     across: Axis = Axis.TRIM,
     down: Axis = Axis.LOAD,
+    passages: Passages = one_by_one,
 ) -> ShareMap:
     """Return the shares of a solved train over two quantities, the speeds of the drums held.
 
@@ -77,6 +79,8 @@ def share_map(
         Values on the axes, see `ShareCurve.values` [-].
     across, down
         What is varied.
+    passages
+        What sends the belt over the pulleys; `wraparc.study.passages.all_at_once` is compiled.
 
     Raises
     ------
@@ -95,7 +99,7 @@ def share_map(
     setup = Setup.of(train, train.cases[0])
     _check(setup.system, train, across, down)
     origin = [place(train, solved, axis, drive) for axis in (across, down)]
-    grid = _Grid(setup.system, train, drive, (across, down), origin)
+    grid = _Grid(setup.system, train, drive, (across, down), origin, passages)
     x, y = np.asarray(x, float), np.asarray(y, float)
     shares, creeps = grid.solve(x, y)
     return ShareMap(train, solved, drive, across, down, x, y, shares, creeps)
@@ -132,9 +136,11 @@ class _Grid:
         drive: int,
         axes: tuple[Axis, Axis],
         origin: Sequence[float],
+        passages: Passages,
     ) -> None:
         self._base, self._train, self._drive = base, train, drive
         self._axes, self._origin = axes, origin
+        self._passages = passages
 
     def solve(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Shares and exit creeps, (ny, nx, drives)."""
@@ -174,7 +180,7 @@ class _Grid:
 
         def table(member: Member, ends: tuple[float, float]) -> PassageTable:
             if (member, ends) not in made:
-                made[member, ends] = PassageTable.of(member, *ends)
+                made[member, ends] = PassageTable.of(member, *ends, self._passages)
             return made[member, ends]
 
         pulleys = []
@@ -182,7 +188,8 @@ class _Grid:
             ends = first if i == 0 else other
             sizes = [1.0]
             if i == self._drive and Axis.DIAMETER in self._axes:
-                sizes = list(np.linspace(size.min(), size.max(), 3))
+                nodes_of_size = 2 if size.max() < _NARROW * size.min() else 3
+                sizes = list(np.linspace(size.min(), size.max(), nodes_of_size))
             nodes = [
                 varied(base, self._train, Axis.DIAMETER, i, s).members[i] if s != 1.0 else member
                 for s in sizes

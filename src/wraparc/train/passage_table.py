@@ -6,8 +6,9 @@ and third order in the logarithm of the entry tension.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from math import asinh, log
+from math import asinh, exp, log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +17,24 @@ from wraparc.train.member import RATIO_SCALE, SHARP, Member
 
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
+#: Sends the belt over a pulley many times: member, ln(entry tension) and effort, (n,) each, to
+#: ln(exit over entry tension) [-] and exit creep [m], (2, n).
+Passages = Callable[[Member, Array, Array], Array]
 
 #: Entry creep ratio up to which a table goes, either way; a creep of 5 % of the wrap.
 LARGEST_RATIO = 0.05
 _EFFORT_STEP = 0.38
-_TENSION_STEP = 0.15  # of the logarithm
+_TENSION_STEP = 0.25  # of the logarithm
 _EFFORT_POINTS, _TENSION_POINTS = 6, 4
+
+
+def one_by_one(member: Member, logs: Array, efforts: Array) -> Array:
+    """Send the belt over a pulley again and again, in this process; see `Passages`."""
+    found = np.empty((2, len(logs)))
+    for i, (log_entry, effort) in enumerate(zip(logs, efforts, strict=True)):
+        at = member.passage(exp(log_entry), float(effort), SHARP)
+        found[:, i] = log(at.exit / at.entry), at.creep
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,19 +54,18 @@ class PassageTable:
     values: Array
 
     @classmethod
-    def of(cls, member: Member, lowest: float, highest: float) -> PassageTable:
+    def of(
+        cls, member: Member, lowest: float, highest: float, passages: Passages = one_by_one
+    ) -> PassageTable:
         """Tabulate a pulley for entry tensions from `lowest` to `highest` [N]."""
         end = asinh(LARGEST_RATIO / RATIO_SCALE)
         half = int(end / _EFFORT_STEP) + 1
         efforts = np.linspace(-end, end, 2 * half + 1)
         parts = max(_TENSION_POINTS, int(log(highest / lowest) / _TENSION_STEP) + 2)
         logs = np.linspace(log(lowest), log(highest), parts)
-        values = np.empty((2, len(efforts), len(logs)))
-        for j, tension in enumerate(np.exp(logs)):
-            for i, effort in enumerate(efforts):
-                at = member.passage(float(tension), float(effort), SHARP)
-                values[0, i, j] = log(at.exit / at.entry)
-                values[1, i, j] = at.creep
+        places = np.meshgrid(efforts, logs, indexing="ij")
+        found = passages(member, places[1].ravel(), places[0].ravel())
+        values = found.reshape(2, len(efforts), len(logs))
         steps = (float(efforts[1] - efforts[0]), float(logs[1] - logs[0]))
         return cls((float(efforts[0]), float(logs[0])), steps, values)
 
