@@ -1,0 +1,36 @@
+"""Requests made from the OpenAPI document, right and wrong ones: no fault of the program."""
+
+import tempfile
+from typing import Any
+
+import schemathesis
+from hypothesis import HealthCheck, Phase, settings
+from schemathesis.checks import not_a_server_error
+
+from web.calculators import API
+from wraparc.web.app import create_app
+from wraparc.web.settings import Settings
+
+_HOST = {"host": "127.0.0.1:8765"}
+_folder = tempfile.TemporaryDirectory(prefix="wraparc-fuzz-")
+_APP = create_app(Settings(workers=0, database=f"sqlite:///{_folder.name}/designs.sqlite"))
+SCHEMA = schemathesis.openapi.from_asgi(f"{API}/openapi.json", _APP, headers=_HOST)
+
+
+@SCHEMA.parametrize()
+@settings(
+    max_examples=6,
+    derandomize=True,
+    deadline=None,
+    phases=[Phase.explicit, Phase.generate],
+    suppress_health_check=list(HealthCheck),
+)
+def test_no_request_makes_a_fault(case: Any) -> None:
+    case.call_and_validate(headers=_HOST, checks=[not_a_server_error])
+
+
+def test_the_document_has_every_part_of_the_calculator() -> None:
+    # guards the test above against passing on an empty document
+    paths = _APP.openapi()["paths"]
+    for part in ("/solve", "/compare", "/train", "/tests/{session}/fit", "/designs", "/report"):
+        assert any(path.startswith(API + part) for path in paths), part
