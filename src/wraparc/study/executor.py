@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import logging
 import os
+import re
+import socket
 from collections.abc import Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
-from contextlib import contextmanager
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from itertools import islice
 from threading import Event
@@ -16,6 +18,8 @@ from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import solve_part
 from wraparc.version import __version__
+
+_ADDRESS = re.compile(r"(?:tcp|tls)://(\[[0-9a-fA-F:]+\]|[^:/\s]{1,253}):([0-9]{1,5})")
 
 
 class Part(NamedTuple):
@@ -118,6 +122,7 @@ class DaskCluster:
     @contextmanager
     def _client(self) -> Iterator[Any]:
         distributed = require_distributed()
+        _knock(self.address, self.timeout)
         try:
             client = distributed.Client(self.address, timeout=self.timeout, set_as_default=False)
         except (OSError, ValueError, TimeoutError) as error:
@@ -130,27 +135,35 @@ class DaskCluster:
     def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
         """Solve parts on the workers, a few more begun than they have threads."""
         distributed = require_distributed()
+        lost = (OSError, TimeoutError, CancelledError, distributed.KilledWorker)
         with self._client() as client:
-            todo = iter(parts)
-            places: dict[str, Part] = {}
-            running = distributed.as_completed()
+            running = distributed.as_completed(loop=client.loop)
             try:
-                while True:
-                    room = 2 * max(1, sum(client.nthreads().values())) - len(places)
-                    for part in islice(todo, max(0, room)):
-                        key = f"wraparc-{study.fingerprint[:16]}-{part.start}-{part.stop}"
-                        future = client.submit(
-                            solve_part, study, *part, key=key, retries=self.retries, pure=True
-                        )
-                        places[future.key] = part
-                        running.add(future)
-                    if not places:
-                        return
-                    future = next(running)
-                    yield places.pop(future.key), _result(future)
-                    future.release()
+                yield from self._solved(client, running, study, iter(parts))
+            except lost as error:
+                raise _lost(self.address, error) from None
             finally:
-                client.cancel(list(running.futures))
+                with suppress(*lost):
+                    client.cancel(list(running.futures))
+
+    def _solved(self, client: Any, running: Any, study: Study, todo: Iterator[Part]) -> Solved:
+        name = f"wraparc-{study.fingerprint[:16]}"
+        places: dict[str, Part] = {}
+        while True:
+            room = 2 * max(1, sum(client.nthreads().values())) - len(places)
+            for part in islice(todo, max(0, room)):
+                key = f"{name}-{part.start}-{part.stop}"
+                future = client.submit(
+                    solve_part, study, *part, key=key, retries=self.retries, pure=True
+                )
+                places[future.key] = part
+                running.add(future)
+            if not places:
+                return
+            future = next(running)
+            content = bytes(future.result())
+            yield places.pop(future.key), content
+            future.release()
 
 
 @dataclass(frozen=True)
@@ -204,6 +217,19 @@ def require_distributed() -> Any:
     return distributed
 
 
+def _knock(address: str, timeout: float) -> None:
+    """Try the door before a client is made that would try for long, and complain at its end."""
+    match = _ADDRESS.fullmatch(address)
+    if match is None:
+        message, remedy = "is no address of a scheduler", "Write for example tcp://host:8786."
+        problem = Problem(key="--scheduler", value=shown(address), message=message, remedy=remedy)
+        raise InputError(problem)
+    try:
+        socket.create_connection((match[1].strip("[]"), int(match[2])), timeout).close()
+    except (OSError, OverflowError) as error:
+        raise _unreachable(address, error) from None
+
+
 def _unreachable(address: str, error: Exception) -> InputError:
     reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
     return InputError(
@@ -249,6 +275,13 @@ def _version_here() -> str:
     return __version__
 
 
-def _result(future: Any) -> bytes:
-    made = future.result()
-    return bytes(made)
+def _lost(address: str, error: BaseException) -> InputError:
+    reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
+    return InputError(
+        Problem(
+            key="--scheduler",
+            value=shown(address),
+            message=f"the cluster was lost: {reason}; parts that are done stay",
+            remedy="Go on with --resume.",
+        )
+    )

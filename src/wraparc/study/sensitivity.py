@@ -6,6 +6,7 @@ import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,6 @@ RANGE = (0.05, 0.95)
 STEP = 0.01
 #: Largest part of the draws that may lack a result; they are left out.
 MOST_LOST = 0.01
-_REPEATS = 400
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ class Index:
     first, total
         First-order index, of the input alone; total index, with all it does together with others.
     first_interval, total_interval
-        Their intervals at `CONFIDENCE` by bootstrap.
+        Their intervals at `CONFIDENCE`, as for independent draws.
     """
 
     name: str
@@ -157,11 +157,12 @@ class Indices:
     deviation: float
 
 
-def sobol_indices(y: Array, names: tuple[str, ...], seed: int = 0) -> Indices:
+def sobol_indices(y: Array, names: tuple[str, ...]) -> Indices:
     """First-order and total indices from the results of a Saltelli plan.
 
     S_i = mean(f_B (f_ABi - f_A))/V, T_i = mean((f_A - f_ABi)^2)/(2 V), with the mean of all f_A and
-    f_B taken off first and their variance V.
+    f_B taken off first and their variance V. The interval of such a ratio of means follows from the
+    scatter of (term - index (f_A^2 + f_B^2)/2)/V over the draws (delta method).
 
     Parameters
     ----------
@@ -169,8 +170,6 @@ def sobol_indices(y: Array, names: tuple[str, ...], seed: int = 0) -> Indices:
         Results in the order of the plan, shape (samples (inputs + 2),).
     names
         The inputs.
-    seed
-        Of the bootstrap.
 
     References
     ----------
@@ -183,22 +182,21 @@ def sobol_indices(y: Array, names: tuple[str, ...], seed: int = 0) -> Indices:
     deviation = float(np.std(kept[:2])) if kept.size else math.nan
     if lost > MOST_LOST * samples or not deviation > 0.0:
         return Indices((), samples, lost, deviation)
-    f = kept - kept[:2].mean()
-    rng = np.random.default_rng(seed)
-    picks = rng.integers(0, f.shape[1], (_REPEATS, f.shape[1]))
-    variance = np.array([np.var(f[:2, pick]) for pick in picks])
-    margin = 50.0 * (1.0 - CONFIDENCE)
+    f = (kept - kept[:2].mean()) / deviation
     made = []
     for i, name in enumerate(names):
-        alone, both = f[1] * (f[2 + i] - f[0]), 0.5 * (f[0] - f[2 + i]) ** 2
-        parts = []
-        for term in (alone, both):
-            spread = np.array([term[pick].mean() for pick in picks]) / variance
-            low, high = np.percentile(spread, (margin, 100.0 - margin))
-            parts.append((float(term.mean()) / deviation**2, (float(low), float(high))))
-        (first, of_first), (total, of_total) = parts
-        made.append(Index(name, first, total, of_first, of_total))
+        alone, alone_interval = _mean_ratio(f[1] * (f[2 + i] - f[0]), f)
+        both, both_interval = _mean_ratio(0.5 * (f[0] - f[2 + i]) ** 2, f)
+        made.append(Index(name, alone, both, alone_interval, both_interval))
     return Indices(tuple(sorted(made, key=lambda x: -x.total)), samples, lost, deviation)
+
+
+def _mean_ratio(term: Array, f: Array) -> tuple[float, tuple[float, float]]:
+    """Mean of a term over the variance 1 of f, and its interval."""
+    index = float(term.mean())
+    scatter = float(np.std(term - 0.5 * index * (f[0] ** 2 + f[1] ** 2)))
+    half = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE) * scatter / math.sqrt(len(term))
+    return index, (index - half, index + half)
 
 
 def global_sensitivity(
@@ -223,7 +221,7 @@ def global_sensitivity(
         of_case = found.setdefault((load, condition.name if condition else ""), {})
         for name in outputs:
             y = columns[name].reshape(-1, count)[:, place]
-            of_case[name] = sobol_indices(y, names, data["seed"])
+            of_case[name] = sobol_indices(y, names)
     return found
 
 

@@ -1,0 +1,105 @@
+"""A scheduler and two workers as processes of their own; one dies half way."""
+
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from study.test_study_run import columns, small
+from wraparc.errors import InputError
+from wraparc.study.executor import DaskCluster, LocalCluster, require_distributed
+from wraparc.study.run import Run, parts_folder, run_study
+
+DASK = [sys.executable, "-c", "from dask.__main__ import main; main()"]
+
+
+class Cluster:
+    """Processes of a cluster, and the address of its scheduler."""
+
+    def __init__(self, folder: Path) -> None:
+        told = folder / "scheduler.json"
+        command = [*DASK, "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard"]
+        self.scheduler = subprocess.Popen(
+            [*command, "--scheduler-file", str(told)],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        self.folder, self.workers = folder, list[subprocess.Popen[bytes]]()
+        while not (told.exists() and told.read_text().endswith("}")):
+            assert self.scheduler.poll() is None
+            time.sleep(0.05)
+        self.address = str(json.loads(told.read_text())["address"])
+
+    def add_worker(self) -> None:
+        command = [*DASK, "worker", self.address, "--no-nanny", "--nthreads", "1"]
+        command += ["--no-dashboard", "--local-directory", str(self.folder)]
+        self.workers.append(
+            subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        )
+
+    def end(self) -> None:
+        for process in (*self.workers, self.scheduler):
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
+    made = Cluster(tmp_path_factory.mktemp("cluster"))
+    try:
+        yield made
+    finally:
+        made.end()
+
+
+def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> None:
+    """All rows there, none twice, every bit as on the threads of this process."""
+    with pytest.raises(InputError, match=r"the scheduler has no worker after 0\.2 s"):
+        DaskCluster(cluster.address, timeout=0.2).check()
+    for _ in range(2):
+        cluster.add_worker()
+    distributed = require_distributed()
+    with distributed.Client(cluster.address, set_as_default=False) as client:
+        client.wait_for_workers(2, timeout=120)
+    study, alive = small(), []
+
+    def tell(done: int, total: int) -> None:
+        if done >= total // 2 and cluster.workers[0].poll() is None:
+            cluster.workers[0].kill()
+            cluster.workers[0].wait()
+            alive.append(total - done)
+
+    path = tmp_path / "cluster.parquet"
+    executor = DaskCluster(cluster.address)
+    run_study(study, path, Run(executor=executor, part_designs=10, progress=tell))
+    assert alive, "the worker was to die in the middle of the work"
+    assert alive[0] > 0
+    run_study(study, tmp_path / "here.parquet")
+    assert columns(path) == columns(tmp_path / "here.parquet")
+
+
+def test_a_cluster_that_is_lost_keeps_what_is_done(cluster: Cluster, tmp_path: Path) -> None:
+    cluster.add_worker()
+    study, path = small(), tmp_path / "a.parquet"
+
+    def tell(done: int, total: int) -> None:
+        if done >= total // 4:
+            cluster.scheduler.kill()
+
+    executor = DaskCluster(cluster.address, timeout=60.0)
+    with pytest.raises(InputError, match=r"the cluster was lost: .*parts that are done stay"):
+        run_study(study, path, Run(executor=executor, part_designs=10, progress=tell))
+    assert len(list(parts_folder(path).glob("*.parquet"))) >= 10
+    run_study(study, path, Run(resume=True))
+    run_study(study, tmp_path / "here.parquet")
+    assert columns(path) == columns(tmp_path / "here.parquet")
+
+
+def test_processes_of_this_computer(tmp_path: Path) -> None:
+    study = small(sampling={"samples": 10, "seed": 4})
+    run_study(study, tmp_path / "a.parquet", Run(executor=LocalCluster(1), part_designs=16))
+    run_study(study, tmp_path / "here.parquet")
+    assert columns(tmp_path / "a.parquet") == columns(tmp_path / "here.parquet")

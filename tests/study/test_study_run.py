@@ -1,0 +1,216 @@
+"""Runs: the same numbers however they are cut, kept when stopped, refused before they begin."""
+
+import errno
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow.parquet as pq
+import pytest
+
+from study.studies import FOLDER, FRICTION, SAMPLING, TAKE_UP, study_of
+from wraparc.errors import InputError
+from wraparc.study import run as run_module
+from wraparc.study.executor import DaskCluster, Threads, executor_named
+from wraparc.study.parameter_study import Study
+from wraparc.study.parquet import METADATA, read_data
+from wraparc.study.run import Run, parts_folder, run_study
+
+CONDITIONS = [{"name": "dry", "share": 0.5}, {"name": "wet", "share": 0.5, "friction_factor": 0.8}]
+
+
+def small(**keys: Any) -> Study:
+    """400 designs in 2 load cases and 2 conditions."""
+    axes = [{**TAKE_UP, "count": 4}, FRICTION]
+    whole = {"condition": CONDITIONS, "load_cases": "all", "sampling": SAMPLING, **keys}
+    return study_of(*axes, **whole).study
+
+
+def columns(path: Path) -> dict[str, bytes]:
+    """Every column as its bytes: nan is like nan, and one bit matters."""
+    table = pq.read_table(path).combine_chunks()
+    return {
+        name: str(table[name].to_pylist()).encode()
+        if str(table.schema.field(name).type).startswith("dictionary")
+        else np.ascontiguousarray(table[name].to_numpy()).tobytes()
+        for name in table.column_names
+    }
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("whole") / "whole.parquet"
+    run_study(small(), path)
+    return path
+
+
+@pytest.mark.parametrize(("size", "threads"), [(1000, 1), (7, 2), (64, 3)])
+def test_the_same_numbers_however_they_are_cut(
+    whole: Path, tmp_path: Path, size: int, threads: int
+) -> None:
+    run_study(small(), tmp_path / "a.parquet", Run(part_designs=size, executor=Threads(threads)))
+    assert columns(tmp_path / "a.parquet") == columns(whole)
+    assert [p.name for p in tmp_path.iterdir()] == ["a.parquet"]
+
+
+def test_the_file_says_what_it_holds(whole: Path) -> None:
+    schema = pq.read_schema(whole)
+    data = read_data(whole)
+    assert data["seed"] == 4
+    assert data["conditions"] == {"dry": 0.5, "wet": 0.5}
+    assert data["input"]["drive"]["pulley"][0]["name"] == "head"
+    assert schema.field("exit_creep").metadata[b"unit"] == b"m"
+    assert METADATA in schema.metadata
+    frame = pq.read_table(whole).to_pandas()
+    assert len(frame) == 1600
+    assert frame["load_case"].cat.categories.tolist() == ["design", "start"]
+    assert set(frame["status"]) == {"solved"}
+    assert frame["design"].is_monotonic_increasing
+    wet = frame[frame.condition == "wet"].set_index(["design", "load_case"])
+    dry = frame[frame.condition == "dry"].set_index(["design", "load_case"])
+    assert (wet.exit_creep > dry.exit_creep).all()
+
+
+class _Stop(Exception):  # noqa: N818 - no error
+    pass
+
+
+def _stopping(after: int) -> Any:
+    def tell(done: int, total: int) -> None:
+        if done >= after:
+            raise _Stop
+
+    return tell
+
+
+def test_a_stopped_run_is_resumed_where_it_was(whole: Path, tmp_path: Path) -> None:
+    path = tmp_path / "a.parquet"
+    with pytest.raises(_Stop):
+        run_study(small(), path, Run(part_designs=40, progress=_stopping(120)))
+    assert not path.exists()
+    kept = sorted(parts_folder(path).glob("*.parquet"))
+    assert 3 <= len(kept) < 10
+    times = {file: file.stat().st_mtime_ns for file in kept}
+    kept[0].write_bytes(kept[0].read_bytes()[:-20])  # a part that is torn is done again
+    told: list[int] = []
+    seen: dict[Path, int] = {}
+
+    def tell(done: int, total: int) -> None:
+        told.append(done)
+        seen.update({f: f.stat().st_mtime_ns for f in kept if f.exists()})
+
+    run_study(small(), path, Run(resume=True, progress=tell))
+    assert told[0] == 40 * (len(kept) - 1)
+    assert all(seen[file] == times[file] for file in kept[1:])
+    assert seen[kept[0]] != times[kept[0]]
+    assert columns(path) == columns(whole)
+    assert not parts_folder(path).exists()
+
+
+def test_parts_of_another_study_are_not_taken(tmp_path: Path) -> None:
+    path = tmp_path / "a.parquet"
+    with pytest.raises(_Stop):
+        run_study(small(), path, Run(part_designs=40, progress=_stopping(40)))
+    with pytest.raises(InputError, match="an interrupted run has left its parts beside it"):
+        run_study(small(), path)
+    with pytest.raises(InputError, match="the parts there are of another study"):
+        run_study(small(setting="precise"), path, Run(resume=True))
+
+
+def test_a_full_disk_keeps_what_is_done(
+    whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.parquet"
+    save, count = run_module._save, iter(range(100))
+
+    def full(file: Path, content: bytes) -> None:
+        if next(count) == 3:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        save(file, content)
+
+    monkeypatch.setattr(run_module, "_save", full)
+    with pytest.raises(InputError, match="the disk is full; 3 of 10 parts are done and stay"):
+        run_study(small(), path, Run(part_designs=40))
+    assert len(list(parts_folder(path).glob("*.parquet"))) == 3
+    monkeypatch.undo()
+    run_study(small(), path, Run(resume=True))
+    assert columns(path) == columns(whole)
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("no/such/folder/a.parquet", "there is no folder"),
+        ("a.csv", "must be .parquet"),
+    ],
+)
+def test_a_path_that_cannot_be_written(tmp_path: Path, name: str, sentence: str) -> None:
+    with pytest.raises(InputError, match=sentence):
+        run_study(small(), tmp_path / name)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_large_study_has_to_be_confirmed_with_its_number(tmp_path: Path) -> None:
+    study = small(sampling={"samples": 100_000, "seed": 1})
+    for confirmed in (None, 1_599_999):
+        with pytest.raises(InputError) as caught:
+            run_study(study, tmp_path / "a.parquet", Run(confirmed_rows=confirmed))
+        assert "400,000 designs in 4 cases, more than 1,000,000 rows" in str(caught.value)
+        assert "--confirm 1600000" in str(caught.value)
+    assert (
+        run_module.run_problems(study, tmp_path / "a.parquet", Run(confirmed_rows=1_600_000)) == []
+    )
+
+
+def test_a_study_that_the_disk_cannot_hold(tmp_path: Path) -> None:
+    rows = 400_000_000 * 16
+    study = small(sampling={"samples": 400_000_000, "seed": 1})
+    with pytest.raises(InputError, match=r"GB may be needed .* GB are free there"):
+        run_study(study, tmp_path / "a.parquet", Run(confirmed_rows=rows))
+
+
+@pytest.mark.parametrize(
+    ("address", "sentence"),
+    [
+        ("tcp://127.0.0.1:1", "no Dask scheduler answers there"),
+        ("here", "is no address of a scheduler"),
+        ("tcp://host:99999", "no Dask scheduler answers there"),
+        ("local:0", "no number of processes"),
+        ("local:x", "no number of processes"),
+    ],
+)
+def test_a_cluster_out_of_reach_is_told_before_any_work(
+    tmp_path: Path, address: str, sentence: str
+) -> None:
+    with pytest.raises(InputError, match=sentence):
+        run_study(small(), tmp_path / "a.parquet", Run(executor=executor_named(address)))
+    assert list(tmp_path.iterdir()) == []
+    assert isinstance(executor_named("tcp://h:1"), DaskCluster)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signal there")
+def test_an_interrupt_keeps_what_is_done(tmp_path: Path) -> None:
+    """Ctrl-C on a real process in the middle of its work, and --resume after it."""
+    text = (Path(FOLDER) / "wet-dry.toml").read_text("utf-8")
+    text = text.replace('"head-drive.toml"', json.dumps(str(Path(FOLDER) / "head-drive.toml")))
+    text = text.replace("samples = 2000", "samples = 40000").replace("count = 5", "count = 2")
+    file = tmp_path / "s.toml"
+    file.write_text(text.replace('load_cases = "all"', ""), "utf-8")
+    command = [sys.executable, "-c", "from wraparc.cli import main; main()", "study", str(file)]
+    command += ["-o", str(tmp_path / "a.parquet"), "--threads", "1"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    folder = tmp_path / "a.parquet.parts"
+    while process.poll() is None and not list(folder.glob("*.parquet")):
+        time.sleep(0.02)
+    process.send_signal(signal.SIGINT)
+    _, told = process.communicate()
+    assert process.returncode == 130, told
+    assert "What is solved is kept: go on with --resume." in told
+    assert "Traceback" not in told
+    assert list(folder.glob("*.parquet"))
+    assert not (tmp_path / "a.parquet").exists()
