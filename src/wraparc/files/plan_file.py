@@ -94,12 +94,14 @@ def _compliance(record: Record, report: Report) -> float:
     text = record["compliance"]
     place = (*record.place, "compliance")
     length, slash, force = text.partition("/")
-    try:
-        value = parse_quantity(length, "length") / unit_factor(force.strip(), "force")
-    except InputError as error:
-        report.take(error, place)
-        return 0.0
-    if not slash or value < 0.0:
+    value = -1.0
+    if slash:
+        try:
+            value = parse_quantity(length, "length") / unit_factor(force.strip(), "force")
+        except InputError as error:
+            report.take(error, place)
+            return 0.0
+    if value < 0.0:
         report.add(place, "must be a length over a force", 'Write "0.02 mm/kN".', text)
     return value
 

@@ -1,6 +1,7 @@
 """What was read, test by test: rows, circumstances, and what must be known of single tests."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
@@ -47,15 +48,18 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "date",
         "sample",
     )
-    # A column that the plan says nothing of is left out.
-    told = [k for k in range(len(heads)) if any(row.values[k] != NONE for row in rows)]
-    return Table(
-        f"Files{name}",
-        tuple(Row(row.title, tuple(row.values[k] for k in told)) for row in rows),
-        tuple(heads[k] for k in told),
+    note = (
         "Rows of numbers in the file, those kept, and those of the pull that were fitted; largest "
-        "slip.",
+        "slip."
     )
+    return without_empty(Table(f"Files{name}", tuple(rows), heads, note))
+
+
+def without_empty(table: Table) -> Table:
+    """Return the table without the columns that say nothing in any row."""
+    told = [k for k in range(len(table.heads)) if any(row.values[k] != NONE for row in table.rows)]
+    rows = (replace(row, values=tuple(row.values[k] for k in told)) for row in table.rows)
+    return replace(table, rows=tuple(rows), heads=tuple(table.heads[k] for k in told))
 
 
 def remarks_table(condition: ConditionResult, name: str) -> Table | None:

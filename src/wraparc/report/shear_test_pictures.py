@@ -23,6 +23,8 @@ _COLUMNS = 4
 _Band = tuple[Array, list[tuple[Array, Array]]]
 _LOG_TICKS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)
 _MM, _KPA = 1e-3, 1e3
+# Where titles stand, said: to find it out takes a tenth of the drawing.
+_ABOVE = 1.0
 
 
 def curves_picture(condition: ConditionResult) -> Picture:
@@ -35,7 +37,7 @@ def curves_picture(condition: ConditionResult) -> Picture:
                 colour = _REPEATS[k % len(_REPEATS)]
                 keep = _thin(test, 90)
                 ax.plot(
-                    test.fit.slip[keep] / _MM, test.fit.friction[keep], ".", ms=2.2, mew=0,
+                    test.fit.slip[keep] / _MM, test.fit.friction[keep], ".", ms=3.0, mew=0,
                     color=colour, alpha=0.55,
                 )  # fmt: skip
                 x = np.maximum(test.fit.slip, 0.0)[keep]
@@ -87,7 +89,7 @@ def _draw_residuals(ax: "Axes", condition: ConditionResult) -> None:
     ax.set_ylim(-reach, reach)
     ax.set_xlabel("slip [mm]")
     ax.set_ylabel("measured - fitted [noise of a reading]")
-    ax.set_title("What the fits leave over")
+    ax.set_title("What the fits leave over", y=_ABOVE)
 
 
 def _draw_derivatives(ax: "Axes", condition: ConditionResult) -> None:
@@ -105,7 +107,7 @@ def _draw_derivatives(ax: "Axes", condition: ConditionResult) -> None:
     ax.set_xticks([], minor=True)
     ax.set_xlabel("slip [mm]")
     ax.set_ylabel("d friction / d slip [1/mm]")
-    ax.set_title("Derivative (dots) and A ln x + (A - b) (lines)")
+    ax.set_title("Derivative (dots) and A ln x + (A - b) (lines)", y=_ABOVE)
 
 
 def _shade(condition: ConditionResult, level: int) -> tuple[float, float, float, float]:
@@ -141,7 +143,7 @@ def pressure_picture(condition: ConditionResult, saturation: float | None) -> Pi
         for ax_place, title, column in zip(places, titles, range(4), strict=True):
             ax = figure.add_subplot(ax_place)
             _draw_quantity(ax, condition, band, column)
-            ax.set_title(title)
+            ax.set_title(title, y=_ABOVE)
             ax.set_xlabel("pressure [kPa]")
             _draw_transitions(ax, condition, saturation, label=column == 0)
         ax = figure.add_subplot(grid[:, 2])
@@ -152,18 +154,16 @@ def pressure_picture(condition: ConditionResult, saturation: float | None) -> Pi
 
 
 def _draw_quantity(ax: "Axes", condition: ConditionResult, band: "_Band", column: int) -> None:
-    for k, test in enumerate(condition.tests):
-        value, own_error = _own(test)[column]
-        ax.errorbar(
-            test.curve.pressure / _KPA,
-            value,
-            yerr=own_error,
-            fmt="x" if condition.found.flagged[k] else "o",
-            ms=3.5,
-            color=BLUE,
-            lw=0.9,
-            label="tests, each by itself" if k == 0 else None,
-        )
+    own = np.array([_own(test)[column] for test in condition.tests])
+    at = np.array([test.curve.pressure for test in condition.tests]) / _KPA
+    off = condition.found.flagged
+    label = "tests, each by itself"
+    for mask, mark, text in ((~off, "o", label), (off, "x", "disagrees with its repeats")):
+        if mask.any():
+            ax.errorbar(
+                at[mask], own[mask, 0], yerr=own[mask, 1], fmt=mark, ms=3.5, color=BLUE, lw=0.9,
+                label=text,
+            )  # fmt: skip
     p, columns = band
     if columns:
         centre, half = columns[column]
@@ -229,7 +229,7 @@ def _draw_transitions(
 
 
 def _draw_predictions(ax: "Axes", condition: ConditionResult) -> None:
-    ax.set_title("Pressures left out in turn")
+    ax.set_title("Pressures left out in turn", y=_ABOVE)
     if not condition.found.left_out:
         ax.text(0.5, 0.5, "too few pressures", ha="center", transform=ax.transAxes)
         return
@@ -241,7 +241,8 @@ def _draw_predictions(ax: "Axes", condition: ConditionResult) -> None:
     ax.set_yticks(range(len(items)), [f"{item.pressure / _KPA:.4g} kPa" for item in items])
     ax.set_xlabel("prediction error [noise levels of a reading]")
     ax.grid(axis="y", visible=False)
-    ax.legend(loc="best")
+    ax.set_ylim(-0.6, len(items) + 0.5)
+    ax.legend(loc="upper left", ncols=2)
 
 
 def _panels(
@@ -267,7 +268,7 @@ def _panels(
             for t, own in zip(condition.tests, condition.found.levels, strict=True)
             if own == level
         ]
-        ax.set_title(f"{condition.found.level_pressures()[level] / _KPA:.4g} kPa")
+        ax.set_title(f"{condition.found.level_pressures()[level] / _KPA:.4g} kPa", y=_ABOVE)
         if k >= len(chosen) - columns:
             ax.set_xlabel("slip [mm]")
         if k % columns == 0:

@@ -7,7 +7,12 @@ from numpy.typing import NDArray
 
 from wraparc.friction import ab_from_peak
 from wraparc.present.sheet import NONE, Level, Row, Sheet, Table, Verdict
-from wraparc.report.shear_test_files import files_table, left_out_table, remarks_table
+from wraparc.report.shear_test_files import (
+    files_table,
+    left_out_table,
+    remarks_table,
+    without_empty,
+)
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.pressure_fit import t95
@@ -174,7 +179,7 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
         "mu = A x ln x - b x, x in mm. The last two columns are from the five-point derivative "
         "of the curve, fitted by A ln x + (A - b)."
     )
-    return Table(f"Coefficients of the tests{name}", tuple(rows), heads, note)
+    return without_empty(Table(f"Coefficients of the tests{name}", tuple(rows), heads, note))
 
 
 def law_table(condition: ConditionResult, system: System, name: str) -> Table:
@@ -212,7 +217,7 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
         f"First column: {_pressure_head(system)}. \u00b1 is half the 95 % interval of the law, "
         "scatter between samples included. A and b hold for slip in mm."
     )
-    return Table(f"Law of all tests{name}", tuple(rows), heads, note)
+    return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note))
 
 
 def law_at(condition: ConditionResult, pressures: Array) -> tuple[Array, Array, Array]:

@@ -131,7 +131,7 @@ class Findings:
     repeat_distances
         Distance of each from its repeats [standard deviations], NaN without one, shape (n,).
     lone_distances
-        Distance of each from the law of the others, where it has no repeat, shape (n,).
+        Distance of each from the trend of the others, where it has no repeat, shape (n,).
     points
         The curves as points over pressure, as the law has used them.
     choice

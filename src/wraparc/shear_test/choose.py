@@ -98,9 +98,26 @@ def _given_units(
         column = find_column(named, name)
         if column is None:
             problems.append(_unknown_column(named, "units", name, file))
+            continue
+        said, stated = read_unit(unit), read_unit(column.unit)
+        if said is None:
+            problems.append(_wrong_unit(column, unit, "no unit that is known", file))
+        elif stated is not None and stated.dimension != said.dimension:
+            message = f"the file says {column.unit!r} for this column"
+            problems.append(_wrong_unit(column, unit, message, file))
         else:
             given[column.index] = unit
     return given
+
+
+def _wrong_unit(column: NamedColumn, unit: str, message: str, file: str) -> Problem:
+    return Problem(
+        message=message,
+        remedy="Leave the unit out, or correct it or the file.",
+        file=file,
+        key=f"units[{column.label!r}]",
+        value=shown(unit),
+    )
 
 
 def _candidates(
@@ -158,15 +175,7 @@ def _unit_of(
     if unit is not None and unit.dimension == dimension:
         if stated is not None and not np.isclose(stated.factor, unit.factor, rtol=1e-9):
             message = f"the file says {column.unit!r} for this column"
-            problems.append(
-                Problem(
-                    message=message,
-                    remedy="Leave the unit out, or correct the file.",
-                    file=file,
-                    key=f"units[{column.label!r}]",
-                    value=shown(text),
-                )
-            )
+            problems.append(_wrong_unit(column, text, message, file))
             return None
         return unit
     if role is Role.TIME and column.index not in given:

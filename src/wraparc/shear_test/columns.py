@@ -9,6 +9,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 
 from wraparc.units import Dimension, dimension_of, unit_factor
 
@@ -153,6 +154,7 @@ def split_name(cell: str) -> tuple[str, str]:
     return text, ""
 
 
+@lru_cache(maxsize=4096)
 def plain_name(name: str) -> str:
     """Return `name` in lower case without accents and signs, for comparison."""
     decomposed = unicodedata.normalize("NFKD", name.casefold().replace("ł", "l").replace("ø", "o"))

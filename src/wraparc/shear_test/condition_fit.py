@@ -15,6 +15,7 @@ from wraparc.shear_test.analysis import (
 from wraparc.shear_test.consistency import lone_distances, outliers
 from wraparc.shear_test.curve_model import CurveParameters, friction_and_jacobian
 from wraparc.shear_test.joint_fit import curve_points, refine
+from wraparc.shear_test.lack_of_fit import with_lack_of_fit
 from wraparc.shear_test.law import lagging_of
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import (
@@ -57,6 +58,7 @@ def fit_condition(
     if len(np.unique(levels)) > 1:
         choice = choose_form(points, plan.options, flagged)
         law, points = refine(curves, fits, points, choice.fit, flagged)
+        law = with_lack_of_fit(law, points, flagged)
         good = [test for test, off in zip(tests, flagged, strict=True) if not off]
         left_out = tuple(_left_out(law, points, good, levels[~flagged], tails))
     found = Findings(
@@ -65,7 +67,7 @@ def fit_condition(
         levels=levels,
         flagged=flagged,
         repeat_distances=distances,
-        lone_distances=np.full(len(tests), np.nan) if law is None else lone_distances(law, points),
+        lone_distances=lone_distances(points),
         points=points,
         choice=choice,
         fit=law,

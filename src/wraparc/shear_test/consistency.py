@@ -3,19 +3,17 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.shear_test.pressure_choice import leave_out
-from wraparc.shear_test.pressure_fit import (
-    CurvePoints,
-    PressureFit,
-    scatter_between,
-    scatter_within,
-)
+from wraparc.shear_test.pressure_fit import CurvePoints, scatter_within
 from wraparc.shear_test.record import Array
 
-#: Standard deviations from its repeats at which a curve is called an outlier.
+#: Standard deviations from the trend of the others at which an unrepeated curve is named.
 FAR = 4.5
+# How often a curve that is none is called an outlier.
+_FALSE_ALARM = 0.002
 _MOST = 0.25
 _OTHERS = 5
+# Scatter of samples about a trend, in ln x_pk and ln mu_pk, and the degrees of freedom it counts.
+_USUAL, _USUAL_WEIGHT = 0.03, 4.0
 
 
 def repeat_distances(points: CurvePoints, flagged: NDArray[np.bool_]) -> Array:
@@ -58,7 +56,7 @@ def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:
     for _ in range(int(_MOST * len(flagged))):
         open_ones = np.where(flagged | ~np.isfinite(distances), -1.0, distances)
         worst = int(np.argmax(open_ones))
-        if open_ones[worst] < FAR:
+        if open_ones[worst] < _far_off(points, flagged, worst):
             break
         same = points.level == points.level[worst]
         if int((same & ~flagged).sum()) == 2:
@@ -68,28 +66,46 @@ def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:
     return flagged, distances
 
 
-def lone_distances(law: PressureFit, points: CurvePoints) -> Array:
-    """Distance of each unrepeated curve from the law of all others [standard deviations].
+def _far_off(points: CurvePoints, flagged: NDArray[np.bool_], own: int) -> float:
+    """Distance from its repeats at which a curve is an outlier: more, the fewer repeats there are.
 
-    Form kept, parameters and scatter fitted anew without the curve; NaN for a repeated one,
-    and where fewer than five other pressures are left to tell it by.
+    Hotelling's T^2 = 2 n/(n - 1) F(2, n - 1) for a scatter of n degrees of freedom; the
+    quantile of F with 2 and m is (m/2) (alpha^(-2/m) - 1).
+    """
+    others = ~flagged
+    others[own] = False
+    freedom = int(others.sum()) - len(np.unique(points.level[others]))
+    m = max(freedom - 1, 1)
+    quantile = 0.5 * m * (_FALSE_ALARM ** (-2.0 / m) - 1.0)
+    return float(np.sqrt(2.0 * (m + 1) / m * quantile))
+
+
+def lone_distances(points: CurvePoints) -> Array:
+    """Distance of each unrepeated curve from the trend of all other pressures [std deviations].
+
+    The trend is a parabola of ln x_pk, and one of ln mu_pk, over the root of p through the
+    means of the other pressures: no form of the law, whose choice suffers from the outlier. The
+    spread about it, of few degrees of freedom, is drawn towards a usual scatter of samples.
+    Counted is the larger of the two distances. NaN for a repeated curve, and where fewer than
+    five other pressures are left to tell it by.
     """
     distances = np.full(len(points.level), np.nan)
+    levels = np.unique(points.level)
+    means = np.array([points.value[points.level == k].mean(0) for k in levels])
+    roots = np.sqrt(points.level_pressures)
+    roots, at = roots / roots[-1], np.sqrt(points.pressure) / roots[-1]
     for k, level in enumerate(points.level.tolist()):
-        rest = points.only(points.level != level)
-        if (points.level == level).sum() > 1 or len(np.unique(rest.level)) < _OTHERS:
+        others = levels != level
+        if (points.level == level).sum() > 1 or others.sum() < _OTHERS:
             continue
-        without = leave_out(law, points, level)
-        if without is None:
-            continue
-        if without.form.nodes:
-            scatter = without.scatter
-        else:
-            scatter = scatter_between(
-                without.form, rest, without.scatter, start=without.theta, ends=without.ends
-            )
-        at = points.pressure[k : k + 1]
-        spread = scatter + points.covariance[k] + without.own_covariance(at)[0]
-        off = points.value[k] - without.peaks(at)[0]
-        distances[k] = float(np.sqrt(off @ np.linalg.solve(spread, off)))
+        x = roots[others] - at[k]
+        design = np.stack([np.ones_like(x), x, x**2], axis=-1)
+        inverse = np.linalg.inv(design.T @ design)
+        trend = inverse @ design.T @ means[others]
+        squares = ((means[others] - design @ trend) ** 2).sum(0)
+        freedom = len(x) - 3
+        variance = (squares + _USUAL_WEIGHT * _USUAL**2) / (freedom + _USUAL_WEIGHT)
+        own = np.diag(points.covariance[k])
+        off = np.abs(points.value[k] - trend[0])
+        distances[k] = float((off / np.sqrt(variance * (1.0 + inverse[0, 0]) + own)).max())
     return distances

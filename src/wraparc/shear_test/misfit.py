@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from wraparc.shear_test.curve_fit import CurveFit, fit_curve
+from wraparc.shear_test.curve_model import friction_and_jacobian
 from wraparc.shear_test.reduce import FrictionCurve
 
 _LATE = 0.5
@@ -21,6 +22,7 @@ _UNKNOWN_PEAK = 0.25
 _SWINGS = 3.0
 _RISING = 10
 _SUDDEN = 0.02
+_SHOWN = 0.7
 
 
 class Sentence(NamedTuple):
@@ -107,8 +109,8 @@ def _lash_held(
         )
         held = fit_curve(curve, bending=bending, lash=largest)
         return held, [Sentence("large lash", sentence)]
-    loaded = curve.first_friction > max(3.0 * curve.noise / np.sqrt(5.0), 0.01 * top)
-    if lash < -2.0 * error and lash < -1e-3 * curve.travel[-1] and not loaded:
+    negative = lash < -2.0 * error and lash < -1e-3 * curve.travel[-1]
+    if negative and not _loaded(curve, free, top):
         sentence = (
             f"the curve asks for a lash of {lash * 1e3:.2f} mm, the wrong sign: friction rises "
             "faster from its start than the law does; the lash was held at 0"
@@ -116,6 +118,14 @@ def _lash_held(
         held = fit_curve(curve, bending=bending, lash=0.0)
         return held, [Sentence("lash of wrong sign", sentence)]
     return free, []
+
+
+def _loaded(curve: FrictionCurve, fit: CurveFit, top: float) -> bool:
+    """Whether the first readings show the friction that slip before the record would mean."""
+    if curve.first_friction <= max(3.0 * curve.noise / np.sqrt(5.0), 0.01 * top):
+        return False
+    asked = friction_and_jacobian(np.zeros(1), fit.bending, fit.parameters)[0][0]
+    return bool(curve.friction[:2].mean() > _SHOWN * asked - 2.0 * curve.noise)
 
 
 def _jump(fit: CurveFit, curve: FrictionCurve) -> list[Sentence]:

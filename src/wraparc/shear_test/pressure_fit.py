@@ -92,6 +92,11 @@ class PressureFit:
     alternatives
         Other forms that the data do not refuse, each with its Akaike weight: how far their
         laws differ from this one is part of its uncertainty (Burnham and Anderson 2002).
+    lack
+        Covariance of (ln x_pk, ln mu_pk) for what the form lacks, shape (2, 2); None if
+        nothing shows it.
+    lack_reach
+        Ratio of pressures, as its logarithm, over which what it lacks changes.
     """
 
     form: LawForm
@@ -106,6 +111,8 @@ class PressureFit:
     freedom: float
     transition_given: bool = False
     alternatives: tuple[tuple[float, "PressureFit"], ...] = ()
+    lack: Array | None = None
+    lack_reach: float = 1.0
 
     @property
     def transition_pressure(self) -> float | None:
@@ -122,19 +129,34 @@ class PressureFit:
 
     def own_covariance(self, pressure: Array) -> Array:
         """Covariance of (ln x_pk, ln mu_pk) at each pressure by itself, shape (n, 2, 2)."""
-        _, jacobian = ln_peaks(self.form, self.theta, self.ends, pressure)
-        own = jacobian @ self.covariance @ jacobian.transpose(0, 2, 1)
+        spread = self._spread(pressure)
+        own = spread @ spread.transpose(0, 2, 1)
+        if self.lack is not None:
+            own = own + self.lack
         for weight, off in self._differences(pressure):
             own = own + weight * off[:, :, None] * off[:, None, :]
         return np.asarray(own)
 
     def peak_covariance(self, pressure: Array) -> Array:
         """Covariance of `peaks`, shape (n, n, 2, 2)."""
-        _, jacobian = ln_peaks(self.form, self.theta, self.ends, pressure)
-        whole = np.einsum("nik,kl,mjl->nmij", jacobian, self.covariance, jacobian)
+        spread = self._spread(pressure)
+        whole = np.einsum("nik,mjk->nmij", spread, spread)
+        if self.lack is not None:
+            apart = np.abs(np.log(pressure[:, None] / pressure[None, :]))
+            whole = whole + np.exp(-apart / self.lack_reach)[:, :, None, None] * self.lack
         for weight, off in self._differences(pressure):
             whole = whole + weight * off[:, None, :, None] * off[None, :, None, :]
         return np.asarray(whole)
+
+    def _spread(self, pressure: Array) -> Array:
+        """Jacobian times a root of the covariance, shape (n, 2, k).
+
+        Squared it gives no negative variance, also where a piece that the data hardly
+        determine makes the covariance ill-conditioned.
+        """
+        _, jacobian = ln_peaks(self.form, self.theta, self.ends, pressure)
+        values, vectors = np.linalg.eigh(self.covariance)
+        return np.asarray(jacobian @ (vectors * np.sqrt(np.maximum(values, 0.0))))
 
     def _differences(self, pressure: Array) -> list[tuple[float, Array]]:
         peaks = self.peaks(pressure)

@@ -117,8 +117,9 @@ def _curves_off(tests: Sequence[TestResult], law: PressureFit, found: Findings) 
             far = f"{law.distances[k]:.1f} standard deviations from the law of all"
             sentences.append(f"{test.name}: lies {far}")
         elif found.lone_distances[k] > FAR:
-            far = f"{found.lone_distances[k]:.1f} standard deviations from the law of the others"
-            sentences.append(f"{test.name}: lies {far}; repeat it to see which is right")
+            far = f"{found.lone_distances[k]:.1f} standard deviations from the trend of the others"
+            advice = "it has no repeat: repeat it, or take it out of the plan"
+            sentences.append(f"{test.name}: lies {far} over pressure; {advice}")
     return sentences
 
 

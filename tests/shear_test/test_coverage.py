@@ -1,0 +1,48 @@
+"""A short run of benchmarks/shear_test_coverage.py: the truth is the law behind virtual tests.
+
+Bounds are binomial: 95 % of the counted intervals, less four standard deviations of the
+count of independent curves (those of one law are not independent, and count as one).
+"""
+
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+REPETITIONS = 3
+
+
+@pytest.fixture(scope="module")
+def benchmark() -> ModuleType:
+    path = Path(__file__).parents[2] / "benchmarks" / "shear_test_coverage.py"
+    spec = importlib.util.spec_from_file_location("shear_test_coverage", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("name", ["noise", "scatter", "peak"])
+def test_intervals_hold_the_truth_as_often_as_they_say(benchmark: ModuleType, name: str) -> None:
+    counted = benchmark.run(benchmark.studies(400)[name], REPETITIONS, first=900)
+    for quantity, cases in counted.items():
+        held = np.array([h for h, _ in cases])
+        off = np.array([o for _, o in cases])
+        if quantity.startswith("curve"):
+            count = len(held)
+            assert held.mean() > 0.95 - 4.0 * np.sqrt(0.95 * 0.05 / count), quantity
+            # Intervals that always hold are too wide: p = 0.03 for as many.
+            assert held.mean() < 1.0 or count < 72, quantity
+        elif quantity.startswith("law"):
+            # Of 3 laws, one may be off in both quantities: p < 0.02 for two.
+            assert held.mean() > 0.5, quantity
+            assert np.abs(off).max() < (0.02 if name != "scatter" else 0.08), quantity
+        elif quantity == "transition pressure" and name != "scatter":
+            assert np.abs(off).max() < 0.10
+        elif "left-out" in quantity and name != "scatter":
+            assert held.all()
