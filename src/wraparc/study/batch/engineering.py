@@ -20,8 +20,10 @@ from wraparc.study.batch.lane_kernel import (
     SLIP,
     TENSIONS,
     TRACES,
-    solve_lanes,
+    solve_goal_rows,
+    solve_goals,
     solve_rows,
+    solve_tensions,
 )
 from wraparc.study.batch.lane_law import LaneLaws
 from wraparc.study.batch.native import available, compiled
@@ -35,7 +37,6 @@ Flags = NDArray[np.bool_]
 ACCEPTED_MISS = 1e-3
 ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with kinks is left
 SMALLEST_LOG_RATIO = 1e-5
-MOST_KICK = 0.3  # of the creep limit: past it more tension may carry less pull
 NO_LIMIT = 1e300
 
 _INPUT = {name: k for k, name in enumerate(INPUTS)}
@@ -227,19 +228,21 @@ class _Batch:
         self._find_most(which[~good], top)
 
     def _find_most(self, which: Integers, top: Array) -> None:
-        """Largest pull at the creep limit: at the top of the tested pressures, if it grows so."""
-        limit, kick = self.of("creep_limit")[which], self.of("kick")[which]
-        pressure = top[which] / (self.of("width") * self.of("radius"))[which]
-        kick = kick + self.of("kick_coefficient")[which] * pressure**1.5
-        grows = self.laws.traction_grows[self.arcs.law[which]] & (kick < MOST_KICK * limit)
-        self.left[which[~grows]] |= row.LEAST
-        which = which[grows]
-        out, good = self.solve(self.rows(which, limit[grows], top[which]), CREEP)
-        most = -top[which] * np.expm1(-out[:, _FOUND[slot.END]])
-        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
-        good &= most < self.pull[which]
+        """Largest pull at the creep limit: at the top of the tested pressures if it grows there."""
+        limit, pull, highest = self.of("creep_limit")[which], self.pull[which], top[which]
+        span = np.log(np.maximum(highest / pull, 1.0 + 1e-4))
+        inner = highest * np.exp(-np.minimum(0.02 * span, 0.05))
+        most, good = self._pull_within(which, limit, highest)
+        less, sound = self._pull_within(which, limit, inner)
+        good &= sound & (less <= most) & (most < pull)
         self.found[which[good], row.MOST_PULL] = most[good]
         self.left[which[~good]] |= row.LEAST
+
+    def _pull_within(self, which: Integers, limit: Array, tension: Array) -> tuple[Array, Flags]:
+        """Pull at the creep limit with an entry tension, and where it has been found."""
+        out, good = self.solve(self.rows(which, limit, tension), CREEP)
+        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        return -tension * np.expm1(-out[:, _FOUND[slot.END]]), good
 
     def hand_over(self, parts: int) -> None:
         """Let the scalar kernel do what is left."""
@@ -270,13 +273,15 @@ def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int) -> A
         return out
     if available():
         scratch = (np.zeros(k * LANES) for k in (slot.SLOTS, NODES, TRACES))
-        compiled(solve_rows, contract=True)(rows, laws, what, fresh, steps, *scratch, out)
+        entry = solve_rows if what == TENSIONS else solve_goal_rows
+        compiled(entry, contract=True)(rows, laws, what, fresh, steps, *scratch, out)
         return out
     w, nodes, trace = Lanes(slot.SLOTS), Lanes(NODES), Lanes(TRACES)
     for k, name in enumerate(GIVEN):
         w[name, 0] = rows[:, k]
     with np.errstate(all="ignore"):
-        solve_lanes(w, laws, nodes, trace, what, fresh, steps)
+        solve = solve_tensions if what == TENSIONS else solve_goals
+        solve(w, laws, nodes, trace, what, fresh, steps)
     for k, name in enumerate(FOUND):
         out[:, k] = w[name, 0]
     return out

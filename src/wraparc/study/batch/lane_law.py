@@ -39,15 +39,12 @@ class LaneLaws:
         Where the row of each law begins, -1 for a law that is not in the table: of another kind
         than integral-log, with knots too near each other, or with trend lines that meet at an
         angle, shape (m,).
-    traction_grows
-        Whether mu p grows with pressure up to the end of the range at every slip before the peak.
     kinked
         Whether cells meet so sharply that a coarse mesh would feel it.
     """
 
     numbers: Array
     row: NDArray[np.int64]
-    traction_grows: NDArray[np.bool_]
     kinked: NDArray[np.bool_]
 
     @classmethod
@@ -57,9 +54,8 @@ class LaneLaws:
         sizes = np.array([len(row) for row in rows], dtype=np.int64)
         starts = np.cumsum(sizes) - sizes
         numbers = np.concatenate([*rows, np.zeros(FIRST_CELL + CELL)])
-        grows = np.array([len(row) > 0 and _traction_grows(row) for row in rows], dtype=bool)
         kinked = np.array([len(row) > 0 and _kinked(row) for row in rows], dtype=bool)
-        return cls(numbers, np.where(sizes > 0, starts, -1), grows, kinked)
+        return cls(numbers, np.where(sizes > 0, starts, -1), kinked)
 
 
 def _row(kind: int, edges: Array, c: Array) -> Array:
@@ -78,24 +74,6 @@ def _row(kind: int, edges: Array, c: Array) -> Array:
     if _sharpest(cells)[0] > SHARP_SLOPE:
         return np.empty(0)
     return np.concatenate([[low, high, BUCKETS / (high - low)], cell.astype(float), cells.ravel()])
-
-
-def _traction_grows(row: Array) -> bool:
-    """Whether p dtau/dp = mu + p mu_p > 0 for every slip up to the peak, in the middle of cells.
-
-    mu + p mu_p = r [(mu_pk + p mu_pk') (1 - ln r) + mu_pk (p x_pk'/x_pk) ln r], which is positive
-    for all r in (0, 1] if it is for both parts: at r = 1, and where ln r outweighs everything.
-    """
-    cells = row[FIRST_CELL:].reshape(-1, CELL)
-    for part in (0.1, 0.5, 0.9):
-        t = part * (cells[:, 1] - cells[:, 0])
-        p = cells[:, 0] + t
-        x, x_p = _value_and_slope(cells[:, 2:6], t)
-        m, m_p = _value_and_slope(cells[:, 6:10], t)
-        whole = m + p * m_p
-        if np.any(whole <= 0.0) or np.any(whole <= m * p * x_p / x):
-            return False
-    return True
 
 
 def _kinked(row: Array) -> bool:

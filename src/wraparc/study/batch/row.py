@@ -67,8 +67,10 @@ PLACES = {
 }
 
 
-def solve_row(law: Law, given: Buffer, parts: int, steps: int, points: int, found: Buffer) -> None:
-    """Solve one arc.
+def tensions_of_row(
+    law: Law, given: Buffer, parts: int, steps: int, points: int, found: Buffer
+) -> None:
+    """Begin the row of an arc, and find its operating point if that is wanted.
 
     Parameters
     ----------
@@ -85,7 +87,25 @@ def solve_row(law: Law, given: Buffer, parts: int, steps: int, points: int, foun
     """
     for k in range(FOUND_NUMBERS):
         found[k] = nan
-    geometry = (
+    par = parameters_at(given[9], geometry_of(given))
+    tight = max(given[9], given[10])
+    found[OUTCOME] = SOLVED
+    if refused(law, par, tight / (given[3] * given[1]), given[15], given[8]):
+        found[OUTCOME] = REFUSED
+    elif parts & TENSIONS:
+        find_tensions(law, par, given[10], given, steps, points, room(0), found)
+
+
+def capacities_of_row(law: Law, given: Buffer, parts: int, steps: int, found: Buffer) -> None:
+    """Find the capacities that are wanted of an arc whose row is begun."""
+    if parts & CAPACITIES and found[OUTCOME] != REFUSED:
+        tight, pull = max(given[9], given[10]), given[9] - given[10]
+        find_capacities(law, geometry_of(given), tight, pull, given, parts, steps, room(0), found)
+
+
+def geometry_of(given: Buffer) -> Geometry:
+    """What of an arc does not depend on its tensions."""
+    return (
         given[0],
         given[1],
         given[2],
@@ -96,20 +116,6 @@ def solve_row(law: Law, given: Buffer, parts: int, steps: int, points: int, foun
         given[7],
         given[8],
     )
-    entry, exit_tension, fall = given[9], given[10], given[15]
-    par = parameters_at(entry, geometry)
-    tight = max(entry, exit_tension)
-    found[OUTCOME] = SOLVED
-    if refused(law, par, tight / (given[3] * given[1]), fall, given[8]):
-        found[OUTCOME] = REFUSED
-        return
-    none = room(0)
-    if parts & TENSIONS:
-        find_tensions(law, par, exit_tension, given, steps, points, none, found)
-    if parts & CAPACITIES:
-        find_capacities(
-            law, geometry, tight, entry - exit_tension, given, parts, steps, none, found
-        )
 
 
 def refused(law: Law, par: Parameters, top: float, fall: float, onset: float) -> bool:
