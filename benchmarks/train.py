@@ -20,7 +20,6 @@ from wraparc.train import (
     Axis,
     Speeds,
     Train,
-    TrainResult,
     match_drives,
     share_curve,
     share_map,

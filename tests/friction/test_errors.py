@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import inf, nan
+from math import exp, inf, nan
 
 import pytest
 
@@ -234,3 +234,37 @@ def test_rounded_coefficients_may_miss_by_what_is_allowed() -> None:
         )
         == 2
     )
+
+
+def _tails(*tails: tuple[float, float]) -> CoefficientPieces:
+    """Pieces of peak friction e^2 at a slip of e^2, each with a slope [1/m] and a residual."""
+    made = tuple(
+        Piece(a=flat(-1), b=flat(-3), post_peak_slope=flat(m), residual_friction=flat(r))
+        for m, r in tails
+    )
+    pressure = tuple(1e5 * (k + 1) for k in range(len(tails) + 1))
+    return CoefficientPieces(pressure=pressure, pieces=made)
+
+
+def test_tails_past_the_peak_must_meet_too() -> None:
+    """Peak e^2 at e^2: a slope of -0.1 takes a tenth of the peak friction off over a peak slip."""
+    assert problems(lambda: _tails((-0.1, 5.0), (-0.13, 5.0))) == [
+        "pieces[2].post_peak_slope = -0.1 and -0.13 1/m: the slope past the peak jumps at the "
+        "transition pressure 200000 Pa; pieces must meet within 2 % of the peak friction over a "
+        "peak slip."
+    ]
+    assert problems(lambda: _tails((-0.1, 5.0), (-0.1, 5.2))) == [
+        "pieces[2].residual_friction = 5 and 5.2: residual friction jumps at the transition "
+        "pressure 200000 Pa; pieces must meet within 2 %."
+    ]
+    _tails((-0.1, 5.0), (-0.119, 5.09))  # within 2 %
+    _tails((0.0, 9.0), (-0.5, 9.0))  # a slope without a level below the peak does nothing
+
+
+def test_tails_of_pieces_are_continuous_functions_of_pressure() -> None:
+    """Across the transition friction steps by no more than the continuity that was asked for."""
+    law = IntegralLog(coefficients=_tails((-0.1, 5.0), (-0.115, 5.05)))
+    peak = exp(2.0)
+    for slip in (0.5 * peak, peak, 1.5 * peak, 2.0 * peak, 9.0 * peak):
+        low, high = (float(law.friction(slip, p)) for p in (2e5 * (1 - 1e-12), 2e5 * (1 + 1e-12)))
+        assert abs(high - low) <= 0.02 * peak * max(1.0, slip / peak - 1.0)

@@ -257,7 +257,8 @@ class CoefficientPieces:
         Unit of slip that A and b are for [m]: b of another unit is b + A ln c, which a trend line
         of b cannot hold when A has another form.
     continuity
-        Largest relative step of peak friction or peak slip allowed where two pieces meet [-].
+        Largest relative step of peak friction, peak slip, slope past the peak or residual friction
+        allowed where two pieces meet [-].
         Printed coefficients are rounded; more than this is an error.
     """
 
@@ -356,7 +357,41 @@ class CoefficientPieces:
                             ),
                         )
                     )
+            bad += self._tail_jumps(i, p, low, high)
         return bad
+
+    def _tail_jumps(
+        self, i: int, p: float, low: tuple[float, float], high: tuple[float, float]
+    ) -> list[Problem]:
+        """Jumps of the line past the peak between pieces i and i + 1, and of its lower end.
+
+        A slope counts by what friction it takes off over a peak slip, and not where the residual
+        level is the peak friction; levels count as parts of the peaks, which have their own check,
+        and where there is a slope down to them.
+        """
+        levels, slopes = [], []
+        for piece, (friction, _) in zip(self.pieces[i : i + 2], (low, high), strict=True):
+            levels.append(min(float(piece.residual_friction(p)), friction))
+            slopes.append(float(piece.post_peak_slope(p)) if levels[-1] < friction else 0.0)
+        apart = abs(slopes[1] - slopes[0]) * self.slip_unit * low[1] / low[0]
+        lower = levels[1] * low[0] / (levels[0] * high[0]) if all(slopes) else 1.0
+        return [
+            Problem(
+                key=f"pieces[{i + 2}].{key}",
+                value=f"{pair[0]:g} and {pair[1]:g}{unit}",
+                message=(
+                    f"{name} jumps at the transition pressure {p:g} Pa; pieces must meet within "
+                    f"{100 * self.continuity:g} %{of}"
+                ),
+            )
+            for name, key, pair, unit, of, jump in (
+                ("the slope past the peak", "post_peak_slope", slopes, " 1/m",
+                 " of the peak friction over a peak slip", apart),
+                ("residual friction", "residual_friction", levels, "", "",
+                 abs(lower - 1.0)),
+            )
+            if jump > self.continuity
+        ]  # fmt: skip
 
     def at(self, pressure: Array) -> tuple[Array, Array, Array, Array]:
         """Peak slip [m], peak friction, slope [1/m] and residual friction inside the ends."""

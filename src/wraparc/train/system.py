@@ -29,6 +29,7 @@ LARGEST_RATIO = 0.5
 _LEVEL_SCALE = 1e-5
 _LEVEL_END = asinh(LARGEST_RATIO / _LEVEL_SCALE)
 _SCAN = 18
+_TURNED = 1e-9  # miss of a drum that gives way, in a search
 
 
 @dataclass(frozen=True)
@@ -128,6 +129,7 @@ class Search:
         self._steps = steps
         count = len(system.members)
         self._efforts = [nan] * count
+        self._slopes = [0.0] * count  # of the speed equations, by effort
         share = system.pull / count
         self._torques = [share * member.arm(system.entry) for member in system.members]
         self._early = {
@@ -190,9 +192,17 @@ class Search:
         if isnan(guess):
             guess = 0.5 if member.holds else member.effort_at(1e-3)
             guess = guess if system.pull >= 0.0 else -guess
-        effort, _ = rising_root(miss, guess, 0.3, -end, end, 1e-13)
+        effort, _ = rising_root(miss, guess, 0.3, -end, end, _TURNED, self._slopes[i])
         self._efforts[i] = effort
+        self._slopes[i] = self._slope(i, list(found.values())[-2:], level)
         return found[effort]
+
+    def _slope(self, i: int, two: list[Passage], level: float) -> float:
+        """Slope of a speed equation by effort between two passages, 0 where it cannot be told."""
+        if len(two) < 2 or two[0].effort == two[1].effort:
+            return 0.0
+        a, b = (self._system.speed_miss(i, at, level) for at in two)
+        return max((b - a) / (two[1].effort - two[0].effort), 0.0)
 
     def _largest_effort(self, i: int, entry: float) -> float:
         member = self._system.members[i]
