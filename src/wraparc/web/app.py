@@ -10,7 +10,7 @@ from starlette.exceptions import HTTPException
 from wraparc.errors import InputError, MissingExtraError, Problem
 from wraparc.version import __version__
 from wraparc.web.errors import ApiError, problems_body, request_problems
-from wraparc.web.routes import designs, drives, pages, reports, shear_tests
+from wraparc.web.routes import designs, drives, pages, reports, shear_tests, studies
 from wraparc.web.routes.parts import State, json_answer
 from wraparc.web.security import Door
 from wraparc.web.settings import Settings
@@ -49,7 +49,7 @@ def create_app(settings: Settings) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.wraparc = state
-    parts = (drives, designs, shear_tests, reports)
+    parts = (drives, designs, shear_tests, reports, studies)
     for part in (*(p.router for p in parts), pages.api, pages.router):
         app.include_router(part)
     app.add_exception_handler(InputError, _bad_input)

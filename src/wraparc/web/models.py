@@ -137,6 +137,13 @@ class TrainRequest(Request):
     map: bool = False
 
 
+class StudyRequest(Request):
+    """A study of a drive."""
+
+    study: dict[str, Any] = Field(description="Tables of a study file; its drive is `document`.")
+    document: Document
+
+
 class DesignRequest(Request):
     """A design to save."""
 

@@ -7,7 +7,9 @@ of anybody else.
 
 import asyncio
 import multiprocessing
+import shutil
 import sys
+import tempfile
 import threading
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
@@ -47,6 +49,12 @@ def answer(where: str, request: Data) -> bytes:
     module, _, function = where.partition(":")
     found = getattr(import_module(module), function)(request)
     return found if isinstance(found, bytes) else json_bytes(found)
+
+
+def _here(where: str, request: Data) -> bytes:
+    """Do a long task in this process."""
+    with tempfile.TemporaryDirectory(prefix="wraparc-task-") as folder:
+        return answer(where, {**request, "folder": folder, "progress": _ignored})
 
 
 def _warm() -> None:
@@ -158,7 +166,7 @@ class Workers:
         try:
             async with self._long:
                 if not self._count:
-                    return await asyncio.to_thread(answer, where, {**request, "progress": _ignored})
+                    return await asyncio.to_thread(_here, where, request)
                 return await self._apart(where, request, limit)
         finally:
             self._long_waiting -= 1
@@ -189,7 +197,11 @@ class CancelledTaskError(Exception):
 
 
 class Task:
-    """A function that runs in a process of its own."""
+    """A function that runs in a process of its own.
+
+    Its request gets a ``folder`` that goes when it ends, however it does, and a function
+    ``progress`` to tell (done, in all, message).
+    """
 
     def __init__(
         self,
@@ -199,6 +211,8 @@ class Task:
         progress: Callable[[int, int, str], None],
     ) -> None:
         self._progress = progress
+        self._folder = tempfile.mkdtemp(prefix="wraparc-task-")
+        request = {**request, "folder": self._folder}
         self._receiver, sender = start.Pipe(duplex=False)
         self._process = start.Process(
             target=_run_task, args=(where, request, sender), daemon=True, name="wraparc task"
@@ -232,6 +246,7 @@ class Task:
         finally:
             self._process.join(timeout=5.0)
             self._receiver.close()
+            shutil.rmtree(self._folder, ignore_errors=True)
 
     def cancel(self) -> None:
         """End the process."""

@@ -5,6 +5,7 @@ from typing import Any
 from fastapi import Request, Response
 
 from wraparc.web.database.store import Store
+from wraparc.web.jobs import Jobs
 from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
 from wraparc.web.work import WHOLE, Workers
@@ -19,10 +20,12 @@ class State:
         self.settings = settings
         self.workers = Workers(settings.workers)
         self.sessions = Sessions()
+        self.jobs = Jobs()
         self.store = Store.open(settings.database, settings.shown_database)
 
     def close(self) -> None:
         """End what runs, and give back what is held."""
+        self.jobs.stop()
         self.workers.stop()
         self.store.close()
 

@@ -1,0 +1,169 @@
+"""Studies: many variants of a drive, in a process of its own and a folder that goes with it."""
+
+import os
+from base64 import b64encode
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.files.emit import document_text
+from wraparc.files.lagging_file import is_path
+from wraparc.files.problems import place_text
+from wraparc.files.study_file import StudyFile, study_from_document
+from wraparc.present.study_html import study_html
+from wraparc.present.study_sheet import Global, Local, study_document, study_sheet
+from wraparc.study.executor import Threads
+from wraparc.study.monte_carlo import Summary, summarise
+from wraparc.study.run import Run, part_designs, run_problems, run_study
+from wraparc.units import DIMENSIONS, Dimension, parse_quantity
+from wraparc.web.answers.documents import read, without_none
+from wraparc.web.answers.shown import Data, sheet_data
+from wraparc.web.answers.trains import clean
+
+_DRIVE = "drive.toml"
+_WORDS = ("title", "description", "provenance", "source", "note")
+_LEAST_PART, _STEPS = 64, 20  # designs of a part, and parts that progress is told by
+_MOST_BYTES = 30_000_000  # of results that are kept for download
+
+
+def check(request: Data) -> Data:
+    """Say how large a study is, or everything that is wrong with it."""
+    asked = _asked(request)
+    problems = run_problems(asked.study, Path(request["folder"]) / "study.parquet", Run())
+    if problems:
+        raise InputError(problems)
+    return {"title": asked.study.title, "rows": asked.study.rows}
+
+
+def run(request: Data) -> Data:
+    """Solve a study; tells of its progress."""
+    _yield_to_others()
+    progress = request["progress"]
+    asked = _asked(request)
+    path, total = str(Path(request["folder"]) / "study.parquet"), len(asked.study.plan)
+    progress(0, total, "preparing")
+
+    def tell(done: int, total: int) -> None:
+        progress(done, total, "solving")
+
+    how = Run(
+        executor=Threads(max(1, (os.cpu_count() or 2) - 1)),
+        part_designs=max(_LEAST_PART, min(part_designs(asked.study), total // _STEPS)),
+        progress=tell,
+    )
+    run_study(asked.study, path, how)
+    progress(total, total, "summing up")
+    return _told(asked, path)
+
+
+def _asked(request: Data) -> StudyFile:
+    """Return the study; its drive is the document, and nothing in it names another file."""
+    study, drive = without_none(request["study"]), without_none(request["document"])
+    problems = list(_paths(study, ()))
+    try:
+        read(drive)
+    except InputError as error:
+        problems += error.problems
+    if problems:
+        raise InputError(problems)
+    folder = request["folder"]
+    Path(folder, _DRIVE).write_text(document_text(drive), "utf-8")
+    return study_from_document({"format": 1, **study, "drive": _DRIVE}, folder=folder)
+
+
+def _paths(value: Any, place: tuple[str | int, ...]) -> Iterator[Problem]:
+    """Return a problem for every text that could be the path of a file."""
+    if isinstance(value, dict):
+        for key, item in value.items():
+            if key not in _WORDS and not (key == "drive" and not place):
+                yield from _paths(item, (*place, key))
+    elif isinstance(value, list):
+        for number, item in enumerate(value, start=1):
+            yield from _paths(item, (*place, number))
+    elif isinstance(value, str):
+        text = value.partition("=")[2].strip(" \"'") if "=" in value else value
+        if (is_path(text) or "\\" in text or "{" in text) and not _is_quantity(text):
+            message = "the path of a file cannot be used here"
+            remedy = "Put the lagging into the drive, and name it."
+            key = place_text(place)
+            yield Problem(message=message, remedy=remedy, key=key, value=shown(value))
+
+
+def _is_quantity(text: str) -> bool:
+    for dimension in DIMENSIONS:
+        try:
+            parse_quantity(text, dimension)
+        except InputError:
+            continue
+        return True
+    return False
+
+
+def _told(asked: StudyFile, path: str) -> Data:
+    summary = summarise(path)
+    local, indices = _sensitivities(asked, path)
+    dimensions = _dimensions(asked)
+    sheets = {
+        system: study_sheet(
+            summary, dimensions, system, local=local, indices=indices,
+            remarks=asked.remarks, sources=asked.sources,
+        )
+        for system in ("si", "us")
+    }  # fmt: skip
+    pictures = _pictures(asked, summary, local, indices, dimensions)
+    content = Path(path).read_bytes() if os.path.getsize(path) <= _MOST_BYTES else b""
+    html = study_html(sheets["si"], list(pictures.values()), summary)
+    return {
+        **sheet_data(lambda system: sheets[system]),
+        "summary": clean(study_document(summary, local=local, indices=indices)),
+        "pictures": pictures,
+        "html": html,
+        "parquet": b64encode(content).decode("ascii"),
+    }
+
+
+def _sensitivities(asked: StudyFile, path: str) -> tuple[Local | None, Global | None]:
+    if not asked.sensitivity:
+        return None, None
+    from wraparc.study.sensitivity import global_sensitivity, local_sensitivity
+
+    local = local_sensitivity(asked.study)
+    return local, global_sensitivity(path, asked.study, asked.sensitivity)
+
+
+def _dimensions(asked: StudyFile) -> dict[str, Dimension | None]:
+    plan = asked.study.plan
+    known: dict[str, Dimension | None] = {axis.field: axis.dimension for axis in plan.levels}
+    for drawn in plan.drawn:
+        known.update(drawn.columns)
+    return known
+
+
+def _pictures(
+    asked: StudyFile,
+    summary: Summary,
+    local: Local | None,
+    indices: Global | None,
+    dimensions: dict[str, Dimension | None],
+) -> dict[str, str]:
+    """Return pictures by name, as SVG."""
+    from wraparc.plot.study import plot_sensitivity, plot_study
+
+    if local is None or indices is None:
+        drawn = {"results": plot_study(summary, dimensions)}
+    else:
+        several = len(indices) > 1
+        drawn = {
+            f"{name}-{number}" if several else name: plot_sensitivity(
+                name, local[case][name], found, dimensions
+            )
+            for number, (case, of_case) in enumerate(indices.items(), start=1)
+            for name, found in of_case.items()
+        }
+    return {f"{n}.svg": picture.to_bytes("svg").decode("utf-8") for n, picture in drawn.items()}
+
+
+def _yield_to_others() -> None:
+    if hasattr(os, "nice"):
+        os.nice(10)

@@ -1,0 +1,122 @@
+"""A real browser on a server of its own, for the tests of the pages."""
+
+import contextlib
+import os
+import shutil
+from collections.abc import Iterator
+from importlib.metadata import distributions
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+
+from web.calculators import Process, serving
+
+FLAGS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--hide-scrollbars", "--force-color-profile=srgb",
+]  # fmt: skip
+PAGES = ("drive", "compare", "tests", "train", "study", "saved")
+PHONE: ViewportSize = {"width": 390, "height": 844}
+DESKTOP: ViewportSize = {"width": 1360, "height": 900}
+#: What a page shows once everything it asked for has arrived.
+READY = {
+    "drive": "#drive .t-capacity",
+    "compare": "#compare tbody tr",
+    "tests": "#tests .drop",
+    "train": "#train .verdict",
+    "study": "#study form",
+    "saved": "#saved .scroll :is(table, p)",
+}
+_NAMES = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
+#: Answers that a test provokes, and that the browser then reports as errors.
+_REFUSED = ("status of 422", "status of 409")
+
+#: Times from a key press to the painted plot [ms], collected in `steps`.
+STEPS = """() => {
+  window.steps = [];
+  let pressed = 0;
+  addEventListener("keydown", (e) => { pressed = e.timeStamp; }, true);
+  document.addEventListener("painted", () => {
+    const from = pressed;
+    requestAnimationFrame(() => {  // the message comes after the frame is painted
+      const channel = new MessageChannel();
+      channel.port1.onmessage = () => steps.push(performance.now() - from);
+      channel.port2.postMessage(0);
+    });
+  });
+}"""
+
+
+def chromium() -> str:
+    """Return the path of the browser; there are no tests of the pages without one."""
+    found = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, _NAMES)), None)
+    assert found, "no chromium: `make chromium` installs it, or set CHROMIUM to its path"
+    return found
+
+
+def axe() -> str:
+    """Return the source of axe-core, from whichever package carries it."""
+    for package in distributions():
+        for file in package.files or ():
+            if file.name == "axe.min.js":
+                return Path(str(file.locate())).read_text("utf-8")
+    raise AssertionError("no package of the environment carries axe.min.js")
+
+
+class Visitor:
+    """A page of the browser that remembers what went wrong on it."""
+
+    def __init__(
+        self, browser: Browser, address: str, size: ViewportSize | None = None, **context: Any
+    ) -> None:
+        self.context = browser.new_context(
+            viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
+        )
+        self.page: Page = self.context.new_page()
+        self.page.set_default_timeout(40_000)
+        self.address = address
+        self.wrong: list[str] = []
+        self.elsewhere: list[str] = []
+        self.page.on("console", lambda m: self._said(m.type, m.text))
+        self.page.on("pageerror", lambda e: self.wrong.append(str(e)))
+        self.page.on("request", lambda r: self._asked(r.url))
+        self.page.on("dialog", lambda d: d.accept())
+
+    def _said(self, kind: str, text: str) -> None:
+        if kind in ("error", "warning") and not any(known in text for known in _REFUSED):
+            self.wrong.append(text)
+
+    def _asked(self, url: str) -> None:
+        if not url.startswith((self.address, "blob:", "data:")):
+            self.elsewhere.append(url)
+
+    def open(self, name: str = "drive") -> Page:
+        """Go to a page as a user does, and wait until it shows what it has to."""
+        if self.page.url == "about:blank":
+            self.page.goto(self.address)
+            self.page.wait_for_selector(READY["drive"])
+        self.page.click(f"#nav-{name}")
+        self.page.wait_for_selector(READY[name])
+        return self.page
+
+    def example(self, title: str) -> None:
+        """Open an example from the menu."""
+        self.page.click("#file > summary")
+        self.page.get_by_role("button", name=title).click()
+
+    def solved(self) -> None:
+        """Wait until everything is solved anew."""
+        self.page.wait_for_selector("html:not(.stale) #drive .t-capacity", state="attached")
+
+
+@contextlib.contextmanager
+def browsing(*arguments: str) -> Iterator[tuple[Browser, Process]]:
+    """Run a server and a browser for a while."""
+    with serving("--no-open", "--workers", "1", *arguments) as server, sync_playwright() as tool:
+        browser = tool.chromium.launch(executable_path=chromium(), args=FLAGS)
+        try:
+            yield browser, server
+        finally:
+            browser.close()

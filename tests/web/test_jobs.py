@@ -1,0 +1,242 @@
+"""Long work: studies followed, cancelled and equal to the command line; shear tests in memory."""
+
+import json
+import tempfile
+import threading
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+
+from cli.running import wraparc
+from web.calculators import API, Process, client, serving, wait_for
+from wraparc.errors import InputError, Problem
+from wraparc.web.errors import ApiError
+from wraparc.web.jobs import MOST_WAITING, Jobs
+from wraparc.web.sessions import LIFE, MOST_FILE, MOST_FILES, Sessions, shown_name
+from wraparc.web.work import CancelledTaskError
+
+STUDIES = Path(__file__).parents[2] / "examples" / "studies"
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Process]:
+    place = tmp_path_factory.mktemp("designs") / "designs.sqlite"
+    with serving("--database", str(place), "--workers", "1") as found:
+        yield found
+
+
+def study(name: str) -> dict[str, Any]:
+    return tomllib.loads((STUDIES / f"{name}.toml").read_text("utf-8"))
+
+
+def test_a_study_has_the_numbers_of_the_command_line(server: Process, tmp_path: Path) -> None:
+    body = {"study": study("wet-dry"), "document": study("head-drive")}
+    body["study"]["sampling"]["samples"] = 400
+    job = server.ask(f"{API}/studies", body)
+    assert job.status == 202, job.body
+    path = f"{API}/studies/{job.json()['id']}"
+    wait_for(lambda: server.ask(path).json()["state"] == "done", 120)
+    found = server.ask(path).json()
+    assert found["done"] == found["total"]
+    code, out, error = wraparc(
+        "study", STUDIES / "wet-dry.toml", "--set", "sampling.samples=400", "--json", "-",
+        "-o", tmp_path / "out.parquet",
+    )  # fmt: skip
+    assert code == 0, error
+    expected = json.loads(out)
+    assert numbers(found["summary"]["groups"]) == pytest.approx(
+        numbers(expected["groups"]), rel=1e-6
+    )
+    assert found["tables"]
+    picture = server.ask(f"{path}/pictures/{found['pictures'][0]}")
+    assert picture.headers["content-type"] == "image/svg+xml"
+    assert b"<svg" in picture.body
+    assert server.ask(f"{path}/files/results.parquet").body.startswith(b"PAR1")
+    assert server.ask(f"{path}/files/passwd").status == 404
+    assert server.ask(f"{path}/pictures/passwd").status == 404
+    assert server.ask(path, method="DELETE").status == 204
+    assert server.ask(path).status == 404
+
+
+def test_a_study_is_cancelled_and_others_are_served_meanwhile(server: Process) -> None:
+    body = {"study": study("sensitivity"), "document": study("head-drive")}
+    body["study"]["sampling"]["samples"] = 65536  # minutes of work
+    before = set(Path(tempfile.gettempdir()).glob("wraparc-task-*"))
+    job = server.ask(f"{API}/studies", body).json()
+    path = f"{API}/studies/{job['id']}"
+    wait_for(lambda: server.ask(path).json()["message"] == "solving")
+    fast = server.ask(f"{API}/solve/fast", {"document": study("head-drive")})
+    assert fast.status == 200
+    assert server.ask(f"{path}/pictures/x.svg").status == 409
+    assert server.ask(path, method="DELETE").status == 204
+    assert server.ask(path).json()["state"] == "cancelled"
+    wait_for(lambda: set(Path(tempfile.gettempdir()).glob("wraparc-task-*")) <= before)
+    assert job["id"] in [j["id"] for j in server.ask(f"{API}/studies").json()["jobs"]]
+
+
+def test_a_study_names_no_file_and_tells_what_is_wrong(server: Process) -> None:
+    wrong = study("tolerances")
+    wrong["set"] = ['pulley.head.lagging="/etc/passwd"']
+    wrong["axis"][0]["field"] = "belt.preset"
+    wrong["axis"][0] |= {"values": ["../x.toml", "C:\\x.toml"]}
+    told = server.ask(f"{API}/studies", {"study": wrong, "document": study("head-drive")})
+    assert told.status == 422
+    paths = [p["path"] for p in told.json()["problems"]]
+    assert paths == ["axis[1].values[1]", "axis[1].values[2]", "set[1]"]
+    empty = server.ask(f"{API}/studies", {"study": {}, "document": study("head-drive")})
+    assert {"axis"} <= {p["path"] for p in empty.json()["problems"]}
+
+
+def numbers(data: Any) -> list[float]:
+    """Return every number of plain data, in order."""
+    if isinstance(data, dict):
+        return [n for item in data.values() for n in numbers(item)]
+    if isinstance(data, list):
+        return [n for item in data for n in numbers(item)]
+    return [float(data)] if isinstance(data, int | float) else []
+
+
+class FakeTask:
+    """A task that ends when it is told to."""
+
+    def __init__(self, outcome: bytes | Exception = b"{}") -> None:
+        self.go, self.killed, self.outcome = threading.Event(), threading.Event(), outcome
+
+    def result(self) -> bytes:
+        self.go.wait(30)
+        if self.killed.is_set():
+            raise CancelledTaskError
+        if isinstance(self.outcome, Exception):
+            raise self.outcome
+        return self.outcome
+
+    def cancel(self) -> None:
+        self.killed.set()
+        self.go.set()
+
+
+def test_jobs_wait_their_turn_and_end_in_every_way() -> None:
+    now = [0.0]
+    jobs = Jobs(clock=lambda: now[0])
+    problem = InputError(Problem(message="wrong"))
+    tasks = [FakeTask(b"1"), FakeTask(problem), FakeTask(CancelledTaskError()), FakeTask()]
+    started = [jobs.start(str(i), lambda _, t=t: t) for i, t in enumerate(tasks)]  # type: ignore[misc]
+    wait_for(lambda: started[0].state == "running")
+    assert [job.state for job in started[1:]] == ["queued"] * 3
+    jobs.end(started[3].id)
+    assert started[3].state == "cancelled"
+    for task in tasks[:3]:
+        task.go.set()
+    wait_for(lambda: not any(job.busy for job in started))
+    assert [job.state for job in started] == ["done", "failed", "failed", "cancelled"]
+    assert started[0].result == b"1"
+    assert started[1].problems[0]["message"] == "wrong"
+    assert "memory" in started[2].problems[0]["message"]
+    now[0] = 1e6  # much later
+    assert jobs.listed() == []
+
+
+def test_too_many_jobs_are_refused() -> None:
+    jobs = Jobs()
+    tasks = [FakeTask() for _ in range(MOST_WAITING + 1)]
+    for task in tasks:
+        jobs.start("", lambda _, t=task: t)  # type: ignore[misc]
+    with pytest.raises(ApiError) as raised:
+        jobs.start("", lambda _: FakeTask())  # type: ignore[arg-type, return-value]
+    assert raised.value.status == 429
+    jobs.stop()
+
+
+@pytest.fixture(scope="module")
+def api() -> Iterator[TestClient]:
+    with client() as found:
+        yield found
+
+
+def test_virtual_tests_are_read_fitted_and_used_at_once(api: TestClient) -> None:
+    place = f"{API}/tests/{api.post(f'{API}/tests').json()['session']}"
+    files = api.post(f"{place}/example").json()["files"]
+    assert all(file["read"] for file in files)
+    assert [file["pressure"] for file in files][:2] == ["34 kPa", "69 kPa"]
+    lagging = {"name": "mine", "thickness": "12 mm", "shear_modulus": "2.3 MPa"}
+    asked = {"lagging": lagging, "rig": {"sample_area": "0.04 m2"}}
+    found = api.post(f"{place}/fit", json=asked)
+    assert found.status_code == 200, found.text
+    fitted = found.json()
+    assert len(fitted["conditions"][0]["curves"]) == len(files)
+    # the files are virtual tests of the catalogue's rubber: its law comes back
+    drive = study("head-drive")
+    truth = api.post(f"{API}/solve/fast", json={"document": drive}).json()["numbers"]
+    drive["lagging"] = {"mine": fitted["lagging"]}
+    drive["pulley"][0]["lagging"] = "mine"
+    own = api.post(f"{API}/solve/fast", json={"document": drive}).json()["numbers"]
+    assert own["exit_creep"] == pytest.approx(truth["exit_creep"], rel=0.05)
+    assert api.post(f"{API}/lagging/read", json={"toml": fitted["toml"]}).json()["name"] == "mine"
+    assert "illustrative" in fitted["toml"]
+    wrong = api.post(f"{place}/fit", json={"lagging": {}, "rig": {}})
+    assert {p["path"] for p in wrong.json()["problems"]} >= {"lagging.name", "rig.sample_area"}
+    assert api.delete(place).status_code == 204
+    assert api.get(place).status_code == 404
+
+
+def test_files_are_described_and_taken_away(api: TestClient) -> None:
+    place = f"{API}/tests/{api.post(f'{API}/tests').json()['session']}"
+    rows = "".join(f"{0.05 * i:.2f};{min(3000, 90 * i)}\n" for i in range(200))
+    named = ("../../etc/a 207kPa.csv", ("way;load\n" + rows).encode(), "text/csv")
+    sent = api.post(f"{place}/files", files=[("files", named), ("files", ("b", b"\0\1", "x/y"))])
+    first, second = sent.json()["files"]
+    assert (first["name"], first["pressure_guess"]) == ("a 207kPa.csv", "207 kPa")
+    assert not first["read"]
+    assert not second["read"]
+    assert second["problems"]
+    choices: dict[str, Any] = {"travel": "way", "force": "load"}
+    said = {"pressure": "207 kPa", "choices": choices}
+    told = api.put(f"{place}/files/{first['id']}", json=said).json()
+    assert "unit" in told["problems"][0]["message"]
+    choices |= {"units": {"way": "mm", "load": "N"}}
+    told = api.put(f"{place}/files/{first['id']}", json=said).json()
+    assert told["read"], told["problems"]
+    assert told["preview"]["force"][-1] == 3000.0
+    wrong = api.put(f"{place}/files/{first['id']}", json={"pressure": "207"}).json()
+    assert wrong["problems"][0]["path"].endswith("pressure")
+    assert api.delete(f"{place}/files/{second['id']}").status_code == 204
+    assert [f["id"] for f in api.get(place).json()["files"]] == [first["id"]]
+    assert api.delete(f"{place}/files/9").status_code == 404
+    assert api.post(f"{API}/tests/none/files", files=[("files", named)]).status_code == 404
+    many = [("files", ("c", b"1", "x/y"))] * (MOST_FILES + 1)
+    assert api.post(f"{place}/files", files=many).status_code in (413, 422)
+
+
+def test_sessions_are_limited_and_end() -> None:
+    now = [0.0]
+    sessions = Sessions(clock=lambda: now[0])
+    mine = sessions.create()
+    with pytest.raises(ApiError, match="413"):
+        sessions.add(mine, "big", b"x" * (MOST_FILE + 1))
+    for _ in range(3):
+        sessions.add(mine, "file", b"x" * MOST_FILE)
+    with pytest.raises(ApiError, match="413"):
+        sessions.add(mine, "one more", b"x")
+    now[0] = LIFE - 1
+    assert sessions.get(mine.id) is mine
+    now[0] += LIFE + 1
+    with pytest.raises(ApiError, match="404"):
+        sessions.get(mine.id)
+    for _ in range(8):
+        sessions.create()
+    with pytest.raises(ApiError, match="429"):
+        sessions.create()
+    now[0] += 61
+    assert sessions.create().id
+
+
+def test_names_of_uploads_are_only_words() -> None:
+    assert shown_name("C:\\tests\\a.csv") == "a.csv"
+    assert shown_name("/etc/passwd") == "passwd"
+    assert shown_name("\x1b[31m\n") == "[31m"
+    assert shown_name(None) == shown_name("") == "file"
+    assert len(shown_name("x" * 999)) == 120
