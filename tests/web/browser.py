@@ -97,7 +97,8 @@ class Visitor:
         if self.page.url == "about:blank":
             self.page.goto(self.address)
             self.page.wait_for_selector(READY["drive"])
-        self.page.click(f"#nav-{name}")
+        if not self.page.locator(f"#{name}").is_visible():
+            self.page.click(f"#nav-{name}")
         self.page.wait_for_selector(READY[name])
         return self.page
 

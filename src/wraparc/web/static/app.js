@@ -41,7 +41,9 @@ function switchTo(units) {
 }
 /** Take a design in, whole. */
 export function take(doc, { name = "", design = null } = {}) {
-  Object.assign(app, { pulley: 0, case: "", name, design });
+  Object.assign(app, { pulley: 0, case: "", name, design, units: /(in|ft)$/.test(doc.belt?.width || "") ? "us" : "si" });
+  switchTo(app.units);
+  tell("units");
   release();
   change(doc);
 }
@@ -133,9 +135,9 @@ async function start() {
   on("view", () => { modules[page].update(); address(); });
   knowNow(drive.now);
   window.addEventListener("hashchange", arrive);
-  if (!location.hash.split("/")[2]) app.doc = first.document;
+  if (!location.hash.split("/")[2]) take(first.document, { name: first.name });
   await arrive();
-  if (!app.doc) { app.doc = first.document; await open("drive"); }
+  if (!app.doc) { take(first.document, { name: first.name }); await open("drive"); }
   [$("undo").disabled, $("redo").disabled] = can().map((v) => !v);
 }
 start().catch((e) => {

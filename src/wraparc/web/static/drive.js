@@ -27,8 +27,8 @@ export const verdict = (v, extra = []) => h("div", { class: `verdict ${LEVELS[v.
 export function mount(place) {
   const e = (tag, attrs, ...k) => h(tag, attrs, ...k);
   ui = {
-    form: e("form", { class: "inputs", "aria-label": "Drive", onsubmit: (x) => x.preventDefault(), novalidate: true }),
-    pick: e("div", { class: "pick" }), verdict: e("div", { id: "verdict" }), spoken: e("p", { class: "away", role: "status", "aria-live": "polite" }), problems: e("div", { role: "alert" }),
+    title: e("h2"), choose: e("span", { class: "inline" }), form: e("form", { class: "inputs", "aria-label": "Drive", onsubmit: (x) => x.preventDefault(), novalidate: true }),
+    verdict: e("div", { id: "verdict" }), spoken: e("p", { class: "away", role: "status", "aria-live": "polite" }), problems: e("div", { role: "alert" }),
     pulley: e("div"), scale: e("div", { class: "scale" }), quantity: e("select", { id: "quantity" }), figures: e("dl", { class: "figures" }), chips: e("p", { class: "chips" }),
     plots: e("div", { class: "plots" }), cursor: e("input", { type: "range", id: "cursor", min: 0, max: 1000, value: 500, step: 5 }), read: e("dl", { class: "reading" }),
     peek: e("p", { class: "peek", "aria-hidden": "true" }), budget: e("figure", { class: "card" }), summary: e("div"), tables: e("div", { class: "tables" }), result: null,
@@ -38,7 +38,7 @@ export function mount(place) {
   ui.cursor.oninput = () => point(ui.cursor.value / 1000);
   const figures = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"].map((t, i) => [t, h("figure", {})]);
   put(ui.plots, figures.map((f) => f[1]));
-  ui.result = e("div", { class: "results", id: "results" }, ui.pick, ui.problems, ui.verdict, ui.chips, ui.spoken,
+  ui.result = e("div", { class: "results", id: "results" }, e("div", { class: "pick" }, ui.title, ui.choose), ui.problems, ui.verdict, ui.chips, ui.spoken,
     e("div", { class: "pair" },
       e("figure", { class: "card" }, ui.pulley, e("figcaption", {}, e("label", { for: "quantity" }, "Colour and inner ring: "), ui.quantity, ui.scale)),
       e("section", { class: "card", "aria-label": "Key figures" }, e("h2", {}, "Key figures"), ui.figures)),
@@ -52,6 +52,8 @@ export function mount(place) {
 
 export function update() {
   form(ui.form);
+  ui.title.textContent = app.doc.title || "Drive";
+  if (Array.isArray(app.doc.pulley)) picks();
   if (quickDoc === app.doc && arc && !update.view) return redraw();
   update.view = false;
   document.documentElement.classList.add("stale");
@@ -59,7 +61,7 @@ export function update() {
   complete();
 }
 on("view", () => (update.view = true));
-on("units", () => { update.view = true; scaleKey = ""; });
+on("units", () => { update.view = true; scaleKey = ""; if (arc) redraw(); });
 const redraw = () => { paint(); if (full) fill(); };
 
 /** One arc at once; while it is on its way only the newest change waits. */
@@ -168,7 +170,7 @@ function figures() {
     ["Tension ratio T1/T2", digits(n.tension_ratio), `pull ${shown("effective_tension", n.effective_tension)}`],
     ["Mean friction", digits(n.mean_friction), "over the whole wrap"],
     ["Margin to the creep limit", digits(m.creep_limit_margin), m.creep_limit_capacity == null ? "" : `carries a ratio of ${digits(m.creep_limit_capacity)}`, m.creep_limit_margin == null ? "" : m.creep_limit_margin >= 1 ? "good" : "warn", 1],
-    ["Least slack-side tension", m.least_exit_tension == null ? "none" : shown("least_exit_tension", m.least_exit_tension), m.least_exit_tension == null && m.largest_effective_tension ? `largest pull ${shown("largest_effective_tension", m.largest_effective_tension)}` : "for this pull within the limit", m.creep_limit_margin != null && m.least_exit_tension == null ? "warn" : "", 1],
+    ["Least slack-side tension", m.least_exit_tension == null ? (m.gross_slip_capacity == null ? "–" : "none") : shown("least_exit_tension", m.least_exit_tension), m.least_exit_tension == null && m.largest_effective_tension ? `largest pull ${shown("largest_effective_tension", m.largest_effective_tension)}` : "for this pull within the limit", m.creep_limit_margin != null && m.least_exit_tension == null ? "warn" : "", 1],
     ["Equivalent friction", digits(m.equivalent_friction), "at the creep limit, beside CEMA, DIN", "", 1],
     ["Wrap pressure", shown("wrap_pressure", arc.profile.wrap_pressure[0], 3), `to ${shown("wrap_pressure", arc.profile.wrap_pressure[arc.profile.wrap_pressure.length - 1], 3)}`],
     ["Slip at exit", shown("exit_slip", n.exit_slip), n.stuck_arc > 0 ? `at rest over ${shown("stuck_arc", n.stuck_arc, 3)}` : "slides all along"],
@@ -219,8 +221,9 @@ function fill() {
     a.table_sources.length > 0 && h("section", { class: "sources", "aria-label": "Sources" }, h("h2", {}, "Sources"), h("ol", {}, a.table_sources.map((x) => h("li", {}, x)))));
 }
 function picks() {
-  const names = app.doc.pulley.map((p) => p.name), cases = [...new Set(full.arcs.map((a) => a.load_case))];
+  const sure = fullDoc === app.doc, names = app.doc.pulley.map((p) => p.name), known = sure ? [...new Set(full.arcs.map((a) => a.load_case))] : ["design", ...(app.doc.load_case || []).map((c) => c.name)];
   const pick = (id, label, list, at, f) => list.length > 1 && h("span", {}, h("label", { for: id }, label), h("select", { id, onchange: (e) => { f(e.target.selectedIndex); tell("view"); } }, list.map((x, i) => h("option", { selected: i === at }, x))));
-  const level = (c) => full.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley])?.short || "";
-  put(ui.pick, h("h2", {}, full.title || "Drive"), pick("pick-pulley", "Pulley ", names, app.pulley, (i) => (app.pulley = i)), pick("pick-case", "Load case ", cases.map((c) => `${c}: ${level(c)}`), Math.max(0, cases.indexOf(arc.load_case)), (i) => (app.case = i ? cases[i] : "")));
+  const short = (c) => (sure ? `: ${full.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley])?.short || ""}` : "");
+  if (document.activeElement?.parentElement?.parentElement !== ui.choose || sure)
+    put(ui.choose, pick("pick-pulley", "Pulley ", names, app.pulley, (i) => (app.pulley = i)), pick("pick-case", "Load case ", known.map((c) => c + short(c)), Math.max(0, known.indexOf(app.case || known[0])), (i) => (app.case = i ? known[i] : "")));
 }

@@ -1,16 +1,16 @@
 // Fields, made from the schema of the drive file.
 import { app, h, $, put, get, edit, change, set, on, split, si, unit, factor, trim, written, sign } from "./core.js";
 
-const all = new Map(); // place in the document -> field on the page
+const all = new Set(); // fields on the pages; several may show one place of the document
 let typing = null;
 const TENSIONS = ["entry_tension", "exit_tension", "effective_tension", "power", "torque"];
 const PAIRS = [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [0, 4], [1, 4]];
-const id = (path) => "f-" + path.join("-").replace(/[^\w-]/g, "_");
+const id = (path, page) => `${page}-` + path.join("-").replace(/[^\w-]/g, "_");
 export const section = (key) => app.form.sections.find((x) => x.key === key) || { fields: [] };
 export const field = (sectionKey, key) => section(sectionKey).fields.find((f) => f.key === key);
 
 /** Forget the fields inside an element, before it is filled anew. */
-const forget = (box) => all.forEach((f, k) => box.contains(f.row) && all.delete(k));
+export const forget = (box) => all.forEach((f) => box.contains(f.row) && all.delete(f));
 
 /** A slider of 400 places between two values, even or in equal ratios; numbers come out round. */
 function places(range, f, now) {
@@ -22,9 +22,9 @@ function places(range, f, now) {
 }
 
 class Field {
-  constructor(spec, path, { label, options, placeholder, slider } = {}) {
+  constructor(spec, path, { label, options, placeholder, slider, page = "f" } = {}) {
     Object.assign(this, { spec, path, key: path.join(), placeholder, unit: "" });
-    const at = (this.id = id(path)), name = label || spec.title;
+    const at = (this.id = id(path, page)), name = label || spec.title;
     const described = `${at}-h ${at}-e`;
     if (spec.kind === "flag") {
       this.input = h("select", { id: at, "aria-describedby": described }, h("option", { value: "" }, "as by default"), h("option", { value: "true" }, "yes"), h("option", { value: "false" }, "no"));
@@ -51,7 +51,7 @@ class Field {
     this.input.addEventListener("blur", done);
     this.slider?.addEventListener("input", () => { typing = this.slider; this.put(`${this.scale.value(+this.slider.value)} ${this.sliderUnit}`.trim()); });
     this.slider?.addEventListener("change", () => { typing = null; this.show(); });
-    all.set(this.key, this);
+    all.add(this);
     this.show();
   }
   fill(options) { put(this.input, options.map(([value, text, group]) => h("option", { value }, text || value || "–"))); }
@@ -128,17 +128,17 @@ export function place(text) {
 }
 /** Mark the fields that problems name; what has no field is returned. */
 export function mark(problems) {
-  const found = new Map(), rest = [];
+  const found = new Map(), rest = [], has = (k) => [...all].some((f) => f.key === k);
   for (const p of problems) {
     const keys = place(p.path);
     let k = keys.join();
-    if (!all.has(k) && keys[0] === "pulley" && keys.length === 2) { // tensions that contradict each other
+    if (!has(k) && keys[0] === "pulley" && keys.length === 2) { // tensions that contradict each other
       const said = TENSIONS.filter((t) => get(app.doc, [...keys, t]) != null);
       if (said.length) k = [...keys, said[said.length - 1]].join();
     }
-    if (all.has(k)) found.set(k, p); else rest.push(p);
+    if (has(k)) found.set(k, p); else rest.push(p);
   }
-  all.forEach((f, k) => f.mark(found.get(k)));
+  all.forEach((f) => f.mark(found.get(f.key)));
   return rest;
 }
 export const refresh = () => all.forEach((f) => f.show());

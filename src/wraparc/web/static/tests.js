@@ -13,7 +13,7 @@ const FORM = {
 let ui, session = null, files = [], result = null, chosen = null, charts = {};
 
 export function mount(box) {
-  const input = h("input", { type: "file", multiple: true, id: "test-files", class: "away", onchange: act(() => send(input.files)) });
+  const input = h("input", { type: "file", multiple: true, id: "test-files", class: "away", tabindex: -1, "aria-label": "Files of the testing machine", onchange: act(() => send(input.files)) });
   const drop = h("div", { class: "drop" }, h("p", {}, "Drop the files of the testing machine here: text or Excel, one test a file."), input,
     h("p", { class: "inline drop-buttons" }, h("button", { type: "button", class: "main", onclick: () => input.click() }, "Choose files …"), h("button", { type: "button", onclick: act(example) }, "Try it with made-up tests")));
   for (const [e, over] of [["dragover", true], ["dragleave", false], ["drop", false]]) drop.addEventListener(e, (x) => { x.preventDefault(); drop.classList.toggle("over", over); if (e === "drop") act(() => send(x.dataTransfer.files))(x); });

@@ -1,6 +1,6 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
 import { app, h, s, put, on, ask, act, later, show, shown, unit, percent, digits, edit, change, title, split } from "./core.js";
-import { make, mark, section, field, refresh } from "./form.js";
+import { make as field_, mark, field, forget, refresh } from "./form.js";
 import { words, table, verdict, badge } from "./drive.js";
 import { Chart, warm } from "./plots.js";
 
@@ -8,6 +8,7 @@ const COLOURS = ["blue", "orange", "green", "purple", "sky", "black"];
 const AXES = { speed_trim: "Speed trim of the drive [%]", diameter_ratio: "Diameter over nominal diameter [%]", load_ratio: "Load over that of the load case [%]" };
 let ui, answer = null, matched = null, done = null, built = "", stop = null;
 
+const make = (spec, path, more) => field_(spec, path, { page: "t", ...more });
 export function mount(box) {
   ui = { form: h("form", { class: "inputs", "aria-label": "Train", onsubmit: (e) => e.preventDefault() }), out: h("div"), problems: h("div", { role: "alert" }), match: h("div"),
     button: h("button", { type: "button", class: "main", onclick: act(match) }, "Work out how exactly they must be matched"), drive: h("select", { id: "train-drive" }), map: h("input", { type: "checkbox", id: "train-map" }) };
@@ -79,6 +80,7 @@ function form() {
   const d = app.doc, t = d.train, now = JSON.stringify([app.units, d.pulley.map((p) => p.name), t && Object.keys(t), Array.isArray(t?.speeds)]);
   if (now === built) return refresh();
   built = now;
+  forget(ui.form);
   const lags = [...Object.keys(d.lagging || {}), ...app.catalogue.laggings.map((l) => l.name)];
   const quantity = ["entry_tension", "exit_tension", "effective_tension", "power"];
   const list = (key, i, spec) => make(spec, ["train", key, i], { label: d.pulley[i].name, slider: false });

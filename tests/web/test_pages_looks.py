@@ -1,0 +1,195 @@
+"""How the pages look and read: accessibility, keyboard, phone, paper, and the docs' pictures.
+
+The pictures of the documentation are made here. To renew them:
+``WRAPARC_SCREENS=docs/_static/screens python -m pytest -n 0 tests/web/test_pages_looks.py``
+"""
+
+import gzip
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+import wraparc
+from web.browser import DESKTOP, PAGES, PHONE, READY, Visitor, axe, browsing
+from web.calculators import Process
+
+Calculator = tuple[Browser, Process]
+TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
+STATIC = Path(wraparc.__file__).parent / "web" / "static"
+
+
+@pytest.fixture(scope="module")
+def calculator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Calculator]:
+    database = tmp_path_factory.mktemp("designs") / "designs.sqlite"
+    with browsing("--database", str(database)) as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def desktop(calculator: Calculator) -> Iterator[Visitor]:
+    """One visit to all pages, each left as a user would leave it."""
+    visitor = Visitor(*_at(calculator), DESKTOP)
+    yield visitor
+    visitor.context.close()
+
+
+def _at(calculator: Calculator) -> tuple[Browser, str]:
+    return calculator[0], calculator[1].address
+
+
+def used(visitor: Visitor, name: str) -> Page:
+    """Open a page and use it, so that all of its parts show."""
+    if name == "train":
+        visitor.open("drive")
+        visitor.example("Tandem head drive, fabric belt")
+    page = visitor.open(name)
+    if name == "drive":
+        visitor.solved()
+    elif name == "tests":
+        page.get_by_role("button", name="Try it with made-up tests").click()
+        page.wait_for_selector("#tests tbody tr")
+        page.get_by_role("button", name="Fit the lagging").click()
+        page.get_by_role("button", name="Use it in the drive at once").wait_for()
+    elif name == "train":
+        page.wait_for_selector("#train .tables table")
+    elif name == "saved" and page.locator("#saved tbody tr").count() == 0:
+        page.get_by_label("Note on this version").fill("as tendered")
+        page.get_by_role("button", name="Save as a new design").click()
+        page.wait_for_selector("#saved tbody tr")
+    page.wait_for_timeout(200)
+    return page
+
+
+def violations(page: Page) -> list[str]:
+    found: dict[str, Any] = page.evaluate(
+        f"() => {{ {axe()}; return axe.run({{ runOnly: {TAGS} }}); }}"
+    )
+    assert found["passes"], "axe looked at nothing"
+    return [
+        f"{v['id']}: {v['help']}: {[n['html'][:160] for n in v['nodes'][:3]]}"
+        for v in found["violations"]
+    ]
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_no_violation_of_wcag_and_a_picture_for_the_docs(
+    desktop: Visitor, name: str, tmp_path: Path
+) -> None:
+    page = used(desktop, name)
+    page.evaluate("document.querySelectorAll('#main details').forEach((d) => { d.open = true; })")
+    assert violations(page) == []
+    page.evaluate("document.querySelectorAll('.more').forEach((d) => { d.open = false; })")
+    page.evaluate("scrollTo(0, 0)")
+    page.evaluate("document.getElementById('toast').replaceChildren()")
+    folder = Path(os.environ.get("WRAPARC_SCREENS") or tmp_path)
+    folder.mkdir(parents=True, exist_ok=True)
+    shot = folder / f"{name}.png"
+    page.screenshot(path=shot)
+    assert shot.stat().st_size > 20_000  # a blank page has some 5 kB
+
+
+def test_axe_finds_what_is_wrong(desktop: Visitor) -> None:
+    # the check itself: a field without a label is found
+    page = desktop.open("saved")
+    page.evaluate("document.querySelector('#saved').append(document.createElement('input'))")
+    assert any(v.startswith("label:") for v in violations(page))
+    page.evaluate("document.querySelector('#saved > input').remove()")
+
+
+def test_wrong_input_and_open_menus_are_accessible_too(calculator: Calculator) -> None:
+    visitor = Visitor(*_at(calculator))
+    page = visitor.open("drive")
+    page.fill("#f-belt-width", "wide")
+    page.wait_for_selector("#f-belt-width[aria-invalid=true]")
+    page.click("#report > summary")
+    # what is dimmed is of the last drive that could be solved, and said to be so
+    found = [v for v in violations(page) if not v.startswith("color-contrast")]
+    assert found == []
+    visitor.context.close()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_phone_shows_everything_without_scrolling_sideways(
+    calculator: Calculator, name: str, tmp_path: Path
+) -> None:
+    visitor = Visitor(*_at(calculator), PHONE, has_touch=True, is_mobile=True)
+    page = visitor.open(name)
+    page.wait_for_timeout(200)
+    assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
+    small = page.evaluate(
+        "[...document.querySelectorAll('main button, main select, main input:not([type=range])')]"
+        ".filter((e) => e.checkVisibility() && e.getBoundingClientRect().height < 22)"
+        ".map((e) => e.outerHTML.slice(0, 80))"
+    )
+    assert [s for s in small if "checkbox" not in s and "radio" not in s and "away" not in s] == []
+    if name == "drive":
+        folder = Path(os.environ.get("WRAPARC_SCREENS") or tmp_path)
+        page.screenshot(path=folder / "phone.png")
+    visitor.context.close()
+
+
+@pytest.mark.parametrize(("paper", "width"), [("A4", 794), ("Letter", 816)])
+def test_print_fits_the_paper(calculator: Calculator, paper: str, width: int) -> None:
+    visitor = Visitor(*_at(calculator))
+    page = visitor.open("drive")
+    visitor.solved()
+    data = page.pdf(format=paper, prefer_css_page_size=False)
+    pages = len(re.findall(rb"/Type\s*/Page\b", data))
+    assert 2 <= pages <= 5, pages
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": width - 91, "height": 1000})  # less the margins, 12 mm each
+    page.wait_for_timeout(300)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width - 91
+    assert not page.locator("header").is_visible()
+    assert page.locator("#drive svg.pulley").is_visible()
+    visitor.context.close()
+
+
+def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> None:
+    visitor = Visitor(*_at(calculator))
+    page = visitor.open("drive")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.className") == "skip"
+    seen: list[str] = []
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        seen.append(
+            page.evaluate(
+                "document.activeElement.id || document.activeElement.getAttribute('aria-label')"
+                " || document.activeElement.parentElement.id"
+            )
+        )
+    for wanted in ("nav-drive", "nav-saved", "file", "report", "f-belt-preset", "f-belt-width"):
+        assert wanted in seen, wanted
+    assert "Entry tension, slider" in seen
+    page.locator("#file > summary").focus()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("button", name="Download the drive file")).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("button", name="Download the drive file")).to_be_hidden()
+    assert page.evaluate("document.activeElement.parentElement.id") == "file"
+    page.locator("#nav-compare").focus()
+    page.keyboard.press("Enter")
+    page.wait_for_selector(READY["compare"])
+    page.locator("#sort-margin").focus()
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.id") == "sort-margin"
+    visitor.context.close()
+
+
+def test_page_is_small_and_whole() -> None:
+    # what the first page loads, packed as the server sends it, and every file unpacked
+    first = ("index.html", "style.css", "app.js", "core.js", "form.js", "plots.js", "drive.js")
+    packed = sum(len(gzip.compress((STATIC / name).read_bytes())) for name in first)
+    assert packed < 60_000
+    for file in STATIC.glob("*"):
+        text = file.read_text("utf-8")
+        assert "style=" not in text, file.name
+        assert "eval(" not in text, file.name
+        known = ("http://www.w3.org/2000/svg",)
+        assert [u for u in re.findall(r"https?://[^\s\"'<>)]+", text) if u not in known] == []
