@@ -14,7 +14,7 @@ from pathlib import Path
 import wraparc
 from wraparc.study.batch import native
 from wraparc.study.batch.lane_kernel import solve_rows as lane_rows
-from wraparc.study.batch.precise import capacity_rows
+from wraparc.study.batch.precise import capacity_rows, tension_rows
 
 RUN = """
 import sys
@@ -66,7 +66,8 @@ def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> 
 
 
 def test_the_fingerprint_covers_all_that_is_compiled() -> None:
-    modules = {f.__module__ for f in (*native.called(capacity_rows), *native.called(lane_rows))}
+    entries = (tension_rows, capacity_rows, lane_rows)
+    modules = {f.__module__ for entry in entries for f in native.called(entry)}
     assert {
         "wraparc.friction.compact",
         "wraparc.arc.march",

@@ -1,0 +1,245 @@
+"""Speed and accuracy of the batch kernel: python benchmarks/batch.py [designs].
+
+Random driving designs of the shipped diamond-rubber lagging, and of the others where said. The
+general way beside it, in the same run, is SciPy's solve_ivp inside brentq, slip as the state. Wall
+times drift with the machine and its other work; ratios
+of processor time hold.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from unittest.mock import patch
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from wraparc import load_lagging
+from wraparc.friction.compact import branch_of, friction_at, segment_of
+from wraparc.study.arcs import Arcs, arcs_of_table
+from wraparc.study.batch import Setting, engineering, lane_slots, row, solve_arcs
+from wraparc.study.batch.lane_kernel import TENSIONS
+
+Table = dict[str, NDArray[np.float64]]
+RUBBER = load_lagging("diamond-rubber")
+
+
+def designs(n: int, seed: int = 1) -> Table:
+    """Fabric and steel-cord drives within the tested pressures."""
+    rng = np.random.default_rng(seed)
+    diameter, width = rng.uniform(0.6, 1.2, n), rng.uniform(0.8, 1.6, n)
+    entry = rng.uniform(150e3, 450e3, n) * width * diameter / 2.0
+    return {
+        "entry_tension": entry,
+        "exit_tension": entry / rng.uniform(1.3, 3.0, n),
+        "diameter": diameter,
+        "wrap_angle": rng.uniform(2.9, 3.7, n),
+        "belt_width": width,
+        "belt_modulus": np.exp(rng.uniform(np.log(8e6), np.log(2e8), n)),
+    }
+
+
+def cost(run: Callable[[], object], repeats: int = 3) -> tuple[float, float]:
+    """Least wall and processor time [s]."""
+    walls, cpus = [], []
+    for _ in range(repeats):
+        wall, cpu = time.perf_counter(), time.process_time()
+        run()
+        walls.append(time.perf_counter() - wall)
+        cpus.append(time.process_time() - cpu)
+    return min(walls), min(cpus)
+
+
+def generally(arcs: Arcs, i: int) -> float:
+    """Exit creep of one arc by SciPy [m]: solve_ivp at 1e-6 inside brentq.
+
+    The best of the general ways: slip as the state, so that no root is left inside, and the law
+    by the same scalar function. g is sought within a factor of 30 of what it is.
+    """
+    kind, *numbers = arcs.laws.compact(0)
+    edges, c, slips = (tuple(part.tolist()) for part in numbers)
+    given = arcs.inputs()[i].tolist()
+    radius, angle, width, compliance, soft = given[1:6]
+    entry, goal = given[9], math.log(given[10] / given[9])
+    kick = given[7] * (entry / (width * radius)) ** 1.5
+
+    def law(slip: float, p: float) -> tuple[float, float, float]:
+        segment = segment_of(edges, p)
+        branch = branch_of(kind, edges, c, slips, segment, slip, p)
+        return friction_at(kind, edges, c, slips, segment, branch, slip, p)
+
+    def rates(_: float, y: NDArray[np.float64], g: float) -> list[float]:
+        tension = entry * math.exp(y[1])
+        p = tension / (width * radius)
+        mu, mu_x, mu_p = law(max(float(y[0]), 1e-12), p)
+        creep = g + (entry - tension) * compliance
+        slip = (creep + soft * (mu + p * mu_p) * p * mu / radius) / (1.0 + soft * p * mu_x)
+        return [slip, -mu / radius]
+
+    p1 = entry / (width * radius)
+    start = brentq(lambda x: x + soft * law(x, p1)[0] * p1 - kick, 1e-12, kick)
+    end: dict[str, float] = {}
+
+    def miss(log_g: float) -> float:
+        g = math.exp(log_g)
+        run = solve_ivp(
+            rates, (0.0, radius * angle), [start, 0.0], args=(g,), rtol=1e-6, atol=1e-10
+        )
+        tension = entry * math.exp(run.y[1, -1])
+        p = tension / (width * radius)
+        end["creep"] = run.y[0, -1] + soft * law(run.y[0, -1], p)[0] * p
+        return float(run.y[1, -1] - goal)
+
+    guess = math.log(max(exact_ratio(arcs, i), 1e-7))
+    brentq(miss, guess - 2.0, guess + 1.5, xtol=1e-6)
+    return end["creep"]
+
+
+def exact_ratio(arcs: Arcs, i: int) -> float:
+    """G of one arc [-], to bracket the root of the general way."""
+    one = solve_arcs(arcs.rows(slice(i, i + 1)), setting=Setting.PRECISE, capacities=False)
+    return float(one["entry_creep_ratio"][0])
+
+
+def against_scipy(arcs: Arcs) -> float:
+    """Processor time of the general way [s]."""
+    times, misses = [], []
+    exact = solve_arcs(arcs.rows(slice(0, 60)), setting=Setting.PRECISE, capacities=False)
+    for i in range(60):
+        if exact["entry_creep_ratio"][i] <= 0.0:
+            continue
+        cpu = time.process_time()
+        creep = generally(arcs, i)
+        times.append(time.process_time() - cpu)
+        misses.append(abs(creep / exact["exit_creep"][i] - 1.0))
+    print(f"solve_ivp + brentq: {1e3 * np.median(times):.1f} ms CPU a design,"
+          f" creep within {max(misses):.0e} of the precise setting")  # fmt: skip
+    return float(np.median(times))
+
+
+def speed(arcs: Arcs, scipy: float) -> None:
+    n = len(arcs)
+    print(f"\n{n} designs, diamond rubber: operating point, peak shear, energy, active arc")
+    for threads in (1, 2):
+        wall, cpu = cost(lambda t=threads: solve_arcs(arcs, capacities=False, threads=t))  # type: ignore[misc]
+        print(f"  engineering, {threads} thread(s): {wall:.3f} s, CPU {cpu:.3f} s:"
+              f" {n / wall:,.0f} a second, {1e6 * cpu / n:.2f} us CPU each,"
+              f" {scipy * n / cpu:,.0f} times less CPU than SciPy")  # fmt: skip
+    few = arcs.rows(slice(0, n // 20))
+    wall, cpu = cost(lambda: solve_arcs(few, capacities=False, setting=Setting.PRECISE, threads=1))
+    print(f"  precise, 1 thread: {1e6 * cpu / len(few):.0f} us CPU each,"
+          f" {scipy * len(few) / cpu:,.0f} times less than SciPy")  # fmt: skip
+    wall, cpu = cost(lambda: solve_arcs(few), 1)
+    print(f"  engineering with all capacities: {1e6 * cpu / len(few):.0f} us CPU each")
+    wall, cpu = cost(lambda: solve_arcs(few, setting=Setting.PRECISE, threads=1), 1)
+    print(f"  precise with all capacities: {1e6 * cpu / len(few):.0f} us CPU each")
+
+
+def steps(arcs: Arcs) -> None:
+    """What each part of the way brought."""
+    n = len(arcs)
+    exact = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False)
+    batch = engineering._Batch(arcs)
+    batch.find_gross(row.TENSIONS)
+    rows = batch.rows(np.arange(n), 1.0)
+    place = engineering._FOUND[lane_slots.EXIT_CREEP]
+    print("\nmesh steps of the lane kernel, one thread (before anything is handed over)")
+    for mesh in (16, 24, 32, 48, 64, 96):
+        _, cpu = cost(
+            lambda m=mesh: engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, m)  # type: ignore[misc]
+        )
+        out = engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, mesh)
+        miss = np.abs(out[:, place] / exact["exit_creep"] - 1.0)
+        print(f"  {mesh}: {1e6 * cpu / n:.2f} us CPU, creep median {np.median(miss):.0e},"
+              f" 99.9 % {np.percentile(miss, 99.9):.0e}, worst {np.max(miss):.0e}")  # fmt: skip
+    with patch.object(engineering, "available", lambda: False):
+        _, cpu = cost(lambda: solve_arcs(arcs, capacities=False, threads=1), 1)
+    print(f"  without numba, the same on NumPy: {1e6 * cpu / n:.0f} us CPU each")
+
+
+def accuracy(n: int) -> None:
+    print(f"\nengineering against precise, {n} random designs each (relative miss)")
+    for name in ("diamond-rubber", "medium-ceramic", "full-ceramic"):
+        arcs = arcs_of_table(designs(n, 7), load_lagging(name))
+        near = solve_arcs(arcs, capacities=False)
+        exact = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False)
+        parts = []
+        for column in ("exit_creep", "peak_shear_stress", "frictional_energy"):
+            miss = np.abs(near[column] / exact[column] - 1.0)
+            high, worst = np.nanpercentile(miss, 99), np.nanmax(miss)
+            parts.append(f"{column} {high:.0e} / {worst:.0e}")
+        print(f"  {name}: 99 % / worst: {', '.join(parts)}")
+
+
+START = """
+import time
+begin = time.perf_counter()
+from wraparc import load_lagging
+from wraparc.study.batch import Setting, solve_batch
+table = dict(entry_tension=[1e5], exit_tension=[5e4], diameter=0.8, wrap_angle=3.1,
+             belt_width=1.0, belt_modulus=1e7)
+lag = load_lagging("diamond-rubber")
+ready = time.perf_counter()
+solve_batch(table, lag, capacities=False)
+print(time.perf_counter() - begin, end=" ")
+solve_batch(table, lag, setting=Setting.PRECISE, capacities=False)
+print(time.perf_counter() - begin)
+"""
+
+
+def starts() -> None:
+    print(
+        "\na process from its first line to its first batch (wall; engineering, then precise too)"
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("first of all, compiling", "later, from disk", "later, from disk"):
+            run = subprocess.run(
+                [sys.executable, "-c", START],
+                capture_output=True,
+                text=True,
+                check=True,
+                env={**os.environ, "WRAPARC_CACHE_DIR": folder},
+            )
+            lanes, both = map(float, run.stdout.split())
+            print(f"  {name}: {lanes:.2f} s, {both:.2f} s")
+
+
+def scaling() -> None:
+    print("\ncost and memory with the number of designs (chunks of 100,000, one after another)")
+    for n in (1_000, 10_000, 100_000, 1_000_000, 10_000_000):
+        size, cpu, wall = min(n, 100_000), 0.0, 0.0
+        for k in range(n // size):
+            arcs = arcs_of_table(designs(size, k), RUBBER)
+            c, w = time.process_time(), time.perf_counter()
+            solve_arcs(arcs, capacities=False)
+            cpu, wall = cpu + time.process_time() - c, wall + time.perf_counter() - w
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        print(f"  {n:>10,}: {1e6 * cpu / n:.2f} us CPU, {1e6 * wall / n:.2f} us each,"
+              f" peak memory {peak:.0f} MB")  # fmt: skip
+
+
+def main() -> None:
+    n = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
+    arcs = arcs_of_table(designs(n), RUBBER)
+    for setting in Setting:
+        solve_arcs(arcs.rows(slice(0, 40)), setting=setting)  # compile, or load what is compiled
+    scaling()
+    scipy = against_scipy(arcs)
+    speed(arcs, scipy)
+    steps(arcs.rows(slice(0, 10_000)))
+    accuracy(10_000)
+    starts()
+    print(f"\nload of the machine while this ran: {os.getloadavg()[0]:.1f}")
+
+
+if __name__ == "__main__":
+    main()
