@@ -17,6 +17,7 @@ from wraparc.files.problems import Place, Report
 from wraparc.files.source import Document, check_format, parse, read_text
 from wraparc.files.tables import Record
 from wraparc.provenance import Provenance
+from wraparc.study.belt_sag import CUSTOMARY, Sag
 from wraparc.study.conditions import DRY, Condition
 from wraparc.study.cost import BeltPrice, Costing, Price, catalogue_price
 from wraparc.study.search import Limits, Search
@@ -189,8 +190,16 @@ def _limits(record: Any, drive: Drive, report: Report) -> Limits:
     )
     return Limits(
         rating=share if record.get("belt_rating", True) else None,
+        sag=_sag(record.get("sag")),
         **{key: record[key] for key in keys if key in record},
     )
+
+
+def _sag(record: Any) -> Sag | None:
+    if not isinstance(record, Record) or not record.sound():
+        return None
+    share = record.get("share", CUSTOMARY)
+    return Sag(spacing=record["idler_spacing"], line_mass=record["line_mass"], share=share)
 
 
 def _known_cases(names: Any, drive: Drive, place: Place, report: Report) -> None:

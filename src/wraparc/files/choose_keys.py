@@ -5,6 +5,7 @@ from wraparc.drive import Limit, Pulley, Tensions
 from wraparc.files.common_keys import FORMAT_ENTRY, PROVENANCE, limited
 from wraparc.files.kinds import ByName, Choice, Flag, Name, Quantity, Rows, Text, WordOr
 from wraparc.files.tables import Entry, Table
+from wraparc.study.belt_sag import Sag
 
 _LENGTH = Quantity("length", Limit("length", open=True))
 _POSITIVE = Quantity("number", Limit("number", open=True))
@@ -29,6 +30,29 @@ CANDIDATES = Table(
     "Candidates",
 )
 
+SAG = Table(
+    (
+        Entry(
+            "idler_spacing",
+            limited(Sag.LIMITS, "spacing"),
+            "Idler spacing",
+            "Of the strand behind the pulley.",
+            required=True,
+            example='idler_spacing = "3 m"',
+        ),
+        Entry(
+            "line_mass",
+            limited(Sag.LIMITS, "line_mass"),
+            "Mass per length",
+            "Of the belt, with its load on a carrying strand.",
+            required=True,
+            example='line_mass = "22 kg/m"',
+        ),
+        Entry("share", limited(Sag.LIMITS, "share"), "Sag over spacing", "2 % if left out."),
+    ),
+    "Belt sag",
+)
+
 LIMITS = Table(
     (
         Entry("creep", _LENGTH, "Creep", "That of the drive if left out."),
@@ -45,6 +69,7 @@ LIMITS = Table(
             "Tension allowed over the belt rating, by load case; 1 where not named.",
         ),
         Entry("least_pulley_diameter", Flag(), "Least pulley diameter", "Kept if left out."),
+        Entry("sag", SAG, "Belt sag", "Not looked at if left out."),
     ),
     "Limits",
 )

@@ -14,9 +14,21 @@ from wraparc.present.choose_words import (
     next_dearer_words,
     reason,
     reasons,
+    saving_words,
 )
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, number
+from wraparc.present.sheet import (
+    Level,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    named,
+    number,
+    percent,
+    quantity,
+)
 from wraparc.study.belt_rating import LighterBelt
+from wraparc.study.belt_sag import SOURCE as SAG_SOURCE
 from wraparc.study.selection import Selection
 from wraparc.units import System, display_unit
 
@@ -85,7 +97,7 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
         f"worst creep {named('exit_creep', float(selection.creep[best]), system)}."
     )
-    sentences = [*next_dearer_words(selection, system)]
+    sentences = [*next_dearer_words(selection, system), *saving_words(selection, system)]
     if lighter is not None:
         width = selection.search.drive.belt.width
         tight = named("belt_modulus", lighter.tight_tension / width, system)
@@ -150,11 +162,7 @@ def _remarks(selection: Selection) -> Iterator[str]:
         "Lagging is bought whole: (material + installation) scaled by lagged area, as often as the "
         f"middle of its life asks for in {search.costing.years:g} years; no interest."
     )
-    if search.least_slack:
-        yield (
-            "The slack-side tension is the least for creep and for the lowest tested wrap "
-            "pressure; belt sag may ask for more, which is not looked at here."
-        )
+    yield from _slack_remarks(selection)
     if search.costing.tariff is None:
         yield "Energy lost to creep is left out: no tariff is given."
     elif len(search.conditions) > 1:
@@ -172,8 +180,26 @@ def _remarks(selection: Selection) -> Iterator[str]:
         yield f"Only pulley {search.pulley} was varied; the others keep their tensions."
 
 
+def _slack_remarks(selection: Selection) -> Iterator[str]:
+    search, sag = selection.search, selection.search.limits.sag
+    asked = ["creep"] + ["the lowest tested wrap pressure"] * search.limits.tested_pressure
+    if sag is not None:
+        least = quantity(sag.tension, "force")
+        asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")
+    if search.least_slack:
+        words = " and for ".join(asked)
+        yield f"The slack-side tension is the least for {words}."
+    if sag is None:
+        yield (
+            "Belt sag may ask for more slack-side tension; it is not looked at, as limits.sag does "
+            "not give the idler spacing and the mass of the belt."
+        )
+
+
 def _sources(selection: Selection) -> Iterator[str]:
     search = selection.search
+    if search.limits.sag is not None:
+        yield SAG_SOURCE
     for lagging in search.laggings:
         yield f"{lagging.name}, friction: {lagging.source_of('law')}"
         price = search.costing.laggings[lagging.name]

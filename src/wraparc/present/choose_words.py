@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterator
 
 from wraparc.present.sheet import named, percent, quantity
-from wraparc.study.selection import Selection
+from wraparc.study.belt_sag import GRAVITY
+from wraparc.study.selection import Selection, own_slack
 from wraparc.units import Dimension, System
 
 #: limit -> what is limited, its dimension, whether the limit is a least
@@ -17,6 +18,7 @@ _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
     "gross_slip_margin": ("margin to gross slip", "number", True),
     "tested_pressure": ("wrap pressure", "pressure", False),
     "least_slack": ("pull over the largest pull within the creep limit", "number", False),
+    "belt_sag": ("slack-side tension", "force", True),
     "belt_rating": ("tension per width", "force_per_width", False),
     "least_pulley_diameter": ("pulley diameter", "length", True),
 }
@@ -70,14 +72,51 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
         )
     if name in ("least_pulley_diameter", "least_slack"):
         return text
+    if name == "belt_sag":
+        text += " for the sag of the belt"
     case, condition = selection.place(int(held.where[design]))
-    several = len(selection.search.conditions) > 1 and name != "belt_rating"
+    several = len(selection.search.conditions) > 1 and name not in ("belt_rating", "belt_sag")
     return f"{text} [{case}{', ' + condition if several else ''}]"
 
 
 def reasons(selection: Selection, design: int, system: System = "si") -> str:
     """Return every limit that a design breaks, in one line."""
     return "; ".join(reason(selection, design, n, system) for n in selection.broken(design))
+
+
+def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
+    """Yield what the least take-up tension saves against that of the drive file.
+
+    Said of the cheapest design, where least tensions were asked for: the slack side, the largest
+    tension with what belt rating it takes, and the mass of a gravity take-up.
+    """
+    search = selection.search
+    if not search.least_slack or not len(selection.ranking):
+        return
+    best, width = int(selection.ranking[0]), search.drive.belt.width
+    now, then = own_slack(search), float(selection.slack_tension[best])
+    tight_now = max(
+        max(t.entry, t.exit) for t in (c.tensions[search.pulley] for c in search.drive.load_cases)
+    )
+    tight = float(selection.tight_tension[best])
+    words = "less" if then <= now else "more"
+    parts = f"{named('tension', abs(now - then), system)} {words}"
+    yield (
+        f"Against the take-up of the drive file, {named('tension', now, system)}, the slack side "
+        f"is {parts}; a gravity take-up next to the pulley, of mass 2 T/g, weighs "
+        f"{_mass(now, system)} now and {_mass(then, system)} then."
+    )
+    per_width = [quantity(t / width, "force_per_width", system) for t in (tight_now, tight)]
+    rating = search.belts[selection.grid.places[2, best]].rating
+    share = "" if not rating else f", {percent(tight / width / rating, 3)} of the belt's rating"
+    yield (
+        f"The largest tension goes from {per_width[0]} to {per_width[1]}{share}: what a belt must "
+        "be rated for. --lightest-belt looks for one."
+    )
+
+
+def _mass(tension: float, system: System) -> str:
+    return quantity(2.0 * tension / GRAVITY, "mass", system)
 
 
 def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[str]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.study.arc_columns import ArcColumns
+from wraparc.study.belt_sag import Sag
 from wraparc.study.conditions import DRY, Condition
 from wraparc.study.cost import Costing, price_problems
 
@@ -40,6 +41,8 @@ class Limits:
         None to leave the rating out.
     least_pulley_diameter
         Whether the least pulley diameter of the belt must be kept.
+    sag
+        Sag of the slack belt between idlers, or None to leave it out.
     """
 
     creep: float | None = None
@@ -50,6 +53,7 @@ class Limits:
     tested_pressure: bool = True
     rating: Mapping[str, float] | None = field(default_factory=dict, hash=False)
     least_pulley_diameter: bool = True
+    sag: Sag | None = None
 
     @property
     def needs_capacities(self) -> bool:

@@ -32,6 +32,7 @@ LIMITS = (
     "gross_slip_margin",
     "tested_pressure",
     "least_slack",
+    "belt_sag",
     "belt_rating",
     "least_pulley_diameter",
 )
@@ -178,7 +179,7 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
     precise = search.least_slack or len(grid) <= MOST_PRECISE
     if search.least_slack:
         least, shortage = least_slack(search, grid, solve)
-        grid = grid.with_slack(np.where(np.isnan(least), _own_slack(search), least))
+        grid = grid.with_slack(np.where(np.isnan(least), own_slack(search), least))
     laggings = search.conditioned()
     cases = search.drive.load_cases
     tensions = [grid.tensions(case) for case in cases]
@@ -247,7 +248,8 @@ def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.
 def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tuple[Array, Array]:
     """Least slack-side tension with which each design keeps the creep limit in every load case.
 
-    Not less than the lowest tested wrap pressure asks for, where that is one of the limits.
+    Not less than the lowest tested wrap pressure and the sag of the belt ask for, where these are
+    limits.
 
     Returns
     -------
@@ -259,7 +261,7 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
     """
     laggings = search.conditioned()
     own = grid.with_slack(np.full(len(grid), np.nan))
-    found, shortage = _tested_slack(search, grid), np.zeros(len(grid))
+    found, shortage = _slack_floor(search, grid), np.zeros(len(grid))
     for condition in range(len(search.conditions)):
         for case in search.drive.load_cases:
             pull = abs(case.tensions[search.pulley].effective)
@@ -274,13 +276,16 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
     return found, shortage
 
 
-def _tested_slack(search: Search, grid: Grid) -> Array:
-    """Slack-side tension at the lowest tested wrap pressure, p B D/2 [N]; 0 if that is no limit."""
+def _slack_floor(search: Search, grid: Grid) -> Array:
+    """Slack-side tension that sag and the lowest tested wrap pressure, p B D/2, ask for [N]."""
+    sag = search.limits.sag
+    least = np.full(len(grid), 0.0 if sag is None else sag.tension)
     if not search.limits.tested_pressure:
-        return np.zeros(len(grid))
+        return least
     tested = [lag.law.tested for lag in search.laggings]
     low = np.array([0.0 if t is None else t.pressure_min for t in tested])[grid.places[0]]
-    return np.asarray(0.5 * low * search.drive.belt.width * grid.diameter)
+    tested_least = 0.5 * low * search.drive.belt.width * grid.diameter
+    return np.asarray(np.maximum(least, tested_least))
 
 
 def feasible(held: Mapping[str, Held], n: int) -> NDArray[np.bool_]:
@@ -306,7 +311,8 @@ def _ranking(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) -
     return designs[order].astype(np.int64)
 
 
-def _own_slack(search: Search) -> float:
+def own_slack(search: Search) -> float:
+    """Slack-side tension of the drive as it is: the largest over its load cases [N]."""
     tensions = [c.tensions[search.pulley] for c in search.drive.load_cases]
     return max(min(t.entry, t.exit) for t in tensions)
 
@@ -334,6 +340,10 @@ def _held(
     if limits.rating is not None:
         for case in cases:
             parts["belt_rating"].append(_of_rating(search, grid, case))
+    if limits.sag is not None:
+        for case in cases:
+            slack = np.minimum(*grid.tensions(case))
+            parts["belt_sag"].append((-slack, np.full(n, -limits.sag.tension)))
     if limits.least_pulley_diameter:
         asked = _of_belts(search, grid, "least_pulley_diameter")
         # the other way round: what is allowed is the least

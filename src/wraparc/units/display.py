@@ -30,6 +30,7 @@ _SI: dict[Dimension, _Row] = {
     "energy_per_area": ("J/m2", ()),
     "rotation_speed": ("rpm", ()),
     "mass": ("kg", ()),
+    "mass_per_length": ("kg/m", ()),
     "number": ("", ()),
 }
 
@@ -48,6 +49,7 @@ _US: dict[Dimension, _Row] = _SI | {
     "wear_coefficient": ("in3/(ft lbf)", ()),
     "energy_per_area": ("ft lbf/ft2", ()),
     "mass": ("lbm", ()),
+    "mass_per_length": ("lbm/ft", ()),
 }
 
 _ROWS: dict[System, dict[Dimension, _Row]] = {"si": _SI, "us": _US}

@@ -26,6 +26,7 @@ Dimension = Literal[
     "energy_per_area",
     "rotation_speed",
     "mass",
+    "mass_per_length",
     "number",
 ]
 
@@ -58,6 +59,7 @@ DIMENSION_TEXT: dict[Dimension, DimensionText] = {
     "energy_per_area": DimensionText("J/m2", "an energy per area", "800 J/m2"),
     "rotation_speed": DimensionText("rad/s", "a rotation speed", "71.6 rpm"),
     "mass": DimensionText("kg", "a mass", "500 kg"),
+    "mass_per_length": DimensionText("kg/m", "a mass per length", "22 kg/m"),
     "number": DimensionText("", "a plain number", "0.35"),
 }
 

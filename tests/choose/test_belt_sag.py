@@ -1,0 +1,105 @@
+"""Belt sag: the customary factors of CEMA, a floor of the least take-up, a reason of rejection."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from choose.searches import search
+from cli.running import wraparc
+from wraparc import InputError
+from wraparc.files.choose_file import load_search
+from wraparc.present.choose_sheet import choose_sheet
+from wraparc.present.choose_words import reason, saving_words
+from wraparc.study.belt_sag import GRAVITY, Sag
+from wraparc.study.search import Limits
+from wraparc.study.selection import choose, own_slack
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
+HEAVY = Sag(spacing=3.0, line_mass=300.0)
+
+
+@pytest.mark.parametrize(("share", "factor"), [(0.03, 4.2), (0.02, 6.25), (0.015, 8.4)])
+def test_the_tension_is_that_of_cema(share: float, factor: float) -> None:
+    """CEMA, Belt Conveyors for Bulk Materials: T = 4.2, 6.25, 8.4 S W for 3, 2, 1.5 % (rounded)."""
+    sag = Sag(spacing=1.2, line_mass=50.0, share=share)
+    assert sag.tension == pytest.approx(factor * 1.2 * 50.0 * GRAVITY, rel=0.01)
+
+
+def test_a_parabola_sags_by_that_much() -> None:
+    """Moment at mid-span m' g l^2/8 over the tension is the sag."""
+    sag = Sag(spacing=2.0, line_mass=40.0, share=0.015)
+    middle = 40.0 * GRAVITY * 2.0**2 / 8.0 / sag.tension
+    assert middle / 2.0 == pytest.approx(0.015)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"), [("spacing", 0.0), ("line_mass", -1.0), ("share", 0.2), ("share", 0.0)]
+)
+def test_senseless_values_are_refused(field: str, value: float) -> None:
+    with pytest.raises(InputError) as caught:
+        Sag(**({"spacing": 3.0, "line_mass": 20.0} | {field: value}))
+    assert caught.value.problems[0].key == field
+
+
+def test_the_least_take_up_is_not_below_it() -> None:
+    without = choose(search(slack_tensions=()))
+    limits = Limits(sag=HEAVY)
+    within = choose(search(slack_tensions=(), limits=limits))
+    floor = HEAVY.tension
+    solved = without.held["least_slack"].excess <= 0.0
+    assert np.any(without.slack_tension[solved] < floor)
+    assert np.any(without.slack_tension[solved] > floor)
+    expected = np.maximum(without.slack_tension, floor)[solved]
+    assert within.slack_tension[solved] == pytest.approx(expected)
+    assert not within.held["belt_sag"].broken.any()
+
+
+def test_a_given_take_up_below_it_is_rejected_with_the_reason() -> None:
+    """45 kN and 60 kN against 300 kg/m on 3 m at 2 %: 55.16 kN, 18 % short."""
+    found = choose(search(limits=Limits(sag=HEAVY)))
+    short = found.grid.slack == 45e3
+    assert np.array_equal(found.held["belt_sag"].broken, short)
+    design = int(np.flatnonzero(short)[0])
+    told = reason(found, design, "belt_sag")
+    assert told.startswith(
+        "slack-side tension 45.00 kN, at least 55.16 kN (18 % under) for the sag of the belt ["
+    )
+
+
+def test_the_choose_file_gives_it_and_the_remarks_say_whether() -> None:
+    given = load_search(EXAMPLES / "choose.toml")
+    assert given.limits.sag == Sag(spacing=3.0, line_mass=22.0)
+    told = choose_sheet(choose(given))
+    assert any("belt sag of 2.0 % of the idler spacing (4.045 kN)" in r for r in told.remarks)
+    assert any("CEMA" in s and "DIN 22101" in s for s in told.sources)
+    silent = choose_sheet(choose(replace(given, limits=replace(given.limits, sag=None))))
+    assert any("it is not looked at" in remark for remark in silent.remarks)
+
+
+def test_a_table_that_lacks_the_mass_is_told(tmp_path: Path) -> None:
+    text = (EXAMPLES / "choose.toml").read_text("utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith("sag.line_mass")]
+    (tmp_path / "choose.toml").write_text("\n".join(lines), "utf-8")
+    drive = (EXAMPLES / "wet-season-drive.toml").read_text("utf-8")
+    (tmp_path / "wet-season-drive.toml").write_text(drive, "utf-8")
+    ran = wraparc("choose", tmp_path / "choose.toml")
+    assert ran.code == 2
+    assert "limits.sag.line_mass" in ran.err
+    assert "22 kg/m" in ran.err
+
+
+def test_the_saving_is_that_of_the_cheapest_design() -> None:
+    """Both load cases of the drive keep 55 kN on the slack side; 130 kN is its largest tension."""
+    found = choose(search(slack_tensions=()))
+    assert own_slack(found.search) == 55e3
+    best = int(found.ranking[0])
+    then = float(found.slack_tension[best])
+    take_up, rating = saving_words(found)
+    assert f"{abs(55e3 - then) / 1e3:.4g}"[:4] in take_up
+    assert "less" in take_up if then < 55e3 else "more" in take_up
+    assert f"weighs {2 * 55e3 / GRAVITY:.0f} kg now and {2 * then / GRAVITY:.0f} kg then" in take_up
+    tight = float(found.tight_tension[best]) / 1.2e3
+    assert f"from {130 / 1.2:.1f} kN/m to {tight:.4g}"[:25] in rating
+    assert list(saving_words(choose(search()))) == []
