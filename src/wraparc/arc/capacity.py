@@ -60,6 +60,8 @@ MEET_STEPS = 12
 COARSE_TOLERANCE = 1e-4  # relative
 TOLERANCE = 1e-10
 
+NO_PULL = 1e-11  # ln(tight/slack) that counts as none: of the size of rounding in a march
+
 STUCK = 3  # outcome: the belt sticks over the whole wrap
 
 
@@ -89,7 +91,7 @@ def solve_tension(
             end = zone_end(law, par, par[LENGTH])[1]
             z = creep / end - 1.0 if end != 0.0 else 0.0
             return STUCK, z, stuck_shot(law, par, exit_tension, creep, 0, none)[0]
-    if goal == 0.0 and par[KICK] == 0.0:
+    if abs(goal) < NO_PULL and par[KICK] == 0.0:
         return FOUND, -inf, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     tight = max(par[T1], exit_tension) / (par[WIDTH] * par[RADIUS])
     if goal < plateau_capacity(law, tight, par[LENGTH] / par[RADIUS]):
@@ -118,7 +120,7 @@ def refine(
 ) -> tuple[int, float, Shot]:
     """Meet a target: by marches in tension where they apply, else in position, coarse then fine."""
     size = max(abs(goal), 1e-2) if target == TENSION else abs(goal)
-    if applies(law, par) and goal > 0.0:
+    if applies(law, par) and goal > NO_PULL:
         fine = mesh_steps(law, par, steps)
         end = goal if target == TENSION else LARGEST_LOG
         table, scratch = room(table_size(end, fine)), room(STEP)
@@ -383,7 +385,7 @@ def trace(
         held, creep = held_exit(law, par, exit_tension)
         if held:
             return stuck_shot(law, par, exit_tension, creep, points, out)
-    if applies(law, par) and goal > 0.0:
+    if applies(law, par) and goal > NO_PULL:
         fine = mesh_steps(law, par, steps)
         table, scratch = room(table_size(goal, fine)), room(STEP)
         open_table(law, par, goal, fine, table)
