@@ -11,6 +11,7 @@ import wraparc
 
 PUBLIC = [
     "ArcResult",
+    "BatchResult",
     "Belt",
     "BreakawayError",
     "Capacities",
@@ -39,6 +40,7 @@ PUBLIC = [
     "Profile",
     "Provenance",
     "Pulley",
+    "Setting",
     "Status",
     "Tensions",
     "TestedRange",
@@ -52,6 +54,7 @@ PUBLIC = [
     "load_lagging",
     "load_train",
     "solve",
+    "solve_batch",
     "solve_train",
 ]
 

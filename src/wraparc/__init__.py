@@ -47,11 +47,13 @@ if typing.TYPE_CHECKING:
         Trend,
     )
     from wraparc.provenance import Kind, Provenance
+    from wraparc.study.batch import BatchResult, Setting, solve_batch
     from wraparc.train import Train, TrainResult, solve_train
     from wraparc.version import __version__
 
 __all__ = [
     "ArcResult",
+    "BatchResult",
     "Belt",
     "BreakawayError",
     "Capacities",
@@ -80,6 +82,7 @@ __all__ = [
     "Profile",
     "Provenance",
     "Pulley",
+    "Setting",
     "Status",
     "Tensions",
     "TestedRange",
@@ -93,6 +96,7 @@ __all__ = [
     "load_lagging",
     "load_train",
     "solve",
+    "solve_batch",
     "solve_train",
 ]
 
@@ -109,6 +113,7 @@ _ROOMS = {
         "PressureKnots PressurePower TestedRange Trend"
     ),
     "provenance": "Kind Provenance",
+    "study.batch": "BatchResult Setting solve_batch",
     "train": "Train TrainResult solve_train",
     "version": "__version__",
 }
