@@ -113,9 +113,10 @@ class Visitor:
 
 
 @contextlib.contextmanager
-def browsing(*arguments: str) -> Iterator[tuple[Browser, Process]]:
+def browsing(*arguments: str, workers: int = 1) -> Iterator[tuple[Browser, Process]]:
     """Run a server and a browser for a while."""
-    with serving("--no-open", "--workers", "1", *arguments) as server, sync_playwright() as tool:
+    started = serving("--no-open", "--workers", str(workers), *arguments)
+    with started as server, sync_playwright() as tool:
         browser = tool.chromium.launch(executable_path=chromium(), args=FLAGS)
         try:
             yield browser, server

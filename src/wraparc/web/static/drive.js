@@ -7,7 +7,7 @@ const LEVELS = { OK: ["good", "✓"], ATTENTION: ["warn", "▲"], FAILS: ["bad",
 const QUANTITIES = ["shear_stress", "friction_used", "wrap_pressure", "slip", "creep"];
 const PARTS = ["creep_shrinkage", "creep_compression", "creep_global"];
 let ui, charts, pulley, quickDoc = null, fullDoc = null, quickBusy = false, wanted = false, sequence = 0, stop = null;
-let arc = null, full = null, cursor = 0.5, scaleKey = "";
+let arc = null, full = null, cursor = 0.5, scaleKey = "", wide = 0, picked = "";
 
 export const words = (b) => (b && typeof b === "object" ? b[app.units] : b) || "";
 export const badge = (level) => (level ? h("span", { class: `badge ${LEVELS[level]?.[0]}` }, h("span", { "aria-hidden": "true" }, LEVELS[level]?.[1] + " "), level) : "");
@@ -48,6 +48,7 @@ export function mount(place) {
   place.append(h("div", { class: "two" }, ui.form, ui.result), ui.peek);
   charts = figures.map(([t, f], i) => new Chart(f, { title: t, height: 170, xlabel: i > 1 ? "Angle from the entry nip [deg]" : "", onpick: point }));
   pulley = new Pulley(ui.pulley);
+  new ResizeObserver(([x]) => { const w = Math.floor(x.contentRect.width); if (w && w !== wide) { wide = w; if (arc) budgets(); } }).observe(ui.budget);
 }
 
 export function update() {
@@ -77,6 +78,7 @@ async function quick() {
       arc = a; quickDoc = doc;
       ui.result.classList.remove("refused");
       paint();
+      if (a.sequence === 1) performance.mark("answered");
       document.dispatchEvent(new CustomEvent("painted", { detail: a.sequence }));
     } catch (x) {
       if (!x.problems) { quickBusy = false; throw x; }
@@ -143,7 +145,9 @@ function paint() {
   point(cursor);
   figures();
   head();
-  if (!full || fullDoc !== app.doc) budgets();
+  // what does not move with the hand comes a frame later
+  cancelAnimationFrame(paint.after);
+  paint.after = requestAnimationFrame(() => setTimeout(() => { chips(); budgets(); }));
 }
 function point(part) {
   cursor = part;
@@ -190,10 +194,14 @@ function figures() {
 function head() {
   // the quick answer has fewer sentences: the box keeps its height, so that nothing below jumps
   const whole = fullDoc === app.doc && full.arcs.length ? full : null;
-  if (!whole && ui.verdict.firstChild) ui.verdict.style.minHeight = `${ui.verdict.offsetHeight}px`;
-  put(ui.verdict, verdict(whole && whole.arcs.length === 1 ? whole.verdict : arc.verdict));
+  if (!whole && ui.verdict.firstChild && !ui.verdict.style.minHeight) ui.verdict.style.minHeight = `${ui.verdict.offsetHeight}px`;
+  const told = whole && whole.arcs.length === 1 ? whole.verdict : arc.verdict, key = JSON.stringify([told, app.units]);
+  if (key !== head.key) put(ui.verdict, verdict(told));
+  head.key = key;
   if (whole) ui.verdict.style.minHeight = "";
   put(ui.peek, badge(arc.level), ` creep ${shown("exit_creep", arc.numbers.exit_creep)}, ${percent(Math.abs(arc.numbers.exit_creep) / arc.creep_limit)} of the limit`);
+}
+function chips() {
   const kinds = [...new Set((full?.sources || []).map((x) => x.kind))].filter((k) => ["illustrative", "calibrated"].includes(k)), out = arc.numbers.outside_tested_share;
   put(ui.chips, kinds.map((k) => h("span", { class: `mark ${k}` }, k === "illustrative" ? "illustrative data: no real product" : "calibrated data")),
     out > 0 ? h("span", { class: "mark outside" }, `outside the tested range on ${percent(out)} of the wrap`) : arc.tested && h("span", { class: "mark inside" }, `within the tested range (p ${show(arc.tested.pressure_min, "pressure", 3)} to ${show(arc.tested.pressure_max, "pressure", 3)}, slip to ${show(arc.tested.slip_max, "length", 3)})`),
@@ -202,11 +210,12 @@ function head() {
 function budgets() {
   const [u, f] = unit("length"), a = fullDoc === app.doc && here(), list = [{ label: "distributed", n: arc.numbers }];
   if (a?.paper?.status === "solved") list.push({ label: "paper's march", n: a.paper.numbers });
+  wide ||= ui.budget.clientWidth - 28 || 480;
   const box = ui.budget.lastElementChild?.className === "bars" ? ui.budget.lastElementChild : h("div", { class: "bars" });
   const n = arc.numbers, side = n.effective_tension < 0 ? -1 : 1;
   if (box.parentElement !== ui.budget) put(ui.budget, h("figcaption", {}), box);
   put(ui.budget.firstChild, h("strong", {}, "Creep by source"), PARTS.map((k, i) => h("span", {}, swatch(i), `${["belt shrinkage", "lagging compression", "global creep"][i]} ${shown(k, n[k], 3)}${n.exit_creep ? ` (${percent(n[k] / n.exit_creep, 2)})` : ""}`)));
-  budget(box, list.map((x) => ({ label: x.label, parts: PARTS.map((k) => x.n[k] / f) })), (side * arc.creep_limit) / f, u, `Creep by source: ${PARTS.map((k) => `${title(k)} ${shown(k, n[k], 3)}`).join(", ")}`);
+  budget(box, wide, list.map((x) => ({ label: x.label, parts: PARTS.map((k) => x.n[k] / f) })), (side * arc.creep_limit) / f, u, `Creep by source: ${PARTS.map((k) => `${title(k)} ${shown(k, n[k], 3)}`).join(", ")}`);
 }
 /** What only the whole solve knows. */
 function fill() {
@@ -214,7 +223,6 @@ function fill() {
   const a = here();
   if (!a) return;
   paint();
-  budgets();
   put(ui.summary, full.summary && table(full.summary));
   const first = ["answer", "comparison"];
   put(ui.tables, a.tables.filter((t) => t.key !== "creep").sort((x, y) => first.includes(y.key) - first.includes(x.key)).map((t) => table(t, t.key !== "inputs")),
@@ -224,6 +232,10 @@ function picks() {
   const sure = fullDoc === app.doc, names = app.doc.pulley.map((p) => p.name), known = sure ? [...new Set(full.arcs.map((a) => a.load_case))] : ["design", ...(app.doc.load_case || []).map((c) => c.name)];
   const pick = (id, label, list, at, f) => list.length > 1 && h("span", {}, h("label", { for: id }, label), h("select", { id, onchange: (e) => { f(e.target.selectedIndex); tell("view"); } }, list.map((x, i) => h("option", { selected: i === at }, x))));
   const short = (c) => (sure ? `: ${full.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley])?.short || ""}` : "");
-  if (document.activeElement?.parentElement?.parentElement !== ui.choose || sure)
-    put(ui.choose, pick("pick-pulley", "Pulley ", names, app.pulley, (i) => (app.pulley = i)), pick("pick-case", "Load case ", known.map((c) => c + short(c)), Math.max(0, known.indexOf(app.case || known[0])), (i) => (app.case = i ? known[i] : "")));
+  const key = JSON.stringify([names, known.map((c) => c + short(c)), app.pulley, app.case]);
+  if (key === picked) return;
+  picked = key;
+  const active = document.activeElement?.id;
+  put(ui.choose, pick("pick-pulley", "Pulley ", names, app.pulley, (i) => (app.pulley = i)), pick("pick-case", "Load case ", known.map((c) => c + short(c)), Math.max(0, known.indexOf(app.case || known[0])), (i) => (app.case = i ? known[i] : "")));
+  if (active?.startsWith("pick-")) $(active)?.focus();
 }

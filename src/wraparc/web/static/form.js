@@ -40,7 +40,7 @@ class Field {
     this.help = h("p", { class: "help", id: `${at}-h`, hidden: true }, [spec.help, this.allowed(), spec.word && `Or the word "${spec.word}".`, spec.default && `${spec.default} if left empty.`].filter(Boolean).join(" "));
     this.error = h("p", { class: "error", id: `${at}-e` });
     const q = h("button", { type: "button", class: "q", "aria-label": `Help: ${name}`, "aria-expanded": "false", "aria-controls": `${at}-h`, onclick: () => { this.help.hidden = !this.help.hidden; q.setAttribute("aria-expanded", String(!this.help.hidden)); } }, "?");
-    this.row = h("div", { class: `field${options && !spec.dimension ? " wide" : ""}` },
+    this.row = h("div", { class: `field${options && !spec.dimension ? " wide" : /description/.test(spec.key) ? " tall" : ""}` },
       h("label", { for: at }, name, spec.symbol && h("span", { class: "sym" }, " ", sign(spec.symbol))), q,
       h("span", { class: "box" }, this.input, this.suffix));
     if (spec.slider && slider !== false) this.row.append((this.slider = h("input", { type: "range", "aria-label": `${name}, slider`, tabindex: 0 })));
@@ -74,7 +74,7 @@ class Field {
   }
   /** Put the document's value on the page, unless somebody is just typing there. */
   show() {
-    const { spec } = this, value = this.value();
+    const { spec } = this, value = (this.seen = this.value());
     if (spec.kind === "flag") { this.input.value = value == null ? "" : String(value); return; }
     let text = value == null ? "" : String(value), u = spec.dimension ? unit(spec.dimension)[0] : "";
     if (spec.dimension && text) {
@@ -107,6 +107,8 @@ class Field {
     slider.setAttribute("aria-valuetext", value);
   }
   mark(problem) {
+    if (!problem && !this.wrong) return;
+    this.wrong = problem;
     this.row.classList.toggle("wrong", !!problem);
     this.input.setAttribute("aria-invalid", problem ? "true" : "false");
     this.error.textContent = problem ? problem.sentence || problem.message : "";
@@ -141,7 +143,7 @@ export function mark(problems) {
   all.forEach((f) => f.mark(found.get(f.key)));
   return rest;
 }
-export const refresh = () => all.forEach((f) => f.show());
+export const refresh = () => all.forEach((f) => f.value() !== f.seen && f.show());
 export const release = () => (typing = null);
 export const make = (spec, path, more) => new Field(spec, path, more).row;
 

@@ -31,7 +31,10 @@ export class Chart {
     this.svg = s("svg", { class: "chart", role: "img" }, hatches(this.id), this.back, this.zones, this.layer, this.marks, this.cursor);
     this.legend = document.createElement("figcaption");
     put(box, this.legend, this.svg);
-    new ResizeObserver(() => { if (this.data && box.clientWidth && box.clientWidth !== this.w) this.draw(this.data); }).observe(box);
+    new ResizeObserver(([e]) => { // drawing must not ask for the width: that would lay out the page at every step
+      const wide = Math.floor(e.contentRect.width);
+      if (wide && wide !== this.wide) { this.wide = wide; if (this.data) this.draw(this.data); }
+    }).observe(box);
     if (onpick) this.svg.addEventListener("pointermove", (e) => {
       const x = (e.clientX - this.svg.getBoundingClientRect().left - this.left) / (this.w - this.left - this.right);
       if (x >= 0 && x <= 1) onpick(x);
@@ -40,7 +43,7 @@ export class Chart {
   /** data: {x, lines: [{y, cls, label}], zones: [[from, to, kind]], limit: {y, label}, point: [x, y, label], ylabel, zero, other: {label, to, from}, xs: [lo, hi], angles} */
   draw(data) {
     this.data = data;
-    const w = (this.w = this.box.clientWidth || 480), ht = this.height;
+    const w = (this.w = this.wide ||= this.box.clientWidth || 480), ht = this.height;
     const right = (this.right = data.other ? 50 : 14), top = 8, bottom = this.xlabel ? 36 : 22;
     const [x0, x1] = data.xs || [data.x[0], data.x[data.x.length - 1]];
     let lo = data.zero ? 0 : Infinity, hi = data.zero ? 0 : -Infinity;
@@ -54,7 +57,7 @@ export class Chart {
     const X = (v) => left + ((v - x0) / (x1 - x0)) * (w - left - right);
     const Y = (v) => top + ((hi - v) / (hi - lo)) * (ht - top - bottom);
     Object.assign(this, { X, Y, x0, x1, top, floor: ht - bottom });
-    const key = [w, lo, hi, x0, x1, data.ylabel, data.other?.label, data.other?.key].join();
+    const key = [w, lo, hi, x0, x1, data.ylabel, data.other?.label, data.other?.key?.toPrecision(4)].join();
     if (key !== this.key) { this.key = key; this.axes(data, lo, hi, step, w, ht, left, right, top, bottom); }
     while (this.lines.length < data.lines.length) { const p = s("path"); this.lines.push(p); this.layer.append(p); }
     this.lines.forEach((p, i) => {
@@ -219,18 +222,18 @@ export class Pulley {
 const add = ([x, y], [u, v], f) => [fixed(x + f * u), fixed(y + f * v)];
 const poly = (points) => "M" + points.map(([x, y]) => `${fixed(x)} ${fixed(y)}`).join("L");
 
-/** The colour scale of the pulley. */
+/** The colour scale of the pulley: made once, then only its words change. */
 export function scale(box, label, most) {
   const w = 260;
-  put(box, s("svg", { viewBox: `0 0 ${w} 40`, width: w, height: 40, "aria-hidden": "true" },
+  if (!box.firstChild) put(box, s("svg", { viewBox: `0 0 ${w} 40`, width: w, height: 40, "aria-hidden": "true" },
     Array.from({ length: 52 }, (_, i) => s("rect", { x: 4 + i * 4.85, y: 1, width: 5, height: 10, fill: warm((0.92 * (i + 0.5)) / 52) })),
-    [0, 0.5, 1].map((f) => s("text", { x: 4 + f * 252, y: 22, class: f ? (f === 1 ? "ty" : "tx") : "tr" }, digits(f * most, 3))),
-    s("text", { x: w / 2, y: 36, class: "al" }, label)));
+    [0, 0.5, 1].map((f) => s("text", { x: 4 + f * 252, y: 22, class: f ? (f === 1 ? "ty" : "tx") : "tr" })), s("text", { x: w / 2, y: 36, class: "al" })));
+  [digits(0), digits(most / 2, 3), digits(most, 3), label].forEach((text, i) => (box.firstChild.children[52 + i].textContent = text));
 }
 
 /** Creep by source, a bar for each method. bars: [{label, parts: [shrinkage, compression, global]}] */
-export function budget(box, bars, limit, unitText, told) {
-  const w = box.clientWidth || 480, left = bars.length > 1 ? 96 : 12, right = 14, row = 34, ht = 8 + row * bars.length + 38, id = `b${++ids}`;
+export function budget(box, w, bars, limit, unitText, told) {
+  const left = bars.length > 1 ? 96 : 12, right = 14, row = 34, ht = 8 + row * bars.length + 38, id = `b${++ids}`;
   const ends = bars.map((b) => [b.parts.filter((v) => v < 0).reduce((a, v) => a + v, 0), b.parts.filter((v) => v > 0).reduce((a, v) => a + v, 0)]);
   let lo = Math.min(0, ...ends.map((e) => e[0])), hi = Math.max(0, ...ends.map((e) => e[1]));
   const near = Math.abs(limit) < 2.5 * Math.max(hi, -lo);

@@ -1,0 +1,110 @@
+"""Key press on a slider to the painted plot, in a real browser: python benchmarks/web_latency.py.
+
+Runs `wraparc serve` and Debian's chromium without a window, presses an arrow key on the slider of
+the entry tension and takes the time from the press (its own time stamp) to the end of the frame
+that shows the new answer; between presses the page rests, so that every press finds it idle. The
+share of the request (solve and transport) and the time of an empty frame of the same browser stand
+beside it: times drift with the machine, the share of the solve less. Then the first load, and the
+bytes it takes. With --bound the targets decide the exit code: median below 20 ms, 95 % below 35 ms,
+load below 0.3 s.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+
+from web.browser import READY, STEPS, Visitor, browsing
+from web.calculators import wait_for
+
+MEDIAN, MOST, LOAD = 20.0, 35.0, 300.0
+_FRAMES = """() => new Promise((done) => {
+  const times = [];
+  const next = () => {
+    const from = performance.now();
+    requestAnimationFrame(() => {
+      const channel = new MessageChannel();
+      channel.port1.onmessage = () => {
+        times.push(performance.now() - from);
+        times.length < 60 ? setTimeout(next, 20) : done(times);
+      };
+      channel.port2.postMessage(0);
+    });
+  };
+  next();
+})"""
+_LOAD = """() => {
+  const own = performance.getEntriesByType("resource");
+  const code = own.filter((e) => e.name.includes("/static/"));
+  const page = performance.getEntriesByType("navigation")[0];
+  const first = performance.getEntriesByName("answered")[0];
+  return { bytes: code.reduce((sum, e) => sum + e.encodedBodySize, page.encodedBodySize),
+           plain: code.reduce((sum, e) => sum + e.decodedBodySize, page.decodedBodySize),
+           answered: first.startTime };
+}"""
+_REQUESTS = """() => performance.getEntriesByType("resource")
+  .filter((e) => e.name.endsWith("/solve/fast")).map((e) => e.duration)"""
+
+
+def late(times: list[float]) -> float:
+    """Return the time that 95 % stay below."""
+    return sorted(times)[int(0.95 * len(times))]
+
+
+def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], dict[str, Any]]:
+    """Return times by what they are [ms], and how the page loaded."""
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        browsing("--database", f"{folder}/d.sqlite", workers=2) as (browser, server),
+    ):
+        loads = []
+        for _ in range(5):
+            visitor = Visitor(browser, server.address)
+            page = visitor.open("drive")
+            loads.append(page.evaluate(_LOAD))
+            if len(loads) < 5:
+                visitor.context.close()
+        page.wait_for_selector(READY["drive"])
+        frames = page.evaluate(_FRAMES)
+        page.get_by_label("Entry tension, slider").focus()
+        page.evaluate(STEPS)
+        page.evaluate("performance.clearResourceTimings()")
+        for i in range(presses):
+            page.keyboard.press("ArrowLeft" if i % 2 else "ArrowRight")
+            wait_for(lambda i=i: page.evaluate("steps.length") > i)
+            page.wait_for_timeout(rest)
+        times = {
+            "key press to painted plot": page.evaluate("steps"),
+            "request within it": page.evaluate(_REQUESTS)[:presses],
+            "empty frame": frames,
+        }
+        best = min(loads, key=lambda load: load["answered"])
+    return times, best
+
+
+def main() -> int:
+    """Measure, print, and compare with the targets if asked."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--presses", type=int, default=200)
+    parser.add_argument("--rest", type=float, default=60.0, help="between presses [ms]")
+    parser.add_argument("--bound", action="store_true", help="fail beyond the targets")
+    asked = parser.parse_args()
+    times, load = measure(asked.presses, asked.rest)
+    for name, values in times.items():
+        told = f"median {median(values):6.1f}  95 % below {late(values):6.1f}"
+        print(f"{name:26} {told}  least {min(values):6.1f} ms")
+    print(f"first load to the first answer {load['answered']:.0f} ms (best of five)")
+    print(f"page, style and script {load['bytes']} bytes sent, {load['plain']} unpacked")
+    whole = times["key press to painted plot"]
+    good = median(whole) < MEDIAN and late(whole) < MOST and load["answered"] < LOAD
+    return 0 if good or not asked.bound else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
