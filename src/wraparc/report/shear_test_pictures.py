@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 _REPEATS = (BLUE, ORANGE, "#009e73", "#cc79a7", GREY)
 _MOST_PANELS = 12
+_MOST_DOTS = 125
 _COLUMNS = 4
 _Band = tuple[Array, list[tuple[Array, Array]]]
 _LOG_TICKS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)
@@ -35,13 +36,11 @@ def curves_picture(condition: ConditionResult) -> Picture:
             top = 0.0
             for k, test in enumerate(tests):
                 colour = _REPEATS[k % len(_REPEATS)]
+                x, y = _readings(test)
+                ax.plot(x / _MM, y, ".", ms=3.2, mew=0, color=colour, alpha=0.6)
                 keep = _thin(test, 90)
-                ax.plot(
-                    test.fit.slip[keep] / _MM, test.fit.friction[keep], ".", ms=3.0, mew=0,
-                    color=colour, alpha=0.55,
-                )  # fmt: skip
                 x = np.maximum(test.fit.slip, 0.0)[keep]
-                ax.plot(x / _MM, test.fit.fitted[keep], color=colour, lw=1.0)
+                ax.plot(x / _MM, test.fit.fitted[keep], color=colour, lw=0.8)
                 top = max(top, float(test.fit.fitted.max()))
             pressure = condition.found.level_pressures()[level]
             slip = np.linspace(0.0, max(test.fit.slip_max for test in tests), 120)
@@ -51,7 +50,7 @@ def curves_picture(condition: ConditionResult) -> Picture:
             ax.set_xlim(left=-0.02 * slip[-1] / _MM)
         _legend(
             figure,
-            ["repeats (dots), each with its fit (line)", "law of all tests (dashed)"],
+            ["readings (dots), each test with its fit (line)", "law of all tests (dashed)"],
             [BLUE, "black"],
         )
         return Picture(figure)
@@ -66,7 +65,7 @@ def checks_picture(condition: ConditionResult) -> Picture:
     with styled():
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10.5, 4.2))
+        figure = Figure(figsize=(10.5, 3.9))
         left, right = figure.subplots(
             1, 2, gridspec_kw={"left": 0.06, "right": 0.985, "top": 0.92, "bottom": 0.24}
         )
@@ -98,7 +97,7 @@ def _draw_derivatives(ax: "Axes", condition: ConditionResult) -> None:
         if check is None:
             continue
         colour = _shade(condition, int(level))
-        ax.plot(check.slip / _MM, check.slope * _MM, ".", ms=2.6, mew=0, color=colour, alpha=0.7)
+        ax.plot(check.slip / _MM, check.slope * _MM, ".", ms=3.4, mew=0, color=colour, alpha=0.8)
         ax.plot(check.slip / _MM, check.law * _MM, color=colour, lw=0.9)
     ax.set_xscale("log")
     low, high = ax.get_xlim()
@@ -133,9 +132,9 @@ def pressure_picture(condition: ConditionResult, saturation: float | None) -> Pi
     with styled():
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(10.5, 6.4))
+        figure = Figure(figsize=(10.5, 5.7))
         grid = figure.add_gridspec(
-            2, 3, left=0.07, right=0.98, top=0.93, bottom=0.11, hspace=0.36, wspace=0.34
+            2, 3, left=0.07, right=0.98, top=0.94, bottom=0.13, hspace=0.42, wspace=0.34
         )
         band = _band(condition)
         places = [grid[0, 0], grid[0, 1], grid[1, 0], grid[1, 1]]
@@ -283,6 +282,14 @@ def _chosen_levels(condition: ConditionResult) -> list[int]:
         picked = np.unique(np.linspace(0, len(levels) - 1, _MOST_PANELS).round().astype(int))
         levels = levels[picked]
     return [int(level) for level in levels]
+
+
+def _readings(test: TestResult) -> tuple[Array, Array]:
+    """Slip and friction of single readings, thinned, zero and lash taken off."""
+    fit, q = test.fit, test.fit.parameters
+    step = max(1, len(test.curve.travel) // _MOST_DOTS)
+    friction = test.curve.friction[::step] - q.zero
+    return test.curve.travel[::step] - q.lash - fit.bending * friction, friction
 
 
 def _thin(test: TestResult, count: int) -> NDArray[np.int64]:

@@ -34,13 +34,11 @@ def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
         Units to show; A and b stay per millimetre of slip, as printed by the paper.
     """
     tables: list[Table] = []
-    remarks: list[str] = []
     for condition in result.conditions:
         several = len(result.conditions) > 1
         name = f" ({condition.condition})" if several else ""
         tables += condition_tables(condition, system, name)
-        prefix = f"{condition.condition}: " if several else ""
-        remarks += [prefix + sentence for sentence in condition.remarks]
+    remarks = _remarks(result)
     if result.left_out:
         tables.insert(0, left_out_table(result))
     return Sheet(
@@ -51,6 +49,17 @@ def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
         remarks=tuple(_started(sentence) for sentence in remarks),
         sources=(str(result.plan.provenance),),
     )
+
+
+def _remarks(result: PlanResult) -> list[str]:
+    """Remarks of all conditions; what is not said of all, with its condition."""
+    several = len(result.conditions) > 1
+    found = []
+    for sentence in dict.fromkeys(s for c in result.conditions for s in c.remarks):
+        said = [c.condition for c in result.conditions if sentence in c.remarks]
+        everywhere = len(said) == len(result.conditions)
+        found.append(f"{', '.join(said)}: {sentence}" if several and not everywhere else sentence)
+    return found
 
 
 def _subtitle(result: PlanResult) -> str:

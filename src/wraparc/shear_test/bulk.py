@@ -44,6 +44,8 @@ def read_bulk(block: str, delimiter: str, width: int) -> Bulk | None:
     width
         Number of cells of a row.
     """
+    block, front, back = _numeric_part(block, delimiter)
+    width -= front + back
     plain, sign = _unquoted(block, delimiter, width)
     if plain is None or not plain.isascii():
         return None
@@ -71,7 +73,31 @@ def read_bulk(block: str, delimiter: str, width: int) -> Bulk | None:
         return None
     if values.shape != (plain.count("\n") + 1, width):
         return None
+    values = np.pad(values, ((0, 0), (front, back)), constant_values=np.nan)
     return Bulk(np.where(np.isfinite(values), values, np.nan), style)
+
+
+def _numeric_part(block: str, delimiter: str) -> tuple[str, int, int]:
+    """Take off an empty first column, and a last one of the same text in every row.
+
+    Returns
+    -------
+    block
+        Without them.
+    front, back
+        How many columns were taken off, 0 or 1 each.
+    """
+    if delimiter == " ":
+        return block, 0, 0
+    gaps, front, back = block.count("\n"), 0, 0
+    if block.startswith(delimiter) and block.count(f"\n{delimiter}") == gaps:
+        block, front = block[1:].replace(f"\n{delimiter}", "\n"), 1
+    line = block[: block.find("\n")] if gaps else block
+    end = line[line.rfind(delimiter) :]
+    text = any(c.isalpha() and c not in "eE" for c in end)
+    if text and block.endswith(end) and block.count(f"{end}\n") == gaps:
+        block, back = block.removesuffix(end).replace(f"{end}\n", "\n"), 1
+    return block, front, back
 
 
 def _unquoted(block: str, delimiter: str, width: int) -> tuple[str | None, str]:

@@ -25,6 +25,7 @@ DELIMITER_NAMES = {"\t": "tab", ";": "semicolon", "|": "bar", ",": "comma", " ":
 _SAMPLE = 200
 _HEAD = 150
 _LARGEST_GAP = 2
+_OVERLAP = 5
 _HEADER_KEPT = 40
 _ALL_NUMERIC = re.compile(r'[-+\u22120-9eE.,;|\t "]*[0-9][-+\u22120-9eE.,;|\t "]*')
 _LAST_DECIMALS = re.compile(r"[.,](\d*)\"?\s*$")
@@ -108,25 +109,48 @@ def tables_in_text(
     sign = delimiter or _delimiter_of(lines)
     if sign is None:
         return []
-    head = lines[:_HEAD]
-    cells = _split_all(head, sign)
-    runs = _runs(cells, _row_widths(head, cells))
-    bulk = None
-    if len(lines) > _HEAD and runs and runs[-1].last == len(head) - 1 and not runs[-1].skipped:
-        bulk = read_bulk("\n".join(lines[runs[-1].first :]), sign, runs[-1].width)
-    if bulk is None and len(lines) > _HEAD:
-        cells = _split_all(lines, sign)
-        runs = _runs(cells, _row_widths(lines, cells))
+    tables = _quick(lines, sign) if len(lines) > _HEAD else None
+    if tables is None:
+        tables = _careful(lines, sign)
+    if tables and not ended and tables[-1].lines[-1] == len(lines):
+        tables[-1] = replace(tables[-1], cut=True, shorter=_has_fewer_decimals(lines))
+    return tables
+
+
+def _quick(lines: Sequence[str], sign: str) -> list[RawTable] | None:
+    """Convert the table that reaches beyond the head at once; None where that cannot be done.
+
+    It ends with the file or before an empty line, what follows it being read carefully.
+    """
+    head = _careful(lines[:_HEAD], sign)
+    if not head or head[-1].lines[-1] != _HEAD or head[-1].skipped:
+        return None
+    first, width = int(head[-1].lines[0]) - 1, len(head[-1].columns)
+    stop = next((k for k in range(_HEAD, len(lines)) if not lines[k]), len(lines))
+    after: list[RawTable] = []
+    if stop < len(lines):
+        # Its last rows are read with what follows, to see that it ends there.
+        start = stop - min(_OVERLAP, stop - first)
+        last, *after = _careful(lines[start:], sign, start) or [head[-1]]
+        if last.lines.tolist() != list(range(start + 1, stop + 1)) or len(last.columns) != width:
+            return None
+        if last.skipped:
+            return None
+    bulk = read_bulk("\n".join(lines[first:stop]), sign, width)
+    if bulk is None:
+        return None
+    return [*head[:-1], _bulk_table(bulk, first, head[-1].header, sign), *after]
+
+
+def _careful(lines: Sequence[str], sign: str, offset: int = 0) -> list[RawTable]:
+    """Find the tables cell by cell; `offset` lines stand before the first."""
+    cells = _split_all(lines, sign)
+    runs = _runs(cells, _row_widths(lines, cells))
     tables = []
     for run, start in zip(runs, [0, *(run.last + 1 for run in runs)], strict=False):
         above = [line for line in lines[start : run.first] if line.strip(_EMPTY)]
         header = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
-        if bulk is not None and run is runs[-1]:
-            tables.append(_bulk_table(bulk, run.first, header, sign))
-        else:
-            tables.append(_text_table(cells, run, header, sign))
-    if tables and not ended and tables[-1].lines[-1] == len(lines):
-        tables[-1] = replace(tables[-1], cut=True, shorter=_has_fewer_decimals(lines))
+        tables.append(_text_table(cells, run, header, sign, offset))
     return tables
 
 
@@ -182,13 +206,15 @@ def _text_table(
     run: "_Run",
     header: tuple[tuple[str, ...], ...],
     sign: str,
+    offset: int,
 ) -> RawTable:
+    before = offset + 1
     return RawTable(
-        place=f"lines {run.first + 1} to {run.last + 1}",
+        place=f"lines {run.first + before} to {run.last + before}",
         header=header,
         columns=tuple(zip(*[cells[k] for k in run.rows], strict=True)),
-        lines=np.array(run.rows, dtype=np.int64) + 1,
-        skipped=tuple((k + 1, reason) for k, reason in run.skipped),
+        lines=np.array(run.rows, dtype=np.int64) + before,
+        skipped=tuple((k + before, reason) for k, reason in run.skipped),
         delimiter=sign,
     )
 
