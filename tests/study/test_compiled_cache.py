@@ -97,3 +97,30 @@ def test_a_place_that_cannot_be_written_costs_the_cache_only(tmp_path: Path) -> 
         env={**os.environ, "WRAPARC_CACHE_DIR": str(blocked)},
     )
     assert run.stdout.strip() == "None", run.stderr
+
+
+THREADS = """
+import numpy as np
+from wraparc import Setting, load_lagging, solve_batch
+n = 40_000
+table = dict(entry_tension=np.full(n, 1e5), exit_tension=5e4, diameter=0.8, wrap_angle=3.1,
+             belt_width=1.0, belt_modulus=1e7)
+laggings = [load_lagging(name) for name in ("diamond-rubber", "full-ceramic")]
+first = solve_batch(table, laggings[0], capacities=False, threads=4)
+few = {k: v[:4] if np.ndim(v) else v for k, v in table.items()} | {"lagging": [0, 1, 0, 1]}
+for setting in Setting:
+    again = solve_batch(few, laggings, setting=setting)
+    assert again.solved.all()
+print(np.ptp(first["exit_creep"]), abs(again["exit_creep"][0] / first["exit_creep"][0] - 1) < 1e-4)
+"""
+
+
+def test_threads_may_be_the_first_to_compile_or_load() -> None:
+    """Many threads at once are the first to want an entry, and others are wanted after it."""
+    run = subprocess.run(
+        [sys.executable, "-X", "faulthandler", "-c", THREADS],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.stdout.split() == ["0.0", "True"], run.stderr

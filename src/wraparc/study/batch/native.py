@@ -74,7 +74,8 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
     def run(*arguments: Any) -> Any:
         if not dispatcher.nopython_signatures:
             with underlay.optimised_once(entry.__qualname__):
-                dispatcher.compile(tuple(map(numba.typeof, arguments)))
+                if not dispatcher.nopython_signatures:  # another thread may have been first
+                    dispatcher.compile(tuple(map(numba.typeof, arguments)))
         return dispatcher(*arguments)
 
     return run

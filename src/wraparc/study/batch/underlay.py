@@ -365,28 +365,26 @@ def optimised_once(entry: str) -> Iterator[None]:
     if not all(hasattr(library, n) for n in names) or not hasattr(generator, "set_env"):
         yield
         return
-    optimise, finish, set_env = (
-        library._optimize_final_module,
-        library._finalize_final_module,
-        generator.set_env,
-    )
-
-    def optimise_entry(self: Any) -> None:
-        if self.name == entry:
-            optimise(self)
-
-    def finish_entry(self: Any) -> None:
-        if self.name == entry:
-            finish(self)
-        else:
-            self._finalize_dynamic_globals()
-            self._finalized = True
-
-    def set_known_env(self: Any, name: str, env: Any) -> None:
-        if self._engine.is_symbol_defined(name):
-            set_env(self, name, env)
-
+    # every way into the compiler takes this lock: nobody else compiles or loads meanwhile
     with global_compiler_lock:
+        optimise, finish = library._optimize_final_module, library._finalize_final_module
+        set_env = generator.set_env
+
+        def optimise_entry(self: Any) -> None:
+            if self.name == entry:
+                optimise(self)
+
+        def finish_entry(self: Any) -> None:
+            if self.name == entry:
+                finish(self)
+            else:
+                self._finalize_dynamic_globals()
+                self._finalized = True
+
+        def set_known_env(self: Any, name: str, env: Any) -> None:
+            if self._engine.is_symbol_defined(name):
+                set_env(self, name, env)
+
         library._optimize_final_module = optimise_entry
         library._finalize_final_module = finish_entry
         generator.set_env = set_known_env
