@@ -84,7 +84,7 @@ class Distributed:
                 out[RECORD * i] = arc.length * i / self.points
             count = self.points + 1
         found = self._capacities(arc, law, geometry) if self.capacities else Capacities()
-        return _result(self.name, arc, law, par, status, shot, out, count, found)
+        return result_of(self.name, arc, law, par, status, shot, out, count, found)
 
     def _capacities(self, arc: WrapArc, law: Law, geometry: Geometry) -> Capacities:
         tight = max(arc.entry_tension, arc.exit_tension)
@@ -138,7 +138,7 @@ def _balanced(arc: WrapArc, shot: Shot) -> bool:
     return abs(tension / arc.exit_tension - 1.0) <= BALANCE
 
 
-def _result(
+def result_of(
     method: str,
     arc: WrapArc,
     law: Law,
@@ -149,6 +149,7 @@ def _result(
     count: int,
     capacities: Capacities,
 ) -> ArcResult:
+    """Return the result of an arc that the kernel has solved and traced."""
     q, slip, creep, _, _, g, zone = shot
     entry = par[T1]  # on breakaway of a braking pulley the exit tension is the one held
     exit_tension = entry * math.exp(q)

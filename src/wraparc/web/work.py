@@ -11,6 +11,7 @@ import shutil
 import sys
 import tempfile
 import threading
+import time
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from importlib import import_module
@@ -23,7 +24,7 @@ from wraparc.web.errors import ApiError, Data, json_bytes, refused
 #: Queues of short answers, with processes of their own.
 QUICK, WHOLE = "quick", "whole"
 #: Most seconds for a short answer, and for a long one.
-SHORT_LIMIT, LONG_LIMIT = 20.0, 600.0
+SHORT_LIMIT, LONG_LIMIT = 90.0, 600.0
 _MOST_WAITING, _MOST_LONG_WAITING = 200, 40
 #: Most memory of a long task [bytes]: a file made to fill it all fills no more than this.
 _MEMORY = 6 * 1024**3
@@ -57,10 +58,14 @@ def _here(where: str, request: Data) -> bytes:
         return answer(where, {**request, "folder": folder, "progress": _ignored})
 
 
-def _warm() -> None:
+def _warm(compiled: bool = False) -> None:
     from wraparc.web.warm import warm
 
-    warm()
+    warm(compiled=compiled)
+
+
+def _nothing() -> None:
+    time.sleep(0.05)  # long enough for every process to be started for one of these
 
 
 class Workers:
@@ -73,12 +78,19 @@ class Workers:
         can be ended.
     long_tasks
         Long tasks that may run at the same time.
+
+    Attributes
+    ----------
+    compiled
+        Whether the processes solve by compiled code by now.
     """
 
     def __init__(self, count: int, long_tasks: int = 2) -> None:
         self._count = count
         self._context = context()
         self._pools: dict[str, Executor] = {}
+        self._compiled = self._stopped = False
+        self.compiled = False
         self._lock = threading.Lock()
         self._waiting = 0
         self._long = asyncio.Semaphore(long_tasks)
@@ -94,18 +106,43 @@ class Workers:
         if not self._count:
             return ThreadPoolExecutor(4, thread_name_prefix=queue)
         count = self._count if queue == QUICK else max(1, self._count // 2)
-        return ProcessPoolExecutor(count, mp_context=self._context, initializer=_warm)
+        return ProcessPoolExecutor(
+            count, mp_context=self._context, initializer=_warm, initargs=(self._compiled,)
+        )
 
     def start(self) -> None:
-        """Start the processes, so that the first request need not wait for them."""
-        for queue in (QUICK, WHOLE) if self._count else ():
-            pool = self._executor(queue)
-            for _ in range(self._count):
-                pool.submit(_warm)
+        """Start the processes, and others with compiled code that take their place later."""
+        if self._count:
+            for queue in (QUICK, WHOLE):
+                self._filled(self._executor(queue))
+            threading.Thread(target=self._compile, daemon=True).start()
+
+    def _filled(self, pool: Executor) -> list[Any]:
+        return [pool.submit(_nothing) for _ in range(self._count)]
+
+    def _compile(self) -> None:
+        """Compile once on this machine; then put processes that have loaded it in the place."""
+        try:
+            task = Task(self._context, "wraparc.web.warm:compile_kernel", {}, _ignored)
+            if task.result() != b"true":
+                return
+            self._compiled = True
+            pools = {queue: self._made(queue) for queue in (QUICK, WHOLE)}
+            for ready in [future for pool in pools.values() for future in self._filled(pool)]:
+                ready.result()
+        except (CancelledTaskError, ApiError, BrokenExecutor, OSError, RuntimeError):
+            return  # the interpreter does it too
+        with self._lock:
+            old = pools if self._stopped else self._pools
+            self._pools = {} if self._stopped else pools
+            self.compiled = True
+        for pool in old.values():
+            pool.shutdown(wait=False)
 
     def stop(self) -> None:
         """End the processes."""
         with self._lock:
+            self._stopped = True
             pools, self._pools = list(self._pools.values()), {}
         for pool in pools:
             pool.shutdown(wait=False, cancel_futures=True)

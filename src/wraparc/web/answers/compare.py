@@ -20,6 +20,7 @@ from wraparc.units import display
 from wraparc.web.answers.documents import read
 from wraparc.web.answers.drives import case_of, pulley_of
 from wraparc.web.answers.shown import Data, both, texts_data
+from wraparc.web.answers.solving import main_solver
 from wraparc.web.errors import problems_data
 
 _NEIGHBOURS = 4
@@ -50,7 +51,7 @@ def compare(request: Data) -> Data:
             impossible.append({"name": name, "problems": problems_data(changed.problems)})
             continue
         try:
-            result = Distributed().solve(WrapArc.of(changed, changed.pulley(pulley.name), case))
+            result = main_solver().solve(WrapArc.of(changed, changed.pulley(pulley.name), case))
         except InputError as error:
             impossible.append({"name": name, "problems": problems_data(error.problems)})
             continue

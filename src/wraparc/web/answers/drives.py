@@ -29,6 +29,7 @@ from wraparc.web.answers.shown import (
     texts_data,
     verdict_data,
 )
+from wraparc.web.answers.solving import main_solver
 
 _PAPER_POINTS = 121
 TABLES = ("answer", "creep", "capacity", "comparison", "energy", "inputs")
@@ -38,8 +39,8 @@ def solve_fast(request: Data) -> Data:
     """Solve one arc without capacities: what a slider needs."""
     thing = read(request["document"])
     points = request["points"]
-    method = Distributed(points=points, capacities=False)
-    drive = thing if isinstance(thing, Drive) else _divided(thing, request["load_case"], method)
+    method = main_solver(points, capacities=False)
+    drive = thing if isinstance(thing, Drive) else _divided(thing, request["load_case"], points)
     pulley, case = pulley_of(drive, request["pulley"]), case_of(drive, request["load_case"])
     result = method.solve(WrapArc.of(drive, pulley, case))
     answered = DriveResult(drive, (result,))
@@ -61,7 +62,7 @@ def _first_tables(result: ArcResult, system: System) -> list[Table | None]:
     return [answer_table((result,), system), creep_table((result,), system)]
 
 
-def _divided(train: Train, load_case: str | None, method: Distributed) -> Drive:
+def _divided(train: Train, load_case: str | None, points: int) -> Drive:
     """Return the drive of a train with the tensions that its division of the load makes."""
     if load_case is not None:
         cases = tuple(case for case in train.cases if case.name == load_case)
@@ -70,6 +71,7 @@ def _divided(train: Train, load_case: str | None, method: Distributed) -> Drive:
         train = replace(train, cases=cases)
     else:
         train = replace(train, cases=train.cases[:1])
+    method = Distributed(points=points, capacities=False)
     return solve_train(train, method=method, raise_on_failure=False).drive_result().drive
 
 
@@ -88,7 +90,7 @@ def solve_all(request: Data) -> Data:
         if request["load_case"] is not None:
             case = case_of(thing, request["load_case"])
             thing = replace(thing, load_cases=(case,))
-        first = solve(thing, method=Distributed(points=request["points"]), raise_on_failure=False)
+        first = solve(thing, method=main_solver(request["points"]), raise_on_failure=False)
     drive = first.drive
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     results = (first, second)

@@ -3,12 +3,13 @@
 from datetime import UTC, datetime
 from typing import Any
 
-from wraparc.arc import Distributed, PaperMarch, solve
+from wraparc.arc import PaperMarch, solve
 from wraparc.drive import Drive
 from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.train import solve_train
 from wraparc.web.answers.documents import read
 from wraparc.web.answers.shown import Data
+from wraparc.web.answers.solving import main_solver
 
 _KINDS: dict[str, Any] = {"pdf": pdf, "xlsx": workbook, "md": markdown}
 
@@ -21,7 +22,7 @@ def report(request: Data) -> bytes:
     head = NoteHead(**{"date": date, "file": f"{request['name']}.toml", **given})
     train = None
     if isinstance(thing, Drive):
-        first = solve(thing, method=Distributed(), raise_on_failure=False)
+        first = solve(thing, method=main_solver(), raise_on_failure=False)
     else:
         train = solve_train(thing, raise_on_failure=False)
         first = train.drive_result()

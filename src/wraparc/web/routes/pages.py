@@ -71,6 +71,7 @@ def about(request: Request) -> Response:
         "name": "wraparc",
         "version": __version__,
         "fast": find_spec("numba") is not None,
+        "compiled": state_of(request).workers.compiled,
         "database": settings.database.partition(":")[0].partition("+")[0],
         "extras": {name: find_spec(library) is not None for name, library in _EXTRAS.items()},
         "token": bool(settings.token),
