@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from present.drives import BELT, drive, solved
+from present.drives import BELT, drive, marched, solved
 from wraparc import Constant, Drive, Lagging, load_lagging, solve
 from wraparc.report.checks import Check, Outcome, check_table, checks, margin_text
 
@@ -119,3 +119,11 @@ def test_the_table_says_it_in_words_and_signs() -> None:
     )  # fmt: skip
     assert rows["Belt tension, rated"].values[2:] == ("+28.6 %", "+ PASS")
     assert [margin_text(m) for m in (0.0, 0.99999, -1e-3)] == ["0 %", "> +99.9 %", "−0.1 %"]
+
+
+def test_a_method_without_capacities_fails_nothing_for_it() -> None:
+    """The paper's march alone: its slack side and its energy balance are not known, not failed."""
+    told = {c.title: c for c in checks(marched())}
+    slack = told["Slack-side tension for the creep limit"]
+    assert (slack.outcome, slack.where) == (Outcome.NOT_KNOWN, "the method finds no capacities")
+    assert "Energy balance of the solution" not in told

@@ -86,8 +86,9 @@ def _checks(result: DriveResult) -> Iterator[Check]:
     yield _rating(result.drive, arcs)
     yield from _diameters(result.drive)
     yield from _design_values(result)
-    if solved:
-        error = _worst(solved, lambda arc: -abs(arc.energy.identity_error))
+    balanced = [arc for arc in solved if not math.isnan(arc.energy.identity_error)]
+    if balanced:
+        error = _worst(balanced, lambda arc: -abs(arc.energy.identity_error))
         miss = abs(error.energy.identity_error)
         yield _compared("Energy balance of the solution", error, miss, BALANCE)
 
@@ -136,6 +137,8 @@ def _slack(arcs: Sequence[ArcResult]) -> Check:
     pulled = [arc for arc in arcs if arc.arc.effective_tension]
     if not pulled:
         return Check(title, Outcome.PASS, "no pull to carry")
+    if all(math.isnan(arc.capacities.gross_slip_capacity) for arc in pulled):
+        return Check(title, Outcome.NOT_KNOWN, "the method finds no capacities")
 
     def share(arc: ArcResult) -> float:
         least = arc.capacities.least_exit_tension

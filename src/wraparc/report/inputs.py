@@ -22,6 +22,8 @@ _FORMULA = "from the compression of the lagging, 1.25 delta sqrt(delta/R)"
 _TENSIONS = (
     "T1 at the entry nip, T2 at the exit nip; computed from power or pull where these are given."
 )
+#: Things alike that fit beside each other on a page, with room for their sources.
+_ABREAST = 4
 _LAW_NAMES = {
     "IntegralLog": "integral-log law",
     "Constant": "constant friction (Euler-Eytelwein)",
@@ -190,8 +192,10 @@ def input_tables(inputs: Sequence[Input], system: System, of: Sources) -> tuple[
         of_names = [groups[name] for name in names]
         if kind == "Load":
             tables.append(_tensions_table(names, of_names, system, of))
-        else:
-            tables.append(_side_by_side(kind, names, of_names, system, of))
+            continue
+        for start in range(0, len(names), _ABREAST):
+            some = slice(start, start + _ABREAST)
+            tables.append(_side_by_side(kind, names[some], of_names[some], system, of))
     return tuple(tables)
 
 
