@@ -31,8 +31,9 @@ Flags = NDArray[np.bool_]
 
 #: Percentiles that are told [%].
 PERCENTS = (5.0, 50.0, 95.0, 99.0)
-#: Numbers of one result and group that are kept to find percentiles exactly.
-KEPT = 200_000
+#: Numbers that are kept in all to find percentiles; where there are more, every second, fourth ...
+KEPT = 4_000_000
+LEAST_KEPT = 2_000
 #: Results of which none at all is more than any number: no creep holds the belt, no tension is
 #: enough.
 WITHOUT_BOUND = ("exit_creep", "exit_slip", "least_exit_tension")
@@ -188,6 +189,7 @@ class _Collected:
     """What is gathered of one group while the results go by."""
 
     outputs: tuple[str, ...]
+    most: int = KEPT
     counts: Array = field(default_factory=lambda: np.zeros(len(STATUS_WORDS)))
     over: int = 0
     kept: dict[str, list[Array]] = field(default_factory=dict)
@@ -227,7 +229,7 @@ class _Collected:
         step = self.thinned.setdefault(name, 1)
         kept = self.kept.setdefault(name, [])
         kept.append(finite[(-before) % step :: step])
-        if sum(map(len, kept)) > KEPT:
+        if sum(map(len, kept)) > self.most:
             whole = np.concatenate(kept)[::2]
             self.kept[name], self.thinned[name] = [whole], 2 * step
 
@@ -273,6 +275,7 @@ def summarise(path: str | os.PathLike[str]) -> Summary:
     combinations = math.prod(len(v) for v in data["levels"].values())
     counts = np.zeros(len(STATUS_WORDS))
     many = combinations * len(cases) > MOST_GROUPS
+    most = max(LEAST_KEPT, KEPT // max(1, combinations * len(cases) * len(outputs)))
     collected: dict[tuple[int, int], _Collected] = {}
     per_combination = data["designs"] // max(1, combinations)
     columns = [DESIGN, STATUS, WITHIN, *([] if many else outputs)]
@@ -285,7 +288,7 @@ def summarise(path: str | os.PathLike[str]) -> Summary:
         case = np.arange(len(status)) % len(cases)
         for key in sorted(set(zip(combination.tolist(), case.tolist(), strict=True))):
             rows = (combination == key[0]) & (case == key[1])
-            group = collected.setdefault(key, _Collected(outputs))
+            group = collected.setdefault(key, _Collected(outputs, most))
             values = {name: batch[name][rows] for name in outputs}
             group.take(status[rows], batch[WITHIN][rows], values)
     return Summary(

@@ -125,11 +125,32 @@ def table_of(study: Study, columns: Mapping[str, Array]) -> Any:
     for name in schema.names:
         column = columns[name]
         if name in words:
-            codes = pa.array(column.astype(np.int32))
-            arrays.append(pa.DictionaryArray.from_arrays(codes, pa.array(words[name], pa.string())))
+            codes = _bare(column.astype(np.int32), pa.int32())
+            arrays.append(pa.DictionaryArray.from_arrays(codes, _texts(words[name])))
+        elif name == WITHIN:
+            bits = np.packbits(column.astype(bool), bitorder="little")
+            arrays.append(_bare(bits, pa.bool_(), len(column)))
         else:
-            arrays.append(pa.array(column))
+            arrays.append(_bare(column, schema.field(name).type))
     return pa.Table.from_arrays(arrays, schema=schema)
+
+
+def _texts(words: tuple[str, ...]) -> Any:
+    import pyarrow as pa
+
+    data = [word.encode("utf-8") for word in words]
+    ends = np.cumsum([0, *map(len, data)], dtype=np.int32)
+    buffers = [None, pa.py_buffer(ends), pa.py_buffer(b"".join(data))]
+    return pa.Array.from_buffers(pa.string(), len(words), buffers)
+
+
+def _bare(column: NDArray[Any], kind: Any, size: int | None = None) -> Any:
+    """Arrow array on the memory of an array; `pyarrow.array` would import pandas first."""
+    import pyarrow as pa
+
+    whole = np.ascontiguousarray(column)
+    rows = len(whole) if size is None else size
+    return pa.Array.from_buffers(kind, rows, [None, pa.py_buffer(whole)])
 
 
 def solve_part(study: Study, start: int, stop: int, progress: Any = None) -> bytes:
@@ -184,7 +205,8 @@ def merge(parts: Iterable[Path], schema: Any, target: Path) -> None:
     try:
         with _writer(str(draft), schema) as writer:
             for part in parts:
-                writer.write_table(pq.read_table(part, schema=schema))
+                with pq.ParquetFile(part) as file:
+                    writer.write_table(file.read().cast(schema))
         os.replace(draft, target)
     finally:
         draft.unlink(missing_ok=True)
@@ -219,13 +241,25 @@ def batches(path: str | os.PathLike[str], columns: Iterable[str]) -> Iterator[di
     with pq.ParquetFile(path) as file:
         for group in range(file.num_row_groups):
             table = file.read_row_group(group, columns=list(columns)).combine_chunks()
-            found = {}
+            found: dict[str, Any] = {}
             for name in table.column_names:
-                column = table.column(name)
+                column = table.column(name).chunk(0)
                 if pa.types.is_dictionary(column.type):
-                    column = column.combine_chunks() if column.num_chunks else column
-                    chunk = column.chunk(0) if isinstance(column, pa.ChunkedArray) else column
-                    found[name] = chunk.indices.to_numpy(), chunk.dictionary.to_pylist()
+                    found[name] = _numbers(column.indices), column.dictionary.to_pylist()
                 else:
-                    found[name] = column.to_numpy()
+                    found[name] = _numbers(column)
             yield found
+
+
+def _numbers(array: Any) -> NDArray[Any]:
+    """The memory of an Arrow array without nulls; its own `to_numpy` would import pandas first."""
+    import pyarrow as pa
+
+    data = array.buffers()[1]
+    begin, end = array.offset, array.offset + len(array)
+    if pa.types.is_boolean(array.type):
+        bits = np.unpackbits(np.frombuffer(data, np.uint8), count=end, bitorder="little")
+        return bits[begin:].astype(bool)
+    kinds = {"double": np.float64, "int64": np.int64, "int32": np.int32}
+    numbers: NDArray[Any] = np.frombuffer(data, kinds[str(array.type)], count=end)
+    return numbers[begin:]
