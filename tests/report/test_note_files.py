@@ -1,6 +1,8 @@
 """Workbook and Markdown: the numbers are those of the JSON document; nothing typed is a formula."""
 
 import io
+import sys
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -9,10 +11,10 @@ from python_calamine import CalamineWorkbook
 
 from present.drives import drive, marched, solved
 from report.cases import train
-from wraparc import solve
+from wraparc import MissingExtraError, solve
 from wraparc.glossary import GLOSSARY
 from wraparc.present.document import result_document
-from wraparc.report import NoteHead, markdown, workbook
+from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.report.note_workbook import SHEETS
 from wraparc.units import System, unit_factor
 
@@ -153,3 +155,13 @@ def test_markdown_takes_nothing_typed_for_markup() -> None:
     assert "<b>" not in text
     assert "[x](" not in text
     assert r"\[x\](javascript:1) \<b\> \| a \*b\* \`c\` \$d\$" in text
+
+
+@pytest.mark.parametrize(("library", "make"), [("typst", pdf), ("xlsxwriter", workbook)])
+def test_a_missing_library_is_named_with_its_extra(
+    monkeypatch: pytest.MonkeyPatch, library: str, make: Callable[..., object]
+) -> None:
+    monkeypatch.setitem(sys.modules, library, None)
+    with pytest.raises(MissingExtraError) as caught:
+        make([marched()])
+    assert str(caught.value) == f"needs {library}: pip install 'wraparc[report]'"
