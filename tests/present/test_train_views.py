@@ -1,6 +1,8 @@
 """A solved train in a notebook: its tables, its pictures, its data frame."""
 
 import functools
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,7 +10,9 @@ import pytest
 from present.test_notebook import checked
 from wraparc import Distributed, TrainResult, load_train, solve_train
 from wraparc.plot import plot
-from wraparc.train import match_drives
+from wraparc.present.notebook import sheet_html
+from wraparc.present.train_sheet import matching_sheet, train_sheet
+from wraparc.train import Motors, VariableSpeed, match_drives
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -69,3 +73,17 @@ def test_the_matching_draws_its_curves() -> None:
             (line,) = (drawn for drawn in shares[title].lines if drawn.get_label() == name)
             assert line.get_xdata() == pytest.approx(100 * curve.values)
             assert line.get_ydata() == pytest.approx(100 * curve.shares[:, i], nan_ok=True)
+
+
+def test_in_us_units_nothing_stays_in_si() -> None:
+    motor = VariableSpeed(rated_power=2e5, rated_speed=155.0, gear_ratio=20.6, droop=0.02)
+    train = tandem().train
+    driven = replace(train, cases=(replace(train.cases[0], division=Motors((motor, motor))),))
+    result = solve_train(driven, method=Distributed(capacities=False, points=20))
+    page = checked(sheet_html(train_sheet(result, "us", []))).text
+    page += checked(
+        sheet_html(matching_sheet(tandem(), match_drives(tandem(), points=3), "us"))
+    ).text
+    assert not re.findall(r"\d (?:kN|N|mm|m|kW|W|kPa|kN m)\b", " ".join(page))
+    assert re.search(r"Motor torque M_m [\d.]+ lbf ft", " ".join(" ".join(page).split()))
+    assert "0.03937 in worn off first" in " ".join(page)

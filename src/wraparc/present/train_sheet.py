@@ -136,7 +136,7 @@ def case_table(case: CaseResult, system: System) -> Table:
         arc_value("exit_tension"),
         value("drum_power"),
         value("drum_torque"),
-        *_motor_rows(row, value, members),
+        *_motor_rows(row, members, system),
         row("speed_ratio", lambda m: signed(m.speed_ratio - 1.0), "exactly"),
         row("contraction_term", lambda m: signed(m.contraction_term), "to first order"),
         row("creep_term", lambda m: signed(m.creep_term), "to first order"),
@@ -175,7 +175,7 @@ def _shown(value: float, dimension: str, system: System, digits: int) -> str:
 
 
 def _motor_rows(
-    row: Callable[[str, Cell], Row], value: Callable[[str], Row], members: Sequence[MemberResult]
+    row: Callable[[str, Cell], Row], members: Sequence[MemberResult], system: System
 ) -> list[Row]:
     if not any(m.motor for m in members):
         return []
@@ -185,8 +185,9 @@ def _motor_rows(
 
     return [
         of("motor_load", percent),
-        of("motor_power", lambda v: named("motor_power", v)),
-        of("motor_speed", lambda v: named("motor_speed", v)),
+        of("motor_power", lambda v: named("motor_power", v, system)),
+        of("motor_torque", lambda v: named("motor_torque", v, system)),
+        of("motor_speed", lambda v: named("motor_speed", v, system)),
     ]
 
 
@@ -243,7 +244,7 @@ def matching_sheet(result: TrainResult, matching: Matching, system: System = "si
         _curve_table(f"Against {_noun(matching.trim)}", matching.trim, trim_text),
         _curve_table("Against diameter, drums turning as before", matching.diameter, trim_text),
         _curve_table("Against load, speeds and take-up as they are", matching.load, percent),
-        _changes_table(matching),
+        _changes_table(matching, system),
     ]
     pulleys = drive_sheet([result.drive_result()], system, [])
     verdict = matching_verdict(matching, system)
@@ -273,11 +274,11 @@ def _place(mark: Mark) -> str:
     return "shares " + ", ".join(f"{round(100.0 * share, 1) + 0.0:.1f} %" for share in mark.shares)
 
 
-def _changes_table(matching: Matching) -> Table:
+def _changes_table(matching: Matching, system: System) -> Table:
     rows = []
     for change in matching.changes:
         lagging = change.lagging
-        what = f"{named('lagging_thickness', change.wear)} worn off {change.pulley}"
+        what = f"{named('lagging_thickness', change.wear, system)} worn off {change.pulley}"
         if lagging is not None:
             what = f"{change.pulley} {lagging.condition}"
         shares = tuple(percent(m.share) for m in change.after.members)

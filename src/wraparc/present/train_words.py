@@ -33,7 +33,7 @@ def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     sentences = [*_case_sentences(worst, system)]
     for case in result:
         if case is not worst:
-            sentences += _short(case)
+            sentences += _short(case, system)
     return Verdict(_level(result), _headline(result, worst, system), tuple(sentences))
 
 
@@ -76,7 +76,7 @@ def _fights(case: CaseResult) -> bool:
 
 
 def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
-    yield f"Load case {case.case.name}: {_shares(case)}."
+    yield f"Load case {case.case.name}: {_shares(case, system)}."
     if case.status is not TrainStatus.SOLVED:
         return
     if case.other_splits:
@@ -95,18 +95,18 @@ def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
     yield f"Creep costs{power} {loss} of the power."
 
 
-def _short(case: CaseResult) -> Iterator[str]:
+def _short(case: CaseResult, system: System) -> Iterator[str]:
     if not case.status.solved:
         yield f"Load case {case.case.name}: {case.reason}"
         return
     tail = ", the drives working against each other" if _fights(case) else ""
-    yield f"Load case {case.case.name}: {_shares(case)}{tail}."
+    yield f"Load case {case.case.name}: {_shares(case, system)}{tail}."
 
 
-def _shares(case: CaseResult) -> str:
+def _shares(case: CaseResult, system: System) -> str:
     if any(isnan(m.share) for m in case.members):
         pulls = ", ".join(
-            f"{m.name} {named('effective_tension', m.arc.effective_tension)}" for m in case
+            f"{m.name} {named('effective_tension', m.arc.effective_tension, system)}" for m in case
         )
         return f"nothing is shared; the drives pull {pulls}"
     return ", ".join(f"{m.name} carries {percent(m.share)}" for m in case)
@@ -193,7 +193,7 @@ def matching_verdict(matching: Matching, system: System = "si") -> Verdict:
         *_who_and_why(matching),
         *_range(matching.trim, name, what.split()[-1]),
         *_against_load(matching.load),
-        *_changes(matching),
+        *_changes(matching, system),
         *_losses(matching),
     ]
     fine = case.within_creep_limit and not _fights(case)
@@ -267,12 +267,14 @@ def _against_load(curve: ShareCurve) -> Iterator[str]:
             )
 
 
-def _changes(matching: Matching) -> Iterator[str]:
+def _changes(matching: Matching, system: System) -> Iterator[str]:
     before = [m.share for m in matching.case.members]
     for change in matching.changes:
         index = [m.name for m in matching.case.members].index(change.pulley)
         if change.lagging is None:
-            what = f"With {named('lagging_thickness', change.wear)} worn off {change.pulley}"
+            what = (
+                f"With {named('lagging_thickness', change.wear, system)} worn off {change.pulley}"
+            )
         else:
             what = f"With {change.pulley} {change.lagging.condition}"
         if not change.after.status.solved:
