@@ -169,6 +169,25 @@ def test_other_tests_go_on_and_what_was_left_out_is_listed(tmp_path: Path) -> No
     assert load_lagging(tmp_path / "out.toml").name == "mine"
 
 
+def test_the_result_as_json(tmp_path: Path) -> None:
+    ran = wraparc("fit", small_plan(tmp_path), "--json", "-")
+    assert ran.code == 0
+    (condition,) = ran.json["conditions"]
+    first = condition["tests"][0]
+    low, high = first["peak_friction_interval"]
+    assert low < first["peak_friction"] < high
+    assert first["lash"] == pytest.approx(0.5e-3, abs=0.1e-3)
+    # A = -mu_pk/x_pk with x in mm
+    assert first["A"] == pytest.approx(-first["peak_friction"] / (1e3 * first["peak_slip"]))
+    assert first["post_peak_slope_interval"] is None
+    assert [row["pressure"] for row in condition["law"]] == pytest.approx([34e3, 69e3], rel=1e-2)
+    assert len(ran.json["left_out"]) == 3
+    file = tmp_path / "fit.json"
+    ran = wraparc("fit", tmp_path / "plan.toml", "--json", file)
+    assert f"JSON: {file}" in ran.out
+    assert file.read_text("utf-8").startswith("{")
+
+
 def test_nothing_is_written_where_no_test_can_be_used(tmp_path: Path) -> None:
     plan = small_plan(tmp_path)
     for name in ("dry-0034kPa-1.csv", "dry-0069kPa-2.csv"):

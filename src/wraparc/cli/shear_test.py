@@ -6,9 +6,10 @@ from typing import Any
 
 import click
 
-from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.cli.show import show
 from wraparc.errors import InputError, Problem, shown
+from wraparc.saving import save_file
 from wraparc.units import System
 
 _DONE = 0
@@ -83,38 +84,60 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     metavar="FILE",
     help="Write the report: .pdf, .png or .html; may be given more than once.",
 )
+@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
 @click.option("--bayes", is_flag=True, help="Sample the law's parameters with emcee.")
 @units_option
-def fit(plan: str, output: str | None, reports: tuple[str, ...], bayes: bool, units: System) -> int:
+def fit(
+    plan: str,
+    output: str | None,
+    reports: tuple[str, ...],
+    json_file: str | None,
+    bayes: bool,
+    units: System,
+) -> int:
     """Fit the friction law of a lagging to the tests of a PLAN.
 
     Tests that cannot be used are left out and named; the law is that of the others.
     """
     from wraparc.files.plan_file import load_plan
     from wraparc.files.write import save_lagging
+    from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
+    from wraparc.report.shear_test_document import plan_document
     from wraparc.report.shear_test_tables import plan_sheet
     from wraparc.shear_test import fit_plan
 
     outputs: dict[str, tuple[str | None, tuple[str, ...]]] = {
         f"--report {name}": (name, SUFFIXES) for name in reports
     }
-    outputs["--output"] = (output, (".toml",))
+    outputs |= {"--output": (output, (".toml",)), "--json": (json_file, (".json",))}
     check_outputs(outputs, [plan])
     result = fit_plan(load_plan(plan), progress=_progress())
     if bayes:
         from wraparc.shear_test.bayes import sampled
 
         result = sampled(result)
-    show(plan_sheet(result, units))
+    printed = json_file == STANDARD_OUTPUT
+    if not printed:
+        show(plan_sheet(result, units))
+    written = []
     if output:
         save_lagging(result.laggings, output)
-        click.echo(f"\nLagging file: {output}")
+        written.append(f"Lagging file: {output}")
     report = make_report(result, units) if reports else None
     for name in reports:
         if report is not None:
             report.save(name)
-            click.echo(f"Report: {name}")
+            written.append(f"Report: {name}")
+    if json_file:
+        text = json_text(plan_document(result))
+        if printed:
+            click.echo(text, nl=False)
+        else:
+            save_file(json_file, text)
+            written.append(f"JSON: {json_file}")
+    if written and not printed:
+        click.echo("\n" + "\n".join(written))
     return _DONE
 
 

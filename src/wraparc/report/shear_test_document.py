@@ -1,0 +1,111 @@
+"""A fitted test plan as plain data for JSON, in SI units but for A and b."""
+
+from typing import Any
+
+import numpy as np
+
+from wraparc.report.shear_test_tables import law_at
+from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.curve_fit import CurveFit
+from wraparc.shear_test.pressure_form import equations
+
+#: Counts up when a name goes or changes its meaning.
+DOCUMENT_FORMAT = 1
+_INTERVALS = ("peak_slip", "peak_friction", "lash", "post_peak_slope", "residual_friction")
+
+
+def plan_document(result: PlanResult) -> dict[str, Any]:
+    """Return everything that came out of a plan.
+
+    Parameters
+    ----------
+    result
+        From `fit_plan`.
+    """
+    return {
+        "format": DOCUMENT_FORMAT,
+        "lagging": result.plan.name,
+        "date": result.date,
+        "provenance": str(result.plan.provenance),
+        "saturation_pressure": result.plan.saturation_pressure,
+        "left_out": [str(problem) for problem in result.left_out],
+        "conditions": [_condition(condition) for condition in result.conditions],
+        "units": {
+            "pressure": "Pa", "peak_slip": "m", "lash": "m", "slip_max": "m",
+            "post_peak_slope": "1/m", "A": "1/mm", "b": "1/mm",
+        },
+    }  # fmt: skip
+
+
+def _condition(condition: ConditionResult) -> dict[str, Any]:
+    found = condition.found
+    pressures = found.level_pressures()
+    slip, friction, half = law_at(condition, pressures)
+    transition = found.transition
+    law = [
+        {
+            "pressure": float(p),
+            "peak_slip": float(slip[k]),
+            "peak_slip_interval": (slip[k] * np.exp([-half[k, 0], half[k, 0]])).tolist(),
+            "peak_friction": float(friction[k]),
+            "peak_friction_interval": (friction[k] * np.exp([-half[k, 1], half[k, 1]])).tolist(),
+        }
+        for k, p in enumerate(pressures)
+    ]
+    fit = found.fit
+    return {
+        "condition": condition.condition,
+        "misfit": list(condition.misfit),
+        "remarks": list(condition.remarks),
+        "tests": [_test(t, bool(off)) for t, off in zip(found.tests, found.flagged, strict=True)],
+        "law": law,
+        "form": None if fit is None else str(fit.form),
+        "equations": [] if fit is None else list(equations(fit.form, fit.theta, fit.ends)),
+        "transition": None
+        if transition is None
+        else {
+            "pressure": transition.pressure,
+            "interval": list(transition.interval),
+            "given": transition.given,
+            "in_law": transition.in_law,
+        },
+        "left_out_pressures": [
+            {
+                "pressure": item.pressure,
+                "inside": item.inside,
+                "error": item.error,
+                "noise": item.noise,
+                "noise_levels": item.noise_levels,
+            }
+            for item in found.left_out
+        ],
+    }
+
+
+def _test(test: TestResult, outlier: bool) -> dict[str, Any]:
+    return {
+        "file": test.test.file,
+        "pressure": test.curve.pressure,
+        "rows": test.record.rows,
+        "readings": len(test.curve.travel),
+        "slip_max": test.fit.slip_max,
+        "noise": test.curve.noise,
+        "r_squared": test.fit.r_squared,
+        "peak_inside": test.fit.peak_inside,
+        "outlier": outlier,
+        **_parameters(test.fit),
+        "misfit": [sentence.text for sentence in test.judged.misfit],
+        "remarks": list(test.judged.remarks),
+    }
+
+
+def _parameters(fit: CurveFit) -> dict[str, Any]:
+    a, b = fit.coefficients()
+    values: dict[str, Any] = {"A": a, "b": b}
+    for name in _INTERVALS:
+        key = f"ln_{name}" if name.startswith("peak") else name
+        fitted = key in fit.free
+        if fitted or name == "lash":
+            values[name] = float(getattr(fit.parameters, name))
+        values[f"{name}_interval"] = [float(v) for v in fit.interval(name)] if fitted else None
+    return values
