@@ -27,7 +27,7 @@ function axis(field) {
   return kind === "sensitivity" ? { field, distribution: "uniform", from: scaled(now, 0.9), to: scaled(now, 1.1) } : { field, distribution: "normal", mean: scaled(now, 1), standard_deviation: scaled(now, 0.05) };
 }
 const start = () => {
-  const names = Object.keys(fields()), tension = names.find((n) => n.endsWith("exit_tension")) || names[0];
+  const names = Object.keys(fields()), tension = names.find((n) => n.endsWith("exit_tension")) || names[1];
   axes = (kind === "grid" ? [tension, `pulley.${pulley().name}.lagging`] : [tension, `pulley.${pulley().name}.lagging.friction_factor`, "belt.modulus"]).map(axis);
 };
 const label = (text, e) => h("label", {}, text, e);
@@ -49,6 +49,7 @@ export function update() {
 }
 on("units", () => { if (ui) { axes = null; } });
 function draw() {
+  if (app.doc.train || app.doc.pulley.length > 1) return put(ui.form, h("p", {}, "A study varies the pulley of a single drive. This design is a train: its trims and loads are varied on the page Train."));
   const names = Object.keys(fields()), drawn = kind !== "grid";
   put(ui.form, h("div", { class: "bar" }, label("What", h("select", { id: "study-kind", onchange: (e) => { kind = e.target.value; axes = null; update(); } }, Object.entries(KINDS).map(([k, t]) => h("option", { value: k, selected: k === kind }, t)))),
     label("Title", ui.title), label("Load cases", ui.cases), label("Accuracy", ui.setting), drawn && [label("Samples", ui.samples), label("Seed", ui.seed)]),

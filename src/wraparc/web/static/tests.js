@@ -139,7 +139,7 @@ function draw() {
       lines: [...c.curves].sort((a, b) => a.pressure - b.pressure).flatMap((v) => {
         const first = !seen.has(Math.round(v.pressure / 1e3));
         seen.add(Math.round(v.pressure / 1e3));
-        return [{ x: v.slip.map((s) => s / lf), y: v.friction, cls: `${cls(v)} thin` }, { x: v.slip.map((s) => s / lf), y: v.fitted, cls: cls(v), label: first ? shown("wrap_pressure", v.pressure, 3) : "" }];
+        return [{ x: v.slip.map((s) => s / lf), y: v.friction, cls: `${cls(v)} thin`, free: true }, { x: v.slip.map((s) => s / lf), y: v.fitted, cls: cls(v), label: first ? shown("wrap_pressure", v.pressure, 3) : "" }];
       }) });
     const f = c.pressure_functions, P = (a) => a.map((v) => v / pf);
     const xs = [0, Math.max(...f.pressure) / pf];
