@@ -442,12 +442,14 @@ def gross_slip(
     side = geometry[0]
     table, scratch = _capacity_table(law, geometry, tight, steps), room(STEP)
     entry = tight if side > 0.0 else tight * exp(-guess)
-    best, creep, z, last, miss_last = guess, 0.0, -inf, 0.0, 0.0
+    best, creep, z, last, miss_last, change = guess, 0.0, -inf, 0.0, 0.0, inf
     for i in range(40):
         par = parameters_at(entry, geometry)
         new, creep, z = _peak_of(law, par, z, steps, table, scratch, none)
-        change, best = new - best, new
-        if side > 0.0 or abs(change) < 1e-8:
+        before, change, best = abs(change), new - best, new
+        # a flat peak is found to some 1e-6 only: no use in going on where changes stop falling
+        stalled = i > 7 and before < 1e-5 and abs(change) > 0.5 * before
+        if side > 0.0 or abs(change) < 1e-8 or stalled:
             break
         # braking: ln T1 = ln T2 - best(T1), by secants after the first substitution
         aim = log(tight) - best
