@@ -1,6 +1,7 @@
 """Calibration against the truth of virtual drives; what cannot be told is not told."""
 
 import json
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ from wraparc.study.calibration import (
     calibrate,
     calibrated_drive,
 )
+from wraparc.study.profile_likelihood import profile_end
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -32,7 +34,7 @@ def courses() -> Any:
 def test_five_parameters_come_back_from_a_noisy_record(courses: Any) -> None:
     """Three of the 200 repetitions of the long run: hardly an interval may miss."""
     found = [calibrated(seed, courses) for seed in range(3)]
-    assert sum(sum(hits(f)) for f in found) >= 12
+    assert sum(hits(f).count(True) for f in found) >= 12
     for one in found:
         assert one.told
         assert one.mixed == ()
@@ -43,10 +45,25 @@ def test_five_parameters_come_back_from_a_noisy_record(courses: Any) -> None:
 def test_the_long_run_covered_the_truth() -> None:
     """The committed result of tests/calibrate/coverage.py: 92 to 98 % of 200 intervals."""
     result = json.loads(RESULT.read_text("utf-8"))
-    assert result["repetitions"] >= 200
     assert result["noise"] == 0.01
-    assert set(result["coverage"]) == set(PARAMETERS)
-    assert all(0.92 <= share <= 0.98 for share in result["coverage"].values())
+    record = result["records"]["creep and shear angle"]
+    assert record["repetitions"] >= 200
+    assert set(record["parameters"]) == set(PARAMETERS)
+    for told in record["parameters"].values():
+        assert told["told"] == 1.0
+        assert 0.92 <= told["coverage"] <= 0.98
+
+
+def test_the_long_run_held_back_what_poor_records_leave_open() -> None:
+    """Of the same run: intervals are given seldom then, and hold the truth where they are given."""
+    records = json.loads(RESULT.read_text("utf-8"))["records"]
+    open_to = {
+        "creep alone": ("friction", "peak_slip", "shear_modulus"),
+        "shear angle alone": ("peak_slip", "belt_modulus", "overrun"),
+    }
+    for title, names in open_to.items():
+        for name, told in records[title]["parameters"].items():
+            assert told["told"] <= 0.2 if name in names else told["told"] >= 0.95, (title, name)
 
 
 def test_without_noise_the_truth_comes_back(courses: Any) -> None:
@@ -192,3 +209,49 @@ def test_bad_input_is_told(setting: str, sentence: str) -> None:
     assert ran.code == 2
     assert sentence in " ".join(ran.err.split()), ran.err
     assert "Traceback" not in ran.err
+
+
+# ---- profile likelihood ----
+
+
+def test_the_profile_of_a_parabola_ends_where_its_curvature_says() -> None:
+    """Sum of squares (v/s)^2 reaches goal^2 at goal * s."""
+
+    def refit(value: float, at: np.ndarray) -> tuple[float, np.ndarray]:
+        return 7.0 + (value / 0.3) ** 2, at
+
+    for first in (0.1, 0.6, 2.0):
+        for side in (-1.0, 1.0):
+            end = profile_end(refit, np.zeros(2), 0, 7.0, side * first, 1.96, side * 5.0)
+            assert end == pytest.approx(side * 1.96 * 0.3, rel=0.05)
+
+
+def test_a_profile_that_levels_off_has_no_end() -> None:
+    """A sum of squares that saturates at 3 never reaches 1.96^2; a lopsided one ends late."""
+
+    def levels(value: float, at: np.ndarray) -> tuple[float, np.ndarray]:
+        return 3.0 * (1.0 - math.exp(-((value / 0.1) ** 2))), at
+
+    assert profile_end(levels, np.zeros(1), 0, 0.0, 0.2, 1.96, 2.0) is None
+
+    def lopsided(value: float, at: np.ndarray) -> tuple[float, np.ndarray]:
+        return (math.log1p(max(value, 0.0)) / 0.3) ** 2, at
+
+    end = profile_end(lopsided, np.zeros(1), 0, 0.0, 1.96 * 0.3, 1.96, 5.0)
+    assert end == pytest.approx(math.expm1(1.96 * 0.3), rel=0.08)
+
+
+def test_what_looks_told_at_a_lucky_fit_is_held_back(courses: Any) -> None:
+    """Creep alone, seed 8: the curvature at the best fit promises friction to 14 %, and lies.
+
+    At the drive file's own values it leaves friction free (spread above 5), and the profile
+    agrees.
+    """
+    found = calibrated(8, {"creep": courses["creep"]})
+    friction = next(e for e in found.estimates if e.name == "friction")
+    assert friction.spread < 0.5
+    assert friction.value is None
+    assert found.loose == ("friction",)
+    assert calibrated_drive(DRIVE, "head", {}).pulley("head").lagging.law == (
+        found.drive.pulley("head").lagging.law
+    )

@@ -39,7 +39,9 @@ def calibrate_sheet(
             "Estimates",
             tuple(rows),
             ("value", "95 % interval", "spread by the data"),
-            "spread: one standard deviation; intervals from the curvature at the best fit",
+            "Spread: one standard deviation. Intervals from the curvature at the best fit; where "
+            "the curvature at the drive file's own values says something else, from the profile "
+            "likelihood.",
         ),
         _correlations(found),
         _misfits(found, problem, system),
@@ -93,6 +95,12 @@ def _mixed_words(found: Calibration) -> Iterator[str]:
         yield (
             f"The best fit puts {names} more than {FAR:g} times off the drive file: such data do "
             "not tell them, or another input of the drive is wrong."
+        )
+    if found.loose:
+        names = " and ".join(n.replace("_", " ") for n in found.loose)
+        yield (
+            f"The data hold {names} too loosely: with the other parameters fitted anew, values far "
+            "from the best fit describe them as well."
         )
     for group in found.mixed:
         words = [n.replace("_", " ") for n in group]
@@ -213,6 +221,7 @@ def calibrate_document(found: Calibration) -> dict[str, Any]:
         ],
         "correlation": found.correlation.tolist(),
         "not_told_apart": [list(group) for group in found.mixed],
+        "too_loose": list(found.loose),
         "misfit": list(found.misfit),
         "data": found.data,
     }

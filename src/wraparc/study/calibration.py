@@ -3,96 +3,52 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from functools import partial
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import Distributed, Method, WrapArc
 from wraparc.drive import Drive
-from wraparc.errors import InputError, MissingExtraError, Problem
-from wraparc.study.conditions import scaled
-from wraparc.study.what_if import with_pulley
+from wraparc.study.calibration_fit import Fit
+from wraparc.study.calibration_problem import (
+    PARAMETERS,
+    QUANTITIES,
+    Number,
+    Prior,
+    Problemset,
+    Trace,
+    calibrated_drive,
+    value_of,
+)
+from wraparc.study.profile_likelihood import profile_end
+
+__all__ = [
+    "FAR",
+    "PARAMETERS",
+    "QUANTITIES",
+    "UNTOLD",
+    "Calibration",
+    "Estimate",
+    "Number",
+    "Prior",
+    "Problemset",
+    "Trace",
+    "calibrate",
+    "calibrated_drive",
+]
 
 Array = NDArray[np.float64]
 
-#: what can be calibrated, and how: factors and moduli by their logarithm, the overrun as it is
-PARAMETERS = ("friction", "peak_slip", "shear_modulus", "overrun", "belt_modulus")
-#: single numbers that can be measured: names of the results
-QUANTITIES = (
-    "exit_creep",
-    "exit_slip",
-    "peak_shear_angle",
-    "peak_shear_stress",
-    "entry_creep_ratio",
-    "exit_creep_ratio",
-)
-#: unit of the overrun in the fit [m]
-_OVERRUN_UNIT = 1e-4
 #: a parameter whose data leave it a standard deviation beyond this is not told [-], in logarithm;
 #: for the overrun, of its unit
 UNTOLD = 0.5
 #: an estimate this many times the value in the drive, or this part of it, is not believed [-]
 FAR = 4.0
-#: loose rein on directions that the data leave free [-]
-_REIN = 3.0
-_STEP = 2e-4
-
-
-@dataclass(frozen=True, kw_only=True)
-class Prior:
-    """What is known of a parameter beforehand: mean and standard deviation, in its own unit."""
-
-    mean: float
-    sd: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class Number:
-    """One measured number.
-
-    Attributes
-    ----------
-    quantity
-        One of `QUANTITIES`.
-    value, sd
-        Measured value and its standard deviation [SI].
-    load_case
-        In which load case.
-    """
-
-    quantity: str
-    value: float
-    sd: float
-    load_case: str
-
-
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Trace:
-    """A measured course along the arc.
-
-    Attributes
-    ----------
-    quantity
-        ``creep`` or ``shear_angle``.
-    position
-        theta from the entry nip, shape (n,) [rad].
-    value
-        Measured values, driving positive, shape (n,) [SI].
-    sd
-        Standard deviation of one value [SI], or None to find it from the misfit.
-    load_case
-        In which load case.
-    """
-
-    quantity: str
-    position: Array
-    value: Array
-    sd: float | None
-    load_case: str
+#: the curvature is trusted where the spread is below this at the best fit and at the start [-] ...
+SURE = 0.1
+#: ... or where both spreads are alike within this ratio; else the profile likelihood decides
+ALIKE = 1.5
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -141,6 +97,9 @@ class Calibration:
         Groups of parameters that the data cannot tell apart.
     far
         Parameters without a value because the best fit lies more than `FAR` times off.
+    loose
+        Parameters without a value because others, fitted anew, make up for far too wide a range
+        of them, though the curvature at the best fit promises less.
     misfit
         Root mean square misfit of each measurement [SI].
     data
@@ -153,6 +112,7 @@ class Calibration:
     correlation: Array
     mixed: tuple[tuple[str, ...], ...]
     far: tuple[str, ...]
+    loose: tuple[str, ...]
     misfit: tuple[float, ...]
     data: int
 
@@ -162,87 +122,14 @@ class Calibration:
         return all(e.value is not None for e in self.estimates)
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Problemset:
-    """What is calibrated to what.
-
-    Attributes
-    ----------
-    drive, pulley
-        The drive and the name of its pulley.
-    parameters
-        Names of what is to be found.
-    numbers, traces
-        Measurements.
-    priors
-        By parameter.
-    method
-        What solves the arc.
-
-    Raises
-    ------
-    InputError
-        If there are fewer data than parameters.
-    """
-
-    drive: Drive
-    pulley: str
-    parameters: tuple[str, ...]
-    numbers: tuple[Number, ...] = ()
-    traces: tuple[Trace, ...] = ()
-    priors: Mapping[str, Prior] = field(default_factory=dict)
-    method: Method = field(default_factory=lambda: Distributed(points=120, capacities=False))
-
-    def __post_init__(self) -> None:
-        data = len(self.numbers) + sum(len(t.position) for t in self.traces)
-        known = data + len(self.priors)
-        if known < len(self.parameters):
-            what = "1 number" if known == 1 else f"{known} numbers"
-            raise InputError(
-                Problem(
-                    key="parameters",
-                    value=", ".join(self.parameters),
-                    message=f"{len(self.parameters)} parameters, and only {what} to find them from",
-                    remedy="Calibrate fewer, measure more, or give priors.",
-                )
-            )
-
-    @property
-    def start(self) -> dict[str, float]:
-        """Values of the parameters in the drive as it is [SI]."""
-        pulley = self.drive.pulley(self.pulley)
-        case = self.drive.load_cases[0]
-        overrun = WrapArc.of(self.drive, pulley, case).entry_overrun
-        return {
-            "friction": 1.0,
-            "peak_slip": 1.0,
-            "shear_modulus": pulley.lagging.shear_modulus,
-            "overrun": overrun,
-            "belt_modulus": self.drive.belt.modulus,
-        }
-
-
-def calibrated_drive(drive: Drive, pulley: str, values: Mapping[str, float]) -> Drive:
-    """Return the drive with parameters put in: factors on the law; moduli and overrun [SI]."""
-    base = drive.pulley(pulley)
-    law = scaled(base.lagging.law, values.get("friction", 1.0), values.get("peak_slip", 1.0))
-    lagging = replace(
-        base.lagging, law=law, shear_modulus=values.get("shear_modulus", base.lagging.shear_modulus)
-    )
-    changed = with_pulley(
-        drive, replace(base, lagging=lagging, overrun=values.get("overrun", base.overrun))
-    )
-    if "belt_modulus" in values:
-        changed = replace(changed, belt=replace(drive.belt, modulus=values["belt_modulus"]))
-    return changed
-
-
 def calibrate(problem: Problemset) -> Calibration:
     """Fit parameters to measurements by least squares, and say what the data cannot tell.
 
-    Parameters are fitted by their logarithm (the overrun in 0.1 mm). Intervals are 95 %, from the
-    curvature at the best fit, widened by Student's t where the noise is found from the misfit. A
-    parameter is not told where the data alone leave it a standard deviation beyond `UNTOLD`.
+    Parameters are fitted by their logarithm (the overrun in 0.1 mm). Intervals are 95 %, widened by
+    Student's t where the noise is found from the misfit: from the curvature at the best fit, and
+    from the profile likelihood where the curvature at the start says something else. A parameter is
+    not told where the data alone leave it a standard deviation beyond `UNTOLD`, or the profile an
+    interval wider than that comes to.
 
     Raises
     ------
@@ -251,11 +138,11 @@ def calibrate(problem: Problemset) -> Calibration:
     InputError
         If there are fewer data than parameters, or the drive breaks away at the start.
     """
-    fit = _Fit(problem)
+    fit = Fit(problem)
     scales = [1.0] * len(problem.traces)
     x = fit.start
     for again in range(2):
-        x = fit.best(x, scales)
+        x, _ = fit.best(x, scales)
         misfits = [fit.misfit(x, t) for t in problem.traces]
         new = [
             m / s if trace.sd is None else 1.0
@@ -268,147 +155,37 @@ def calibrate(problem: Problemset) -> Calibration:
     return _told(problem, fit, x, scales)
 
 
-class _Fit:
-    """Residuals of a problem in the fitted variables."""
-
-    def __init__(self, problem: Problemset) -> None:
-        self.problem = problem
-        start = problem.start
-        if not all(math.isfinite(start[n]) for n in problem.parameters):
-            rigid = [n for n in problem.parameters if not math.isfinite(start[n])]
-            message = "infinite in the drive, so there is nothing to start from"
-            raise InputError(Problem(key=f"parameters.{rigid[0]}", message=message))
-        self.start = np.array([_variable(n, start[n]) for n in problem.parameters])
-        self._known: dict[bytes, tuple[list[float], list[Array]]] = {}
-        self.first_sd = [
-            t.sd if t.sd is not None else 0.01 * float(np.abs(t.value).max())
-            for t in problem.traces
-        ]
-
-    def values(self, x: Array) -> dict[str, float]:
-        """Parameters by name [SI]."""
-        return {n: _value(n, v) for n, v in zip(self.problem.parameters, x.tolist(), strict=True)}
-
-    def model(self, x: Array) -> tuple[list[float], list[Array]]:
-        """What would be measured with parameters."""
-        key = x.tobytes()
-        if key not in self._known:
-            self._known = {key: self._solved(x)}  # the last one only: it is asked for again
-        return self._known[key]
-
-    def _solved(self, x: Array) -> tuple[list[float], list[Array]]:
-        p = self.problem
-        drive = calibrated_drive(p.drive, p.pulley, self.values(x))
-        cases = {c.name: c for c in drive.load_cases}
-        used = {n.load_case for n in p.numbers} | {t.load_case for t in p.traces}
-        results = {
-            name: p.method.solve(WrapArc.of(drive, drive.pulley(p.pulley), cases[name]))
-            for name in sorted(used)
-        }
-        numbers = [float(results[n.load_case].scalars()[n.quantity]) for n in p.numbers]
-        traces = []
-        for t in p.traces:
-            profile = results[t.load_case].profile
-            traces.append(np.interp(t.position, profile.position, getattr(profile, t.quantity)))
-        return numbers, traces
-
-    def data_residuals(self, x: Array, scales: Sequence[float]) -> Array:
-        """Misfits over their standard deviations."""
-        numbers, traces = self.model(x)
-        p = self.problem
-        parts = [np.array([(m - n.value) / n.sd for m, n in zip(numbers, p.numbers, strict=True)])]
-        for m, t, sd, scale in zip(traces, p.traces, self.first_sd, scales, strict=True):
-            parts.append((m - t.value) / (sd * scale))
-        return np.concatenate(parts)
-
-    def prior_residuals(self, x: Array) -> Array:
-        """How far the parameters are from their priors, and a loose rein on those without."""
-        rows = []
-        for k, name in enumerate(self.problem.parameters):
-            prior = self.problem.priors.get(name)
-            centre, sd = float(self.start[k]), _REIN
-            if prior is not None:
-                centre = _variable(name, prior.mean)
-                sd = prior.sd / _OVERRUN_UNIT if name == "overrun" else prior.sd / prior.mean
-            elif name == "overrun":
-                sd = 100.0
-            rows.append((x[k] - centre) / sd)
-        return np.array(rows)
-
-    def best(self, x: Array, scales: Sequence[float]) -> Array:
-        """Least squares from a start."""
-        try:
-            from scipy.optimize import least_squares
-        except ImportError as error:
-            raise MissingExtraError("scipy", "study") from error
-
-        def residuals(v: Array) -> Array:
-            return np.concatenate([self.data_residuals(v, scales), self.prior_residuals(v)])
-
-        low = [0.0 if n == "overrun" else -np.inf for n in self.problem.parameters]
-        begin = np.maximum(x, np.array(low) + 1e-6)
-        found: Any = least_squares(
-            residuals,
-            begin,
-            jac=partial(self.jacobian, residuals),
-            bounds=(low, np.inf),
-            xtol=1e-7,
-            ftol=1e-9,
-            gtol=1e-9,
-            max_nfev=60,
-        )
-        return np.asarray(found.x, dtype=float)
-
-    def jacobian(self, residuals: Callable[[Array], Array], x: Array) -> Array:
-        """Differences of residuals by each variable."""
-        here, columns = residuals(x), []
-        for k, name in enumerate(self.problem.parameters):
-            step = _STEP if name != "overrun" else 10.0 * _STEP
-            aside = x.copy()
-            aside[k] += step
-            columns.append((residuals(aside) - here) / step)
-        return np.stack(columns, axis=1)
-
-    def misfit(self, x: Array, trace: Trace) -> float:
-        """Root mean square misfit of a trace, for as many degrees of freedom as it has."""
-        m = self.model(x)[1][self.problem.traces.index(trace)]
-        free = max(len(m) - len(x) / max(1, len(self.problem.traces)), 1.0)
-        return float(np.sqrt(np.sum((m - trace.value) ** 2) / free))
-
-
-def _variable(name: str, value: float) -> float:
-    return value / _OVERRUN_UNIT if name == "overrun" else math.log(value)
-
-
-def _value(name: str, variable: float) -> float:
-    return variable * _OVERRUN_UNIT if name == "overrun" else math.exp(variable)
-
-
-def _told(problem: Problemset, fit: _Fit, x: Array, scales: Sequence[float]) -> Calibration:
+def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> Calibration:
     names = problem.parameters
     j = fit.jacobian(lambda v: fit.data_residuals(v, scales), x)
     spread = _spreads(j)
+    begun = _spreads(fit.jacobian(lambda v: fit.data_residuals(v, scales), fit.start))
     both = np.concatenate([j, fit.jacobian(fit.prior_residuals, x)])
     covariance = np.linalg.inv(both.T @ both)
     sd = np.sqrt(np.diag(covariance))
     factor = _student(problem, len(j) - len(names))
     values = fit.values(x)
     far = tuple(n for n in names if n not in problem.priors and _far(n, values[n], problem.start))
-    estimates = []
+    estimates, loose = [], []
     for k, name in enumerate(names):
         prior = problem.priors.get(name)
         told = bool(spread[k] <= UNTOLD)
         weak = not told and prior is not None
-        if name in far or (not told and not weak):
+        ends: tuple[float, float] | None
+        ends = float(x[k] - factor * sd[k]), float(x[k] + factor * sd[k])
+        if told and prior is None and name not in far and _doubtful(spread[k], begun[k]):
+            ends = _profiled(fit, x, scales, k, factor * float(sd[k]), factor)
+            if ends is None:
+                loose.append(name)
+        if name in far or ends is None or (not told and not weak):
             estimates.append(Estimate(name=name, value=None, low=None, high=None, spread=spread[k]))
             continue
-        ends = [_value(name, float(x[k] + s * factor * sd[k])) for s in (-1.0, 1.0)]
         estimates.append(
             Estimate(
                 name=name,
                 value=values[name],
-                low=max(ends[0], 0.0),
-                high=ends[1],
+                low=max(value_of(name, ends[0]), 0.0),
+                high=value_of(name, ends[1]),
                 spread=float(spread[k]),
                 prior=prior,
                 from_prior=weak,
@@ -428,9 +205,44 @@ def _told(problem: Problemset, fit: _Fit, x: Array, scales: Sequence[float]) -> 
         correlation=covariance / np.outer(sd, sd),
         mixed=_mixed(j, names),
         far=far,
+        loose=tuple(loose),
         misfit=tuple(misfit),
         data=len(j),
     )
+
+
+def _doubtful(spread: float, begun: float) -> bool:
+    """Whether the curvature says another thing at the best fit than at the start."""
+    low, high = sorted((spread, begun))
+    return high > max(SURE, ALIKE * low)
+
+
+def _profiled(
+    fit: Fit, x: Array, scales: Sequence[float], k: int, half: float, goal: float
+) -> tuple[float, float] | None:
+    """Ends of an interval by profile likelihood, None where it is too wide to tell anything."""
+    name = fit.problem.parameters[k]
+    best, cost = fit.best(x, scales)
+    reach = 2.0 * UNTOLD * goal  # the widest interval that still counts as told
+
+    def refit(value: float, at: Array) -> tuple[float, Array]:
+        held = at.copy()
+        held[k] = value
+        found, sum_of_squares = fit.best(held, scales, k)
+        return sum_of_squares, found
+
+    ends = []
+    for side in (-1.0, 1.0):
+        limit = float(best[k]) + side * reach
+        if name == "overrun":
+            limit = max(limit, 0.0)
+        end = profile_end(refit, best, k, cost, side * half, goal, limit)
+        if end is None and name == "overrun" and limit == 0.0:
+            end = 0.0  # there is no overrun below none
+        if end is None:
+            return None
+        ends.append(end)
+    return None if ends[1] - ends[0] > reach else (ends[0], ends[1])
 
 
 def _far(name: str, value: float, start: Mapping[str, float]) -> bool:
