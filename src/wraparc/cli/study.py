@@ -46,6 +46,12 @@ _DONE = 0
     metavar="ADDRESS",
     help="Solve on a Dask cluster: tcp://host:8786; local or local:4 starts processes here.",
 )
+@click.option(
+    "--part",
+    type=click.IntRange(1, 10_000_000),
+    metavar="DESIGNS",
+    help="Designs solved at once by a thread or worker; by default what takes about half a second.",
+)
 @click.option("--resume", is_flag=True, help="Go on with what an interrupted run has left.")
 @click.option(
     "--confirm", type=int, metavar="ROWS", help="Run a large study: the number of its rows."
@@ -62,6 +68,7 @@ def study(
     setting: str | None,
     threads: int | None,
     scheduler: str | None,
+    part: int | None,
     resume: bool,
     confirm: int | None,
     dry_run: bool,
@@ -102,7 +109,13 @@ def study(
             run_study(
                 asked.study,
                 path,
-                Run(executor=executor, resume=resume, confirmed_rows=confirm, progress=tell),
+                Run(
+                    executor=executor,
+                    part_designs=part,
+                    resume=resume,
+                    confirmed_rows=confirm,
+                    progress=tell,
+                ),
             )
         except KeyboardInterrupt:
             click.echo("What is solved is kept: go on with --resume.", err=True)
