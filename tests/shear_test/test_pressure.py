@@ -214,6 +214,25 @@ def test_covariances_have_no_negative_eigenvalue() -> None:
     assert np.linalg.eigvalsh(whole / np.outer(scale, scale))[0] > -1e-10
 
 
+def test_the_covariance_of_the_law_is_that_of_its_parameters() -> None:
+    """Expected: J C J' with the jacobian by differences."""
+    form = LawForm(("linear", "linear"), ("linear", "exponential"))
+    law = fit_form(form, points(3, 0.0), 1e-4 * np.eye(2))
+    p = np.array([50e3, 150e3, 400e3])
+
+    def peaks(theta: Any) -> Any:
+        return ln_peaks(form, theta, law.ends, p)[0].ravel()
+
+    steps = 1e-6 * np.eye(7)
+    columns = [(peaks(law.theta + h) - peaks(law.theta - h)) / 2e-6 for h in steps]
+    jacobian = np.stack(columns, axis=-1)
+    wanted = jacobian @ law.covariance @ jacobian.T
+    found = law.peak_covariance(p).transpose(0, 2, 1, 3).reshape(6, 6)
+    np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-9)
+    own = law.own_covariance(p)
+    np.testing.assert_allclose(own[1], found[2:4, 2:4], rtol=1e-9)
+
+
 def test_no_test_can_be_used() -> None:
     plan, records = laboratory(pressures=[69e3], repeats=2, **FEW)
     broken = {k: replace(r, force=np.zeros_like(r.force)) for k, r in records.items()}
