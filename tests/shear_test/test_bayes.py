@@ -7,7 +7,6 @@ import pytest
 
 from cli.running import wraparc
 from shear_test.virtual import PRESSURES, TRANSITION, fitted, laboratory, rubber
-from wraparc.cli.demo import examples_folder
 from wraparc.files import load_lagging_conditions
 from wraparc.shear_test import bayes
 from wraparc.shear_test.bayes import sampled
@@ -60,8 +59,10 @@ def test_one_pressure_is_left_as_it_is() -> None:
 def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(bayes, "_STEPS", 15)
     monkeypatch.setattr(bayes, "_BURN", 5)
-    plan = examples_folder() / "shear_tests" / "plan.toml"
-    ran = wraparc("fit", plan, "--bayes", "-o", tmp_path / "lagging.toml")
+    folder = tmp_path / "lab"
+    options = ["--pressures", "69 138 276", "--repeats", 1, "--points", 100]
+    wraparc("rig", folder, "--condition", "dry", "--condition", "wet=0.7", *options)
+    ran = wraparc("fit", folder / "plan.toml", "--bayes", "-o", tmp_path / "lagging.toml")
     assert ran.code == 0
     assert "draws from their posterior (emcee)" in ran.words
     assert len(load_lagging_conditions(str(tmp_path / "lagging.toml"))) == 2

@@ -12,7 +12,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-REPETITIONS = 3
+REPETITIONS = 2
 
 
 @pytest.fixture(scope="module")
@@ -36,10 +36,10 @@ def test_intervals_hold_the_truth_as_often_as_they_say(benchmark: ModuleType, na
         if quantity.startswith("curve"):
             count = len(held)
             assert held.mean() > 0.95 - 4.0 * np.sqrt(0.95 * 0.05 / count), quantity
-            # Intervals that always hold are too wide: p = 0.03 for as many.
-            assert held.mean() < 1.0 or count < 72, quantity
+            # Intervals that always hold are too wide: p = 0.09 for as many, seeds are fixed.
+            assert held.mean() < 1.0 or count < 48, quantity
         elif quantity.startswith("law"):
-            # Of 3 laws, one may be off in both quantities: p < 0.02 for two.
+            # Of 2 laws, one may be off in both quantities: p < 0.02 for two.
             assert held.mean() > 0.5, quantity
             assert np.abs(off).max() < (0.02 if name != "scatter" else 0.08), quantity
         elif quantity == "transition pressure" and name != "scatter":
