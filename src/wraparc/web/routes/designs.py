@@ -5,6 +5,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Path, Query, Request, Response
 
+from wraparc.web import answer_models as told
 from wraparc.web import models
 from wraparc.web.answers.documents import read
 from wraparc.web.database.store import NewerVersionError, NoSuchDesignError
@@ -16,7 +17,7 @@ router = APIRouter(prefix="/api/v1/designs", tags=["designs"])
 Number = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
-@router.get("", summary="Saved designs, last changed first")
+@router.get("", summary="Saved designs, last changed first", responses=told.answers(told.Designs))
 def listed(
     request: Request,
     query: Annotated[str, Query(max_length=200)] = "",
@@ -28,7 +29,12 @@ def listed(
     return json_answer(json_bytes(found))
 
 
-@router.post("", status_code=201, summary="Save a new design")
+@router.post(
+    "",
+    status_code=201,
+    summary="Save a new design",
+    responses=told.answers(told.VersionAnswer, 201),
+)
 def create(request: Request, body: models.DesignRequest) -> Response:
     """Save a design that can be read; its first version."""
     state = state_of(request)
@@ -38,7 +44,11 @@ def create(request: Request, body: models.DesignRequest) -> Response:
     return json_answer(json_bytes(found), 201)
 
 
-@router.get("/{design}", summary="A design and its versions")
+@router.get(
+    "/{design}",
+    summary="A design and its versions",
+    responses=told.answers(told.DesignAnswer, 200, 404),
+)
 def one(request: Request, design: Number) -> Response:
     """Return a design without documents."""
     try:
@@ -47,7 +57,11 @@ def one(request: Request, design: Number) -> Response:
         raise _unknown() from None
 
 
-@router.get("/{design}/versions/{version}", summary="One version with its document")
+@router.get(
+    "/{design}/versions/{version}",
+    summary="One version with its document",
+    responses=told.answers(told.VersionAnswer, 200, 404),
+)
 def one_version(request: Request, design: Number, version: Number) -> Response:
     """Open a version."""
     try:
@@ -56,7 +70,12 @@ def one_version(request: Request, design: Number, version: Number) -> Response:
         raise _unknown() from None
 
 
-@router.post("/{design}/versions", status_code=201, summary="Save a new version")
+@router.post(
+    "/{design}/versions",
+    status_code=201,
+    summary="Save a new version",
+    responses=told.answers(told.VersionAnswer, 201, 404, 409),
+)
 def add(request: Request, design: Number, body: models.VersionRequest) -> Response:
     """Save a version made from the newest one; refused if somebody was faster."""
     state = state_of(request)

@@ -5,6 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Query, Request, Response
 
 from wraparc.errors import Problem, shown
+from wraparc.web import answer_models as told
 from wraparc.web import models
 from wraparc.web.answers import catalogue, form
 from wraparc.web.answers.texts import json_like
@@ -78,19 +79,29 @@ def start(request: Request) -> Response:
     return json_answer(json_bytes(data))
 
 
-@router.post("/solve/fast", summary="One arc without capacities, for sliders")
+@router.post(
+    "/solve/fast",
+    summary="One arc without capacities, for sliders",
+    responses=told.answers(told.FastAnswer),
+)
 async def solve_fast(request: Request, body: models.FastRequest) -> Response:
     """Solve one arc by the main solver."""
     return await short(request, f"{_DRIVES}:solve_fast", body, QUICK)
 
 
-@router.post("/solve", summary="Every arc by both methods, with capacities")
+@router.post(
+    "/solve",
+    summary="Every arc by both methods, with capacities",
+    responses=told.answers(told.SolveAnswer),
+)
 async def solve(request: Request, body: models.SolveRequest) -> Response:
     """Solve a drive as ``wraparc solve --method both`` does."""
     return await short(request, f"{_DRIVES}:solve_all", body)
 
 
-@router.post("/check", summary="Read a drive and solve nothing")
+@router.post(
+    "/check", summary="Read a drive and solve nothing", responses=told.answers(told.SheetAnswer)
+)
 async def check(request: Request, body: models.CheckRequest) -> Response:
     """Say what was read of a drive, or everything that is wrong with it."""
     if (body.document is None) == (body.toml is None):
@@ -99,13 +110,21 @@ async def check(request: Request, body: models.CheckRequest) -> Response:
     return await short(request, f"{_DRIVES}:check", body)
 
 
-@router.post("/toml/read", summary="Text of a drive file to its document")
+@router.post(
+    "/toml/read",
+    summary="Text of a drive file to its document",
+    responses=told.answers(told.ReadAnswer),
+)
 async def read_toml(request: Request, body: models.TomlRequest) -> Response:
     """Read the text of a drive file."""
     return await short(request, f"{_TEXTS}:read_toml", body)
 
 
-@router.post("/toml/write", summary="Document to the text of a drive file")
+@router.post(
+    "/toml/write",
+    summary="Document to the text of a drive file",
+    responses=told.answers(told.WriteAnswer),
+)
 async def write_toml(request: Request, body: models.DocumentRequest) -> Response:
     """Write the text of a drive file."""
     return await short(request, f"{_TEXTS}:write_toml", body)
@@ -117,13 +136,21 @@ async def read_lagging(request: Request, body: models.LaggingRequest) -> Respons
     return await short(request, f"{_TEXTS}:read_lagging", body)
 
 
-@router.post("/quantities", summary="Read and convert quantities as typed")
+@router.post(
+    "/quantities",
+    summary="Read and convert quantities as typed",
+    responses=told.answers(told.QuantitiesAnswer),
+)
 async def quantities(request: Request, body: models.QuantitiesRequest) -> Response:
     """Read quantities as strictly as the drive file does."""
     return await short(request, f"{_TEXTS}:quantities", body, QUICK)
 
 
-@router.post("/compare", summary="The same drive with other laggings or belts")
+@router.post(
+    "/compare",
+    summary="The same drive with other laggings or belts",
+    responses=told.answers(told.CompareAnswer),
+)
 async def compare(request: Request, body: models.CompareRequest) -> Response:
     """Solve and price the drive with each of them."""
     return await short(request, "wraparc.web.answers.compare:compare", body)

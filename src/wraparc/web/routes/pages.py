@@ -7,6 +7,7 @@ from fastapi import APIRouter, Request, Response
 from fastapi.responses import HTMLResponse
 
 from wraparc.version import __version__
+from wraparc.web import answer_models as told
 from wraparc.web.docs_page import docs_page
 from wraparc.web.errors import json_bytes, refused
 from wraparc.web.routes.parts import json_answer, state_of
@@ -63,7 +64,9 @@ async def docs(request: Request) -> Response:
     return HTMLResponse(docs_page(request.app.openapi()))
 
 
-@api.get("/about", summary="Version and abilities of the server")
+@api.get(
+    "/about", summary="Version and abilities of the server", responses=told.answers(told.About)
+)
 def about(request: Request) -> Response:
     """Say what this server is and can do."""
     settings = state_of(request).settings

@@ -5,6 +5,7 @@ from base64 import b64decode
 
 from fastapi import APIRouter, Request, Response
 
+from wraparc.web import answer_models as told
 from wraparc.web import models
 from wraparc.web.errors import Data, json_bytes, refused
 from wraparc.web.jobs import Job
@@ -18,7 +19,7 @@ _FILES = {
 }
 
 
-@router.post("", status_code=202, summary="Start a study")
+@router.post("", status_code=202, summary="Start a study", responses=told.answers(told.Job, 202))
 async def start(request: Request, body: models.StudyRequest) -> Response:
     """Check a study and start it; what is wrong is told at once."""
     state = state_of(request)
@@ -30,14 +31,20 @@ async def start(request: Request, body: models.StudyRequest) -> Response:
     return json_answer(json_bytes(job.told()), 202)
 
 
-@router.get("", summary="All studies of this server, the newest first")
+@router.get(
+    "", summary="All studies of this server, the newest first", responses=told.answers(told.Jobs)
+)
 def listed(request: Request) -> Response:
     """Return how every study stands."""
     jobs = [job.told() for job in state_of(request).jobs.listed()]
     return json_answer(json_bytes({"jobs": jobs}))
 
 
-@router.get("/{study}", summary="How a study stands, and its results")
+@router.get(
+    "/{study}",
+    summary="How a study stands, and its results",
+    responses=told.answers(told.Job, 200, 404),
+)
 def one(request: Request, study: str) -> Response:
     """Return a study, with tables and the names of pictures once it is done."""
     job = state_of(request).jobs.get(study)

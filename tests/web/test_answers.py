@@ -1,0 +1,72 @@
+"""Real answers have the form that the OpenAPI document promises, nothing more and nothing less."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+
+from web.calculators import API, client, document
+from wraparc.web import answer_models as told
+
+
+@pytest.fixture(scope="module")
+def api() -> Iterator[TestClient]:
+    with client() as found:
+        yield found
+
+
+def idle() -> dict[str, Any]:
+    drive = document()
+    drive["pulley"][0]["exit_tension"] = "150 kN"
+    return drive
+
+
+def beyond() -> dict[str, Any]:
+    drive = document()
+    drive["pulley"][0]["exit_tension"] = "2 kN"
+    return drive
+
+
+ASKED: list[tuple[str, Any, dict[str, Any]]] = [
+    ("/solve/fast", told.FastAnswer, {"document": document(), "tables": True}),
+    ("/solve/fast", told.FastAnswer, {"document": idle()}),
+    ("/solve", told.SolveAnswer, {"document": document()}),
+    ("/solve", told.SolveAnswer, {"document": beyond()}),
+    ("/solve", told.SolveAnswer, {"document": document("tandem-fabric"), "load_case": "empty"}),
+    ("/check", told.SheetAnswer, {"document": document("tandem-fabric")}),
+    ("/toml/read", told.ReadAnswer, {"toml": "format = 1"}),
+    ("/toml/write", told.WriteAnswer, {"document": {}}),
+    ("/quantities", told.QuantitiesAnswer, {"items": [{"text": "1 m", "dimension": "length"}]}),
+    ("/quantities", told.QuantitiesAnswer, {"items": [{"text": "?", "dimension": "length"}]}),
+    ("/compare", told.CompareAnswer, {"document": document(), "names": ["x", "full-ceramic"]}),
+    ("/compare", told.CompareAnswer, {"document": beyond(), "names": [], "what": "belts"}),
+]
+
+
+@pytest.mark.parametrize(("path", "model", "body"), ASKED)
+def test_an_answer_has_its_form(
+    api: TestClient, path: str, model: Any, body: dict[str, Any]
+) -> None:
+    answer = api.post(API + path, json=body)
+    assert answer.status_code == 200, answer.text
+    model.model_validate_json(answer.content)
+
+
+def test_designs_about_and_refusals_have_their_form(api: TestClient) -> None:
+    made = api.post(f"{API}/designs", json={"name": "a", "document": document()})
+    told.VersionAnswer.model_validate_json(made.content)
+    path = f"{API}/designs/{made.json()['id']}"
+    told.DesignAnswer.model_validate_json(api.get(path).content)
+    told.VersionAnswer.model_validate_json(api.get(f"{path}/versions/1").content)
+    told.Designs.model_validate_json(api.get(f"{API}/designs").content)
+    told.About.model_validate_json(api.get(f"{API}/about").content)
+    told.Jobs.model_validate_json(api.get(f"{API}/studies").content)
+    for refusal in (
+        api.get(f"{API}/designs/99"),
+        api.post(f"{API}/solve", json={"document": {}}),
+        api.post(f"{API}/solve", json={}),
+        api.get("/none"),
+        api.get("/", headers={"host": "evil.example"}),
+    ):
+        told.Problems.model_validate_json(refusal.content)
