@@ -4,12 +4,12 @@ import datetime as dt
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
-from wraparc.cli import train_answer
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
 from wraparc.drive import Drive
@@ -17,8 +17,10 @@ from wraparc.errors import InputError
 from wraparc.files import load_drive_or_train
 from wraparc.report.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
-from wraparc.train import TrainResult
 from wraparc.units import System
+
+if TYPE_CHECKING:
+    from wraparc.train import TrainResult
 
 SUFFIXES = (".pdf", ".xlsx", ".md")
 
@@ -81,6 +83,8 @@ def report(
     results, train = _solved(file, settings, case, creep_limit)
     _write(output, results, head, units, train)
     if train is not None:
+        from wraparc.cli import train_answer
+
         return train_answer.exit_code(train)
     return exit_code(results[0])
 
@@ -94,7 +98,7 @@ def _head(**values: str) -> NoteHead:
 
 def _solved(
     file: str, settings: Sequence[str], case: str | None, creep_limit: str | None
-) -> tuple[list[DriveResult], TrainResult | None]:
+) -> tuple[list[DriveResult], "TrainResult | None"]:
     """Solve a drive by both methods; a belt with several pulleys as a train."""
     read = load_drive_or_train(file, overrides=settings)
     if isinstance(read, Drive) and len(read.pulleys) == 1:
@@ -112,7 +116,7 @@ def _write(
     results: Sequence[DriveResult],
     head: NoteHead,
     units: System,
-    train: TrainResult | None,
+    train: "TrainResult | None",
 ) -> None:
     from wraparc.report import markdown, pdf, workbook
 

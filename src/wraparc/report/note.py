@@ -1,8 +1,11 @@
-"""What a calculation note says, section by section, before anybody sets it in type."""
+"""What a calculation note says, section by section, before anybody sets it in type.
+
+What only trains need is imported for them alone: the note of a single drive must start fast.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Pulley, design_remarks
@@ -14,8 +17,6 @@ from wraparc.present.design_values import comparison_table
 from wraparc.present.drive_sheet import method_remarks
 from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent
 from wraparc.present.sources import Sources
-from wraparc.present.train_sheet import case_table, trim_text
-from wraparc.present.train_words import train_verdict
 from wraparc.present.words import level_of, short, verdict
 from wraparc.report.checks import Check, Outcome, check_table, checks
 from wraparc.report.equations import Equation, equations
@@ -23,9 +24,10 @@ from wraparc.report.inputs import Input, drive_inputs, input_tables
 from wraparc.report.profile_drawing import profile_drawing
 from wraparc.report.pulley_drawing import budget_drawing, pulley_drawing
 from wraparc.report.svg import Drawing
-from wraparc.report.train_inputs import train_inputs
-from wraparc.train import TrainResult
 from wraparc.units import System, display_unit
+
+if TYPE_CHECKING:
+    from wraparc.train import TrainResult
 
 Paper = Literal["a4", "us-letter"]
 PAPERS: tuple[Paper, ...] = ("a4", "us-letter")
@@ -124,7 +126,7 @@ def make_note(
     results: Sequence[DriveResult],
     head: NoteHead,
     system: System = "si",
-    train: TrainResult | None = None,
+    train: "TrainResult | None" = None,
 ) -> Note:
     """Return the note of a solved drive.
 
@@ -160,10 +162,16 @@ def make_note(
         title=head.title or first.drive.title or "Drive",
         subtitle=first.drive.description,
         belt=first.drive.belt.name,
-        told=verdict(first, system) if train is None else train_verdict(train, system),
+        told=verdict(first, system) if train is None else _train_verdict(train, system),
         summary=_summary(found),
         sections=tuple(s for s in sections if s.sentences or s.tables or s.drawings or s.equations),
     )
+
+
+def _train_verdict(train: "TrainResult", system: System) -> Verdict:
+    from wraparc.present.train_words import train_verdict
+
+    return train_verdict(train, system)
 
 
 def _summary(found: Sequence[Check]) -> str:
@@ -177,7 +185,7 @@ def _summary(found: Sequence[Check]) -> str:
 
 
 def _inputs(
-    result: DriveResult, system: System, of: Sources, train: TrainResult | None
+    result: DriveResult, system: System, of: Sources, train: "TrainResult | None"
 ) -> tuple[Table, ...]:
     laggings = {p.lagging.name: p.lagging for p in result.drive.pulleys}
     laws = (law_table(lagging, system) for lagging in laggings.values())
@@ -185,17 +193,22 @@ def _inputs(
     return (*input_tables(inputs, system, of), *laws)
 
 
-def note_inputs(result: DriveResult, train: TrainResult | None) -> tuple[Input, ...]:
+def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input, ...]:
     """Return every input of a note."""
-    more = () if train is None else train_inputs(train.train)
-    return (*drive_inputs(result, divided=train is not None), *more)
+    if train is None:
+        return drive_inputs(result)
+    from wraparc.report.train_inputs import train_inputs
+
+    return (*drive_inputs(result, divided=True), *train_inputs(train.train))
 
 
 def _results_section(
-    results: Sequence[DriveResult], system: System, train: TrainResult | None
+    results: Sequence[DriveResult], system: System, train: "TrainResult | None"
 ) -> Section:
     tables = [_arcs_table(results, system)]
     if train is not None:
+        from wraparc.present.train_sheet import case_table
+
         tables += [_shares_table(train, system), case_table(train.governing, system)]
     return Section("Results by load case", tables=tuple(tables))
 
@@ -226,8 +239,10 @@ def _arcs_table(results: Sequence[DriveResult], system: System) -> Table:
     return Table("", tuple(rows), (*heads, "answer"), note)
 
 
-def _shares_table(train: TrainResult, system: System) -> Table:
+def _shares_table(train: "TrainResult", system: System) -> Table:
     """One line for each drive of each load case: what it carries, how fast it turns."""
+    from wraparc.present.train_sheet import trim_text
+
     rows = []
     for case in train:
         for m in case.members:
@@ -287,7 +302,7 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     yield Section(f"Its results: {belongs(worst)}", tables=tuple(tables))
 
 
-def _assumptions(results: Sequence[DriveResult], train: TrainResult | None) -> Iterator[str]:
+def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") -> Iterator[str]:
     drive = results[0].drive
     yield (
         "Steady running; tension and pressure uniform over the width of the belt; weight, bending "
@@ -321,7 +336,7 @@ def _conditions(pulleys: Sequence[Pulley]) -> str:
     return ", ".join(names)
 
 
-def _equation_section(results: Sequence[DriveResult], train: TrainResult | None) -> Section:
+def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
     design = any(p.lagging.surface for p in results[0].drive.pulleys)
     listed = equations(
         results[0].arcs, paper=len(results) > 1, train=train is not None, design=design

@@ -4,7 +4,7 @@ import io
 import math
 from collections.abc import Iterable, Sequence
 from datetime import datetime
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.errors import MissingExtraError
@@ -16,9 +16,11 @@ from wraparc.provenance import Provenance
 from wraparc.report.checks import Check, checks
 from wraparc.report.inputs import Input
 from wraparc.report.note import Note, NoteHead, make_note, note_inputs
-from wraparc.train import TrainResult
 from wraparc.units import Dimension, System, display_unit
 from wraparc.version import __version__
+
+if TYPE_CHECKING:
+    from wraparc.train import TrainResult
 
 Cell = str | float
 #: Titles of the sheets, in order.
@@ -31,7 +33,7 @@ def note_workbook(
     results: Sequence[DriveResult],
     head: NoteHead,
     system: System = "si",
-    train: TrainResult | None = None,
+    train: "TrainResult | None" = None,
 ) -> bytes:
     """Return an .xlsx of a solved drive, see `make_note` for the parameters.
 
@@ -77,7 +79,7 @@ class _Workbook:
         note: Note,
         results: Sequence[DriveResult],
         system: System,
-        train: TrainResult | None,
+        train: "TrainResult | None",
     ) -> None:
         self.book, self.note, self.results = book, note, results
         self.system, self.train = system, train

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from xml.sax.saxutils import escape, quoteattr
+from html import escape
 
 #: The face that the typesetter brings with it; elsewhere any serif will do.
 FONT = "Libertinus Serif, Times New Roman, serif"
@@ -119,7 +119,7 @@ class Canvas:
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width:g}" '
             f'height="{self.height:g}" viewBox="0 0 {self.width:g} {self.height:g}" role="img" '
-            f"aria-label={quoteattr(alt)} font-family={quoteattr(FONT)}>{''.join(self._parts)}"
+            f'aria-label="{escape(alt)}" font-family="{FONT}">{"".join(self._parts)}'
             "</svg>"
         )
 
