@@ -52,7 +52,7 @@ STEPS = """() => {
 def chromium() -> str:
     """Return the path of the browser; there are no tests of the pages without one."""
     found = os.environ.get("CHROMIUM") or next(filter(None, map(shutil.which, _NAMES)), None)
-    assert found, "no chromium: `make chromium` installs it, or set CHROMIUM to its path"
+    assert found, "no chromium: `make system` installs it, or set CHROMIUM to its path"
     return found
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser, Route, expect
 
 from cli.running import wraparc
 from web.browser import PAGES, STEPS, Visitor, browsing
@@ -136,6 +136,20 @@ def test_wrong_value_turns_red_with_the_sentence_of_the_command_line(
     page.fill(f"#f-{field}", "180" if "angle" in field else "1000")
     page.wait_for_selector(f"#f-{field}[aria-invalid=false]")
     assert page.inner_text("#results [role=alert]") == ""
+
+
+def test_late_answer_never_stands_under_another_drive(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    held: list[Route] = []
+    page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
+    visitor.example("Head drive, overland conveyor")
+    page.wait_for_selector("#results.waiting >> text=Solving")
+    expect(page.locator("#drive .pick h2")).to_have_text("Head drive, overland conveyor")
+    page.unroute("**/api/v1/solve/fast")
+    held[0].continue_()
+    page.wait_for_selector("#results:not(.waiting)")
+    visitor.solved()
+    assert key_figure(visitor, "Creep at exit") != "7.377 mm"
 
 
 def test_undo_redo_and_link(visitor: Visitor, calculator: Calculator) -> None:

@@ -158,6 +158,10 @@ def test_print_fits_the_paper(calculator: Calculator, paper: str, width: int) ->
     data = page.pdf(format=paper, prefer_css_page_size=False)
     pages = len(re.findall(rb"/Type\s*/Page\b", data))
     assert 2 <= pages <= 5, pages
+    # inputs and their sources stand on paper even where they are folded away on the screen
+    assert page.locator("#drive details.t-inputs[open]").count() == 0
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator("#drive details.t-inputs[open]").count() == 1
     page.emulate_media(media="print")
     page.set_viewport_size({"width": width - 91, "height": 1000})  # less the margins, 12 mm each
     page.wait_for_timeout(300)

@@ -97,13 +97,12 @@ function menus() {
 function keys(e) {
   if (e.key === "Escape") document.querySelectorAll(".menu[open]").forEach((m) => { m.open = false; m.firstElementChild.focus(); });
   if (!(e.ctrlKey || e.metaKey) || e.altKey) return;
-  const k = e.key.toLowerCase(), typing = /^(text|search)$/.test(e.target.type) || e.target.tagName === "TEXTAREA";
+  const k = e.key.toLowerCase();
   if (k === "s") { e.preventDefault(); act(download)(e); }
-  if (typing && e.target.value !== e.target.defaultValue && document.activeElement.dataset.dirty) return;
+  if (e.target.closest?.("#saved, #tests, #study, #compare, .menu") && e.target.matches("input, textarea")) return; // its own undo
   if (k === "z" || k === "y") { e.preventDefault(); release(); (k === "y" || e.shiftKey ? redo : undo)(); }
 }
 async function start() {
-  try { app.token = sessionStorage.getItem("token") || new URLSearchParams(location.search).get("token") || ""; if (app.token) sessionStorage.setItem("token", app.token); } catch { /* no storage: ask each time */ }
   const [form, catalogue, first, about] = await Promise.all(["schema", "catalogue", "start", "about"].map((p) => ask(p)));
   Object.assign(app, { form, catalogue, about, dimensions: {}, name: first.name });
   for (const u of Object.values(form.units)) u.factors ||= { [u.si.unit]: u.si.factor, [u.us.unit]: u.us.factor };
@@ -133,6 +132,8 @@ async function start() {
     address();
   });
   on("view", () => { modules[page].update(); address(); });
+  addEventListener("beforeprint", () => document.querySelectorAll("main details.table:not([open])").forEach((d) => { d.open = true; d.dataset.shut = ""; }));
+  addEventListener("afterprint", () => document.querySelectorAll("[data-shut]").forEach((d) => { d.open = false; delete d.dataset.shut; }));
   knowNow(drive.now);
   window.addEventListener("hashchange", arrive);
   if (!location.hash.split("/")[2]) take(first.document, { name: first.name });

@@ -65,7 +65,6 @@ export class Refused extends Error {
     Object.assign(this, { problems, status });
   }
 }
-const token = () => (app.token ? { Authorization: `Bearer ${app.token}` } : {});
 export async function ask(path, body, { method, signal, as = "json" } = {}) {
   const form = body instanceof FormData, text = typeof body === "string";
   const type = text ? "text/plain" : "application/json";
@@ -73,7 +72,7 @@ export async function ask(path, body, { method, signal, as = "json" } = {}) {
   try {
     r = await fetch(`/api/v1/${path}`, {
       method: method || (body === undefined ? "GET" : "POST"),
-      headers: { ...token(), ...(body === undefined || form ? {} : { "Content-Type": type }) },
+      headers: body === undefined || form ? {} : { "Content-Type": type },
       body: form || text || body === undefined ? body : JSON.stringify(body),
       signal,
     });

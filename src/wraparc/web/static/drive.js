@@ -27,7 +27,7 @@ export const verdict = (v, extra = []) => h("div", { class: `verdict ${LEVELS[v.
 export function mount(place) {
   const e = (tag, attrs, ...k) => h(tag, attrs, ...k);
   ui = {
-    title: e("h2"), choose: e("span", { class: "inline" }), form: e("form", { class: "inputs", "aria-label": "Drive", onsubmit: (x) => x.preventDefault(), novalidate: true }),
+    title: e("h2"), wait: e("span", { role: "status" }), choose: e("span", { class: "inline" }), form: e("form", { class: "inputs", "aria-label": "Drive", onsubmit: (x) => x.preventDefault(), novalidate: true }),
     verdict: e("div", { id: "verdict" }), spoken: e("p", { class: "away", role: "status", "aria-live": "polite" }), problems: e("div", { role: "alert" }),
     pulley: e("div"), scale: e("div", { class: "scale" }), quantity: e("select", { id: "quantity" }), figures: e("dl", { class: "figures" }), chips: e("p", { class: "chips" }),
     plots: e("div", { class: "plots" }), cursor: e("input", { type: "range", id: "cursor", min: 0, max: 1000, value: 500, step: 5 }), read: e("dl", { class: "reading" }),
@@ -38,7 +38,7 @@ export function mount(place) {
   ui.cursor.oninput = () => point(ui.cursor.value / 1000);
   const figures = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"].map((t, i) => [t, h("figure", {})]);
   put(ui.plots, figures.map((f) => f[1]));
-  ui.result = e("div", { class: "results", id: "results" }, e("div", { class: "pick" }, ui.title, ui.choose), ui.problems, ui.verdict, ui.chips, ui.spoken,
+  ui.result = e("div", { class: "results", id: "results" }, e("div", { class: "pick" }, ui.title, ui.wait, ui.choose), ui.problems, ui.verdict, ui.chips, ui.spoken,
     e("div", { class: "pair" },
       e("figure", { class: "card" }, ui.pulley, e("figcaption", {}, e("label", { for: "quantity" }, "Colour and inner ring: "), ui.quantity, ui.scale)),
       e("section", { class: "card", "aria-label": "Key figures" }, e("h2", {}, "Key figures"), ui.figures)),
@@ -72,6 +72,8 @@ async function quick() {
   do {
     wanted = false;
     const doc = app.doc, name = doc.pulley?.[app.pulley]?.name;
+    // an answer that is long in coming must not stand under another drive's name
+    const slow = setTimeout(() => { ui.result.classList.add("waiting"); ui.wait.textContent = "Solving …"; }, 250);
     try {
       const a = await ask("solve/fast", { document: doc, pulley: name ?? null, load_case: app.case || null, points: 120, sequence: ++sequence, tables: false });
       if (doc === app.doc) { mark([]); put(ui.problems); }
@@ -84,6 +86,8 @@ async function quick() {
       if (!x.problems) { quickBusy = false; throw x; }
       if (doc === app.doc) refused(x.problems);
     }
+    clearTimeout(slow);
+    if (!wanted && ui.wait.textContent) { ui.result.classList.remove("waiting"); ui.wait.textContent = ""; }
   } while (wanted);
   quickBusy = false;
 }
@@ -169,7 +173,7 @@ function figures() {
   const n = arc.numbers, a = fullDoc === app.doc && here(), m = (a || here())?.numbers || {}, limit = arc.creep_limit;
   const share = Math.abs(n.exit_creep) / limit, solved = arc.status === "solved";
   const rows = [
-    ["Creep at exit", shown("exit_creep", n.exit_creep), `${percent(share)} of the limit ${show(limit, "length")}`, solved ? (share <= 1 ? "good" : "warn") : "bad", 0],
+    ["Creep at exit", shown("exit_creep", n.exit_creep), solved ? `${percent(share)} of the limit ${show(limit, "length")}` : `at the largest ratio that friction can carry; the limit is ${show(limit, "length")}`, solved ? (share <= 1 ? "good" : "warn") : "bad", 0],
     ["Peak shear angle", shown("peak_shear_angle", n.peak_shear_angle), `${shown("peak_shear_stress", n.peak_shear_stress)} at ${shown("peak_shear_position", n.peak_shear_position)}`],
     ["Tension ratio T1/T2", digits(n.tension_ratio), `pull ${shown("effective_tension", n.effective_tension)}`],
     ["Mean friction", digits(n.mean_friction), "over the whole wrap"],
@@ -178,7 +182,7 @@ function figures() {
     ["Equivalent friction", digits(m.equivalent_friction), "at the creep limit, beside CEMA, DIN", "", 1],
     ["Wrap pressure", shown("wrap_pressure", arc.profile.wrap_pressure[0], 3), `to ${shown("wrap_pressure", arc.profile.wrap_pressure[arc.profile.wrap_pressure.length - 1], 3)}`],
     ["Slip at exit", shown("exit_slip", n.exit_slip), n.stuck_arc > 0 ? `at rest over ${shown("stuck_arc", n.stuck_arc, 3)}` : "slides all along"],
-    n.power_loss == null ? ["Energy per pass", shown("frictional_energy", n.frictional_energy, 3), "power needs the belt speed"] : ["Power lost to creep", shown("power_loss", n.power_loss, 3), `efficiency ${percent(n.efficiency, 4)}`],
+    n.power_loss == null ? ["Energy per pass", shown("frictional_energy", n.frictional_energy, 3), solved ? "power needs the belt speed" : "at the largest ratio"] : ["Power lost to creep", shown("power_loss", n.power_loss, 3), `efficiency ${percent(n.efficiency, 4)}`],
   ];
   if (ui.figures.children.length !== rows.length) put(ui.figures, rows.map(() => h("div", {}, h("dt"), h("dd", {}, h("b"), h("small"), h("i", { class: "gauge" }, h("i"))))));
   rows.forEach(([name, value, small, level, late], i) => {

@@ -84,14 +84,6 @@ async function begin() {
     put(ui.problems, h("div", { class: "verdict bad" }, h("p", { class: "headline" }, "The study cannot be run."), h("ul", {}, x.problems.map((p) => h("li", {}, p.sentence || p.message)))));
   }
 }
-/** A picture of a study; fetched, so that a token goes with the request. */
-const pictures = {};
-function picture(id, name, attrs) {
-  const img = h("img", attrs), key = `${id}/${name}`;
-  pictures[key] ||= ask(`studies/${id}/pictures/${name}`, undefined, { as: "blob" }).then((r) => r.blob()).then((b) => URL.createObjectURL(b));
-  pictures[key].then((url) => (img.src = url), () => {});
-  return img;
-}
 /** Look after the jobs as long as one of them is at work and the page is open. */
 const follow = act(async () => {
   clearTimeout(timer);
@@ -109,6 +101,6 @@ function list() {
         !busy && j.state === "done" && h("button", { type: "button", "aria-expanded": String(!!opened[j.id]), onclick: act(async () => { opened[j.id] = opened[j.id] ? null : await ask(`studies/${j.id}`); list(); }) }, opened[j.id] ? "Hide" : "Show")),
       (j.problems || []).length > 0 && h("ul", { class: "error" }, j.problems.map((p) => h("li", {}, p.sentence || p.message))),
       opened[j.id] && j.state === "done" && [full.verdict && verdict(full.verdict), (full.remarks || []).length > 0 && h("ul", { class: "help" }, full.remarks.map((r) => h("li", {}, words(r)))), h("div", { class: "tables" }, (full.tables || []).map((t) => table(t))), h("p", { class: "inline" }, (full.files || []).map((n) => h("button", { type: "button", onclick: act(async () => save(n, await (await ask(`studies/${j.id}/files/${n}`, undefined, { as: "blob" })).blob())) }, `Download ${n}`))),
-        h("div", { class: "pictures" }, (full.pictures || []).map((n) => picture(j.id, n, {  alt: `${n.replace(/\.\w+$/, "").replace(/[-_]/g, " ")} of ${j.title || "the study"}; its numbers stand in the tables` })))]);
+        h("div", { class: "pictures" }, (full.pictures || []).map((n) => h("img", { src: `/api/v1/studies/${j.id}/pictures/${n}`, alt: `${n.replace(/\.\w+$/, "").replace(/[-_]/g, " ")} of ${j.title || "the study"}; its numbers stand in the tables` })))]);
   }));
 }
