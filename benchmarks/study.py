@@ -2,6 +2,7 @@
 
     python benchmarks/study.py            1,000 to 1,000,000 designs on the threads of this process
     python benchmarks/study.py 10000000   other sizes
+    python benchmarks/study.py few ...    only creep, slip and shear: no capacities
     python benchmarks/study.py dask       1,000,000 designs on a scheduler and two workers as
                                           processes, one killed half way, beside the local run
 
@@ -31,12 +32,16 @@ def axis(field: str, low: str, high: str) -> dict[str, Any]:
     return {"field": field, "distribution": "uniform", "from": low, "to": high}
 
 
-def study(designs: int) -> Any:
+FEW = ["exit_creep", "exit_slip", "peak_shear_stress"]
+
+
+def study(designs: int, few: bool = False) -> Any:
     from wraparc.files.study_file import study_from_document
 
     document = {
         "format": 1,
         "drive": "head-drive.toml",
+        **({"outputs": FEW} if few else {}),
         "sampling": {"method": "random", "samples": designs, "seed": 1},
         "axis": [
             axis("pulley.head.effective_tension", "50 kN", "80 kN"),
@@ -54,16 +59,16 @@ def memory() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
 
 
-def one(designs: int) -> dict[str, float]:
+def one(designs: int, few: bool) -> dict[str, float]:
     """Run a study in this process."""
     from wraparc.study.monte_carlo import summarise
     from wraparc.study.run import Run, run_study
 
     with tempfile.TemporaryDirectory(dir=ROOT / "build") as folder:
         path = Path(folder) / "a.parquet"
-        study(64).solve(0, 64)  # compiled
+        study(64, few).solve(0, 64)  # compiled
         start, used = time.perf_counter(), time.process_time()
-        run_study(study(designs), path, Run(confirmed_rows=designs))
+        run_study(study(designs, few), path, Run(confirmed_rows=designs))
         took, used = time.perf_counter() - start, time.process_time() - used
         size, solving = path.stat().st_size, memory()
         again = time.perf_counter()
@@ -75,11 +80,11 @@ def one(designs: int) -> dict[str, float]:
     }  # fmt: skip
 
 
-def sizes(designs: list[int]) -> None:
+def sizes(designs: list[int], few: bool) -> None:
     heads = ("designs", "s", "CPU us/design", "designs/s", "bytes/design", "MB solving", "MB all")
     print(("{:>14}" * len(heads)).format(*heads), "  summary s")
     for count in designs:
-        command = [sys.executable, __file__, "one", str(count)]
+        command = [sys.executable, __file__, "one", str(count), *(["few"] if few else [])]
         r = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
         row = (r["cpu"] / count * 1e6, count / r["seconds"], r["bytes"], r["memory"])
         numbers = "".join(f"{n:14,.1f}" for n in (r["seconds"], *row, r["memory_with_summary"]))
@@ -148,7 +153,7 @@ def dask(designs: int = MILLION) -> None:
             cluster.end()
         start = time.perf_counter()
         run_study(asked, folder / "here.parquet", Run(confirmed_rows=designs))
-        here = time.perf_counter() - start
+        here, client = time.perf_counter() - start, memory()
         one_, other = (pq.read_table(folder / f"{n}.parquet") for n in ("cluster", "here"))
         numbers = one_["design"].to_numpy()
         same = all(
@@ -161,15 +166,16 @@ def dask(designs: int = MILLION) -> None:
         print(f"  cluster {took:.1f} s, threads of this process {here:.1f} s")
         print(f"  rows {len(numbers):,}, different designs {len(np.unique(numbers)):,}")
         print(f"  every bit as in the local run: {same}")
-        print(f"  memory of scheduler and remaining worker {used} MB, client {memory():.0f} MB")
+        print(f"  memory of scheduler and remaining worker {used} MB, client {client:.0f} MB")
 
 
 if __name__ == "__main__":
     (ROOT / "build").mkdir(exist_ok=True)
     arguments = sys.argv[1:]
     if arguments[:1] == ["one"]:
-        print(json.dumps(one(int(arguments[1]))))
+        print(json.dumps(one(int(arguments[1]), "few" in arguments)))
     elif arguments[:1] == ["dask"]:
         dask(*map(int, arguments[1:]))
     else:
-        sizes([int(a) for a in arguments] or [1_000, 10_000, 100_000, MILLION])
+        asked = [int(a) for a in arguments if a != "few"]
+        sizes(asked or [1_000, 10_000, 100_000, MILLION], "few" in arguments)

@@ -15,6 +15,7 @@ from wraparc.errors import InputError
 from wraparc.files import drive_from_document
 from wraparc.files.source import parse, read_text
 from wraparc.study.monte_carlo import PERCENTS, _Collected, over_conditions, summarise, wilson
+from wraparc.study.parameter_study import OUTPUTS
 from wraparc.study.plan import Array, Saltelli
 from wraparc.study.run import run_study
 from wraparc.study.sampling import LatinHypercube, Sobol
@@ -52,7 +53,7 @@ def test_the_interval_covers_the_truth() -> None:
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("results") / "a.parquet"
-    run_study(small(), path)
+    run_study(small(outputs=list(OUTPUTS)), path)
     return path
 
 

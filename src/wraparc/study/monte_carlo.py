@@ -32,7 +32,7 @@ Flags = NDArray[np.bool_]
 #: Percentiles that are told [%].
 PERCENTS = (5.0, 50.0, 95.0, 99.0)
 #: Numbers that are kept in all to find percentiles; where there are more, every second, fourth ...
-KEPT = 4_000_000
+KEPT = 2_000_000
 LEAST_KEPT = 2_000
 #: Results of which none at all is more than any number: no creep holds the belt, no tension is
 #: enough.
@@ -228,9 +228,9 @@ class _Collected:
         self.seen[name] = before + len(finite)
         step = self.thinned.setdefault(name, 1)
         kept = self.kept.setdefault(name, [])
-        kept.append(finite[(-before) % step :: step])
+        kept.append(finite[(-before) % step :: step].copy())  # not the rest with it
         if sum(map(len, kept)) > self.most:
-            whole = np.concatenate(kept)[::2]
+            whole = np.concatenate(kept)[::2].copy()
             self.kept[name], self.thinned[name] = [whole], 2 * step
 
     def group(self, **of: Any) -> Group:
