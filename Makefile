@@ -32,7 +32,7 @@ help: ## show this list
 
 demo: $(UV) ## solve an example drive and draw it (sets itself up)
 	@echo "== installing wraparc into .venv (locked versions)"
-	@$(call sync,--frozen --inexact --no-default-groups --extra plot)
+	@$(call sync,--frozen --inexact --no-default-groups --extra plot --extra web)
 	@$(BIN)/wraparc demo
 
 serve: $(UV) ## open the calculator in the browser (sets itself up); FILE=drive.toml for a drive

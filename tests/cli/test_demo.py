@@ -23,6 +23,7 @@ def test_the_demo_lays_out_solves_and_draws(
     assert "<svg" in (folder / "head-drive-fabric.svg").read_text("utf-8")
     assert "The picture is wraparc-demo/head-drive-fabric.svg" in ran.out.replace("\\", "/")
     assert "Try next:" in ran.out
+    assert "serve" in ran.out
     assert list(tmp_path.iterdir()) == [folder]
 
 

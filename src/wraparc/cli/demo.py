@@ -49,6 +49,7 @@ def demo(into: Path, units: System) -> int:
         click.echo(f"The picture is {into / _PICTURE}")
     except MissingExtraError as error:
         click.echo(f"There is no picture: it {error}")
+    click.echo(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
     click.echo(_next_steps(into))
     return exit_code(result)
 
