@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isnan, log1p
+from math import isnan, log, log1p
 
 from wraparc.train.member import COARSE, FINE, SHARP, Passage
 from wraparc.train.newton import Settled, settle
@@ -13,6 +13,7 @@ from wraparc.train.system import Search, System
 
 #: Difference between two ways to the same speed that is left alone [-].
 _CORRECTED = 1e-12
+_SURE = 1e-2  # part of it that an estimate must stay below
 #: Give of eased speeds, ln(speed) for the whole load, and where it may be left out [-].
 _GIVE, _LEAST_GIVE = 1e-2, 1e-6
 
@@ -59,9 +60,10 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
         Whether friction falls anywhere with slip, so that there may be several states.
     """
     eased = _eased(system, _GIVE)
+    fine = FINE if softening or eased is not system else SHARP
     for steps in (COARSE, SHARP):
         search = Search(eased, steps)
-        levels, states, failed = _states(eased, search, softening)
+        levels, states, failed = _states(eased, search, softening, fine)
         if not failed:
             break
     if eased is not system:
@@ -72,10 +74,10 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     if not states:
         start = failed[0] if failed else tuple(search.follow(search.level(levels[0])))
         return _broken(system, names, start, search.level(levels[0]))
-    return _corrected(system, _chosen(system, names, states))
+    return _corrected(system, _chosen(system, names, states), fine)
 
 
-def _corrected(system: System, located: Located) -> Located:
+def _corrected(system: System, located: Located, steps: int) -> Located:
     """Return the tensions at which the arcs, solved for their tensions, meet the speeds.
 
     Followed from effort to tension and solved from tension to effort, an arc has truncation
@@ -96,10 +98,16 @@ def _corrected(system: System, located: Located) -> Located:
         if max(abs(a - b) for a, b in zip(offsets, old, strict=True)) < _CORRECTED:
             break
         system = replace(system, corrections=tuple(offsets))
-        better = settle(system, state.passages, state.level, near=state)
+        better = settle(system, state.passages, state.level, steps, near=state)
         if better is None:
             break
         located = replace(located, settled=better, passages=better.passages, level=better.level)
+        # the errors themselves hardly change over so small a step
+        step = max(
+            abs(log(a.exit / b.exit)) for a, b in zip(better.passages, state.passages, strict=True)
+        )
+        if step * max(map(abs, offsets)) < _CORRECTED * _SURE:
+            break
     return located
 
 
@@ -131,19 +139,19 @@ def _stiffened(system: System, state: Settled) -> Settled | None:
 
 
 def _states(
-    system: System, search: Search, softening: bool
+    system: System, search: Search, softening: bool, steps: int
 ) -> tuple[list[float], list[Settled], list[tuple[Passage, ...]]]:
     """Return the levels found by a search, the states there, and starts that led to none."""
     if softening:
         levels = search.all_solutions()
     else:
-        w, miss = search.solution()
+        w, miss = search.solution(1e-4)
         levels = [w] if abs(miss) < 1e-3 else []
     states: list[Settled] = []
     failed: list[tuple[Passage, ...]] = []
     for w in levels:
         start = tuple(search.follow(search.level(w)))
-        found = settle(system, start, search.level(w))
+        found = settle(system, start, search.level(w), steps)
         if found is None:
             failed.append(start)
         elif not any(_same(found, other) for other in states):

@@ -132,7 +132,8 @@ def settle(
 ) -> Settled | None:
     """Meet all equations from a state nearby; None if that fails.
 
-    Slopes serve for several steps, as long as the misses shrink fast.
+    Slopes serve for several steps, corrected by what each step shows, as long as the misses shrink
+    fast.
 
     Parameters
     ----------
@@ -156,15 +157,16 @@ def settle(
             linear, rising = near.linear, near.rising
         else:
             linear, rising = linearized(system, at.state, steps)
-        first = at
+        first, matrix = at, linear.matrix
         for k in range(10):
             if at.size <= tolerance * _SPEED_WEIGHT:
                 if near is None and not _near(first.state, at.state):
                     linear, rising = linearized(system, at.state, steps)
                 return Settled(at.state, at.level, linear, rising)
-            new = at.stepped(system, linear, search=k == 0)
+            new = at.stepped(system, matrix, search=k == 0)
             if new is None or new.size >= at.size:
                 break
+            matrix = _learned(matrix, at, new)
             slow = new.size > 0.3 * at.size
             at = new
             if slow:
@@ -199,10 +201,10 @@ class _Point:
             return inf
         return float(max(_SPEED_WEIGHT * np.max(np.abs(self.misses[:-1])), abs(self.misses[-1])))
 
-    def stepped(self, system: System, linear: Linear, search: bool) -> _Point | None:
+    def stepped(self, system: System, matrix: Array, search: bool) -> _Point | None:
         """Take the step of the linear equations, shortened until it helps if `search`."""
         try:
-            step = np.linalg.solve(linear.matrix, -self.misses)
+            step = np.linalg.solve(matrix, -self.misses)
         except np.linalg.LinAlgError:
             return None
         if not np.all(np.isfinite(step)):
@@ -215,6 +217,15 @@ class _Point:
                 return new
             scale *= 0.5
         return None
+
+
+def _learned(matrix: Array, a: _Point, b: _Point) -> Array:
+    """Return slopes that are true between two points (Broyden), little changed otherwise."""
+    step = np.array([*b.efforts, b.level]) - np.array([*a.efforts, a.level])
+    square = float(step @ step)
+    if square == 0.0:
+        return matrix
+    return np.asarray(matrix + np.outer(b.misses - a.misses - matrix @ step, step) / square)
 
 
 def _efforts(system: System, passages: Sequence[Passage]) -> list[float] | None:
