@@ -82,6 +82,7 @@ def study(
     from there.
     """
     from wraparc.files.study_file import load_study
+    from wraparc.study.batch.native import available
     from wraparc.study.executor import Threads, executor_named
     from wraparc.study.run import Run, run_study
 
@@ -104,6 +105,9 @@ def study(
     if dry_run:
         click.echo(_size(asked.study))
         return _DONE
+    if not available():
+        hint = "numba is not installed, and this takes far longer: pip install 'wraparc[fast]'"
+        click.echo(hint, err=True)
     with _bar(asked.study) as tell:
         try:
             run_study(
