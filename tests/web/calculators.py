@@ -94,16 +94,18 @@ class Process:
         """End it at once, with everything it started."""
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.communicate()
+        if self.process.stdout is not None and not self.process.stdout.closed:
+            self.process.communicate()
 
-    def stop(self) -> int:
-        """Ask it to end; return its exit code."""
-        self.process.send_signal(signal.SIGINT)
+    def stop(self) -> tuple[int, str]:
+        """Press Ctrl-C, which goes to all its processes; return exit code and complaints."""
+        os.killpg(self.process.pid, signal.SIGINT)
         try:
-            self.process.communicate(timeout=30)
+            _, complaints = self.process.communicate(timeout=30)
         finally:
-            self.kill()
-        return self.process.returncode
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(self.process.pid, signal.SIGKILL)
+        return self.process.returncode, complaints
 
 
 @contextlib.contextmanager

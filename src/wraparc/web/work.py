@@ -8,6 +8,7 @@ of anybody else.
 import asyncio
 import multiprocessing
 import shutil
+import signal
 import sys
 import tempfile
 import threading
@@ -61,7 +62,14 @@ def _here(where: str, request: Data) -> bytes:
 def _warm(compiled: bool = False) -> None:
     from wraparc.web.warm import warm
 
+    _leave_interrupts()
     warm(compiled=compiled)
+
+
+def _leave_interrupts() -> None:
+    """Ctrl-C goes to every process of a terminal; the server ends the others itself."""
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _nothing() -> None:
@@ -303,6 +311,7 @@ def _limit_memory() -> None:
 
 def _run_task(where: str, request: Data, sender: Connection) -> None:
     module, _, function = where.partition(":")
+    _leave_interrupts()
     _limit_memory()
 
     def progress(done: int, total: int, message: str = "") -> None:
