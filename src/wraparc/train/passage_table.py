@@ -6,9 +6,9 @@ and third order in the logarithm of the entry tension.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import asinh, exp, log
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,15 +17,23 @@ from wraparc.train.member import RATIO_SCALE, SHARP, Member
 
 Array = NDArray[np.float64]
 Places = NDArray[np.intp]
-#: Sends the belt over a pulley many times: member, ln(entry tension) and effort, (n,) each, to
-#: ln(exit over entry tension) [-] and exit creep [m], (2, n).
-Passages = Callable[[Member, Array, Array], Array]
 
 #: Entry creep ratio up to which a table goes, either way; a creep of 5 % of the wrap.
 LARGEST_RATIO = 0.05
 _EFFORT_STEP = 0.38
 _TENSION_STEP = 0.25  # of the logarithm
 _EFFORT_POINTS, _TENSION_POINTS = 6, 4
+
+
+class Passages(Protocol):
+    """Sends the belt over a pulley many times.
+
+    Takes the pulley as numbers, ln(entry tension) and effort, (n,) each; returns ln(exit over entry
+    tension) [-] and exit creep [m], (2, n).
+    """
+
+    def __call__(self, member: Member, logs: Array, efforts: Array, /) -> Array:
+        """Return the passages."""
 
 
 def one_by_one(member: Member, logs: Array, efforts: Array) -> Array:
