@@ -6,6 +6,7 @@ B. DeVries, "A model of lagging friction as a function of creep history and wrap
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import lru_cache
 from math import exp, isfinite, log
 from typing import Literal
 
@@ -488,23 +489,7 @@ class IntegralLog(FrictionLaw):
 
     def compact(self) -> CompactLaw:
         """Return the law in the numeric form that the solvers read."""
-        c = self.coefficients
-        if isinstance(c, CoefficientPieces):
-            rows = [
-                (
-                    *(*s.a.row(), *s.b.row()),
-                    *(*s.post_peak_slope.row(), *s.residual_friction.row()),
-                    c.slip_unit,
-                )
-                for s in c.pieces
-            ]
-            return CompactLaw(PIECES, c.pressure, tuple(v for row in rows for v in row))
-        p, x, mu, slope, residual = c.columns()
-        if len(p) == 1:
-            columns = [(v[0], 0.0, 0.0, 0.0) for v in (x, mu, slope, residual)]
-            return CompactLaw(KNOTS, (), tuple(float(v) for col in columns for v in col))
-        block = np.concatenate([pchip(p, v) for v in (x, mu, slope, residual)], axis=1)
-        return CompactLaw(KNOTS, c.pressure, tuple(block.ravel().tolist()))
+        return _compact(self.coefficients)
 
     def steepest_fall(self) -> float:
         """Return the steepest post-peak slope, <= 0 [1/m]; 0 where no residual allows a fall."""
@@ -514,3 +499,23 @@ class IntegralLog(FrictionLaw):
         else:
             _, peak, slope, residual = c.at(np.linspace(c.pressure[0], c.pressure[-1], 501))
         return float(np.min(slope)) if np.any(residual < peak) else 0.0
+
+
+@lru_cache(maxsize=128)  # every solve of an arc asks for it several times
+def _compact(c: PressureKnots | CoefficientPieces) -> CompactLaw:
+    if isinstance(c, CoefficientPieces):
+        rows = [
+            (
+                *(*s.a.row(), *s.b.row()),
+                *(*s.post_peak_slope.row(), *s.residual_friction.row()),
+                c.slip_unit,
+            )
+            for s in c.pieces
+        ]
+        return CompactLaw(PIECES, c.pressure, tuple(v for row in rows for v in row))
+    p, x, mu, slope, residual = c.columns()
+    if len(p) == 1:
+        columns = [(v[0], 0.0, 0.0, 0.0) for v in (x, mu, slope, residual)]
+        return CompactLaw(KNOTS, (), tuple(float(v) for col in columns for v in col))
+    block = np.concatenate([pchip(p, v) for v in (x, mu, slope, residual)], axis=1)
+    return CompactLaw(KNOTS, c.pressure, tuple(block.ravel().tolist()))
