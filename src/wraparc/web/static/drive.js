@@ -52,14 +52,18 @@ export function mount(place) {
 }
 
 export function update() {
+  // the request leaves first, the form follows while it is on its way
+  const known = quickDoc === app.doc && arc && !update.view;
+  update.view = false;
+  if (!known) {
+    quick();
+    document.documentElement.classList.add("stale");
+  }
   form(ui.form);
   ui.title.textContent = app.doc.title || "Drive";
   if (Array.isArray(app.doc.pulley)) picks();
-  if (quickDoc === app.doc && arc && !update.view) return redraw();
-  update.view = false;
-  document.documentElement.classList.add("stale");
-  quick();
-  complete();
+  if (known) redraw();
+  else complete();
 }
 on("view", () => (update.view = true));
 on("units", () => { update.view = true; scaleKey = ""; if (arc) redraw(); });
