@@ -10,6 +10,12 @@ from cli.running import wraparc
 EXAMPLES = Path(__file__).parents[2] / "examples" / "studies"
 
 
+@pytest.fixture(autouse=True)
+def _wide(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As wide as the tables need: narrower ones break the lines that are looked for."""
+    monkeypatch.setenv("COLUMNS", "140")
+
+
 def test_the_grid(tmp_path: Path) -> None:
     ran = wraparc("study", EXAMPLES / "take-up-grid.toml", "-o", tmp_path / "a.parquet")
     assert ran.code == 0, ran.err

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from study.studies import FOLDER
 from study.test_study_run import columns, small
 from wraparc.errors import InputError
-from wraparc.study.executor import DaskCluster, LocalCluster, require_distributed
+from wraparc.study.executor import DaskCluster, require_distributed
 from wraparc.study.run import Run, parts_folder, run_study
 
 DASK = [sys.executable, "-c", "from dask.__main__ import main; main()"]
@@ -99,7 +100,10 @@ def test_a_cluster_that_is_lost_keeps_what_is_done(cluster: Cluster, tmp_path: P
 
 
 def test_processes_of_this_computer(tmp_path: Path) -> None:
-    study = small(sampling={"samples": 10, "seed": 4})
-    run_study(study, tmp_path / "a.parquet", Run(executor=LocalCluster(1), part_designs=16))
-    run_study(study, tmp_path / "here.parquet")
+    file = Path(FOLDER) / "load-cases.toml"
+    command = [sys.executable, "-c", "from wraparc.cli import main; main()", "study", str(file)]
+    for name, more in (("a", ["--scheduler", "local:1"]), ("here", [])):
+        path = tmp_path / f"{name}.parquet"
+        ran = subprocess.run([*command, "-o", str(path), *more], capture_output=True, check=False)
+        assert ran.returncode == 0, ran.stderr
     assert columns(tmp_path / "a.parquet") == columns(tmp_path / "here.parquet")
