@@ -47,7 +47,7 @@ class BatchResult(Mapping[str, Array]):
     arcs
         What was solved.
     found
-        Rows of the kernel's numbers (see :mod:`wraparc.study.batch.row`), shape (n, 19).
+        Rows of the kernel's numbers, shape (n, 19).
     """
 
     arcs: Arcs
