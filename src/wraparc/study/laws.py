@@ -18,7 +18,7 @@ nan = float("nan")
 
 @dataclass(frozen=True, eq=False)
 class LawBank:
-    """Laws in the numeric form of :mod:`wraparc.friction.compact`, one after the other.
+    """Laws in the numeric form that the solvers read, one after the other.
 
     Attributes
     ----------
