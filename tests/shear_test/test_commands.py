@@ -160,7 +160,10 @@ def small_plan(folder: Path, *more: str) -> Path:
     return plan
 
 
-def test_other_tests_go_on_and_what_was_left_out_is_listed(tmp_path: Path) -> None:
+def test_other_tests_go_on_and_what_was_left_out_is_listed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "200")  # the path of a file is not broken
     ran = wraparc("fit", small_plan(tmp_path), "-o", tmp_path / "out.toml")
     assert ran.code == 0
     assert "ATTENTION 2 of 4 tests could not be used." in ran.words
