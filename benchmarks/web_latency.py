@@ -12,6 +12,7 @@ load below 0.3 s.
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 import tempfile
 from pathlib import Path
@@ -71,6 +72,9 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], dict[str
             if len(loads) < 5:
                 visitor.context.close()
         page.wait_for_selector(READY["drive"])
+        # compiled code takes over when it is ready
+        wait_for(lambda: json.loads(server.ask("/api/v1/about").body)["compiled"], 180.0)
+        page.wait_for_timeout(2000.0)
         frames = page.evaluate(_FRAMES)
         page.get_by_label("Entry tension, slider").focus()
         page.evaluate(STEPS)

@@ -277,6 +277,31 @@ def test_tests_are_read_fitted_and_used_at_once(visitor: Visitor, tmp_path: Path
     assert re.fullmatch(r"[\d.]+ mm", key_figure(visitor, "Creep at exit"))
 
 
+def test_reports_of_the_page_are_those_of_the_drive_on_it(visitor: Visitor, tmp_path: Path) -> None:
+    # expected: the file signatures of PDF and ZIP, and in the text what was typed on the page
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "71.25")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.wait_for_timeout(300)
+    visitor.solved()
+    for label, start in (
+        ("Calculation note (PDF)", b"%PDF-"),
+        ("Workbook (Excel)", b"PK"),
+        ("Text (Markdown)", b"#"),
+    ):
+        if not page.locator("#head-author").is_visible():
+            page.locator("#report summary").click()
+        page.fill("#head-author", "E. Euler")
+        with page.expect_download() as arriving:
+            page.get_by_text(label).click()
+        file = tmp_path / arriving.value.suggested_filename
+        arriving.value.save_as(file)
+        assert file.read_bytes().startswith(start), label
+    text = file.read_text("utf-8")
+    assert "71.25 kN" in text
+    assert "E. Euler" in text
+
+
 def test_train_shares_and_trims(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.example("Tandem head drive, fabric belt")
