@@ -181,10 +181,11 @@ def _tell(
     from wraparc.present.document import json_text
     from wraparc.present.study_sheet import study_document, study_sheet
     from wraparc.study.monte_carlo import summarise
+    from wraparc.study.sensitivity import sensitivities
 
     summary = summarise(path)
-    local, indices = _sensitivities(asked, path)
-    dimensions = _dimensions(asked)
+    local, indices = sensitivities(path, asked.study, asked.sensitivity)
+    dimensions = asked.study.plan.quantities
     sheet = study_sheet(
         summary,
         dimensions,
@@ -217,23 +218,6 @@ def _tell(
         save_file(name, text)
     for name in (path, *texts):
         click.echo(f"Wrote {name}", err=True)
-
-
-def _sensitivities(asked: StudyFile, path: str) -> tuple[Local | None, Global | None]:
-    if not asked.sensitivity:
-        return None, None
-    from wraparc.study.sensitivity import global_sensitivity, local_sensitivity
-
-    local = local_sensitivity(asked.study)
-    return local, global_sensitivity(path, asked.study, asked.sensitivity)
-
-
-def _dimensions(asked: StudyFile) -> dict[str, Dimension | None]:
-    plan = asked.study.plan
-    known: dict[str, Dimension | None] = {axis.field: axis.dimension for axis in plan.levels}
-    for drawn in plan.drawn:
-        known.update(drawn.columns)
-    return known
 
 
 def _pictures(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -337,8 +337,3 @@ def _refused(name: str, value: Array) -> list[Problem]:
 def _row_problem(name: str, row: int, value: str, allowed: str, count: int) -> Problem:
     more = f" ({count} rows are like this)" if count > 1 else ""
     return Problem(key=f"column {shown(name)}, row {row}", value=value, message=allowed + more)
-
-
-def field_names() -> tuple[str, ...]:
-    """Return the names of the columns, for tests that compare them with the class."""
-    return tuple(f.name for f in fields(Arcs))

@@ -148,6 +148,14 @@ class Plan(ABC):
         """Numbers that a draw of everything takes."""
         return sum(axis.dimensions for axis in self.drawn)
 
+    @property
+    def quantities(self) -> dict[str, Dimension | None]:
+        """What each column of the designs measures; None for words."""
+        known: dict[str, Dimension | None] = {axis.field: axis.dimension for axis in self.levels}
+        for drawn in self.drawn:
+            known.update(drawn.columns)
+        return known
+
     def combination(self, index: int) -> dict[str, int]:
         """Place in the list of each axis of levels, of one of the combinations."""
         shape = tuple(len(axis.values) for axis in self.levels)

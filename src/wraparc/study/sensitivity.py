@@ -18,6 +18,9 @@ from wraparc.study.parquet import batches, read_data
 from wraparc.study.plan import Drawn, DrawnField
 
 Array = NDArray[np.float64]
+#: by load case and condition, then by result
+LocalSensitivity = dict[tuple[str, str], dict[str, tuple["Swing", ...]]]
+GlobalSensitivity = dict[tuple[str, str], dict[str, "Indices"]]
 
 #: Part of a distribution that its plausible range holds: from 5 % to 95 %.
 RANGE = (0.05, 0.95)
@@ -59,7 +62,7 @@ class Swing:
         return abs(self.at_high - self.at_low)
 
 
-def local_sensitivity(study: Study) -> dict[tuple[str, str], dict[str, tuple[Swing, ...]]]:
+def local_sensitivity(study: Study) -> LocalSensitivity:
     """Swings of every field that is drawn, the widest first.
 
     Laws drawn from a fit have no single field to move and are left to the Sobol indices.
@@ -201,7 +204,7 @@ def _mean_ratio(term: Array, f: Array) -> tuple[float, tuple[float, float]]:
 
 def global_sensitivity(
     path: str | os.PathLike[str], study: Study, outputs: tuple[str, ...]
-) -> dict[tuple[str, str], dict[str, Indices]]:
+) -> GlobalSensitivity:
     """Sobol indices of results, by load case and condition, then by result.
 
     Raises
@@ -216,13 +219,22 @@ def global_sensitivity(
     names = tuple(_name(axis) for axis in study.plan.drawn)
     columns = _columns(path, outputs)
     count = len(study.cases)
-    found: dict[tuple[str, str], dict[str, Indices]] = {}
+    found: GlobalSensitivity = {}
     for place, (load, condition) in enumerate(study.cases):
         of_case = found.setdefault((load, condition.name if condition else ""), {})
         for name in outputs:
             y = columns[name].reshape(-1, count)[:, place]
             of_case[name] = sobol_indices(y, names)
     return found
+
+
+def sensitivities(
+    path: str | os.PathLike[str], study: Study, outputs: tuple[str, ...]
+) -> tuple[LocalSensitivity | None, GlobalSensitivity | None]:
+    """Local and global sensitivity of results of a study; None each if none is asked for."""
+    if not outputs:
+        return None, None
+    return local_sensitivity(study), global_sensitivity(path, study, outputs)
 
 
 def _columns(path: str | os.PathLike[str], outputs: tuple[str, ...]) -> Mapping[str, Array]:

@@ -16,6 +16,7 @@ from wraparc.present.study_sheet import Global, Local, study_document, study_she
 from wraparc.study.executor import Threads
 from wraparc.study.monte_carlo import Summary, summarise
 from wraparc.study.run import Run, part_designs, run_problems, run_study
+from wraparc.study.sensitivity import sensitivities
 from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Data, sheet_data
@@ -102,8 +103,8 @@ def _is_quantity(text: str) -> bool:
 
 def _told(asked: StudyFile, path: str) -> Data:
     summary = summarise(path)
-    local, indices = _sensitivities(asked, path)
-    dimensions = _dimensions(asked)
+    local, indices = sensitivities(path, asked.study, asked.sensitivity)
+    dimensions = asked.study.plan.quantities
     sheets = {
         system: study_sheet(
             summary, dimensions, system, local=local, indices=indices,
@@ -121,23 +122,6 @@ def _told(asked: StudyFile, path: str) -> Data:
         "html": html,
         "parquet": b64encode(content).decode("ascii"),
     }
-
-
-def _sensitivities(asked: StudyFile, path: str) -> tuple[Local | None, Global | None]:
-    if not asked.sensitivity:
-        return None, None
-    from wraparc.study.sensitivity import global_sensitivity, local_sensitivity
-
-    local = local_sensitivity(asked.study)
-    return local, global_sensitivity(path, asked.study, asked.sensitivity)
-
-
-def _dimensions(asked: StudyFile) -> dict[str, Dimension | None]:
-    plan = asked.study.plan
-    known: dict[str, Dimension | None] = {axis.field: axis.dimension for axis in plan.levels}
-    for drawn in plan.drawn:
-        known.update(drawn.columns)
-    return known
 
 
 def _pictures(
