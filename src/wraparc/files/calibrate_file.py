@@ -10,10 +10,10 @@ from wraparc.files.common_keys import FORMAT_ENTRY, PROVENANCE
 from wraparc.files.drive_file import load_drive
 from wraparc.files.kinds import ByName, Choice, Name, Quantity, Rows, Text, nearest
 from wraparc.files.origins import own_provenance
-from wraparc.files.overrides import Overrides, overridden
+from wraparc.files.overrides import Overrides, read_document
 from wraparc.files.plan_keys import Column
 from wraparc.files.problems import Place, Report
-from wraparc.files.source import Document, check_format, parse, read_text
+from wraparc.files.source import Document, check_format
 from wraparc.files.tables import Entry, Record, Table
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
@@ -114,7 +114,7 @@ def load_measured(path: str | os.PathLike[str], *, overrides: Overrides = ()) ->
         With everything that is wrong.
     """
     name = os.fspath(path)
-    document = overridden(parse(read_text(path), name), overrides, file=name)
+    document = read_document(path, overrides)
     return measured_from_document(document, file=name, folder=os.path.dirname(name))
 
 

@@ -12,9 +12,9 @@ from wraparc.files.drive_file import load_drive
 from wraparc.files.kinds import nearest
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.files.origins import own_provenance
-from wraparc.files.overrides import Overrides, overridden
+from wraparc.files.overrides import Overrides, read_document
 from wraparc.files.problems import Place, Report
-from wraparc.files.source import Document, check_format, parse, read_text
+from wraparc.files.source import Document, check_format
 from wraparc.files.tables import Record
 from wraparc.provenance import Provenance
 from wraparc.study.belt_sag import CUSTOMARY, Sag
@@ -35,7 +35,7 @@ def load_search(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> S
         With everything that is wrong.
     """
     name = os.fspath(path)
-    document = overridden(parse(read_text(path), name), overrides, file=name)
+    document = read_document(path, overrides)
     return search_from_document(document, file=name, folder=os.path.dirname(name))
 
 

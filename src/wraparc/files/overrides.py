@@ -2,6 +2,7 @@
 
 import datetime as dt
 import json
+import os
 import re
 import tomllib
 from collections.abc import Iterable, Mapping
@@ -11,7 +12,7 @@ from wraparc.errors import InputError, Problem, shown
 from wraparc.files.common_keys import ALIASES
 from wraparc.files.kinds import nearest, table_labels
 from wraparc.files.problems import Place, place_text
-from wraparc.files.source import Document
+from wraparc.files.source import Document, parse, read_text
 
 #: By key path, or texts ``PATH=VALUE``.
 Overrides = Mapping[str, object] | Iterable[str]
@@ -102,6 +103,18 @@ def overridden(document: Document, overrides: Overrides, *, file: str = "") -> D
                 for p in error.problems
             ) from None
     return dict(result)
+
+
+def read_document(path: str | os.PathLike[str], overrides: Overrides = ()) -> Document:
+    """Return the document of a file with values put over its own.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is no TOML, or an override does not fit.
+    """
+    name = os.fspath(path)
+    return overridden(parse(read_text(path), name), overrides, file=name)
 
 
 def _put(node: object, steps: Place, done: Place, value: object) -> Any:

@@ -16,7 +16,7 @@ from wraparc.files.drive_file import drive_from_document
 from wraparc.files.kinds import nearest
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.files.origins import own_provenance
-from wraparc.files.overrides import Overrides, overridden
+from wraparc.files.overrides import Overrides, overridden, read_document
 from wraparc.files.problems import Place, Report, place_text
 from wraparc.files.source import Document, check_format, parse, read_text
 from wraparc.files.study_axes import Axis, field_of, read_axis, read_condition
@@ -75,7 +75,7 @@ def load_study(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> St
         With everything that is wrong.
     """
     name = os.fspath(path)
-    document = overridden(parse(read_text(path), name), overrides, file=name)
+    document = read_document(path, overrides)
     return study_from_document(document, file=name, folder=os.path.dirname(name))
 
 
@@ -133,7 +133,7 @@ def _plain(document: Document) -> Document:
 def _drive(path: str, record: Record, report: Report) -> tuple[Document, Drive | None]:
     """Return the drive file with the study's settings over it, and its drive."""
     try:
-        document = overridden(parse(read_text(path), path), record.get("set", ()), file=path)
+        document = read_document(path, record.get("set", ()))
         whole = self_contained(document, os.path.dirname(path))
         return whole, drive_from_document(whole, file=path, allow_paths=True)
     except InputError as error:

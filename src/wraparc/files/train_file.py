@@ -12,9 +12,9 @@ from wraparc.files.drive_build import Laggings, build_belt, build_pulley
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.kinds import nearest
-from wraparc.files.overrides import Overrides, overridden
+from wraparc.files.overrides import Overrides, overridden, read_document
 from wraparc.files.problems import NOTHING, Report, place_text
-from wraparc.files.source import Document, check_format, parse, read_text
+from wraparc.files.source import Document, check_format, parse
 from wraparc.files.tables import Record
 from wraparc.files.tensions import KEYS, Given, complete, resolve
 from wraparc.files.train_keys import EQUAL, MOTORS
@@ -57,7 +57,7 @@ def load_drive_or_train(
 ) -> Drive | Train:
     """Return what a drive file describes: a train if it has a ``[train]`` table."""
     name = os.fspath(path)
-    document = overridden(parse(read_text(path), name), overrides, file=name)
+    document = read_document(path, overrides)
     reader = train_from_document if "train" in document else drive_from_document
     return reader(document, file=name, folder=os.path.dirname(name), allow_paths=allow_paths)
 
