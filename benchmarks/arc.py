@@ -21,7 +21,7 @@ from scipy.optimize import brentq
 
 from wraparc import load_lagging
 from wraparc.arc import Distributed, WrapArc
-from wraparc.arc.capacity import parameters_at, solve_tension
+from wraparc.arc.kernel.capacity import parameters_at, solve_tension
 
 
 def random_arc(lagging: str, rng: np.random.Generator) -> WrapArc:

@@ -24,10 +24,10 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from wraparc import load_lagging
+from wraparc.batch import Setting, engineering, lane_slots, row, solve_arcs
+from wraparc.batch.arcs import Arcs, arcs_of_table
+from wraparc.batch.lane_kernel import TENSIONS
 from wraparc.friction.compact import branch_of, friction_at, segment_of
-from wraparc.study.arcs import Arcs, arcs_of_table
-from wraparc.study.batch import Setting, engineering, lane_slots, row, solve_arcs
-from wraparc.study.batch.lane_kernel import TENSIONS
 
 Table = dict[str, NDArray[np.float64]]
 RUBBER = load_lagging("diamond-rubber")
@@ -184,7 +184,7 @@ START = """
 import time
 begin = time.perf_counter()
 from wraparc import load_lagging
-from wraparc.study.batch import Setting, solve_batch
+from wraparc.batch import Setting, solve_batch
 table = dict(entry_tension=[1e5], exit_tension=[5e4], diameter=0.8, wrap_angle=3.1,
              belt_width=1.0, belt_modulus=1e7)
 lag = load_lagging("diamond-rubber")

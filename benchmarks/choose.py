@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import Distributed
-from wraparc.files.choose_file import load_search
-from wraparc.study.search import Grid, Search
-from wraparc.study.selection import choose
+from wraparc.choose.file import load_search
+from wraparc.choose.search import Grid, Search
+from wraparc.choose.selection import choose
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "wet-season" / "choose.toml"
 

@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 
 from wraparc.arc import Distributed, PaperMarch, WrapArc
+from wraparc.calibrate.record import fold, read_record
+from wraparc.calibrate.virtual_pulley import record_text, virtual_record
 from wraparc.files import load_drive
-from wraparc.study.record import fold, read_record
-from wraparc.study.virtual_pulley import record_text, virtual_record
 
 DRIVE = Path(__file__).parents[1] / "examples" / "head-drive-fabric.toml"
 

@@ -21,7 +21,6 @@ import numpy as np
 
 from wraparc.cli import run
 from wraparc.files import load_lagging
-from wraparc.files.plan_file import load_plan
 from wraparc.report.shear_test import make_report
 from wraparc.shear_test import (
     DIALECTS,
@@ -31,6 +30,7 @@ from wraparc.shear_test import (
     read_machine_bytes,
     run_virtual_test,
 )
+from wraparc.shear_test.plan_file import load_plan
 
 LONG = 200_000
 

@@ -36,7 +36,7 @@ FEW = ["exit_creep", "exit_slip", "peak_shear_stress"]
 
 
 def study(designs: int, few: bool = False) -> Any:
-    from wraparc.files.study_file import study_from_document
+    from wraparc.study.file import study_from_document
 
     document = {
         "format": 1,

@@ -13,9 +13,6 @@ from pathlib import Path
 import numpy as np
 
 from wraparc.arc import Distributed
-from wraparc.files import load_train
-from wraparc.study.batch.native import available
-from wraparc.study.passages import all_at_once
 from wraparc.train import (
     Axis,
     Speeds,
@@ -25,6 +22,7 @@ from wraparc.train import (
     share_map,
     solve_train,
 )
+from wraparc.train.file import load_train
 from wraparc.train.locate import locate
 from wraparc.train.solve import Setup, arc_of
 
@@ -83,20 +81,6 @@ def main() -> None:
             1,
         ),
     ]
-    if available():
-        all_at_once(Setup.of(tandem, case).system.members[0], np.log([1e5]), np.array([5.0]))
-        rows += [
-            (
-                "the same, compiled, trim and load",
-                lambda: share_map(solved, x=x, y=y, passages=all_at_once),
-                3,
-            ),
-            (
-                "the same, compiled, trim and diameter",
-                lambda: share_map(solved, x=x, y=wide, down=Axis.DIAMETER, passages=all_at_once),
-                3,
-            ),
-        ]
     unit = 0.0
     for name, work, rounds in rows:
         took = best(work, rounds)

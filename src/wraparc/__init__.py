@@ -23,6 +23,7 @@ if typing.TYPE_CHECKING:
         WrapArc,
         solve,
     )
+    from wraparc.batch import BatchResult, Setting, solve_batch
     from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Tensions
     from wraparc.errors import (
         BreakawayError,
@@ -32,7 +33,7 @@ if typing.TYPE_CHECKING:
         Problem,
         WraparcError,
     )
-    from wraparc.files import load_drive, load_lagging, load_train
+    from wraparc.files import load_drive, load_lagging
     from wraparc.friction import (
         CoefficientPieces,
         Constant,
@@ -47,8 +48,8 @@ if typing.TYPE_CHECKING:
         Trend,
     )
     from wraparc.provenance import Kind, Provenance
-    from wraparc.study.batch import BatchResult, Setting, solve_batch
     from wraparc.train import Train, TrainResult, solve_train
+    from wraparc.train.file import load_train
     from wraparc.version import __version__
 
 __all__ = [
@@ -107,14 +108,15 @@ _ROOMS = {
     ),
     "drive": "Belt Drive Lagging LoadCase Pulley Tensions",
     "errors": ("BreakawayError ConvergenceError InputError MissingExtraError Problem WraparcError"),
-    "files": "load_drive load_lagging load_train",
+    "files": "load_drive load_lagging",
     "friction": (
         "CoefficientPieces Constant ElasticPlastic FrictionLaw IntegralLog MeasuredTable Piece "
         "PressureKnots PressurePower TestedRange Trend"
     ),
     "provenance": "Kind Provenance",
-    "study.batch": "BatchResult Setting solve_batch",
+    "batch": "BatchResult Setting solve_batch",
     "train": "Train TrainResult solve_train",
+    "train.file": "load_train",
     "version": "__version__",
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}

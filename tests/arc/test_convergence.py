@@ -15,8 +15,8 @@ import pytest
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
 from arc.twin import Twin
 from wraparc.arc import Distributed, WrapArc
-from wraparc.arc.capacity import parameters_at
-from wraparc.arc.march import sweep
+from wraparc.arc.kernel.capacity import parameters_at
+from wraparc.arc.kernel.march import sweep
 from wraparc.friction import FrictionLaw
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))

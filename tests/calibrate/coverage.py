@@ -14,8 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from wraparc import Distributed, WrapArc
-from wraparc.files import load_drive
-from wraparc.study.calibration import (
+from wraparc.calibrate.calibration import (
     PARAMETERS,
     Calibration,
     Problemset,
@@ -23,6 +22,7 @@ from wraparc.study.calibration import (
     calibrate,
     calibrated_drive,
 )
+from wraparc.files import load_drive
 
 RESULT = Path(__file__).with_name("coverage.json")
 DRIVE = load_drive(Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml")

@@ -12,7 +12,7 @@ import pytest
 from calibrate.coverage import DRIVE, RESULT, TRUTH, calibrated, clean, hits
 from cli.running import wraparc
 from wraparc import InputError, Kind, load_lagging
-from wraparc.study.calibration import (
+from wraparc.calibrate.calibration import (
     PARAMETERS,
     Number,
     Prior,
@@ -21,7 +21,7 @@ from wraparc.study.calibration import (
     calibrate,
     calibrated_drive,
 )
-from wraparc.study.profile_likelihood import profile_end
+from wraparc.calibrate.profile_likelihood import profile_end
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -151,7 +151,7 @@ def test_the_published_pair(tmp_path: Path) -> None:
     assert lagging.source_of("compression_modulus").kind is Kind.ILLUSTRATIVE
     assert lagging.source_of("law").kind is Kind.CALIBRATED
     from wraparc import load_drive, solve
-    from wraparc.study.what_if import with_lagging
+    from wraparc.drive.changes import with_lagging
 
     drive = with_lagging(load_drive(EXAMPLES / "test-pulley-calibrated.toml"), "test", lagging)
     result = solve(drive, raise_on_failure=False).arcs[0]
@@ -176,7 +176,7 @@ def test_an_absurd_fit_is_not_returned(tmp_path: Path) -> None:
 def test_tachometers_give_a_creep_ratio() -> None:
     """Surface speed is that of the compressed lagging, R - delta over R of the drum speed."""
     from wraparc import WrapArc
-    from wraparc.files.calibrate_file import load_measured
+    from wraparc.calibrate.file import load_measured
 
     settings = [
         'number=[{quantity="exit_creep_ratio", drum_speed="3.05 m/s", belt_speed="3.00 m/s", '

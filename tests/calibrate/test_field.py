@@ -7,7 +7,7 @@ import pytest
 
 from cli.running import DRIVE, drive_file, wraparc
 from wraparc import ArcResult, Distributed, WrapArc, load_drive
-from wraparc.study.field_numbers import (
+from wraparc.calibrate.field_numbers import (
     TRIP_RULES,
     at_creep_limit,
     field_numbers,

@@ -9,8 +9,8 @@ import pytest
 from calibrate.coverage import DRIVE
 from cli.running import wraparc
 from wraparc import ArcResult, Distributed, InputError, WrapArc
-from wraparc.study.record import RecordChoices, fold, read_record, unwrapped
-from wraparc.study.virtual_pulley import PulleyRecord, record_text, virtual_record
+from wraparc.calibrate.record import RecordChoices, fold, read_record, unwrapped
+from wraparc.calibrate.virtual_pulley import PulleyRecord, record_text, virtual_record
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ARC = WrapArc.of(DRIVE, DRIVE.pulleys[0], DRIVE.load_cases[0])

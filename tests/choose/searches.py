@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 from wraparc import Belt, Drive, LoadCase, Pulley, Tensions, load_lagging
+from wraparc.choose.cost import BeltPrice, Costing, Price
+from wraparc.choose.search import Limits, Search
 from wraparc.drive import Cost
+from wraparc.drive.conditions import Condition
 from wraparc.provenance import Provenance
-from wraparc.study.conditions import Condition
-from wraparc.study.cost import BeltPrice, Costing, Price
-from wraparc.study.search import Limits, Search
 
 RUBBER, CERAMIC = load_lagging("diamond-rubber"), load_lagging("full-ceramic")
 FABRIC = Belt(name="fabric", width=1.2, modulus=12.96e6, rating=175e3, speed=3.0)

@@ -9,12 +9,12 @@ import pytest
 from choose.searches import search
 from cli.running import wraparc
 from wraparc import InputError
-from wraparc.files.choose_file import load_search
+from wraparc.choose.belt_sag import GRAVITY, Sag
+from wraparc.choose.file import load_search
+from wraparc.choose.search import Limits
+from wraparc.choose.selection import choose, own_slack
 from wraparc.present.choose_sheet import choose_sheet
 from wraparc.present.choose_words import reason, saving_words
-from wraparc.study.belt_sag import GRAVITY, Sag
-from wraparc.study.search import Limits
-from wraparc.study.selection import choose, own_slack
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
 HEAVY = Sag(spacing=3.0, line_mass=300.0)

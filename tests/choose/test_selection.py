@@ -10,11 +10,11 @@ import pytest
 
 from choose.searches import CERAMIC, CORD, FABRIC, RUBBER, drive, search
 from wraparc import Belt, InputError, Lagging, LoadCase, Tensions, solve
-from wraparc.study import selection as selection_module
-from wraparc.study.arc_columns import ANSWERS, ArcColumns, solve_columns
-from wraparc.study.belt_rating import least_belt
-from wraparc.study.search import Limits
-from wraparc.study.selection import Selection, choose, front
+from wraparc.batch.arc_columns import ANSWERS, ArcColumns, solve_columns
+from wraparc.choose import selection as selection_module
+from wraparc.choose.belt_rating import least_belt
+from wraparc.choose.search import Limits
+from wraparc.choose.selection import Selection, choose, front
 
 
 @pytest.fixture(scope="module")
@@ -199,7 +199,7 @@ def test_the_least_slack_tension_just_meets_the_creep_limit_in_the_worst_case() 
 
 def test_the_least_slack_tension_keeps_the_tested_pressure() -> None:
     """With creep allowed freely the lowest tested pressure, 34 kPa, asks for p B D/2 = 16.32 kN."""
-    from wraparc.study.search import Limits
+    from wraparc.choose.search import Limits
 
     one = search(
         slack_tensions=(), diameters=(0.8,), belts=(FABRIC,), limits=Limits(creep=0.05),
@@ -231,7 +231,7 @@ def test_the_next_dearer_lagging_is_dearer_to_buy() -> None:
 
 
 def test_the_nearest_of_infeasible_designs_is_told() -> None:
-    from wraparc.study.search import Limits
+    from wraparc.choose.search import Limits
 
     found = choose(search(limits=Limits(creep=1e-4)), solve=made_up)
     assert len(found.ranking) == 0
@@ -241,7 +241,7 @@ def test_the_nearest_of_infeasible_designs_is_told() -> None:
 
 
 def test_a_candidate_without_cost_is_refused() -> None:
-    from wraparc.study.cost import Costing
+    from wraparc.choose.cost import Costing
 
     with pytest.raises(InputError) as raised:
         search(costing=Costing(currency="EUR"))
@@ -252,7 +252,7 @@ def test_a_candidate_without_cost_is_refused() -> None:
 
 def test_columns_give_what_one_arc_gives() -> None:
     from wraparc.arc import Distributed
-    from wraparc.study.search import Grid
+    from wraparc.choose.search import Grid
 
     grid = Grid.of(search(diameters=(0.9,), slack_tensions=(60e3,)))
     s = grid.search

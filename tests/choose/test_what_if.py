@@ -9,8 +9,8 @@ import pytest
 from cli.running import DRIVE, drive_file, wraparc
 from wraparc import Belt, InputError, load_drive, load_lagging, solve
 from wraparc.catalogue import belt as catalogue_belt
-from wraparc.study import what_if as study
-from wraparc.study.what_if import Change, what_if
+from wraparc.choose.what_if import Change, what_if
+from wraparc.drive import changes as study
 
 
 def test_before_and_after_are_what_solve_gives(tmp_path: Path) -> None:

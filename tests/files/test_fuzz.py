@@ -17,7 +17,7 @@ from wraparc.files import (
     lagging_from_text,
     overridden,
 )
-from wraparc.files.source import decoded, parse
+from wraparc.schema.source import decoded, parse
 
 DRIVES = [example_file(name).read_text("utf-8") for name in EXAMPLE_DRIVES]
 LAGGINGS = [lagging_text(name) for name in lagging_names()]

@@ -22,8 +22,8 @@ from wraparc.files import (
     save_drive,
     save_lagging,
 )
-from wraparc.files.quantity_text import quantity_text
-from wraparc.files.source import parse
+from wraparc.schema.quantity_text import quantity_text
+from wraparc.schema.source import parse
 from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 
 EXAMPLES = [example(name) for name in EXAMPLE_DRIVES]

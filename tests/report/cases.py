@@ -5,8 +5,8 @@ from pathlib import Path
 
 from wraparc import DriveResult
 from wraparc.cli.solve import solve_as_train
-from wraparc.files import load_drive_or_train
 from wraparc.train import TrainResult
+from wraparc.train.file import load_drive_or_train
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

@@ -10,8 +10,8 @@ import pytest
 from cli.running import wraparc
 from wraparc.cli.demo import examples_folder
 from wraparc.files import load_lagging, load_lagging_conditions
-from wraparc.files.plan_file import load_plan
 from wraparc.shear_test import DIALECTS, read_machine_file
+from wraparc.shear_test.plan_file import load_plan
 
 EXAMPLE = examples_folder() / "shear_tests"
 DRIVE = (examples_folder() / "head-drive-fabric.toml").read_text("utf-8")

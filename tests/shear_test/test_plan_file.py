@@ -3,8 +3,8 @@
 import pytest
 
 from wraparc.errors import InputError
-from wraparc.files.plan_file import load_plan, plan_from_text
 from wraparc.provenance import Kind
+from wraparc.shear_test.plan_file import load_plan, plan_from_text
 
 PLAN = """
 format = 1

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from wraparc.files.study_file import StudyFile, study_from_document
+from wraparc.study.file import StudyFile, study_from_document
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FOLDER = str(EXAMPLES / "studies")

@@ -13,7 +13,7 @@ from study.test_study_run import CONDITIONS, small
 from wraparc.arc import Distributed, WrapArc
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
-from wraparc.files.source import parse, read_text
+from wraparc.schema.source import parse, read_text
 from wraparc.study.monte_carlo import PERCENTS, _Collected, over_conditions, summarise, wilson
 from wraparc.study.parameter_study import OUTPUTS
 from wraparc.study.plan import Array, Saltelli

@@ -7,7 +7,7 @@ import pytest
 
 from study.studies import FRICTION, SAMPLING, TAKE_UP, study_of
 from wraparc.errors import InputError
-from wraparc.files.study_file import load_study
+from wraparc.study.file import load_study
 
 NORMAL = {"field": "belt.modulus", "distribution": "normal", "mean": "12 MN/m"}
 

@@ -10,12 +10,12 @@ import pytest
 
 from study.studies import EXAMPLES, FOLDER, SAMPLING, study_of
 from wraparc.arc import Distributed, WrapArc
+from wraparc.batch import Setting
 from wraparc.drive import Fit, Lagging
+from wraparc.drive.conditions import scaled
 from wraparc.files import drive_from_document, load_lagging, save_lagging
-from wraparc.files.source import parse, read_text
 from wraparc.friction import IntegralLog, PressureKnots
-from wraparc.study.batch import Setting
-from wraparc.study.conditions import scaled
+from wraparc.schema.source import parse, read_text
 from wraparc.study.fitted import with_peaks
 from wraparc.study.parameter_study import Study
 from wraparc.study.plan import Array

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from wraparc.errors import InputError
-from wraparc.files import drive_from_text, load_train, train_from_text
+from wraparc.files import drive_from_text
 from wraparc.train import (
     FluidCoupling,
     Induction,
@@ -23,6 +23,7 @@ from wraparc.train import (
     VariableSpeed,
     solve_train,
 )
+from wraparc.train.file import load_train, train_from_text
 
 ROOT = Path(__file__).parents[2]
 HEAD = """

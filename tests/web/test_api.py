@@ -12,9 +12,9 @@ from starlette.testclient import TestClient
 from cli.running import wraparc
 from web.calculators import API, client, document
 from wraparc import Distributed, WrapArc
+from wraparc.choose.cost import catalogue_price, energy_cost, lagging_cost
+from wraparc.drive.changes import with_lagging
 from wraparc.files import drive_from_document, load_lagging
-from wraparc.study.cost import catalogue_price, energy_cost, lagging_cost
-from wraparc.study.what_if import with_lagging
 from wraparc.web.examples import examples
 
 

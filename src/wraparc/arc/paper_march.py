@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wraparc.arc.march import Law
+from wraparc.arc.kernel.march import Law
+from wraparc.arc.kernel.shoot import jumps
+from wraparc.arc.kernel.stick import onset_stress
 from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
-from wraparc.arc.shoot import jumps
-from wraparc.arc.stick import onset_stress
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.friction.compact import branch_of, friction_at, segment_of
 

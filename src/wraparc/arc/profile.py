@@ -1,14 +1,14 @@
 """Numbers read off a marched profile: order, peak shear stress, active arc, share outside tests.
 
 Plain numbers and buffers only, like the march: compiled for batches. A profile is `count` records
-of (s, q, slip, creep, shear stress, friction work, kink), see :mod:`wraparc.arc.march`.
+of (s, q, slip, creep, shear stress, friction work, kink), see :mod:`wraparc.arc.kernel.march`.
 """
 
 from __future__ import annotations
 
 from math import exp
 
-from wraparc.arc.march import P1, RECORD, Buffer, Parameters
+from wraparc.arc.kernel.march import P1, RECORD, Buffer, Parameters
 
 
 def sort(out: Buffer, count: int) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wraparc.arc.capacity import (
+from wraparc.arc.kernel.capacity import (
     STUCK,
     Geometry,
     carry,
@@ -19,10 +19,10 @@ from wraparc.arc.capacity import (
     solve_tension,
     trace,
 )
-from wraparc.arc.march import KICK, RECORD, T1, Law, Parameters
+from wraparc.arc.kernel.march import KICK, RECORD, T1, Law, Parameters
+from wraparc.arc.kernel.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot
 from wraparc.arc.profile import active_length, peak_stress, share_outside
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
-from wraparc.arc.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from wraparc.arc.capacity import Geometry
-from wraparc.arc.march import Law
-from wraparc.arc.shoot import jumps
-from wraparc.arc.stick import onset_stress
+from wraparc.arc.kernel.capacity import Geometry
+from wraparc.arc.kernel.march import Law
+from wraparc.arc.kernel.shoot import jumps
+from wraparc.arc.kernel.stick import onset_stress
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw

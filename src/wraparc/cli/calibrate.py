@@ -32,9 +32,9 @@ def calibrate(
     Exit code 1 if the data cannot tell some of the parameters: those get no number, and no
     lagging is written.
     """
-    from wraparc.files.calibrate_file import load_measured
+    from wraparc.calibrate.calibration import calibrate as fit
+    from wraparc.calibrate.file import load_measured
     from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
-    from wraparc.study.calibration import calibrate as fit
 
     outputs: dict[str, tuple[str | None, tuple[str, ...]]]
     outputs = {"--json": (json_file, (".json",)), "--output": (output, (".toml",))}
@@ -72,8 +72,8 @@ def calibrate(
             click.echo(f"{output} was not written: the data do not tell every parameter.", err=True)
         return _NOT_TOLD
     if output:
+        from wraparc.calibrate.file import calibrated_source
         from wraparc.files import save_lagging
-        from wraparc.files.calibrate_file import calibrated_source
 
         lagging = found.drive.pulley(found.pulley).lagging
         before = measured.problem.drive.pulley(found.pulley).lagging
@@ -102,8 +102,8 @@ def calibrate(
 @click.option("--plot", "plot_file", metavar="FILE", help="Draw records over the prediction.")
 def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str | None) -> int:
     """Lay what a calibrate FILE says was measured beside the prediction of both methods."""
+    from wraparc.calibrate.file import load_measured, overlays
     from wraparc.cli.show import show
-    from wraparc.files.calibrate_file import load_measured, overlays
     from wraparc.present.calibrate_sheet import overlay_sheet
 
     check_outputs({"--plot": (plot_file, (".svg", ".png", ".pdf"))}, [file])
@@ -143,10 +143,10 @@ def virtual_record(
 ) -> int:
     """Write the record an instrumented pulley of a drive FILE would leave, as CSV."""
     from wraparc.arc import Distributed, WrapArc
+    from wraparc.calibrate.virtual_pulley import record_text
+    from wraparc.calibrate.virtual_pulley import virtual_record as make
+    from wraparc.drive.changes import case_named
     from wraparc.files import load_drive
-    from wraparc.study.virtual_pulley import record_text
-    from wraparc.study.virtual_pulley import virtual_record as make
-    from wraparc.study.what_if import case_named
 
     check_outputs({"OUTPUT": (output, (".csv",))}, [file])
     drive = load_drive(file)

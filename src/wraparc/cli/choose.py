@@ -2,10 +2,10 @@
 
 import click
 
+from wraparc.choose.belt_rating import LighterBelt
+from wraparc.choose.selection import Selection
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.saving import save_file
-from wraparc.study.belt_rating import LighterBelt
-from wraparc.study.selection import Selection
 from wraparc.units import System
 
 _FOUND, _NONE_FEASIBLE = 0, 1
@@ -41,8 +41,8 @@ def choose(
     Prints the designs that keep every limit, cheapest over the years first, and why each other
     one was rejected. Exit code 1 if no candidate keeps every limit.
     """
-    from wraparc.files.choose_file import load_search
-    from wraparc.study.selection import choose as choose_design
+    from wraparc.choose.file import load_search
+    from wraparc.choose.selection import choose as choose_design
 
     outputs = {
         "--json": (json_file, (".json",)),
@@ -77,8 +77,8 @@ def choose(
 
 def _lightest(selection: Selection) -> LighterBelt | None:
     from wraparc import catalogue
-    from wraparc.files.choose_file import drive_belt
-    from wraparc.study.belt_rating import least_belt
+    from wraparc.choose.belt_rating import least_belt
+    from wraparc.choose.file import drive_belt
 
     if not len(selection.ranking):
         return None

@@ -6,15 +6,15 @@ from dataclasses import replace
 import click
 
 from wraparc.arc import ArcResult, Distributed, WrapArc
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
-from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem, shown
-from wraparc.study.field_numbers import (
+from wraparc.calibrate.field_numbers import (
     at_creep_limit,
     field_numbers,
     passes,
     wear_coefficient,
 )
+from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.drive import Drive
+from wraparc.errors import InputError, Problem, shown
 from wraparc.units import Dimension, System, parse_number, parse_quantity
 
 

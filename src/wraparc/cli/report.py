@@ -14,9 +14,9 @@ from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
 from wraparc.drive import Drive
 from wraparc.errors import InputError
-from wraparc.files import load_drive_or_train
 from wraparc.report.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
+from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
 if TYPE_CHECKING:

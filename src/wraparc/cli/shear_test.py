@@ -99,13 +99,13 @@ def fit(
 
     Tests that cannot be used are left out and named; the law is that of the others.
     """
-    from wraparc.files.plan_file import load_plan
     from wraparc.files.write import save_lagging
     from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
     from wraparc.report.shear_test_document import plan_document
     from wraparc.report.shear_test_tables import plan_sheet
     from wraparc.shear_test import fit_plan
+    from wraparc.shear_test.plan_file import load_plan
 
     outputs: dict[str, tuple[str | None, tuple[str, ...]]] = {
         f"--report {name}": (name, SUFFIXES) for name in reports

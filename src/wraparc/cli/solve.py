@@ -12,9 +12,9 @@ from wraparc.arc import solve as solve_drive
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files import load_drive_or_train
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.saving import save_file
+from wraparc.train.file import load_drive_or_train
 from wraparc.units import System, parse_quantity
 
 if TYPE_CHECKING:

@@ -15,10 +15,10 @@ from wraparc.saving import save_file
 from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
-    from wraparc.files.study_file import StudyFile
     from wraparc.plot.picture import Picture
     from wraparc.present.study_sheet import Global, Local
     from wraparc.study.executor import Executor
+    from wraparc.study.file import StudyFile
     from wraparc.study.monte_carlo import Summary
     from wraparc.study.parameter_study import Progress, Study
 
@@ -81,9 +81,9 @@ def study(
     Results go to a Parquet file as they are solved. Ctrl-C keeps what is done; --resume goes on
     from there.
     """
-    from wraparc.files.study_file import load_study
-    from wraparc.study.batch.native import available
+    from wraparc.batch.native import available
     from wraparc.study.executor import Threads, executor_named
+    from wraparc.study.file import load_study
     from wraparc.study.run import Run, run_study
 
     check_outputs(

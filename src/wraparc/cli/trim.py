@@ -10,9 +10,9 @@ from wraparc.arc import Distributed
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files import load_train
 from wraparc.saving import save_file
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
+from wraparc.train.file import load_train
 from wraparc.units import System, display, parse_quantity
 
 SOLVED = 0
@@ -175,7 +175,7 @@ def _trim(text: str) -> float:
 
 def _wet(train: Train) -> Mapping[str, Lagging]:
     """Laggings of the pulleys when wet, by the design values of DIN 22101 where it has some."""
-    from wraparc.study.conditions import Condition
+    from wraparc.drive.conditions import Condition
 
     wet = Condition(name="wet", standard="DIN 22101")
     found = {}

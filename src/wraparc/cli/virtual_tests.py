@@ -10,10 +10,10 @@ from typing import Any
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files import load_lagging
-from wraparc.files.emit import document_text
-from wraparc.files.quantity_text import quantity_text
 from wraparc.provenance import Kind
 from wraparc.saving import save_file
+from wraparc.schema.emit import document_text
+from wraparc.schema.quantity_text import quantity_text
 from wraparc.shear_test import DIALECTS, Dialect, VirtualRig, run_virtual_test
 from wraparc.units import parse_number
 

@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 import click
 
+from wraparc.choose.what_if import Change
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem
-from wraparc.study.what_if import Change
 from wraparc.units import System
 
 
@@ -41,9 +41,9 @@ def what_if(
 
     Every change is one column of the table, each made to the drive as it is in the file.
     """
+    from wraparc.choose.what_if import what_if as solve_both
+    from wraparc.drive.changes import case_named
     from wraparc.files import load_drive
-    from wraparc.study.what_if import case_named
-    from wraparc.study.what_if import what_if as solve_both
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     drive = load_drive(file)
@@ -84,8 +84,8 @@ def what_if(
 
 def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> Iterator[Change]:
     from wraparc import catalogue
+    from wraparc.drive import changes as study
     from wraparc.files import load_drive, load_lagging
-    from wraparc.study import what_if as study
 
     if said["other_carcass"]:
         row = study.other_carcass(drive.belt)
@@ -114,8 +114,8 @@ def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> I
 
 
 def _wet(drive: Drive, pulley: str, text: str) -> Change:
-    from wraparc.study.conditions import Condition
-    from wraparc.study.what_if import with_lagging
+    from wraparc.drive.changes import with_lagging
+    from wraparc.drive.conditions import Condition
     from wraparc.units import parse_number
 
     if text[:1].isdigit() or text[:1] == ".":

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.provenance import Provenance
+from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-from wraparc.drive.limits import Limit, limit_problems, raise_all
 from wraparc.errors import Problem, shown
+from wraparc.schema.limits import Limit, limit_problems, raise_all
 
 Shape = Literal["square", "strip"]
 SHAPES: tuple[Shape, ...] = ("square", "strip")

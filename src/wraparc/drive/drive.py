@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from wraparc.drive.belt import Belt
-from wraparc.drive.limits import Limit, limit_problems, raise_all
 from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import Problem, shown
+from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.views import Viewable
 
 #: Conservative limit of creep, 1/4 inch [m] (B. DeVries, "A model of lagging friction").

@@ -8,10 +8,10 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.errors import Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
+from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.views import Viewable
 
 #: Surfaces that published design values of friction are given for.

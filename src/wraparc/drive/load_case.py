@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
 #: Name of the load case made by the tensions of the pulleys themselves.
 DESIGN = "design"

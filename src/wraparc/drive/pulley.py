@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from wraparc.drive.lagging import Lagging
-from wraparc.drive.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.provenance import Provenance
+from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
 
 @dataclass(frozen=True, kw_only=True)

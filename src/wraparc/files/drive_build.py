@@ -9,10 +9,10 @@ from wraparc.files.drive_keys import BELT, PULLEY
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_file import is_path, lagging_record, pick_condition
 from wraparc.files.lagging_keys import LAGGING_GIVEN
-from wraparc.files.origins import own_provenance, read_sources
-from wraparc.files.problems import Place, Report
-from wraparc.files.tables import Record
 from wraparc.provenance import Provenance
+from wraparc.schema.origins import own_provenance, read_sources
+from wraparc.schema.problems import Place, Report
+from wraparc.schema.tables import Record
 
 _BELT_KEYS = ("name", "kind", "width", "modulus", "rating", "speed", "least_pulley_diameter")
 _PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter")

@@ -7,12 +7,12 @@ from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
 from wraparc.errors import InputError, shown
 from wraparc.files.drive_build import Laggings, build_belt, build_pulley
 from wraparc.files.drive_keys import DRIVE
-from wraparc.files.kinds import nearest
-from wraparc.files.overrides import Overrides, overridden
-from wraparc.files.problems import Report
-from wraparc.files.source import Document, check_format, parse, read_text
-from wraparc.files.tables import Record
 from wraparc.files.tensions import KEYS, Given, complete, resolve
+from wraparc.schema.kinds import nearest
+from wraparc.schema.overrides import Overrides, overridden
+from wraparc.schema.problems import Report
+from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.tables import Record
 
 
 def load_drive(

@@ -1,11 +1,10 @@
 """The keys of a drive file."""
 
 from wraparc.drive import MOST_PULLEYS, Belt, Drive, Pulley, Tensions
-from wraparc.files.common_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known, limited
-from wraparc.files.kinds import ByName, Flag, Name, Quantity, Rows, Text, TextOr, WordOr
 from wraparc.files.lagging_keys import LAGGING_GIVEN
-from wraparc.files.tables import Entry, Table
-from wraparc.files.train_keys import TRAIN, TRAIN_CASE
+from wraparc.schema.kinds import ByName, Elsewhere, Flag, Name, Quantity, Rows, Text, TextOr, WordOr
+from wraparc.schema.shared_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known, limited
+from wraparc.schema.tables import Entry, Table
 
 BELT = Table(
     (
@@ -103,7 +102,7 @@ LOAD_CASE = Table(
             "Tensions",
             "Tensions by pulley; those not named keep their own.",
         ),
-        Entry("train", TRAIN_CASE, "Train", "Tensions and division of the load of a train."),
+        Entry("train", Elsewhere()),
     ),
     "Load case",
 )
@@ -125,7 +124,7 @@ DRIVE = Table(
         ),
         Entry("lagging", ByName(LAGGING_GIVEN), "Laggings", "Laggings of this drive, by name."),
         Entry("load_case", Rows(LOAD_CASE, 1), "Load cases", "States of the conveyor."),
-        Entry("train", TRAIN, "Train", "How several drives on the belt divide the load."),
+        Entry("train", Elsewhere()),
     ),
     "Drive file",
 )

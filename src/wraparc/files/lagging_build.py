@@ -6,10 +6,10 @@ from wraparc.drive import Block, Cost, Lagging, compression_modulus
 from wraparc.errors import InputError
 from wraparc.files.lagging_keys import LAGGING_FILE
 from wraparc.files.laws import read_fit, read_law
-from wraparc.files.origins import own_provenance, read_sources
-from wraparc.files.problems import Report
-from wraparc.files.tables import Record
 from wraparc.provenance import Provenance
+from wraparc.schema.origins import own_provenance, read_sources
+from wraparc.schema.problems import Report
+from wraparc.schema.tables import Record
 
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
 _SAME = ("name", "title", "description", "surface", "elastic_modulus", "wear_coefficient")

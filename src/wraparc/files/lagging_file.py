@@ -7,12 +7,12 @@ from functools import lru_cache
 from wraparc.catalogue import lagging_names, lagging_text
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.kinds import nearest
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_keys import LAGGING_FILE
-from wraparc.files.problems import Report
-from wraparc.files.source import Document, check_format, parse, read_text
-from wraparc.files.tables import Record
+from wraparc.schema.kinds import nearest
+from wraparc.schema.problems import Report
+from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.tables import Record
 
 _SUFFIX = ".toml"
 

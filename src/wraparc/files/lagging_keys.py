@@ -3,9 +3,9 @@
 import math
 
 from wraparc.drive import SHAPES, SURFACES, Block, Cost, Lagging, Limit
-from wraparc.files.common_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known, limited
-from wraparc.files.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text, WordOr
-from wraparc.files.tables import Entry, Table, Variant
+from wraparc.schema.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text, WordOr
+from wraparc.schema.shared_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known, limited
+from wraparc.schema.tables import Entry, Table, Variant
 
 _NUMBER = Quantity("number")
 _NOT_NEGATIVE = Quantity("number", Limit("number"))

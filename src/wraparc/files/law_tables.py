@@ -5,7 +5,6 @@ from typing import Any
 
 from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem
-from wraparc.files.quantity_text import quantity_text
 from wraparc.files.trends import trend_text
 from wraparc.friction import (
     CoefficientPieces,
@@ -18,6 +17,7 @@ from wraparc.friction import (
     PressureKnots,
     PressurePower,
 )
+from wraparc.schema.quantity_text import quantity_text
 from wraparc.units import unit_factor
 
 Tables = dict[str, Any]

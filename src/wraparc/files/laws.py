@@ -5,8 +5,6 @@ from itertools import pairwise
 
 from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.problems import Report
-from wraparc.files.tables import Record
 from wraparc.files.trends import read_trend
 from wraparc.friction import (
     CoefficientPieces,
@@ -21,6 +19,8 @@ from wraparc.friction import (
     TestedRange,
     Trend,
 )
+from wraparc.schema.problems import Report
+from wraparc.schema.tables import Record
 from wraparc.units import Dimension, unit_factor
 
 # Keys of the file by the names that the laws use in their errors.

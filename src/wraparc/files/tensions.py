@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from wraparc.drive import Tensions
 from wraparc.errors import InputError
-from wraparc.files.problems import Place, Report
-from wraparc.files.tables import Record
+from wraparc.schema.problems import Place, Report
+from wraparc.schema.tables import Record
 from wraparc.units import display
 
 ENTRY, EXIT = "entry_tension", "exit_tension"

@@ -9,19 +9,19 @@ from typing import Any
 from wraparc import catalogue
 from wraparc.drive import DESIGN, Belt, Drive, Lagging, Limit, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
-from wraparc.files.common_keys import FORMAT
 from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import BELT, DRIVE
-from wraparc.files.emit import document_text
-from wraparc.files.keep import kept
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.files.law_tables import fit_table, law_table
-from wraparc.files.problems import Report
-from wraparc.files.quantity_text import quantity_text
-from wraparc.files.source import Document, write_text
 from wraparc.provenance import Provenance
+from wraparc.schema.emit import document_text
+from wraparc.schema.keep import kept
+from wraparc.schema.problems import Report
+from wraparc.schema.quantity_text import quantity_text
+from wraparc.schema.shared_keys import FORMAT
+from wraparc.schema.source import Document, write_text
 
 Tables = dict[str, Any]
 

@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.choose.selection import Selection
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, ORANGE, Picture, styled
-from wraparc.study.selection import Selection
 from wraparc.units import System, display_unit
 
 if TYPE_CHECKING:

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from wraparc.arc import ArcResult
+from wraparc.calibrate.calibration import Trace
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, ORANGE, Picture, styled
-from wraparc.study.calibration import Trace
 from wraparc.units import System, display_unit
 
 if TYPE_CHECKING:

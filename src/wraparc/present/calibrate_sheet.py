@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from wraparc.arc import ArcResult
+from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Problemset
+from wraparc.calibrate.record import Folded
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent, quantity
-from wraparc.study.calibration import FAR, Calibration, Estimate, Problemset
-from wraparc.study.record import Folded
 from wraparc.units import Dimension, System
 
 #: parameter -> title, dimension

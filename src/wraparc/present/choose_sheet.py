@@ -8,6 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.choose.belt_rating import LighterBelt
+from wraparc.choose.belt_sag import SOURCE as SAG_SOURCE
+from wraparc.choose.selection import Selection
 from wraparc.present.choose_words import (
     design_name,
     money,
@@ -27,9 +30,6 @@ from wraparc.present.sheet import (
     percent,
     quantity,
 )
-from wraparc.study.belt_rating import LighterBelt
-from wraparc.study.belt_sag import SOURCE as SAG_SOURCE
-from wraparc.study.selection import Selection
 from wraparc.units import System, display_unit
 
 _MOST_ROWS = 15

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterator
 
+from wraparc.choose.belt_sag import GRAVITY
+from wraparc.choose.selection import Selection, own_slack
 from wraparc.present.sheet import named, percent, quantity
-from wraparc.study.belt_sag import GRAVITY
-from wraparc.study.selection import Selection, own_slack
 from wraparc.units import Dimension, System
 
 #: limit -> what is limited, its dimension, whether the limit is a least

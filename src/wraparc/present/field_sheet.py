@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, percent, quantity
-from wraparc.study.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.units import System
 
 

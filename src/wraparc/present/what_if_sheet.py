@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.arc import ArcResult
+from wraparc.choose.what_if import WhatIf
 from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent, row_of
 from wraparc.present.words import short
-from wraparc.study.what_if import WhatIf
 from wraparc.units import System
 
 _SHOWN = (

@@ -1,5 +1,6 @@
 """Shear tests to a lagging: machine exports, friction curves, law, pressure dependence."""
 
+from wraparc.machine_tables.tables import DELIMITER_NAMES
 from wraparc.shear_test.analysis import ConditionResult, LeftOut, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import CurveFit, fit_curve
 from wraparc.shear_test.dialects import DIALECTS, Dialect
@@ -9,7 +10,6 @@ from wraparc.shear_test.pressure_choice import PressureOptions
 from wraparc.shear_test.reader import read_machine_bytes, read_machine_file
 from wraparc.shear_test.record import Choices, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve, Sample, reduce_record
-from wraparc.shear_test.tables import DELIMITER_NAMES
 from wraparc.shear_test.virtual_rig import VirtualRig, VirtualTest, run_virtual_test
 
 __all__ = [

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.errors import InputError, Problem, shown
-from wraparc.shear_test.columns import (
+from wraparc.machine_tables.columns import (
     ROLE_DIMENSION,
     ColumnUnit,
     NamedColumn,

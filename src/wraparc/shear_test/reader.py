@@ -9,14 +9,14 @@ from pathlib import Path
 import numpy as np
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.machine_tables.columns import Role, suitability
+from wraparc.machine_tables.numerals import NumeralStyle, looks_numeric, numbers, style_of
+from wraparc.machine_tables.sentinels import last_row, off_trend, sentinel_rows
+from wraparc.machine_tables.sniff import decode, is_workbook
+from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable, tables_in_text
+from wraparc.machine_tables.workbook import tables_in_workbook
 from wraparc.shear_test.choose import Chosen, choose_columns
-from wraparc.shear_test.columns import Role, suitability
-from wraparc.shear_test.numerals import NumeralStyle, looks_numeric, numbers, style_of
 from wraparc.shear_test.record import Array, Choices, ColumnInfo, Dropped, MachineRecord
-from wraparc.shear_test.sentinels import last_row, off_trend, sentinel_rows
-from wraparc.shear_test.sniff import decode, is_workbook
-from wraparc.shear_test.tables import DELIMITER_NAMES, RawTable, tables_in_text
-from wraparc.shear_test.workbook import tables_in_workbook
 
 LARGEST_FILE = 512 * 1024 * 1024
 _EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import Capacities
+from wraparc.batch import Setting
+from wraparc.batch.arcs import Arcs
+from wraparc.batch.scaled import solve_scaled
 from wraparc.provenance import Provenance
-from wraparc.study.arcs import Arcs
-from wraparc.study.batch import Setting
 from wraparc.study.distributions import Distribution
 from wraparc.study.plan import DrawnField, Plan, Values
-from wraparc.study.scaled import solve_scaled
 from wraparc.units import Dimension
 from wraparc.version import __version__
 

@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from wraparc.batch import Setting
+from wraparc.batch.native import available
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import save_file, saving_problems
-from wraparc.study.batch import Setting
-from wraparc.study.batch.native import available
 from wraparc.study.executor import Executor, Part, Threads
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import merge, require_pyarrow, rows_of, schema_of

@@ -2,7 +2,8 @@
 
 The unknown of a pulley is its *effort* y, a number of order one that grows with the creep towards
 the slack side. For laws that rise from zero friction the entry creep ratio is g = 1e-5 sinh(y); for
-laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.shoot`, with its sign.
+laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.kernel.shoot`, with its
+sign.
 Both are continuous where the pulley changes from driving to braking.
 """
 
@@ -12,9 +13,9 @@ from dataclasses import dataclass
 from math import asinh, copysign, cosh, exp, log1p, sinh
 
 from wraparc.arc import WrapArc
-from wraparc.arc.capacity import STUCK, Geometry, parameters_at, solve_tension
-from wraparc.arc.march import KICK, ONSET, SHEAR, Law, Parameters
-from wraparc.arc.shoot import FOUND, effort_of, fire, jumps, largest_effort
+from wraparc.arc.kernel.capacity import STUCK, Geometry, parameters_at, solve_tension
+from wraparc.arc.kernel.march import KICK, ONSET, SHEAR, Law, Parameters
+from wraparc.arc.kernel.shoot import FOUND, effort_of, fire, jumps, largest_effort
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
 COARSE, SHARP, FINE = 8, 16, 24

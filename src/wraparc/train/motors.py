@@ -15,8 +15,8 @@ from itertools import pairwise
 from typing import ClassVar
 
 from wraparc.drive import Limit
-from wraparc.drive.limits import limit_problems, raise_all
 from wraparc.errors import Problem
+from wraparc.schema.limits import limit_problems, raise_all
 
 #: Fall of speed per rated torque beyond the end of a curve, for solvers only [-].
 _BEYOND = 10.0

@@ -18,8 +18,8 @@ from functools import partial
 from itertools import pairwise
 from math import asinh, expm1, inf, isnan, log, log1p, nan, sinh
 
-from wraparc.arc.march import LENGTH
-from wraparc.arc.shoot import CREEP_SCALE, largest_effort
+from wraparc.arc.kernel.march import LENGTH
+from wraparc.arc.kernel.shoot import CREEP_SCALE, largest_effort
 from wraparc.train.member import COARSE, Member, Passage
 from wraparc.train.motors import Motor
 from wraparc.train.roots import bracketed_root, rising_root

@@ -19,8 +19,8 @@ from wraparc.drive import (
     Pulley,
     repeated,
 )
-from wraparc.drive.limits import limit_problems, name_problems, raise_all
 from wraparc.errors import Problem, shown
+from wraparc.schema.limits import limit_problems, name_problems, raise_all
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.units import display
 

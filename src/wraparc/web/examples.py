@@ -5,7 +5,7 @@ from functools import cache
 from pathlib import Path
 
 from wraparc.errors import InputError
-from wraparc.files.source import Document, parse
+from wraparc.schema.source import Document, parse
 
 _FIRST = "head-drive-fabric"
 

@@ -4,10 +4,10 @@ import os
 from collections.abc import Collection
 from typing import Any
 
-from wraparc.files import load_drive_or_train
 from wraparc.files.lagging_file import is_path, load_lagging_conditions
-from wraparc.files.source import Document, parse, read_text
 from wraparc.files.write import lagging_text
+from wraparc.schema.source import Document, parse, read_text
+from wraparc.train.file import load_drive_or_train
 
 
 def opened(path: str) -> Document:

@@ -8,8 +8,8 @@ import numpy as np
 from wraparc import catalogue
 from wraparc.drive import Lagging
 from wraparc.files.lagging_file import load_lagging_conditions, pick_condition
-from wraparc.files.source import parse
 from wraparc.present.catalogue_sheets import lagging_sheet
+from wraparc.schema.source import parse
 from wraparc.web.answers.shown import Data, quantity_both, rounded, sheet_data
 from wraparc.web.examples import examples
 

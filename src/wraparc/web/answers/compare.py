@@ -6,15 +6,15 @@ from typing import Any
 
 from wraparc import catalogue
 from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc
+from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
+from wraparc.drive.changes import with_belt, with_lagging
 from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
-from wraparc.files.problems import place_text
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import named, percent
 from wraparc.present.words import level_of, short
-from wraparc.study.cost import Price, catalogue_price, energy_cost, lagging_cost
-from wraparc.study.what_if import with_belt, with_lagging
+from wraparc.schema.problems import place_text
 from wraparc.train import Train, solve_train
 from wraparc.units import display
 from wraparc.web.answers.documents import read

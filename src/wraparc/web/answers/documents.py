@@ -4,7 +4,7 @@ from typing import Any
 
 from wraparc.drive import Drive
 from wraparc.files import drive_from_document
-from wraparc.files.source import Document
+from wraparc.schema.source import Document
 from wraparc.train import Train
 
 
@@ -27,7 +27,7 @@ def read(document: Document) -> Drive | Train:
     """
     document = without_none(document)
     if "train" in document:
-        from wraparc.files import train_from_document
+        from wraparc.train.file import train_from_document
 
         return train_from_document(document)
     drive = drive_from_document(document)

@@ -6,7 +6,6 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.drive import Drive, LoadCase, Pulley, design_remarks
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.kinds import nearest
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
@@ -15,6 +14,7 @@ from wraparc.present.inputs import input_table
 from wraparc.present.sheet import Table
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
+from wraparc.schema.kinds import nearest
 from wraparc.train import Train, solve_train
 from wraparc.units import System
 from wraparc.web.answers.documents import read
@@ -188,9 +188,9 @@ def _remarks(drive: Drive) -> list[Data]:
 
 def check(request: Data) -> Data:
     """Say what was read of a drive, and solve nothing."""
-    from wraparc.files.source import parse
     from wraparc.present.drive_sheet import input_sheet
     from wraparc.present.train_sheet import train_input_sheet
+    from wraparc.schema.source import parse
     from wraparc.web.answers.shown import sheet_data
 
     document = request.get("document")

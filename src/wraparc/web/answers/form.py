@@ -4,12 +4,12 @@ from functools import cache
 from typing import Any
 
 from wraparc.drive import CREEP_LIMIT
-from wraparc.files.drive_keys import BELT, DRIVE, LOAD_CASE, PULLEY, TENSIONS
-from wraparc.files.kinds import Choice, Flag, Kind, Name, Quantity, TextOr, WordOr
+from wraparc.files.drive_keys import BELT, LOAD_CASE, PULLEY, TENSIONS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
-from wraparc.files.tables import Entry, Table
-from wraparc.files.train_keys import TRAIN
 from wraparc.glossary import GLOSSARY
+from wraparc.schema.kinds import Choice, Flag, Kind, Name, Quantity, TextOr, WordOr
+from wraparc.schema.tables import Entry, Table
+from wraparc.train.keys import TRAIN, TRAIN_FILE
 from wraparc.units import DIMENSION_TEXT, DIMENSIONS, Dimension, display, display_unit, unit_factor
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Data, both
@@ -44,7 +44,7 @@ def form() -> Data:
     """Return sections with fields, units and glossary."""
     tensions = {entry.key for entry in TENSIONS}
     pulley = [entry for entry in PULLEY.entries if entry.key not in tensions]
-    top = [e for e in DRIVE.entries if not isinstance(e.kind, Table) and _is_field(e)]
+    top = [e for e in TRAIN_FILE.entries if not isinstance(e.kind, Table) and _is_field(e)]
     lagging = [e for e in LAGGING_GIVEN.entries if e.key in _OF_LAGGING]
     case = [e for e in LOAD_CASE.entries if e.key in ("name", "description")]
     return {

@@ -5,11 +5,10 @@ import re
 import numpy as np
 
 from wraparc.errors import InputError
-from wraparc.files.plan_file import plan_from_document
-from wraparc.files.source import Document, parse
 from wraparc.files.write import lagging_text
 from wraparc.report.shear_test_record import record_sheet
 from wraparc.report.shear_test_tables import plan_sheet
+from wraparc.schema.source import Document, parse
 from wraparc.shear_test import (
     MachineRecord,
     PlannedTest,
@@ -19,6 +18,7 @@ from wraparc.shear_test import (
 )
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
+from wraparc.shear_test.plan_file import plan_from_document
 from wraparc.web.answers.shown import Data, rounded, sheet_data, tables_data
 from wraparc.web.errors import problems_data
 

@@ -7,7 +7,7 @@ _state = {"compiled": False}
 
 def use_compiled() -> bool:
     """Load compiled code, or make it, and use it from now on; False where there is none."""
-    from wraparc.study.compiled import prepare
+    from wraparc.batch.compiled import prepare
 
     _state["compiled"] = prepare()
     return _state["compiled"]
@@ -16,7 +16,7 @@ def use_compiled() -> bool:
 def main_solver(points: int = 180, *, capacities: bool = True) -> Method:
     """Return the main solver; both give the same numbers but for the last digits of a float."""
     if _state["compiled"]:
-        from wraparc.study.compiled import Compiled
+        from wraparc.batch.compiled import Compiled
 
         return Compiled(points=points, capacities=capacities)
     return Distributed(points=points, capacities=capacities)

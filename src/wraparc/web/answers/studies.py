@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.emit import document_text
 from wraparc.files.lagging_file import is_path
-from wraparc.files.problems import place_text
-from wraparc.files.study_file import StudyFile, study_from_document
 from wraparc.present.study_html import study_html
 from wraparc.present.study_sheet import Global, Local, study_document, study_sheet
+from wraparc.schema.emit import document_text
+from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads
+from wraparc.study.file import StudyFile, study_from_document
 from wraparc.study.monte_carlo import Summary, summarise
 from wraparc.study.run import Run, part_designs, run_problems, run_study
 from wraparc.study.sensitivity import sensitivities

@@ -5,11 +5,11 @@ from dataclasses import replace
 from typing import Any, get_args
 
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.common_keys import FORMAT
-from wraparc.files.emit import document_text
 from wraparc.files.lagging_file import lagging_from_document
-from wraparc.files.quantity_text import quantity_text
-from wraparc.files.source import Document, parse
+from wraparc.schema.emit import document_text
+from wraparc.schema.quantity_text import quantity_text
+from wraparc.schema.shared_keys import FORMAT
+from wraparc.schema.source import Document, parse
 from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Data, both

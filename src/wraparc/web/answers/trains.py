@@ -6,13 +6,13 @@ import numpy as np
 
 from wraparc.arc import Distributed
 from wraparc.drive import Lagging
+from wraparc.drive.conditions import Condition
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files import train_from_document
 from wraparc.present.document import sources_of
 from wraparc.present.train_document import matching_document, train_document
 from wraparc.present.train_sheet import matching_sheet, train_sheet
-from wraparc.study.conditions import Condition
 from wraparc.train import Train, TrainResult, match_drives, share_map, solve_train
+from wraparc.train.file import train_from_document
 from wraparc.units import parse_quantity
 from wraparc.web.answers.documents import without_none
 from wraparc.web.answers.shown import Data, rounded, sheet_data

@@ -1,0 +1,1 @@
+"""The numerical kernel of one wrap arc: plain floats and tuples, no objects."""

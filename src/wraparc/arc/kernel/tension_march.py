@@ -1,0 +1,566 @@
+"""March around one wrap arc with tension as the independent variable.
+
+Where the belt slips towards the slack side all along the arc, tension changes monotonically and can
+take the place of position: with Q = |ln(T/T1)|, a = |x| and gamma = g towards the slack side,
+
+    ds/dQ = R / mu,
+    da/dQ = [(gamma + |T1 - T| C) R / mu + sigma c (mu + p mu_p) p] / (1 + c p mu_x),
+
+sigma = +1 driving, -1 braking. Pressure, and with it everything in the integral-log law but the
+slip, then depends on the node alone: it is tabulated once for all the marches that a solve needs,
+the knots of the law are nodes, and a march costs a quarter of one in position
+(:mod:`wraparc.arc.kernel.march`), which remains for everything else. Nodes are Q = Q_a eta^10 up to
+Q_a, which is s ~ eta^5, and equal parts after that.
+"""
+
+from __future__ import annotations
+
+from math import exp, log
+
+from wraparc.arc.kernel.march import (
+    KICK,
+    LENGTH,
+    P1,
+    RADIUS,
+    RECORD,
+    SHEAR,
+    SIDE,
+    Buffer,
+    Law,
+    Parameters,
+    hermite,
+    rates,
+    slip_at_entry,
+)
+from wraparc.friction.compact import (
+    KNOT_STRIDE,
+    KNOTS,
+    LINE,
+    PIECES,
+    RESIDUAL,
+    RISE,
+    SMALLEST,
+    branch_of,
+    friction_at,
+    peak,
+    segment_of,
+    tail,
+)
+
+# numbers of a node, see `_node`; some are scaled by the dQ of the step
+NODE = 11
+#: a step: its end Q, its segment, then nodes at 0, 1/3, 1/2, 2/3 and 1 of the step
+STEP = 2 + 5 * NODE
+#: a table: number of steps, Q reached, segment there, last Q, graded steps, step, entry pressure,
+#: a spare, weight of the last node; then the steps
+HEAD = 9
+GRADED_END = 0.1  # Q_a
+GRADED_POWER = 10
+LANDING = 1e-12  # relative, of a march that ends within a step
+
+ARRIVED, ASTRAY = 0, 1
+
+
+def applies(law: Law, par: Parameters) -> bool:
+    """Whether the march may be tried: integral-log law, no kick against the direction of slip."""
+    return law[0] in (KNOTS, PIECES) and (par[KICK] == 0.0 or par[SIDE] > 0.0)
+
+
+def table_size(end: float, steps: int) -> int:
+    """Numbers that a table needs, see `open_table`; with room for 60 pieces of the law."""
+    return HEAD + STEP * (int(0.75 * steps + end * steps / 1.44) + 64)
+
+
+def open_table(law: Law, par: Parameters, end: float, steps: int, table: Buffer) -> None:
+    """Prepare a table; one that is of the same drive, end and fineness is kept.
+
+    Parameters
+    ----------
+    end
+        Last Q, a node.
+    steps
+        Fineness: 24 makes 18 graded steps, and parts of 0.06 in Q after them.
+    table
+        Buffer of `table_size` numbers, zeros at first.
+    """
+    if table[3] == end and table[4] == 0.75 * steps and table[6] == par[P1]:
+        return  # it is there already
+    edges = law[1]
+    segment = segment_of(edges, par[P1])
+    if par[SIDE] > 0.0 and segment >= 0 and par[P1] <= edges[segment] * (1.0 + 1e-14):
+        segment -= 1
+    table[0], table[1], table[2], table[3] = 0.0, 0.0, float(segment), end
+    table[4], table[5], table[6] = 0.75 * steps, 1.44 / steps, par[P1]
+
+
+def _node(
+    law: Law, par: Parameters, segment: int, q: float, weight: float, table: Buffer, o: int
+) -> None:
+    """Numbers of the law at Q in one of its segments, with dQ (times a Jacobian) as weight."""
+    kind, edges, c, _ = law
+    t1, p1, radius, _, compliance, shear, _, _, sigma, _ = par
+    fall = exp(-sigma * q)
+    p = p1 * fall
+    last = len(edges) - 1
+    if kind == KNOTS and 0 <= segment < last:
+        # the common case of `peak`, written out
+        k = segment * KNOT_STRIDE
+        t = p - edges[segment]
+        x1, x2, x3 = c[k + 1], c[k + 2], c[k + 3]
+        m1, m2, m3 = c[k + 5], c[k + 6], c[k + 7]
+        slip_pk = c[k] + t * (x1 + t * (x2 + t * x3))
+        mu_pk = c[k + 4] + t * (m1 + t * (m2 + t * m3))
+        slip_pk_p = x1 + t * (2.0 * x2 + 3.0 * t * x3)
+        mu_pk_p = m1 + t * (2.0 * m2 + 3.0 * t * m3)
+        softens = c[k + 8] != 0.0 or c[k + 9] != 0.0 or c[k + 10] != 0.0 or c[k + 11] != 0.0
+    else:
+        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(kind, edges, c, segment, p)
+        softens = True
+    held = 1.0
+    if segment >= last >= 0:
+        held = edges[last] / p  # traction held: mu falls as 1/p
+        mu_pk, mu_pk_p, slip_pk_p = mu_pk * held, -mu_pk * held / p, 0.0
+    bend = weight * sigma * shear * p
+    r_mu = weight * radius / mu_pk
+    table[o] = 1.0 / slip_pk
+    table[o + 1] = r_mu
+    table[o + 2] = r_mu * t1 * abs(1.0 - fall) * compliance
+    table[o + 3] = bend * (mu_pk + p * mu_pk_p)
+    table[o + 4] = bend * p * mu_pk * slip_pk_p / slip_pk
+    table[o + 5] = shear * p * mu_pk / slip_pk
+    table[o + 6] = mu_pk * p
+    table[o + 7] = table[o + 8] = table[o + 10] = 0.0
+    table[o + 9] = 1.0
+    if not softens:
+        return
+    slope, residual, slope_p, residual_p = tail(kind, edges, c, segment, p)
+    mu_0, mu_0_p = mu_pk / held, (mu_pk_p if held == 1.0 else 0.0)
+    if slope < 0.0 and residual < mu_0:
+        table[o + 7] = slope * slip_pk / mu_0
+        table[o + 8] = bend * p * mu_pk * slip_pk * (slope_p - slope * mu_0_p / mu_0) / mu_0
+        table[o + 9] = residual / mu_0
+        table[o + 10] = bend * p * mu_pk * (residual_p - residual * mu_0_p / mu_0) / mu_0
+
+
+def _weight(graded: bool, top: float, e: float, h: float) -> float:
+    """Weight dQ of a step h at e: h, times dQ/d eta in the graded part."""
+    if not graded:
+        return h
+    e3 = e * e * e
+    return GRADED_POWER * top * e3 * e3 * e3 * h
+
+
+def _fill(
+    law: Law,
+    par: Parameters,
+    segment: int,
+    graded: bool,
+    top: float,
+    start: float,
+    h: float,
+    table: Buffer,
+    o: int,
+    known: int,
+) -> None:
+    """Nodes of one step, from eta (graded) or Q = start over h.
+
+    `known` is the place of the end node of the step before, if that has the same segment, or -1.
+    """
+    first = 0
+    if known >= 0:
+        # the same node, but for its weight, the first of its numbers
+        scale = _weight(graded, top, start, h) / table[8]
+        for k in range(NODE):
+            scaled = k in (1, 2, 3, 4, 8, 10)
+            table[o + k] = table[known + k] * scale if scaled else table[known + k]
+        first = 1
+    for i in range(first, 5):
+        part = 0.0 if i == 0 else (1.0 if i == 4 else (1.0 + i) / 6.0)
+        e = start + h * part
+        q = top * e**GRADED_POWER if graded else e
+        _node(law, par, segment, q, _weight(graded, top, e, h), table, o + NODE * i)
+
+
+def extend(law: Law, par: Parameters, table: Buffer) -> bool:
+    """Add one step to a table; False at its end."""
+    edges = law[1]
+    n, q, segment, end = int(table[0]), table[1], int(table[2]), table[3]
+    o = HEAD + n * STEP
+    if q >= end * (1.0 - 1e-14) or o + STEP > len(table):
+        return False
+    sigma, top = par[SIDE], min(GRADED_END, end)
+    # the next boundary between pieces of the law, or the end
+    wall = end
+    if sigma > 0.0 and segment >= 0:
+        wall = min(end, log(par[P1] / edges[segment]))
+    elif sigma < 0.0 and segment < len(edges) - 1:
+        wall = min(end, log(edges[segment + 1] / par[P1]))
+    table[o + 1] = table[2]
+    known = o - NODE if n > 0 and table[o - STEP + 1] == table[2] else -1
+    if q < top * (1.0 - 1e-12):
+        power = 1.0 / GRADED_POWER
+        eta, part = (q / top) ** power, 1.0 / table[4]
+        most = (min(wall, top) / top) ** power
+        to = most if most - eta < 1.3 * part else eta + part
+        _fill(law, par, segment, True, top, eta, to - eta, table, o + 2, known)
+        table[8] = _weight(True, top, to, to - eta)
+        q = min(wall, top) if to == most else top * to**GRADED_POWER
+    else:
+        h = table[5] if wall - q > 1.3 * table[5] else wall - q
+        _fill(law, par, segment, False, top, q, h, table, o + 2, known)
+        table[8] = h
+        q = wall if q + h >= wall * (1.0 - 1e-13) else q + h
+    if q >= wall * (1.0 - 1e-13) and wall < end:
+        table[2] += -1.0 if sigma > 0.0 else 1.0
+    table[o] = table[1] = q
+    table[0] = float(n + 1)
+    return True
+
+
+def _rates(t: Buffer, o: int, branch: int, gamma: float, a: float) -> tuple[float, float, float]:
+    """Weight dQ times ds/dQ [m], da/dQ [m] and d(friction work)/dQ [J/m2] at a node."""
+    r = a * t[o]
+    if branch == RISE and (r < 1.0 or t[o + 7] < 0.0):
+        if r < SMALLEST:
+            r = SMALLEST
+        lr = log(r)
+        rl = r * lr
+        f = r - rl
+        w = 1.0 / f
+        da = (gamma * t[o + 1] + t[o + 2]) * w + t[o + 3] * f + t[o + 4] * rl
+        da /= 1.0 - t[o + 5] * lr
+        return t[o + 1] * w, da, t[o + 6] * f * da
+    if branch == RESIDUAL:
+        f = t[o + 9]
+        da = (gamma * t[o + 1] + t[o + 2]) / f + t[o + 3] * f + t[o + 10]
+        return t[o + 1] / f, da, t[o + 6] * f * da
+    # the line past the peak; flat (z = 0) also where a law without a slope passes its peak
+    z = t[o + 7]
+    f = 1.0 + z * (r - 1.0)
+    da = (gamma * t[o + 1] + t[o + 2]) / f + t[o + 3] * f + t[o + 8] * (r - 1.0) - t[o + 4] * z
+    da /= 1.0 + t[o + 5] * z
+    return t[o + 1] / f, da, t[o + 6] * f * da
+
+
+def _step(
+    t: Buffer, o: int, branch: int, gamma: float, s: float, a: float, work: float
+) -> tuple[float, float, float]:
+    """One sixth-order step (Butcher, as in arc.kernel.march) over five nodes: s, a, work."""
+    n1, n2, n3, n4 = o + NODE, o + 2 * NODE, o + 3 * NODE, o + 4 * NODE
+    s1, b1, w1 = _rates(t, o, branch, gamma, a)
+    _, b2, _ = _rates(t, n1, branch, gamma, a + b1 / 3.0)
+    s3, b3, w3 = _rates(t, n3, branch, gamma, a + b2 * (2.0 / 3.0))
+    s4, b4, w4 = _rates(t, n1, branch, gamma, a + (b1 + 4.0 * b2 - b3) / 12.0)
+    s5, b5, w5 = _rates(t, n2, branch, gamma, a + (18.0 * b2 - b1 - 3.0 * b3 - 6.0 * b4) / 16.0)
+    s6, b6, w6 = _rates(t, n2, branch, gamma, a + (9.0 * b2 - 3.0 * b3 - 6.0 * b4 + 4.0 * b5) / 8.0)
+    a7 = a + (9.0 * b1 - 36.0 * b2 + 63.0 * b3 + 72.0 * b4 - 64.0 * b6) / 44.0
+    s7, b7, w7 = _rates(t, n4, branch, gamma, a7)
+    return (
+        s + (11.0 * (s1 + s7) + 81.0 * (s3 + s4) - 32.0 * (s5 + s6)) / 120.0,
+        a + (11.0 * (b1 + b7) + 81.0 * (b3 + b4) - 32.0 * (b5 + b6)) / 120.0,
+        work + (11.0 * (w1 + w7) + 81.0 * (w3 + w4) - 32.0 * (w5 + w6)) / 120.0,
+    )
+
+
+def _start(
+    law: Law, par: Parameters, gamma: float, table: Buffer
+) -> tuple[int, int, float, float, float]:
+    """State at the first node: status, steps done, s [m], slip [m], friction work [J/m2].
+
+    Without a kick the first step is closed analytically: at constant pressure
+    Q gamma R = int mu du = mu_pk x_pk r^2 (3/4 - ln(r)/2) + c p mu^2 / 2.
+    """
+    if gamma * par[LENGTH] < -0.1 * par[KICK]:
+        # the mesh expects slip to grow; a kick that is used up is for the march in position
+        return ASTRAY, 0, 0.0, 0.0, 0.0
+    if par[KICK] > 0.0:
+        return ARRIVED, 0, 0.0, slip_at_entry(law, par, par[KICK], 0.0), 0.0
+    if gamma <= 1e-12:
+        return ASTRAY, 0, 0.0, 0.0, 0.0
+    kind, edges, c, _ = law
+    p = par[P1]
+    slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment_of(edges, p), p)
+    last = len(edges) - 1
+    if last >= 0 and p > edges[last]:
+        mu_pk *= edges[last] / p
+    goal = log(table[HEAD] * gamma * par[RADIUS])
+    shear = par[SHEAR] * p * mu_pk * mu_pk
+    y = -14.0
+    for _ in range(60):
+        r = exp(y)
+        f = r * (1.0 - y)
+        work = mu_pk * slip_pk * r * r * (0.75 - 0.5 * y) + 0.5 * shear * f * f
+        change = (log(work) - goal) * work
+        change /= mu_pk * slip_pk * r * r * (1.0 - y) - shear * f * r * y
+        y -= change
+        if y > -1.0:
+            return ASTRAY, 0, 0.0, 0.0, 0.0
+        if abs(change) < 1e-13:
+            break
+    r = exp(y)
+    mu = mu_pk * r * (1.0 - y)
+    s = (r * slip_pk + par[SHEAR] * p * mu) / gamma
+    return ARRIVED, 1, s, r * slip_pk, mu_pk * p * slip_pk * r * r * (0.75 - 0.5 * y)
+
+
+def _next_branch(t: Buffer, o: int, branch: int, a: float) -> int:
+    """Branch of a state at a node, among the neighbours of the branch it comes from."""
+    z = t[o + 7]
+    if z == 0.0:
+        return branch
+    r = a * t[o]
+    if branch == RISE:
+        return LINE if r > 1.0 else RISE
+    over = 1.0 + z * (r - 1.0) >= t[o + 9]
+    if branch == RESIDUAL:
+        return LINE if over and t[o + 9] < 1.0 else RESIDUAL
+    if r < 1.0:
+        return RISE
+    return LINE if over else RESIDUAL
+
+
+def _gap(t: Buffer, o: int, branch: int, to: int, a: float) -> float:
+    """How far a state at a node is beyond the boundary to another branch; negative before."""
+    r = a * t[o]
+    if branch == RISE:
+        return r - 1.0
+    if to == RISE:
+        return 1.0 - r
+    below = t[o + 9] - 1.0 - t[o + 7] * (r - 1.0)
+    return below if to == RESIDUAL else -below
+
+
+def march(  # noqa: C901 - one loop over steps and cuts
+    law: Law,
+    par: Parameters,
+    gamma: float,
+    to_exit: bool,
+    table: Buffer,
+    scratch: Buffer,
+    points: int,
+    out: Buffer,
+) -> tuple[int, float, float, float, float, int]:
+    """March from the entry to the last Q of a table, or to the exit nip.
+
+    Parameters
+    ----------
+    gamma
+        Entry creep ratio towards the slack side [-].
+    to_exit
+        Stop at the exit nip, s = L, instead of the last Q.
+    table
+        See `open_table`; extended as far as needed.
+    scratch
+        Buffer of at least STEP numbers.
+    points, out
+        Equal parts of the arc to record, as in :func:`wraparc.arc.kernel.march.sweep`.
+
+    Returns
+    -------
+    status, Q, s [m], slip towards the slack side [m], friction work [J/m2], count of records
+        ASTRAY where the march does not apply: slip does not keep its direction, or the table ends
+        before the arc.
+    """
+    length = par[LENGTH]
+    if table[0] == 0.0:
+        extend(law, par, table)
+    status, i, s, a, work = _start(law, par, gamma, table)
+    count = 0
+    if status == ASTRAY:
+        return ASTRAY, 0.0, 0.0, 0.0, 0.0, count
+    q = table[HEAD] if i == 1 else 0.0
+    if len(out) > 0:
+        for j in range(RECORD):
+            out[j] = 0.0
+        if i == 0:
+            _record(law, par, 0.0, 0.0, a, 0.0, out, 0)
+        count = 1
+    segment = segment_of(law[1], par[P1])
+    branch = branch_of(law[0], law[1], law[2], law[3], segment, a, par[P1])
+    least = 0.5 * a if i == 0 else 0.0
+    inside = False  # whether q lies within step i
+    for _ in range(4000):
+        if i >= int(table[0]) and not extend(law, par, table):
+            there = not to_exit and q >= table[3] * (1.0 - 1e-13)
+            return (ARRIVED if there else ASTRAY), q, s, a, work, count
+        o = HEAD + i * STEP
+        q_end, segment = table[o], int(table[o + 1])
+        t, o = table, o + 2
+        if inside:
+            _fill(law, par, segment, False, 1.0, q, q_end - q, scratch, 0, -1)
+            t, o = scratch, 0
+        if branch == RISE and t[o + 4 * NODE + 7] < 0.0 and a * t[o] > 1.0 + 1e-9:
+            branch = LINE
+        s1, a1, work1 = _step(t, o, branch, gamma, s, a, work)
+        if not (a1 > least and s1 > s and a1 < 1e3 and s1 < 1e6):
+            return ASTRAY, q, s, a, work, count
+        to = _next_branch(t, o + 4 * NODE, branch, a1)
+        q1, kink = q_end, False
+        if to != branch:
+            kink = True
+            gap_0 = _gap(t, o, branch, to, a)
+            gap_1 = _gap(t, o + 4 * NODE, branch, to, a1)
+            part, s1, a1, work1 = _cut(
+                law, par, gamma, branch, to, segment, q, q_end, s, a, work, gap_0, gap_1, scratch
+            )
+            q1 = q + part * (q_end - q)
+        done = to_exit and s1 >= length
+        if done:
+            part, s1, a1, work1 = _cut(
+                law, par, gamma, branch, -1, segment, q, q1, s, a, work,
+                s / length - 1.0, s1 / length - 1.0, scratch,
+            )  # fmt: skip
+            q1, kink = q + part * (q1 - q), False
+        if len(out) > 0:
+            start, end = (q, s, a, work), (q1, s1, a1, work1)
+            if _divided(par, points, s, s1):
+                # halve the step: cubics through its ends and middle are good to 1e-6
+                half = 0.5 * (q1 - q)
+                _fill(law, par, segment, False, 1.0, q, half, scratch, 0, -1)
+                sm, am, work_m = _step(scratch, 0, branch, gamma, s, a, work)
+                middle = (q + half, sm, am, work_m)
+                count = _between(
+                    law, par, gamma, segment, branch, start, middle, points, out, count
+                )
+                start = middle
+            count = _between(law, par, gamma, segment, branch, start, end, points, out, count)
+            _record(law, par, q1, s1, a1, work1, out, count)
+            out[RECORD * count + 6] = 1.0 if kink else 0.0
+            count += 1
+        q, s, a, work = q1, s1, a1, work1
+        if done:
+            return ARRIVED, q, s, a, work, count
+        inside = kink and q < q_end * (1.0 - 1e-13)
+        if kink:
+            branch = to
+        if not inside:
+            i += 1
+    return ASTRAY, q, s, a, work, count
+
+
+def _record(
+    law: Law, par: Parameters, q: float, s: float, a: float, work: float, out: Buffer, count: int
+) -> None:
+    """Write one point of a profile, see wraparc.arc.kernel.march.record."""
+    side = par[SIDE]
+    tau, creep = exit_state(law, par, q, a)
+    i = RECORD * count
+    out[i], out[i + 1], out[i + 2] = s, -side * q, side * a
+    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = side * creep, side * tau, work, 0.0
+
+
+def _divided(par: Parameters, points: int, s: float, s_end: float) -> bool:
+    """Whether a point of the equal division of the arc lies inside a step."""
+    part = par[LENGTH] / max(points, 1)
+    j = int(s / part * (1.0 + 1e-12)) + 1
+    return j < points and j * part < s_end * (1.0 - 1e-12)
+
+
+def _between(
+    law: Law,
+    par: Parameters,
+    gamma: float,
+    segment: int,
+    branch: int,
+    start: tuple[float, float, float, float],
+    end: tuple[float, float, float, float],
+    points: int,
+    out: Buffer,
+    count: int,
+) -> int:
+    """Record the points of the equal division inside a step (Q, s, a, work): cubics in s."""
+    length = par[LENGTH]
+    s, ds = start[1], end[1] - start[1]
+    if not _divided(par, points, s, end[1]):
+        return count
+    j = int(s / length * points * (1.0 + 1e-12)) + 1
+    d0 = _slopes(law, par, gamma, segment, branch, start[0], start[2])
+    d1 = _slopes(law, par, gamma, segment, branch, end[0], end[2])
+    while j < points and j * length / points < end[1] * (1.0 - 1e-12):
+        at = j * length / points
+        f = (at - s) / ds
+        q = hermite(f, ds, start[0], d0[0], end[0], d1[0])
+        a = hermite(f, ds, start[2], d0[1], end[2], d1[1])
+        _record(law, par, q, at, a, hermite(f, ds, start[3], d0[2], end[3], d1[2]), out, count)
+        count += 1
+        j += 1
+    return count
+
+
+def _slopes(
+    law: Law, par: Parameters, gamma: float, segment: int, branch: int, q: float, a: float
+) -> tuple[float, float, float]:
+    """Slopes dQ/ds, da/ds and d(friction work)/ds in a piece, past a flat peak too."""
+    kind, edges, c, slips = law
+    side = par[SIDE]
+    if branch == RISE:
+        p = par[P1] * exp(-side * q)
+        if branch_of(kind, edges, c, slips, segment, a, p) != RISE:
+            branch = LINE
+    r = rates(law, par, side * gamma, segment, branch, side, -side * q, side * a)
+    return -side * r[0], side * r[1], r[2]
+
+
+def _cut(
+    law: Law,
+    par: Parameters,
+    gamma: float,
+    branch: int,
+    to: int,
+    segment: int,
+    q: float,
+    q_end: float,
+    s: float,
+    a: float,
+    work: float,
+    gap_0: float,
+    gap_1: float,
+    scratch: Buffer,
+) -> tuple[float, float, float, float]:
+    """The part of a step after which a gap closes, and s, a, work there.
+
+    The gap to another branch, or with `to` = -1 to the exit nip.
+    """
+    low, high, f_low, f_high = 0.0, 1.0, gap_0, gap_1
+    part, s1, a1, work1 = 0.0, s, a, work
+    if gap_0 >= 0.0:
+        return part, s1, a1, work1
+    part = gap_0 / (gap_0 - gap_1)
+    for _ in range(60):
+        _fill(law, par, segment, False, 1.0, q, part * (q_end - q), scratch, 0, -1)
+        s1, a1, work1 = _step(scratch, 0, branch, gamma, s, a, work)
+        ds, _, _ = _rates(scratch, 4 * NODE, branch, gamma, a1)
+        if to < 0:
+            gap, slope = s1 / par[LENGTH] - 1.0, ds / (part * par[LENGTH])
+        else:
+            gap = _gap(scratch, 4 * NODE, branch, to, a1)
+            slope = (gap - f_low) / (part - low) if low > 0.0 or part < 1.0 else 0.0
+        if abs(gap) < LANDING or high - low < 1e-15:
+            break
+        if gap > 0.0:
+            high, f_high = part, gap
+        else:
+            low, f_low = part, gap
+        if to >= 0:
+            slope = (f_high - f_low) / (high - low)
+            part = low - f_low / slope
+            # regula falsi keeps one end: halve its weight (Illinois)
+            if gap > 0.0:
+                f_low *= 0.5
+            else:
+                f_high *= 0.5
+        else:
+            part -= gap / slope
+        if not low < part < high:
+            part = 0.5 * (low + high)
+    return part, s1, a1, work1
+
+
+def exit_state(law: Law, par: Parameters, q: float, a: float) -> tuple[float, float]:
+    """Shear stress [Pa] and creep [m] towards the slack side of a state at Q with slip a."""
+    kind, edges, c, slips = law
+    p = par[P1] * exp(-par[SIDE] * q)
+    segment = segment_of(edges, p)
+    branch = branch_of(kind, edges, c, slips, segment, a, p)
+    mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, a, p)
+    return mu * p, a + par[SHEAR] * mu * p

@@ -1,0 +1,339 @@
+"""Many wrap arcs by column: what a batch solves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from wraparc.batch.laws import LawBank
+from wraparc.drive import CREEP_LIMIT, Lagging
+from wraparc.errors import InputError, Problem, shown
+from wraparc.glossary import GLOSSARY
+from wraparc.units import display
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+nan = float("nan")
+
+REQUIRED = (
+    "entry_tension",
+    "exit_tension",
+    "diameter",
+    "wrap_angle",
+    "belt_width",
+    "belt_modulus",
+)
+#: what a column is where the table does not have it; None takes it from the lagging
+DEFAULTS: Mapping[str, float | None] = {
+    "lagging_thickness": None,
+    "shear_modulus": None,
+    "compression_modulus": None,
+    "wear_coefficient": None,
+    "overrun": nan,
+    "recovery": 1.0,
+    "creep_limit": CREEP_LIMIT,
+    "belt_speed": nan,
+}
+COLUMNS = (*REQUIRED, *DEFAULTS)
+LAGGING = "lagging"
+
+_POSITIVE = {*REQUIRED, "creep_limit", "shear_modulus", "compression_modulus"}
+_RIGID = {"belt_modulus", "shear_modulus", "compression_modulus"}  # may be infinite
+_MAY_BE_MISSING = {"overrun", "belt_speed", "wear_coefficient"}  # nan says so
+
+# places in the row of numbers that a kernel reads for one arc
+INPUTS = (
+    "side",
+    "radius",
+    "wrap_angle",
+    "width",
+    "compliance",
+    "shear",
+    "kick",
+    "kick_coefficient",
+    "onset",
+    "entry_tension",
+    "exit_tension",
+    "creep_limit",
+    "pressure_min",
+    "pressure_max",
+    "slip_max",
+    "steepest_fall",
+)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Arcs:
+    """Columns of arcs, each of shape (n,), and the laws they refer to.
+
+    Attributes
+    ----------
+    laws
+        Friction laws.
+    law
+        Law of each arc, its place in `laws`.
+    entry_tension, exit_tension
+        T1 and T2 [N].
+    diameter, wrap_angle
+        D over the lagging [m] and phi [rad].
+    belt_width, belt_modulus
+        B [m] and M [N/m]; M may be infinite.
+    lagging_thickness, shear_modulus, compression_modulus
+        h [m], G and E_c [Pa]; the moduli may be infinite.
+    wear_coefficient
+        Worn volume per frictional energy [m3/J], nan if unknown.
+    overrun
+        x_c [m], nan for the formula 1.25 delta sqrt(delta/R).
+    recovery
+        1 where the lagging recovers along the arc, 0 where it does not.
+    creep_limit
+        Creep that is accepted [m].
+    belt_speed
+        v [m/s], nan if unknown.
+    """
+
+    laws: LawBank
+    law: Integers
+    entry_tension: Array
+    exit_tension: Array
+    diameter: Array
+    wrap_angle: Array
+    belt_width: Array
+    belt_modulus: Array
+    lagging_thickness: Array
+    shear_modulus: Array
+    compression_modulus: Array
+    wear_coefficient: Array
+    overrun: Array
+    recovery: Array
+    creep_limit: Array
+    belt_speed: Array
+
+    def __len__(self) -> int:
+        return len(self.law)
+
+    def columns(self) -> dict[str, Array]:
+        """Return the columns by name."""
+        return {name: getattr(self, name) for name in COLUMNS}
+
+    def rows(self, which: slice | Integers) -> Arcs:
+        """Return some of the arcs; the laws are shared."""
+        some: dict[str, Any] = {name: v[which] for name, v in self.columns().items()}
+        return replace(self, law=self.law[which], **some)
+
+    def with_laws(self, used: Integers) -> Arcs:
+        """Return the arcs with the bank of only the laws `used`, ascending places of theirs."""
+        return replace(self, laws=self.laws.take(used), law=np.searchsorted(used, self.law))
+
+    @property
+    def axial_stiffness(self) -> Array:
+        """EA = M B [N]."""
+        return self.belt_modulus * self.belt_width
+
+    @property
+    def recovery_compliance(self) -> Array:
+        """Kappa = 2 h/(B D R E_c), 0 without recovery [1/N]."""
+        squeeze = self.lagging_thickness / self.compression_modulus
+        area = self.belt_width * self.diameter * (0.5 * self.diameter)
+        return np.where(self.recovery != 0.0, 2.0 * squeeze / area, 0.0)
+
+    @property
+    def compliance(self) -> Array:
+        """1/EA' = 1/EA + kappa [1/N]."""
+        return 1.0 / self.axial_stiffness + self.recovery_compliance
+
+    @property
+    def shear_compliance(self) -> Array:
+        """h/G [m/Pa]."""
+        return self.lagging_thickness / self.shear_modulus
+
+    def inputs(self) -> Array:
+        """Numbers of every arc that a kernel reads, in the order of `INPUTS`, shape (n, 16)."""
+        radius = 0.5 * self.diameter
+        squeeze = self.lagging_thickness / self.compression_modulus
+        by_formula = np.isnan(self.overrun)
+        tested = self.laws.tested[self.law]
+        columns = (
+            np.where(self.entry_tension >= self.exit_tension, 1.0, -1.0),
+            radius,
+            self.wrap_angle,
+            self.belt_width,
+            self.compliance,
+            self.shear_compliance,
+            np.where(by_formula, 0.0, self.overrun),
+            np.where(by_formula, 1.25 * squeeze**1.5 / np.sqrt(radius), 0.0),
+            self.laws.onset_compliance[self.law],
+            self.entry_tension,
+            self.exit_tension,
+            self.creep_limit,
+            tested[:, 0],
+            tested[:, 1],
+            tested[:, 2],
+            self.laws.steepest_fall[self.law],
+        )
+        return np.ascontiguousarray(np.stack(columns, axis=1))
+
+
+def arcs_of_table(table: Mapping[str, ArrayLike], laggings: Sequence[Lagging] | Lagging) -> Arcs:
+    """Return checked arcs from a table of columns.
+
+    Parameters
+    ----------
+    table
+        Columns by their names in the glossary, one number for all rows or one for each [SI]:
+        ``entry_tension``, ``exit_tension``, ``diameter``, ``wrap_angle``, ``belt_width``,
+        ``belt_modulus``; if they are not to come from the lagging ``lagging_thickness``,
+        ``shear_modulus``, ``compression_modulus``, ``wear_coefficient``; and ``overrun`` (nan: by
+        formula), ``recovery`` (1 or 0), ``creep_limit``, ``belt_speed``. With more than one
+        lagging also ``lagging``: names, or places in `laggings`. A pandas DataFrame will do.
+    laggings
+        The laggings.
+
+    Raises
+    ------
+    InputError
+        With every unknown or missing column and, column by column, the values that cannot be.
+    """
+    some = [laggings] if isinstance(laggings, Lagging) else list(laggings)
+    given = {str(name): np.asarray(table[name]) for name in table}
+    problems = _unknown(given, len(some))
+    if problems:
+        raise InputError(problems)
+    n, problems = _length(given)
+    which, more = _lagging_column(given, some, n)
+    columns = {}
+    for name in COLUMNS:
+        value, found = _column(name, given, some, which, n)
+        columns[name] = value
+        more += found
+    if problems or more:
+        raise InputError(problems + more)
+    return Arcs(laws=LawBank.of([lag.law for lag in some]), law=which, **columns)
+
+
+def _unknown(given: Mapping[str, NDArray[Any]], laggings: int) -> list[Problem]:
+    known = (*COLUMNS, LAGGING)
+    problems = [
+        Problem(
+            key=f"column {shown(name)}",
+            message="no such column",
+            remedy=f"The columns are {', '.join(known)}.",
+        )
+        for name in given
+        if name not in known
+    ]
+    needed = REQUIRED if laggings == 1 else (*REQUIRED, LAGGING)
+    problems += [
+        Problem(key=f"column {shown(name)}", message="missing", remedy=_meaning(name))
+        for name in needed
+        if name not in given
+    ]
+    if laggings == 0:
+        problems.append(Problem(key="laggings", message="at least one lagging is needed"))
+    return problems
+
+
+def _meaning(name: str) -> str:
+    if name == LAGGING:
+        return "Say which of the laggings each row has, by name or by place from 0."
+    return GLOSSARY[name].meaning
+
+
+def _length(given: Mapping[str, NDArray[Any]]) -> tuple[int, list[Problem]]:
+    """Number of rows, and a problem for every column of another length."""
+    lengths = {name: len(v) for name, v in given.items() if v.ndim == 1}
+    n = max(lengths.values(), default=1)
+    problems = [
+        Problem(
+            key=f"column {shown(name)}",
+            value=f"{v.ndim} dimensions" if v.ndim > 1 else f"{len(v)} rows",
+            message=f"must be one number or have {n} rows, as the longest column has",
+        )
+        for name, v in given.items()
+        if v.ndim > 1 or (v.ndim == 1 and len(v) != n)
+    ]
+    return n, problems
+
+
+def _lagging_column(
+    given: Mapping[str, NDArray[Any]], laggings: Sequence[Lagging], n: int
+) -> tuple[Integers, list[Problem]]:
+    names = [lag.name for lag in laggings]
+    value = given.get(LAGGING, np.zeros(1, dtype=np.int64))
+    if value.shape not in ((), (1,), (n,)):
+        return np.zeros(n, dtype=np.int64), []  # its length is a problem already
+    if value.dtype.kind in "iu":
+        which = np.broadcast_to(value, (n,)).astype(np.int64)
+        bad = np.flatnonzero((which < 0) | (which >= len(names)))
+        allowed = f"must be a place from 0 to {len(names) - 1}"
+    else:
+        place = {name: i for i, name in enumerate(names)}
+        found = np.array([place.get(str(v), -1) for v in np.atleast_1d(value)], dtype=np.int64)
+        which = np.broadcast_to(found, (n,)).copy()
+        bad = np.flatnonzero(which < 0)
+        allowed = f"must be one of {', '.join(map(shown, names[:10]))}"
+    if not len(bad):
+        return which, []
+    row = int(bad[0])
+    text = shown(np.broadcast_to(value, (n,))[row].item())
+    return np.zeros(n, dtype=np.int64), [_row_problem(LAGGING, row, text, allowed, len(bad))]
+
+
+def _column(
+    name: str,
+    given: Mapping[str, NDArray[Any]],
+    laggings: Sequence[Lagging],
+    which: Integers,
+    n: int,
+) -> tuple[Array, list[Problem]]:
+    if name in given:
+        try:
+            value = np.asarray(given[name], dtype=float)
+        except (TypeError, ValueError):
+            message = "must hold numbers [SI]"
+            return np.full(n, nan), [Problem(key=f"column {shown(name)}", message=message)]
+    elif (default := DEFAULTS[name]) is not None:
+        value = np.asarray(default)
+    else:
+        attribute = "thickness" if name == "lagging_thickness" else name
+        of_lagging = [getattr(lag, attribute) for lag in laggings]
+        value = np.array([nan if v is None else v for v in of_lagging], dtype=float)[which]
+    if value.shape not in ((), (1,), (n,)):
+        return np.full(n, nan), []  # its length is a problem already
+    value = np.broadcast_to(value, (n,)).astype(float)
+    return value, _refused(name, value)
+
+
+def _refused(name: str, value: Array) -> list[Problem]:
+    """Problems of a column: what WrapArc refuses, for all rows at once."""
+    if name == "recovery":
+        good, allowed = (value == 0.0) | (value == 1.0), "must be 1 or 0"
+    else:
+        good = value > 0.0 if name in _POSITIVE else value >= 0.0
+        allowed = "must be more than 0" if name in _POSITIVE else "must be at least 0"
+        if name not in _RIGID:
+            good &= value < math.inf
+            allowed += " and finite"
+        if name in _MAY_BE_MISSING:
+            good |= np.isnan(value)
+            allowed += ", or nan where it is not known"
+    bad = np.flatnonzero(~good)
+    if not len(bad):
+        return []
+    row = int(bad[0])
+    quantity = GLOSSARY.get(name)
+    number = float(value[row])
+    text = (
+        display(number, quantity.dimension) if quantity and math.isfinite(number) else f"{number:g}"
+    )
+    return [_row_problem(name, row, text, allowed, len(bad))]
+
+
+def _row_problem(name: str, row: int, value: str, allowed: str, count: int) -> Problem:
+    more = f" ({count} rows are like this)" if count > 1 else ""
+    return Problem(key=f"column {shown(name)}, row {row}", value=value, message=allowed + more)

@@ -1,0 +1,287 @@
+"""The engineering setting: most arcs by the lane kernel, the others by the scalar one."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.batch import lane_slots as slot
+from wraparc.batch import row
+from wraparc.batch.arcs import INPUTS, Arcs, Array, Integers
+from wraparc.batch.elementwise import LANES, Lanes
+from wraparc.batch.lane_kernel import (
+    CREEP,
+    FOUND,
+    GIVEN,
+    LEAST,
+    NODES,
+    SLIP,
+    TENSIONS,
+    TRACES,
+    solve_goal_rows,
+    solve_goals,
+    solve_rows,
+    solve_tensions,
+)
+from wraparc.batch.lane_law import LaneLaws
+from wraparc.batch.laws import LawBank
+from wraparc.batch.native import available, compiled
+from wraparc.batch.plateau import Plateaus
+from wraparc.batch.precise import solve_precisely
+
+Flags = NDArray[np.bool_]
+
+#: largest last correction: what is left after it is about its square, and a sixteenth for the mesh
+ACCEPTED_MISS = 1e-3
+ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with kinks is left
+SMALLEST_LOG_RATIO = 1e-5
+NO_LIMIT = 1e300
+
+_INPUT = {name: k for k, name in enumerate(INPUTS)}
+_FOUND = {place: k for k, place in enumerate(FOUND)}
+_MAIN = (
+    (row.EXIT_CREEP, slot.EXIT_CREEP),
+    (row.EXIT_SLIP, slot.EXIT_X),
+    (row.EXIT_STRESS, slot.EXIT_STRESS),
+    (row.ENTRY_STRESS, slot.ENTRY_STRESS),
+    (row.CREEP_RATIO, slot.G),
+    (row.PEAK_STRESS, slot.PEAK_STRESS),
+    (row.PEAK_AT, slot.PEAK_AT),
+    (row.ACTIVE, slot.ACTIVE),
+    (row.OUTSIDE, slot.OUTSIDE),
+)
+
+
+def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flags]:
+    """Rows of results (see `row`), and which arcs the scalar kernel had to do.
+
+    Parameters
+    ----------
+    arcs
+        The arcs.
+    parts
+        What is wanted.
+
+    Returns
+    -------
+    found, handed_over
+        Shapes (n, 19) and (n,).
+    """
+    batch = _Batch(arcs)
+    batch.find_gross(parts)
+    if parts & row.TENSIONS:
+        batch.find_tensions()
+    if parts & (row.CREEP_LIMIT | row.LEAST):
+        batch.find_carried(CREEP, row.CREEP_CAPACITY, row.CREEP_LIMIT)
+    if parts & row.TESTED_SLIP:
+        batch.find_carried(SLIP, row.SLIP_CAPACITY, row.TESTED_SLIP)
+    if parts & row.LEAST:
+        batch.find_least()
+    batch.hand_over(parts)
+    return batch.found, batch.left > 0
+
+
+@lru_cache(maxsize=8)
+def _tables(laws: LawBank) -> tuple[LaneLaws, Plateaus]:
+    """Tables of a bank, shared by the chunks of a batch."""
+    table = LaneLaws.of(laws)
+    return table, Plateaus(table)
+
+
+class _Batch:
+    """A batch while it is being solved."""
+
+    def __init__(self, arcs: Arcs) -> None:
+        self.arcs, self.given = arcs, arcs.inputs()
+        self.laws, self.plateaus = _tables(arcs.laws)
+        self.found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
+        self.left = np.zeros(len(arcs), dtype=np.int64)  # parts for the scalar kernel
+        self.log_ratio = np.log(self.of("entry_tension") / self.of("exit_tension"))
+        pull = self.of("entry_tension") - self.of("exit_tension")
+        self.pull = np.maximum(pull, 0.0)
+        pressure = self.of("entry_tension") / (self.of("width") * self.of("radius"))
+        softens = self.of("steepest_fall") < 0.0
+        refused = self.of("shear") * pressure * self.of("steepest_fall") <= -1.0
+        self.found[:, row.OUTCOME] = np.where(refused, row.REFUSED, row.SOLVED)
+        self.pressure, self.softens, self.live = pressure, softens, ~refused
+        self.fit = self.live & (self.laws.row[arcs.law] >= 0) & (self.of("side") > 0.0)
+        self.left[self.live & ~self.fit] = row.EVERYTHING
+
+    def of(self, name: str) -> Array:
+        """One number of every arc."""
+        return self.given[:, _INPUT[name]]
+
+    def rows(self, which: Integers, goal: Array | float, tension: Array | None = None) -> Array:
+        """Rows for the lane kernel."""
+        arcs, given = self.arcs, self.given[which]
+        columns = {
+            slot.ROW: self.laws.row[arcs.law[which]],
+            slot.RADIUS: given[:, _INPUT["radius"]],
+            slot.LENGTH: given[:, _INPUT["radius"]] * given[:, _INPUT["wrap_angle"]],
+            slot.SHEAR: given[:, _INPUT["shear"]],
+            slot.WIDTH: given[:, _INPUT["width"]],
+            slot.COMPLIANCE: given[:, _INPUT["compliance"]],
+            slot.KICK_GIVEN: given[:, _INPUT["kick"]],
+            slot.KICK_FORMULA: given[:, _INPUT["kick_coefficient"]],
+            slot.TENSION: given[:, _INPUT["entry_tension"]] if tension is None else tension,
+            slot.END: self.log_ratio[which],
+            slot.GOAL: goal,
+            slot.PULL: self.pull[which],
+            slot.SLIP_MAX: np.nan_to_num(given[:, _INPUT["slip_max"]], nan=NO_LIMIT),
+            slot.Z: np.nan,
+        }
+        made = np.empty((len(which), len(GIVEN)))
+        for k, name in enumerate(GIVEN):
+            made[:, k] = columns[name]
+        return made
+
+    def solve(self, rows: Array, what: int) -> tuple[Array, Flags]:
+        """Solve rows, some a second time on a finer mesh, and say which are near enough.
+
+        Those are the ones that were not, and those whose law has kinks that the pressure passes:
+        within its range, or at an end of it.
+        """
+        out = run_lanes(rows, self.laws.numbers, what, True, slot.MESHES[0])
+        good = _near(out, what)
+        fine = self._kinked(rows, out) | ~good
+        again = np.flatnonzero(fine & np.isfinite(out[:, _FOUND[slot.Z]]))
+        if len(again):
+            second = rows[again]
+            for name in (slot.Z, slot.END, slot.TENSION):
+                second[:, GIVEN.index(name)] = out[again, _FOUND[name]]
+            out[again] = run_lanes(second, self.laws.numbers, what, False, slot.MESHES[1])
+            good[again] = _near(out[again], what)
+        return out, good
+
+    def _kinked(self, rows: Array, out: Array) -> Flags:
+        """Whether the law has kinks, or the pressure passes its first or last edge."""
+        place = rows[:, GIVEN.index(slot.ROW)].astype(np.int64)
+        area = rows[:, GIVEN.index(slot.WIDTH)] * rows[:, GIVEN.index(slot.RADIUS)]
+        first = out[:, _FOUND[slot.TENSION]] / area
+        last = first * np.exp(-out[:, _FOUND[slot.END]])
+        of_row = np.zeros(len(self.laws.numbers), dtype=bool)
+        of_row[self.laws.row[self.laws.kinked]] = True
+        passes = of_row[place]
+        for edge in (self.laws.numbers[place], self.laws.numbers[place + 1]):
+            passes |= (first > edge) & (last < edge)
+        return passes
+
+    def find_gross(self, parts: int) -> None:
+        """Gross slip of laws flat past their peak, and the breakaways that follow from it."""
+        which = np.flatnonzero(self.fit & ~self.softens)
+        gross = self.plateaus.capacity(
+            self.arcs.law[which], self.pressure[which], self.of("wrap_angle")[which]
+        )
+        self.found[which, row.GROSS_CAPACITY] = gross
+        self.found[which, row.GROSS_CREEP] = np.inf
+        self.found[which[self.log_ratio[which] >= gross], row.OUTCOME] = row.BREAKAWAY
+        self.left[self.fit & self.softens] |= row.GROSS_SLIP
+
+    def find_tensions(self) -> None:
+        """Operating points."""
+        runs = self.fit & (self.found[:, row.OUTCOME] == row.SOLVED)
+        which = np.flatnonzero(runs & (self.log_ratio > SMALLEST_LOG_RATIO))
+        self.left[runs & (self.log_ratio <= SMALLEST_LOG_RATIO)] |= row.TENSIONS
+        out, good = self.solve(self.rows(which, 1.0), TENSIONS)
+        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        self.left[which[~good]] |= row.TENSIONS
+        kept, out = which[good], out[good]
+        for place, name in _MAIN:
+            self.found[kept, place] = out[:, _FOUND[name]]
+        self.found[kept, row.LOG_RATIO] = -self.log_ratio[kept]
+        self.found[kept, row.STUCK_LENGTH] = 0.0
+        self.found[kept[np.isnan(self.of("slip_max")[kept])], row.OUTSIDE] = np.nan
+        # by the exact loss of energy: friction's part is what the shear does not take
+        pull, shear = self.pull[kept], self.of("shear")[kept]
+        loss = pull * (out[:, _FOUND[slot.G]] + 0.5 * pull * self.of("compliance")[kept])
+        stress = out[:, _FOUND[slot.EXIT_STRESS]] ** 2 - out[:, _FOUND[slot.ENTRY_STRESS]] ** 2
+        self.found[kept, row.WORK] = loss / self.of("width")[kept] - 0.5 * shear * stress
+
+    def find_carried(self, what: int, place: int, part: int) -> None:
+        """Capacity at the creep limit, or at the largest tested slip."""
+        goal = self.of("creep_limit" if what == CREEP else "slip_max")
+        which = np.flatnonzero(self.fit & np.isfinite(goal))
+        out, good = self.solve(self.rows(which, goal[which]), what)
+        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        self.found[which[good], place] = out[good, _FOUND[slot.END]]
+        self.left[which[~good]] |= part
+
+    def find_least(self) -> None:
+        """Least slack-side tension, or the largest pull where there is none."""
+        limit, tension = self.of("creep_limit"), self.of("entry_tension")
+        wanted = self.fit & (self.pull > 1e-6 * tension)
+        which = np.flatnonzero(wanted & ~np.isnan(self.found[:, row.CREEP_CAPACITY]))
+        self.left[wanted & np.isnan(self.found[:, row.CREEP_CAPACITY])] |= row.LEAST
+        top = self.of("pressure_max") * self.of("width") * self.of("radius")
+        top = np.where(np.isnan(top), 1e3 * tension, top)
+        # the ratio that is carried at the given T1 is a good one to begin with
+        carried = -np.expm1(-self.found[which, row.CREEP_CAPACITY])
+        first = np.minimum(self.pull[which] / carried, top[which])
+        first = np.maximum(first, 1.02 * self.pull[which])
+        out, good = self.solve(self.rows(which, limit[which], first), LEAST)
+        found = out[:, _FOUND[slot.TENSION]]
+        good &= (out[:, _FOUND[slot.DETERMINANT]] > 0.0) & (found <= top[which])
+        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        self.found[which[good], row.LEAST_SLACK] = found[good] - self.pull[which[good]]
+        self._find_most(which[~good], top)
+
+    def _find_most(self, which: Integers, top: Array) -> None:
+        """Largest pull at the creep limit: at the top of the tested pressures if it grows there."""
+        limit, pull, highest = self.of("creep_limit")[which], self.pull[which], top[which]
+        span = np.log(np.maximum(highest / pull, 1.0 + 1e-4))
+        inner = highest * np.exp(-np.minimum(0.02 * span, 0.05))
+        most, good = self._pull_within(which, limit, highest)
+        less, sound = self._pull_within(which, limit, inner)
+        good &= sound & (less <= most) & (most < pull)
+        self.found[which[good], row.MOST_PULL] = most[good]
+        self.left[which[~good]] |= row.LEAST
+
+    def _pull_within(self, which: Integers, limit: Array, tension: Array) -> tuple[Array, Flags]:
+        """Pull at the creep limit with an entry tension, and where it has been found."""
+        out, good = self.solve(self.rows(which, limit, tension), CREEP)
+        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        return -tension * np.expm1(-out[:, _FOUND[slot.END]]), good
+
+    def hand_over(self, parts: int) -> None:
+        """Let the scalar kernel do what is left."""
+        self.left &= parts | (row.GROSS_SLIP if parts & row.CAPACITIES else 0)
+        which = np.flatnonzero(self.left)
+        if not len(which):
+            return
+        left = self.left[which]
+        done = solve_precisely(self.arcs.rows(which), left)
+        for part, places in row.PLACES.items():
+            these = (left & part) > 0
+            for place in places:
+                self.found[which[these], place] = done[these, place]
+
+
+def _near(out: Array, what: int) -> Flags:
+    """Whether what is left of the search, and the change by a finer mesh, are small enough."""
+    near = np.abs(out[:, _FOUND[slot.MISS]]) < ACCEPTED_MISS
+    if what == TENSIONS:
+        near &= out[:, _FOUND[slot.CHANGE]] < ACCEPTED_CHANGE
+    return np.asarray(near)
+
+
+def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int) -> Array:
+    """Rows of `FOUND` numbers from rows of `GIVEN` numbers; in the interpreter without numba."""
+    out = np.empty((len(rows), len(FOUND)))
+    if not len(rows):
+        return out
+    if available():
+        scratch = (np.zeros(k * LANES) for k in (slot.SLOTS, NODES, TRACES))
+        entry = solve_rows if what == TENSIONS else solve_goal_rows
+        compiled(entry, contract=True)(rows, laws, what, fresh, steps, *scratch, out)
+        return out
+    w, nodes, trace = Lanes(slot.SLOTS), Lanes(NODES), Lanes(TRACES)
+    for k, name in enumerate(GIVEN):
+        w[name, 0] = rows[:, k]
+    with np.errstate(all="ignore"):
+        solve = solve_tensions if what == TENSIONS else solve_goals
+        solve(w, laws, nodes, trace, what, fresh, steps)
+    for k, name in enumerate(FOUND):
+        out[:, k] = w[name, 0]
+    return out

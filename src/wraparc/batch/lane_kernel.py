@@ -1,0 +1,202 @@
+"""The lane kernel: blocks of arcs read from rows of numbers, solved, written to rows of numbers.
+
+Compiled, a block is `LANES` arcs and all its lanes do the same; the last block is filled up with
+copies of its last arc. A lane never depends on its neighbours: whatever the blocks are, an arc has
+the same result to the last bit.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from wraparc.batch.elementwise import (
+    Lanes,
+    Table,
+    lanes,
+    memory,
+)
+from wraparc.batch.lane_guess import (
+    guess,
+    guess_carried,
+    guess_least,
+    load,
+)
+from wraparc.batch.lane_look import (
+    read_head,
+)
+from wraparc.batch.lane_read import (
+    read,
+)
+from wraparc.batch.lane_slots import (
+    ACTIVE,
+    CHANGE,
+    COMPLIANCE,
+    DETERMINANT,
+    END,
+    ENTRY_STRESS,
+    EXIT_CREEP,
+    EXIT_STRESS,
+    EXIT_X,
+    GOAL,
+    KICK_FORMULA,
+    KICK_GIVEN,
+    LENGTH,
+    MISS,
+    MOST_STEPS,
+    NODE,
+    OUTSIDE,
+    PEAK_AT,
+    PEAK_STRESS,
+    PULL,
+    RADIUS,
+    ROW,
+    SHEAR,
+    SLIP_MAX,
+    STEEPEST,
+    TENSION,
+    TRACE,
+    WIDTH,
+    G,
+    X,
+    Z,
+)
+from wraparc.batch.lane_solve import (
+    meet_creep,
+    meet_tensions,
+    set_ratio,
+)
+
+#: slots that a row fills, in this order
+GIVEN = (
+    ROW,
+    RADIUS,
+    LENGTH,
+    SHEAR,
+    WIDTH,
+    COMPLIANCE,
+    KICK_GIVEN,
+    KICK_FORMULA,
+    TENSION,
+    END,
+    GOAL,
+    PULL,
+    SLIP_MAX,
+    Z,
+)
+#: slots that a row of results has, in this order
+FOUND = (
+    MISS,
+    Z,
+    END,
+    TENSION,
+    STEEPEST,
+    DETERMINANT,
+    G,
+    EXIT_X,
+    EXIT_CREEP,
+    EXIT_STRESS,
+    ENTRY_STRESS,
+    PEAK_STRESS,
+    PEAK_AT,
+    ACTIVE,
+    OUTSIDE,
+    CHANGE,
+)
+NODES = NODE * (2 * MOST_STEPS + 1)
+TRACES = TRACE * (MOST_STEPS + 1)
+
+TENSIONS, CREEP, SLIP, LEAST = range(4)  # what is to be met
+
+
+def solve_tensions(
+    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, what: int, fresh: bool, steps: int
+) -> None:
+    """Solve a block for its tensions. Not `fresh`, the search begins at the z given."""
+    read_head(w, laws)
+    load(w, laws)
+    if fresh:
+        guess(w, laws)
+    meet_tensions(w, laws, nodes, trace, steps)
+    read(w, nodes, trace, steps)
+    set_ratio(w)
+
+
+def solve_goals(
+    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, what: int, fresh: bool, steps: int
+) -> None:
+    """Solve a block for the creep or slip at the exit, or for the creep at a given pull.
+
+    Not `fresh`, the search begins at the z and the END or TENSION given.
+    """
+    n = lanes()
+    of_slip = 1.0 if what == SLIP else 0.0
+    read_head(w, laws)
+    load(w, laws)
+    if fresh and what == LEAST:
+        guess_least(w, laws)
+    elif fresh:
+        guess_carried(w, laws, of_slip)
+    meet_creep(w, laws, nodes, steps, of_slip, what == LEAST)
+    last = NODE * 2 * steps
+    for i in range(n):
+        w[STEEPEST, i] = w[X, i] * nodes[last, i]
+    set_ratio(w)
+
+
+def solve_rows(
+    rows: Any,
+    laws_: Any,
+    what: int,
+    fresh: bool,
+    steps: int,
+    w_: Any,
+    nodes_: Any,
+    trace_: Any,
+    out: Any,
+) -> None:
+    """Solve rows of `GIVEN` numbers for their tensions into rows of `FOUND`; compiled only."""
+    w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
+    laws = memory(laws_, "tables")
+    n, count = lanes(), len(rows)
+    for first in range(0, count, n):
+        take(rows, first, count, w)
+        solve_tensions(w, laws, nodes, trace, what, fresh, steps)
+        give(w, first, count, out)
+
+
+def solve_goal_rows(
+    rows: Any,
+    laws_: Any,
+    what: int,
+    fresh: bool,
+    steps: int,
+    w_: Any,
+    nodes_: Any,
+    trace_: Any,
+    out: Any,
+) -> None:
+    """The same for a goal. An entry of its own: what is not asked for need not be compiled."""
+    w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
+    laws = memory(laws_, "tables")
+    n, count = lanes(), len(rows)
+    for first in range(0, count, n):
+        take(rows, first, count, w)
+        solve_goals(w, laws, nodes, trace, what, fresh, steps)
+        give(w, first, count, out)
+
+
+def take(rows: Any, first: int, count: int, w: Lanes) -> None:
+    """Fill a block from rows; past the last one with copies of it."""
+    n = lanes()
+    for i in range(n):
+        source = min(first + i, count - 1)
+        for k in range(len(GIVEN)):
+            w[GIVEN[k], i] = rows[source, k]
+
+
+def give(w: Lanes, first: int, count: int, out: Any) -> None:
+    """Write what a block has found."""
+    n = lanes()
+    for i in range(min(n, count - first)):
+        for k in range(len(FOUND)):
+            out[first + i, k] = w[FOUND[k], i]

@@ -1,0 +1,112 @@
+"""Where the lane kernel keeps a lane's numbers: slots of `w`, and what nodes and traces hold."""
+
+from __future__ import annotations
+
+from wraparc.batch.lane_law import CELL
+
+MESHES = (32, 96)  # steps of the mesh: at first, and where that is not enough
+MOST_STEPS = 96
+NODE = 9  # numbers of a node, see `lay_node`
+TRACE = 5  # numbers recorded at the ends of every step: s, x, ds by step, shear stress, its change
+SMALLEST = 1e-30
+
+# slots: the arc that is marched ...
+(
+    ROW,  # place of its law in the table
+    LOW,  # first edge of the law [Pa]
+    HIGH,  # last edge [Pa]
+    BUCKETS_PER_PASCAL,
+    RADIUS,  # R [m]
+    LENGTH,  # L [m]
+    SHEAR,  # h/G [m/Pa]
+    P1,  # wrap pressure at the entry [Pa]
+    RATIO,  # T1 C [-]
+    KICK,  # creep at the entry [m]
+    PEAK_SLIP,  # of the law at the entry [m]
+    PEAK_FRICTION,  # of the law at the entry [-]
+    END,  # Q [-]
+    G,  # entry creep ratio [-]
+    G_Z,  # dg/dz [-]
+    # ... where it is, with derivatives by z ...
+    Q0,
+    X,
+    S,
+    X_Z,
+    S_Z,
+    # ... the stages of a step ...
+    AT,
+    AT_Z,
+    SUM_X,
+    SUM_S,
+    SUM_XZ,
+    SUM_SZ,
+    # ... where the pressure passes HIGH and LOW, in steps of the finest mesh ...
+    PASS_HIGH,
+    PASS_LOW,
+    # ... and the law at a pressure: where it is asked, what was fetched, what follows
+    PRESSURE,
+    INSIDE,
+    BUCKET,
+    CELL_AT,
+) = range(32)
+FETCHED = CELL_AT + CELL
+SLIP_AT, FRICTION_AT, FRICTION_P, SLIP_P = range(FETCHED, FETCHED + 4)
+MARCH_SLOTS = FETCHED + 4
+
+(
+    WIDTH,  # B [m]
+    COMPLIANCE,  # 1/EA' [1/N]
+    KICK_GIVEN,  # overrun that is given [m]
+    KICK_FORMULA,  # overrun per p1^1.5 [m/Pa^1.5]
+    TENSION,  # T1 [N]
+    GAMMA,  # x_c / l
+    Z,
+    MISS,  # ln(s/L)
+    EXIT_X,  # slip at the exit [m]
+    P_WORK,  # of the guess: pressures, and the law there
+    SLIP_WORK,
+    FRICTION_WORK,
+    P_EXIT,
+    SLIP_EXIT,
+    FRICTION_EXIT,
+    WORK_0,  # int mu dx of the kick [m]
+    SLOPE_Z,  # d ln s/dz and dx/dz at the exit
+    EXIT_X_Z,
+    GOAL,  # creep or slip at the exit [m]
+    PULL,  # T1 - T2 [N]
+    GOAL_MISS,  # ln(creep or slip / GOAL)
+    # derivatives of both misses by z, by END and by ln T2
+    S_BY_Z,
+    S_BY_Q,
+    S_BY_T,
+    V_BY_Z,
+    V_BY_Q,
+    V_BY_T,
+    DETERMINANT,
+    KEPT,
+    KEPT_GOAL,
+    KEPT_SZ,
+    KEPT_VZ,
+    COARSE_X,  # exit slip by the mesh of half the steps [m]
+    CHANGE,  # of the exit slip by the mesh of all steps, relative
+) = range(MARCH_SLOTS, MARCH_SLOTS + 34)
+SOLVE_SLOTS = MARCH_SLOTS + 34
+
+(
+    SLIP_MAX,  # largest tested slip, 1e300 without a tested range [m]
+    EXIT_STRESS,
+    ENTRY_STRESS,
+    EXIT_CREEP,
+    PEAK_STRESS,  # largest shear stress [Pa] and where [m]
+    PEAK_AT,
+    ACTIVE,  # length of the active arc [m]
+    OUTSIDE,  # share of the arc outside the tested range
+    STEEPEST,  # largest x/x_pk along the arc
+    # of the searches below: places on the mesh, and the step that each is in
+    ACTIVE_PLACE,
+    S_ACTIVE,
+    S_HIGH,
+    S_LOW,
+    S_SLIP,
+) = range(SOLVE_SLOTS, SOLVE_SLOTS + 14)
+SLOTS = SOLVE_SLOTS + 14

@@ -1,0 +1,186 @@
+"""Compile the scalar kernel of :mod:`wraparc.arc` and the lane kernel as they are, with numba.
+
+No second source exists: every plain function that an entry calls, however deep, is handed to numba
+as it stands. What lies below the functions differs, see :mod:`wraparc.batch.underlay`.
+
+Compiled code is kept on disk in a folder named by a hash of everything it was made from, so that
+code of an edited kernel is never served: numba itself looks at the file of the entry alone.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import platform
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+from typing import Any
+
+from wraparc.errors import MissingExtraError
+
+_KEPT = 6  # folders of compiled code, the newest
+_PLAIN = (int, float, str, bool, type(None))
+
+
+def available() -> bool:
+    """Whether numba can be imported."""
+    try:
+        import numba  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+@cache
+def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., Any]:
+    """Return an entry compiled, running without the interpreter's lock; from disk if it is there.
+
+    Parameters
+    ----------
+    entry
+        A plain function. It and all that it calls in its own top-level package are compiled.
+    contract
+        Whether a product and a sum may be rounded once (a fused operation). Without, results are
+        bit for bit those of the interpreter.
+
+    Raises
+    ------
+    MissingExtraError
+        If numba is not installed.
+    """
+    try:
+        import numba
+    except ImportError:
+        raise MissingExtraError("numba", "fast") from None
+    from numba.extending import register_jitable
+
+    from wraparc.batch import underlay
+
+    options: dict[str, Any] = {
+        "error_model": "numpy",
+        "fastmath": {"contract"} if contract else False,
+    }
+    functions = tuple(called(entry))
+    replaced = set(map(id, underlay.REPLACED))
+    for function in functions[1:]:
+        if id(function) not in replaced:
+            register_jitable(**options, no_cfunc_wrapper=True, no_cpython_wrapper=True)(function)
+    dispatcher = _cached(entry, {"nogil": True, **options}, fingerprint(functions, options))
+
+    def run(*arguments: Any) -> Any:
+        if not dispatcher.nopython_signatures:
+            with underlay.optimised_once(entry.__qualname__):
+                if not dispatcher.nopython_signatures:  # another thread may have been first
+                    dispatcher.compile(tuple(map(numba.typeof, arguments)))
+        return dispatcher(*arguments)
+
+    return run
+
+
+def _cached(entry: FunctionType, options: dict[str, Any], name: str) -> Any:
+    """Dispatcher of an entry that keeps its code in the folder of a name, if there can be one."""
+    import numba
+    from numba.core import config as numba_config
+
+    config: Any = numba_config
+
+    folder = _folder(name)
+    before = config.CACHE_DIR
+    try:
+        if folder is not None:
+            config.CACHE_DIR = str(folder)
+            return numba.njit(cache=True, **options)(entry)
+    except RuntimeError:
+        pass  # numba finds no place for it
+    finally:
+        config.CACHE_DIR = before
+    return numba.njit(**options)(entry)
+
+
+def called(entry: Callable[..., Any]) -> Iterator[FunctionType]:
+    """Yield a function and every plain function of its package that it calls, each once."""
+    package = entry.__module__.partition(".")[0]
+    waiting: list[Any] = [entry]
+    seen = {entry}
+    while waiting:
+        function = waiting.pop(0)
+        yield function
+        for value in _globals(function).values():
+            if (
+                isinstance(value, FunctionType)
+                and value not in seen
+                and value.__module__.partition(".")[0] == package
+            ):
+                seen.add(value)
+                waiting.append(value)
+
+
+def _globals(function: FunctionType) -> dict[str, Any]:
+    """Global names that a function uses, and names it may use of modules."""
+    names = function.__code__.co_names
+    found = {name: function.__globals__[name] for name in names if name in function.__globals__}
+    for module in [value for value in found.values() if isinstance(value, ModuleType)]:
+        found |= {
+            f"{module.__name__}.{name}": getattr(module, name)
+            for name in names
+            if hasattr(module, name)
+        }
+    return found
+
+
+def fingerprint(functions: tuple[FunctionType, ...], options: object = None) -> str:
+    """Hash of functions as they are loaded, of the constants they use, and of the compiler."""
+    import llvmlite  # type: ignore[import-untyped]
+    import numba
+
+    from wraparc.batch import underlay
+
+    digest = hashlib.sha256()
+    with open(underlay.__file__, "rb") as file:
+        digest.update(file.read())
+    about = (numba.__version__, llvmlite.__version__, sys.version, platform.machine(), options)
+    digest.update(repr(about).encode())
+    for function in functions:
+        constants = {k: v for k, v in _globals(function).items() if _is_plain(v)}
+        parts = (function.__module__, function.__qualname__, sorted(constants.items()))
+        digest.update(repr((parts, _code(function.__code__))).encode())
+    return digest.hexdigest()[:20]
+
+
+def _is_plain(value: object) -> bool:
+    if isinstance(value, tuple):
+        return all(map(_is_plain, value))
+    return isinstance(value, _PLAIN)
+
+
+def _code(code: CodeType) -> tuple[object, ...]:
+    constants = tuple(_code(c) if isinstance(c, CodeType) else c for c in code.co_consts)
+    return (code.co_code, repr(constants), code.co_names, code.co_varnames, code.co_freevars)
+
+
+def _folder(name: str) -> Path | None:
+    """Folder of one state of the kernel, the older ones cleared away; None if none can be made."""
+    given = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("WRAPARC_CACHE_DIR")
+    root = Path(given) if given else _user_cache() / "wraparc"
+    folder = root / "compiled" / name
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        os.utime(folder)
+        others = sorted(folder.parent.iterdir(), key=lambda p: p.stat().st_mtime, reverse=True)
+        for old in others[_KEPT:]:
+            shutil.rmtree(old, ignore_errors=True)
+    except OSError:
+        return None
+    return folder if os.access(folder, os.W_OK) else None
+
+
+def _user_cache() -> Path:
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")

@@ -1,0 +1,212 @@
+"""Results of many arcs by column."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc import Status
+from wraparc.batch import row
+from wraparc.batch.arcs import Arcs
+from wraparc.errors import MissingExtraError
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+REFUSED = (
+    "The friction law is unfit for this arc: it falls so steeply past its peak, or the overrun is "
+    "so large, that slip is not unique. Solve the arc alone to read which."
+)
+#: what each number of the column ``status`` says
+STATUSES: Mapping[int, str] = {
+    row.SOLVED: Status.SOLVED.value,
+    row.BREAKAWAY: Status.BREAKAWAY.value,
+    row.UNSOLVED: Status.UNSOLVED.value,
+    row.REFUSED: REFUSED,
+}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class BatchResult(Mapping[str, Array]):
+    """What many arcs have to say, a column a quantity, shape (n,) each [SI].
+
+    Columns have the names that `wraparc.arc.ArcResult.scalars` uses and are worked out when they
+    are asked for. ``status`` is 0 solved, 1 breakaway, 2 unsolved, 3 refused, see `STATUSES`. What
+    describes the operating point is nan where the arc is not solved; capacities and margins are
+    there on a breakaway too.
+
+    Attributes
+    ----------
+    arcs
+        What was solved.
+    found
+        Rows of the kernel's numbers, shape (n, 19).
+    """
+
+    arcs: Arcs
+    found: Array
+
+    def __getitem__(self, name: str) -> Array:
+        column: Array = _COLUMNS[name](self)
+        return column
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_COLUMNS)
+
+    def __len__(self) -> int:
+        return len(_COLUMNS)
+
+    def __repr__(self) -> str:
+        counts = np.bincount(self.found[:, row.OUTCOME].astype(int), minlength=len(STATUSES))
+        parts = zip(counts, ("solved", "breakaway", "unsolved", "refused"), strict=True)
+        said = ", ".join(f"{count} {word}" for count, word in parts if count)
+        return f"<BatchResult: {len(self.arcs)} arcs, {said}>"
+
+    @property
+    def solved(self) -> Flags:
+        """Which arcs carry their load, shape (n,)."""
+        flags: Flags = self.found[:, row.OUTCOME] == row.SOLVED
+        return flags
+
+    @property
+    def breakaway(self) -> Flags:
+        """Which arcs cannot, shape (n,)."""
+        flags: Flags = self.found[:, row.OUTCOME] == row.BREAKAWAY
+        return flags
+
+    def to_frame(self) -> pd.DataFrame:
+        """Return the columns as a pandas DataFrame.
+
+        Raises
+        ------
+        MissingExtraError
+            If pandas is not installed.
+        """
+        try:
+            import pandas as pd
+        except ImportError:
+            raise MissingExtraError("pandas", "notebook") from None
+        return pd.DataFrame(dict(self))
+
+
+def _place(place: int) -> Callable[[BatchResult], Array]:
+    return lambda r: r.found[:, place]
+
+
+def _of_solved(formula: Callable[[Arcs], Array]) -> Callable[[BatchResult], Array]:
+    """A column that follows from the given tensions, nan where they are not reached."""
+    return lambda r: np.where(r.solved, formula(r.arcs), np.nan)
+
+
+def _global(r: BatchResult) -> Array:
+    return r["entry_creep_ratio"] * 0.5 * r.arcs.diameter * r.arcs.wrap_angle
+
+
+def _recovery_share(r: BatchResult) -> tuple[Array, Array, Array]:
+    """Share of the recovery in 1/EA', creep by what is distributed, and the overrun."""
+    given = r.arcs.inputs()
+    a = r.arcs
+    pressure = a.entry_tension / (a.belt_width * 0.5 * a.diameter)
+    overrun = given[:, 6] + given[:, 7] * pressure**1.5
+    compliance = a.compliance
+    share = np.divide(
+        a.recovery_compliance, compliance, out=np.zeros_like(compliance), where=compliance > 0.0
+    )
+    return share, r["exit_creep"] - overrun - _global(r), overrun
+
+
+def _shrinkage(r: BatchResult) -> Array:
+    share, distributed, _ = _recovery_share(r)
+    return (1.0 - share) * distributed
+
+
+def _compression(r: BatchResult) -> Array:
+    share, distributed, overrun = _recovery_share(r)
+    return share * distributed + overrun
+
+
+def _pull(arcs: Arcs) -> Array:
+    return arcs.entry_tension - arcs.exit_tension
+
+
+def _log_actual(arcs: Arcs) -> Array:
+    return np.abs(np.log(arcs.entry_tension / arcs.exit_tension))
+
+
+def _shear_energy(r: BatchResult) -> Array:
+    """Shear energy given up at the exit, per area and pass [J/m2]."""
+    leaving, entering = r.found[:, row.EXIT_STRESS], r.found[:, row.ENTRY_STRESS]
+    return 0.5 * r.arcs.shear_compliance * (leaving**2 - entering**2)
+
+
+def _surface_speed(r: BatchResult) -> Array:
+    g = r["entry_creep_ratio"]
+    return np.where(g < 1.0, r.arcs.belt_speed / np.where(g < 1.0, 1.0 - g, 1.0), np.nan)
+
+
+def _efficiency(r: BatchResult) -> Array:
+    pull = _pull(r.arcs)
+    loaded = np.abs(pull) > 1e-6 * r.arcs.entry_tension
+    loss = r.arcs.belt_width * (r.found[:, row.WORK] + _shear_energy(r))
+    part = loss / np.where(loaded, np.abs(pull), np.nan)
+    return np.where(pull > 0.0, 1.0 - part, 1.0 / (1.0 + part))
+
+
+def _power(energy: Callable[[BatchResult], Array]) -> Callable[[BatchResult], Array]:
+    """Power of an energy per area and pass [J/m2]."""
+    return lambda r: _surface_speed(r) * r.arcs.belt_width * energy(r)
+
+
+def _ratio(place: int) -> Callable[[BatchResult], Array]:
+    return lambda r: np.exp(r.found[:, place])
+
+
+def _margin(place: int) -> Callable[[BatchResult], Array]:
+    return lambda r: np.exp(r.found[:, place] - _log_actual(r.arcs))
+
+
+_COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
+    "status": lambda r: r.found[:, row.OUTCOME].astype(np.int8),
+    "entry_tension": lambda r: r.arcs.entry_tension,
+    "exit_tension": lambda r: r.arcs.exit_tension,
+    "tension_ratio": lambda r: r.arcs.entry_tension / r.arcs.exit_tension,
+    "effective_tension": lambda r: _pull(r.arcs),
+    "exit_creep": _place(row.EXIT_CREEP),
+    "creep_shrinkage": _shrinkage,
+    "creep_compression": _compression,
+    "creep_global": _global,
+    "exit_slip": _place(row.EXIT_SLIP),
+    "entry_creep_ratio": _place(row.CREEP_RATIO),
+    "exit_creep_ratio": lambda r: r.found[:, row.CREEP_RATIO] + _pull(r.arcs) * r.arcs.compliance,
+    "peak_shear_stress": _place(row.PEAK_STRESS),
+    "peak_shear_angle": lambda r: np.arctan(r.found[:, row.PEAK_STRESS] / r.arcs.shear_modulus),
+    "peak_shear_position": lambda r: r.found[:, row.PEAK_AT] / (0.5 * r.arcs.diameter),
+    "mean_friction": _of_solved(lambda arcs: _log_actual(arcs) / arcs.wrap_angle),
+    "active_arc": lambda r: r.found[:, row.ACTIVE] / (0.5 * r.arcs.diameter),
+    "outside_tested_share": _place(row.OUTSIDE),
+    "stuck_arc": lambda r: r.found[:, row.STUCK_LENGTH] / (0.5 * r.arcs.diameter),
+    "creep_limit_capacity": _ratio(row.CREEP_CAPACITY),
+    "creep_limit_margin": _margin(row.CREEP_CAPACITY),
+    "equivalent_friction": lambda r: r.found[:, row.CREEP_CAPACITY] / r.arcs.wrap_angle,
+    "least_exit_tension": _place(row.LEAST_SLACK),
+    "largest_effective_tension": _place(row.MOST_PULL),
+    "tested_slip_capacity": _ratio(row.SLIP_CAPACITY),
+    "tested_slip_margin": _margin(row.SLIP_CAPACITY),
+    "gross_slip_capacity": _ratio(row.GROSS_CAPACITY),
+    "gross_slip_margin": _margin(row.GROSS_CAPACITY),
+    "gross_slip_creep": _place(row.GROSS_CREEP),
+    "transmitted_power": lambda r: _surface_speed(r) * _pull(r.arcs),
+    "sliding_power": _power(_place(row.WORK)),
+    "shear_loss": _power(_shear_energy),
+    "power_loss": _power(lambda r: r.found[:, row.WORK] + _shear_energy(r)),
+    "efficiency": _efficiency,
+    "frictional_energy": _place(row.WORK),
+    "wear_rate": lambda r: 1e6 * r.arcs.wear_coefficient * r.found[:, row.WORK],
+}

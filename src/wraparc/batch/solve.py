@@ -1,0 +1,167 @@
+"""Solve many arcs: chunks of rows on the threads of this process."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from wraparc.batch import row
+from wraparc.batch.arcs import Arcs, Array, arcs_of_table
+from wraparc.batch.engineering import solve_in_lanes
+from wraparc.batch.native import available
+from wraparc.batch.precise import solve_precisely
+from wraparc.batch.result import BatchResult
+from wraparc.drive import Lagging
+from wraparc.errors import InputError, Problem
+
+Progress = Callable[[int, int], object]
+
+#: rows of a chunk: enough to hide what a chunk costs, few enough for threads to share the work
+CHUNK = {"engineering": 8192, "precise": 512}
+
+
+class Setting(StrEnum):
+    """How accurately a batch is solved."""
+
+    #: exit creep and shear within 1e-4 of the exact ones
+    ENGINEERING = "engineering"
+    #: the numbers of `wraparc.arc.Distributed`
+    PRECISE = "precise"
+
+
+def solve_batch(
+    table: Mapping[str, ArrayLike],
+    laggings: Sequence[Lagging] | Lagging,
+    *,
+    setting: Setting = Setting.ENGINEERING,
+    capacities: bool = True,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> BatchResult:
+    """Solve many designs given by column.
+
+    Parameters
+    ----------
+    table
+        Columns by their names in the glossary, one number for all rows or one for each [SI]:
+        ``entry_tension``, ``exit_tension``, ``diameter``, ``wrap_angle``, ``belt_width``,
+        ``belt_modulus``; if they are not to come from the lagging ``lagging_thickness``,
+        ``shear_modulus``, ``compression_modulus``, ``wear_coefficient``; and ``overrun`` (nan: by
+        formula), ``recovery`` (1 or 0), ``creep_limit``, ``belt_speed``. With more than one
+        lagging also ``lagging``: names, or places in `laggings`. A pandas DataFrame will do.
+    laggings
+        The laggings.
+    setting, capacities, threads, progress
+        See `solve_arcs`.
+
+    Returns
+    -------
+    Columns of shape (n,) [SI]. Arcs that break away have a status and no exception.
+
+    Raises
+    ------
+    InputError
+        With every unknown or missing column and, column by column, the values that cannot be.
+    """
+    return solve_arcs(
+        arcs_of_table(table, laggings),
+        setting=setting,
+        capacities=capacities,
+        threads=threads,
+        progress=progress,
+    )
+
+
+def solve_arcs(
+    arcs: Arcs,
+    *,
+    setting: Setting = Setting.ENGINEERING,
+    capacities: bool = True,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> BatchResult:
+    """Solve arcs.
+
+    Parameters
+    ----------
+    arcs
+        The arcs, see `wraparc.batch.arcs.arcs_of_table`.
+    setting
+        How accurately.
+    capacities
+        Whether capacities and margins are wanted; without them the columns are nan.
+    threads
+        Threads to use, by default one a processor. Results do not depend on it: an arc has the same
+        numbers to the last bit whatever it is solved with.
+    progress
+        Called in the calling thread with the arcs done and their number. What it raises ends the
+        work and reaches the caller.
+
+    Raises
+    ------
+    InputError
+        If `threads` is less than 1.
+    """
+    workers = os.cpu_count() or 1 if threads is None else threads
+    if workers < 1:
+        problem = Problem(key="threads", value=str(threads), message="must be at least 1")
+        raise InputError(problem)
+    parts = row.EVERYTHING if capacities else row.TENSIONS
+    found = np.empty((len(arcs), row.FOUND_NUMBERS))
+    size = CHUNK[setting.value]
+    starts = range(0, len(arcs), size)
+
+    def run(start: int) -> int:
+        which = slice(start, min(start + size, len(arcs)))
+        found[which] = _chunk(arcs.rows(which), setting, parts)
+        return which.stop - which.start
+
+    # without a compiler the interpreter's lock leaves nothing to share
+    if workers == 1 or len(starts) < 2 or not available():
+        done = 0
+        for start in starts:
+            done += run(start)
+            _tell(progress, done, len(arcs))
+    else:
+        _share(run, starts, workers, progress, len(arcs))
+    return BatchResult(arcs, found)
+
+
+def _share(
+    run: Callable[[int], int],
+    starts: range,
+    workers: int,
+    progress: Progress | None,
+    total: int,
+) -> None:
+    """Run chunks on threads; whatever goes wrong, chunks not begun are dropped."""
+    with ThreadPoolExecutor(workers) as pool:
+        waiting: set[Future[int]] = {pool.submit(run, start) for start in starts}
+        done = 0
+        try:
+            while waiting:
+                ended, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+                done += sum(future.result() for future in ended)
+                _tell(progress, done, total)
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def _tell(progress: Progress | None, done: int, total: int) -> None:
+    if progress is not None:
+        progress(done, total)
+
+
+def _chunk(arcs: Arcs, setting: Setting, parts: int) -> Array:
+    used = np.unique(arcs.law)
+    if len(used) < len(arcs.laws) > len(arcs):
+        arcs = arcs.with_laws(used)
+    if setting is Setting.PRECISE:
+        return solve_precisely(arcs, parts)
+    return solve_in_lanes(arcs, parts)[0]

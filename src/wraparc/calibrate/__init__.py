@@ -1,0 +1,1 @@
+"""Measured drives: their records, the friction they tell, and what to watch in the field."""

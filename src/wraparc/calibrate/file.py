@@ -1,0 +1,299 @@
+"""Calibrate files: a drive, what was measured on it, and what is to be found."""
+
+import os
+from dataclasses import dataclass, replace
+
+from wraparc.arc import ArcResult, Distributed, Method, PaperMarch, WrapArc
+from wraparc.calibrate.calibration import PARAMETERS, QUANTITIES, Number, Prior, Problemset, Trace
+from wraparc.calibrate.record import ROLES, Folded, RecordChoices, fold, read_record
+from wraparc.drive import Drive, Limit
+from wraparc.errors import InputError, shown
+from wraparc.files.drive_file import load_drive
+from wraparc.glossary import GLOSSARY
+from wraparc.provenance import Kind, Provenance
+from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text, nearest
+from wraparc.schema.origins import own_provenance
+from wraparc.schema.overrides import Overrides, read_document
+from wraparc.schema.problems import Place, Report
+from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
+from wraparc.schema.source import Document, check_format
+from wraparc.schema.tables import Entry, Record, Table
+from wraparc.shear_test import DELIMITER_NAMES
+from wraparc.shear_test.plan_keys import Column
+from wraparc.units import Dimension, parse_quantity
+
+METHODS = {"distributed": Distributed, "paper": PaperMarch}
+_SPEED_RATIO = ("drum_speed", "belt_speed")
+_DIMENSIONS: dict[str, Dimension] = {
+    "friction": "number",
+    "peak_slip": "number",
+    "shear_modulus": "pressure",
+    "overrun": "length",
+    "belt_modulus": "force_per_width",
+}
+_SPEED = Quantity("speed", Limit("speed", open=True))
+_SIGN = Choice(("+", "-"))
+
+PRIOR = Table(
+    (
+        Entry("mean", Text(60), "Mean", "With its unit.", required=True, example='mean = "1"'),
+        Entry("sd", Text(60), "Standard deviation", required=True, example='sd = "0.1"'),
+    ),
+    "What is known beforehand",
+)
+NUMBER = Table(
+    (
+        Entry("quantity", Choice(QUANTITIES), "Quantity", required=True),
+        Entry("value", Text(60), "Value", "With its unit."),
+        Entry("sd", Text(60), "Standard deviation", required=True, example='sd = "0.1 mm"'),
+        Entry("drum_speed", _SPEED, "Drum speed", "Of the unloaded lagging surface."),
+        Entry("belt_speed", _SPEED, "Belt speed", "At the nip that the quantity is of."),
+        Entry("load_case", Name(), "Load case", "The first if left out."),
+        Entry("provenance", PROVENANCE, "Provenance"),
+    ),
+    "A measured number",
+)
+RECORD = Table(
+    (
+        Entry("file", Name(1000), "File", "Relative to this one.", required=True),
+        Entry("load_case", Name(), "Load case", "The first if left out."),
+        Entry("columns", ByName(Column()), "Columns", f"By role: {', '.join(ROLES)}."),
+        Entry("units", ByName(Text(40)), "Units", "By role, where the file has none."),
+        Entry("signs", ByName(_SIGN), "Signs", "By role: what a driving pulley shows."),
+        Entry("delimiter", Choice(tuple(DELIMITER_NAMES.values())), "Delimiter"),
+        Entry("provenance", PROVENANCE, "Provenance"),
+    ),
+    "A record of an instrumented pulley",
+)
+CALIBRATE = Table(
+    (
+        FORMAT_ENTRY,
+        Entry("title", Text(), "Title"),
+        Entry("description", Text(5000, lines=True), "Description"),
+        Entry("drive", Name(1000), "Drive", "Drive file, relative to this one.", required=True),
+        Entry("pulley", Name(), "Pulley", "The first if left out."),
+        Entry("method", Choice(tuple(METHODS)), "Method", "distributed if left out."),
+        Entry("parameters", Rows(Choice(PARAMETERS), 0, 5), "Parameters", "What is to be found."),
+        Entry("prior", ByName(PRIOR), "Priors", "By parameter."),
+        Entry("number", Rows(NUMBER, 0, 100), "Measured numbers"),
+        Entry("record", Rows(RECORD, 0, 50), "Records"),
+    ),
+    "Calibrate file",
+)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Measured:
+    """What a calibrate file holds.
+
+    Attributes
+    ----------
+    problem
+        What is to be found from what.
+    title, description
+        Of the file.
+    folded
+        The records by load case.
+    sources
+        Where the measurements came from, in the order of the file, numbers first.
+    """
+
+    problem: Problemset
+    title: str
+    description: str
+    folded: tuple[tuple[str, Folded], ...]
+    sources: tuple[Provenance, ...]
+
+
+def load_measured(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> Measured:
+    """Return what a calibrate file says; the files it names are relative to it.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    name = os.fspath(path)
+    document = read_document(path, overrides)
+    return measured_from_document(document, file=name, folder=os.path.dirname(name))
+
+
+def measured_from_document(document: Document, *, file: str = "", folder: str = "") -> Measured:
+    """Return what a calibrate file says that is already parsed."""
+    check_format(document, file)
+    report = Report(file)
+    record: Record = CALIBRATE.read(document, (), report)
+    report.raise_all()
+    try:
+        drive = load_drive(os.path.join(folder, record["drive"]))
+    except InputError as error:
+        report.take(error, ("drive",))
+        raise InputError(report.problems) from None
+    names = [p.name for p in drive.pulleys]
+    pulley = record.get("pulley", names[0])
+    if pulley not in names:
+        report.add(("pulley",), "the drive has no such pulley", nearest(pulley, names), pulley)
+        report.raise_all()
+    numbers = [_number(r, drive, pulley, report) for r in record.get("number", ())]
+    folded = [_folded(r, drive, pulley, folder, report) for r in record.get("record", ())]
+    priors = _priors(record, report)
+    report.raise_all()
+    records = [f for f in folded if f is not None]
+    sources = [
+        own_provenance(r, report) or Provenance()
+        for r in (*record.get("number", ()), *record.get("record", ()))
+    ]
+    report.raise_all()
+    try:
+        problem = Problemset(
+            drive=drive,
+            pulley=pulley,
+            parameters=tuple(dict.fromkeys(record.get("parameters", ()))),
+            numbers=tuple(n for n in numbers if n is not None),
+            traces=tuple(t for case, f in records for t in traces_of(f, case)),
+            priors=priors,
+            method=_method(record.get("method", "distributed")),
+        )
+    except InputError as error:
+        report.take(error, ())
+        raise InputError(report.problems) from None
+    return Measured(
+        problem=problem,
+        title=record.get("title", ""),
+        description=record.get("description", ""),
+        folded=tuple(records),
+        sources=tuple(sources),
+    )
+
+
+def _method(name: str) -> Method:
+    if name == "paper":
+        return PaperMarch()
+    return Distributed(points=120, capacities=False)
+
+
+def traces_of(folded: Folded, load_case: str) -> list[Trace]:
+    """Return the courses of a folded record, as they are fitted: their noise found by the fit."""
+    found = []
+    for quantity, values in (("creep", folded.displacement), ("shear_angle", folded.shear_angle)):
+        if values is not None:
+            found.append(
+                Trace(
+                    quantity=quantity,
+                    position=folded.position,
+                    value=values,
+                    sd=None,
+                    load_case=load_case,
+                )
+            )
+    return found
+
+
+def _case(record: Record, drive: Drive, report: Report) -> str:
+    cases = [c.name for c in drive.load_cases]
+    name: str = record.get("load_case", cases[0])
+    if name not in cases:
+        remedy = nearest(name, cases) or f"It has {', '.join(map(shown, cases))}."
+        report.add((*record.place, "load_case"), "the drive has no such load case", remedy, name)
+        return cases[0]
+    return name
+
+
+def _si(text: str, dimension: Dimension, place: Place, report: Report) -> float | None:
+    try:
+        return parse_quantity(text, dimension)
+    except InputError as error:
+        report.take(error, place, text)
+        return None
+
+
+def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number | None:
+    quantity = record["quantity"]
+    dimension = GLOSSARY[quantity].dimension
+    case = _case(record, drive, report)
+    sd = _si(record["sd"], dimension, (*record.place, "sd"), report)
+    value = None
+    if "value" in record:
+        value = _si(record["value"], dimension, (*record.place, "value"), report)
+    elif all(key in record for key in _SPEED_RATIO) and quantity.endswith("creep_ratio"):
+        value = _speed_ratio(record, drive, pulley, case)
+    else:
+        report.add(record.place, "no value", "Write value, or drum_speed and belt_speed.")
+    if sd is not None and not sd > 0.0:
+        report.add((*record.place, "sd"), "must be more than 0", value=record["sd"])
+        return None
+    if value is None or sd is None:
+        return None
+    return Number(quantity=quantity, value=value, sd=sd, load_case=case)
+
+
+def _speed_ratio(record: Record, drive: Drive, pulley: str, case: str) -> float:
+    """Creep ratio from tachometers: the lagging surface runs at the radius it has under load."""
+    load_case = next(c for c in drive.load_cases if c.name == case)
+    arc = WrapArc.of(drive, drive.pulley(pulley), load_case)
+    surface = record["drum_speed"] * (1.0 - arc.compression / arc.radius)
+    return float(1.0 - record["belt_speed"] / surface)
+
+
+def _folded(
+    record: Record, drive: Drive, pulley: str, folder: str, report: Report
+) -> tuple[str, Folded] | None:
+    case = _case(record, drive, report)
+    for key in ("columns", "units", "signs"):
+        for role in record.get(key, {}):
+            if role not in ROLES:
+                place = (*record.place, key, role)
+                report.add(place, "no such role", f"The roles are {', '.join(ROLES)}.")
+    choices = RecordChoices(
+        columns=record.get("columns", {}),
+        units=record.get("units", {}),
+        signs={role: 1 if sign == "+" else -1 for role, sign in record.get("signs", {}).items()},
+        delimiter=record.get("delimiter"),
+    )
+    try:
+        read = read_record(os.path.join(folder, record["file"]), choices)
+        return case, fold(read, drive, pulley, case, choices=choices)
+    except InputError as error:
+        report.take(error, record.place)
+        return None
+
+
+def _priors(record: Record, report: Report) -> dict[str, Prior]:
+    priors = {}
+    for name, table in record.get("prior", {}).items():
+        place = ("prior", name)
+        if name not in record.get("parameters", ()):
+            report.add(place, "is not among the parameters", "Add it to parameters.")
+            continue
+        mean, sd = (
+            _si(table[key], _DIMENSIONS[name], (*place, key), report) for key in ("mean", "sd")
+        )
+        if mean is None or sd is None:
+            continue
+        if not (sd > 0.0 and (mean > 0.0 or (name == "overrun" and mean == 0.0))):
+            report.add(place, "mean and standard deviation must be more than 0")
+            continue
+        priors[name] = Prior(mean=mean, sd=sd)
+    return priors
+
+
+def overlays(measured: Measured) -> dict[str, tuple[ArcResult, ...]]:
+    """Return the prediction of both methods for every load case something was measured in."""
+    p = measured.problem
+    used = {n.load_case for n in p.numbers} | {t.load_case for t in p.traces}
+    return {
+        case.name: tuple(
+            m.solve(WrapArc.of(p.drive, p.drive.pulley(p.pulley), case))
+            for m in (Distributed(), PaperMarch())
+        )
+        for case in p.drive.load_cases
+        if case.name in used
+    }
+
+
+def calibrated_source(measured: Measured, title: str) -> Provenance:
+    """Return the provenance of numbers that were calibrated to what a file holds."""
+    given = [s for s in measured.sources if s.kind is not Kind.GIVEN]
+    note = "; ".join(str(s) for s in dict.fromkeys(given))
+    source = title or measured.title or "measured drive"
+    return replace(Provenance(Kind.CALIBRATED, f"calibrated to: {source}"), note=note[:900])

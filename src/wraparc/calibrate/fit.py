@@ -1,0 +1,154 @@
+"""Least squares of a calibration: residuals of the data and priors, and their derivatives."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc import WrapArc
+from wraparc.calibrate.problem import (
+    OVERRUN_UNIT,
+    Problemset,
+    Trace,
+    calibrated_drive,
+    value_of,
+    variable_of,
+)
+from wraparc.errors import InputError, MissingExtraError, Problem
+
+Array = NDArray[np.float64]
+
+# how exactly to fit: the best fit, and a refit of which only the sum of squares counts
+_FULLY: dict[str, Any] = {"xtol": 1e-7, "ftol": 1e-9, "gtol": 1e-9, "max_nfev": 60}
+_ENOUGH: dict[str, Any] = {"xtol": 1e-4, "ftol": 2e-4, "gtol": 1e-9, "max_nfev": 20}
+#: loose rein on directions that the data leave free [-]
+_REIN = 3.0
+_STEP = 2e-4
+
+
+class Fit:
+    """Residuals of a problem in the fitted variables."""
+
+    def __init__(self, problem: Problemset) -> None:
+        self.problem = problem
+        start = problem.start
+        if not all(math.isfinite(start[n]) for n in problem.parameters):
+            rigid = [n for n in problem.parameters if not math.isfinite(start[n])]
+            message = "infinite in the drive, so there is nothing to start from"
+            raise InputError(Problem(key=f"parameters.{rigid[0]}", message=message))
+        self.start = np.array([variable_of(n, start[n]) for n in problem.parameters])
+        self._known: dict[bytes, tuple[list[float], list[Array]]] = {}
+        self.first_sd = [
+            t.sd if t.sd is not None else 0.01 * float(np.abs(t.value).max())
+            for t in problem.traces
+        ]
+
+    def values(self, x: Array) -> dict[str, float]:
+        """Parameters by name [SI]."""
+        return {n: value_of(n, v) for n, v in zip(self.problem.parameters, x.tolist(), strict=True)}
+
+    def model(self, x: Array) -> tuple[list[float], list[Array]]:
+        """What would be measured with parameters."""
+        key = x.tobytes()
+        if key not in self._known:
+            self._known = {key: self._solved(x)}  # the last one only: it is asked for again
+        return self._known[key]
+
+    def _solved(self, x: Array) -> tuple[list[float], list[Array]]:
+        p = self.problem
+        drive = calibrated_drive(p.drive, p.pulley, self.values(x))
+        cases = {c.name: c for c in drive.load_cases}
+        used = {n.load_case for n in p.numbers} | {t.load_case for t in p.traces}
+        results = {
+            name: p.method.solve(WrapArc.of(drive, drive.pulley(p.pulley), cases[name]))
+            for name in sorted(used)
+        }
+        numbers = [float(results[n.load_case].scalars()[n.quantity]) for n in p.numbers]
+        traces = []
+        for t in p.traces:
+            profile = results[t.load_case].profile
+            traces.append(np.interp(t.position, profile.position, getattr(profile, t.quantity)))
+        return numbers, traces
+
+    def data_residuals(self, x: Array, scales: Sequence[float]) -> Array:
+        """Misfits over their standard deviations."""
+        numbers, traces = self.model(x)
+        p = self.problem
+        parts = [np.array([(m - n.value) / n.sd for m, n in zip(numbers, p.numbers, strict=True)])]
+        for m, t, sd, scale in zip(traces, p.traces, self.first_sd, scales, strict=True):
+            parts.append((m - t.value) / (sd * scale))
+        return np.concatenate(parts)
+
+    def prior_residuals(self, x: Array) -> Array:
+        """How far the parameters are from their priors, and a loose rein on those without."""
+        rows = []
+        for k, name in enumerate(self.problem.parameters):
+            prior = self.problem.priors.get(name)
+            centre, sd = float(self.start[k]), _REIN
+            if prior is not None:
+                centre = variable_of(name, prior.mean)
+                sd = prior.sd / OVERRUN_UNIT if name == "overrun" else prior.sd / prior.mean
+            elif name == "overrun":
+                sd = 100.0
+            rows.append((x[k] - centre) / sd)
+        return np.array(rows)
+
+    def best(
+        self, x: Array, scales: Sequence[float], held: int | None = None
+    ) -> tuple[Array, float]:
+        """Least squares from a start, one variable held or none; the sum of squares with it."""
+        try:
+            from scipy.optimize import least_squares
+        except ImportError as error:
+            raise MissingExtraError("scipy", "study") from error
+
+        free = [k for k in range(len(x)) if k != held]
+
+        def whole(v: Array) -> Array:
+            full = x.copy()
+            full[free] = v
+            return full
+
+        def residuals(v: Array) -> Array:
+            at = whole(v)
+            return np.concatenate([self.data_residuals(at, scales), self.prior_residuals(at)])
+
+        if not free:
+            return x, float(np.sum(residuals(x[free]) ** 2))
+        names = [self.problem.parameters[k] for k in free]
+        low = [0.0 if n == "overrun" else -np.inf for n in names]
+        begin = np.maximum(x[free], np.array(low) + 1e-6)
+        found: Any = least_squares(
+            residuals,
+            begin,
+            jac=partial(_jacobian, residuals, names),
+            bounds=(low, np.inf),
+            **(_FULLY if held is None else _ENOUGH),
+        )
+        return whole(np.asarray(found.x, dtype=float)), 2.0 * float(found.cost)
+
+    def jacobian(self, residuals: Callable[[Array], Array], x: Array) -> Array:
+        """Differences of residuals by each variable."""
+        return _jacobian(residuals, self.problem.parameters, x)
+
+    def misfit(self, x: Array, trace: Trace) -> float:
+        """Root mean square misfit of a trace, for as many degrees of freedom as it has."""
+        m = self.model(x)[1][self.problem.traces.index(trace)]
+        free = max(len(m) - len(x) / max(1, len(self.problem.traces)), 1.0)
+        return float(np.sqrt(np.sum((m - trace.value) ** 2) / free))
+
+
+def _jacobian(residuals: Callable[[Array], Array], names: Sequence[str], x: Array) -> Array:
+    """Differences of residuals by each variable, shape (data, variables)."""
+    here, columns = residuals(x), []
+    for k, name in enumerate(names):
+        step = _STEP if name != "overrun" else 10.0 * _STEP
+        aside = x.copy()
+        aside[k] += step
+        columns.append((residuals(aside) - here) / step)
+    return np.stack(columns, axis=1)

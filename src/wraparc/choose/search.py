@@ -1,0 +1,242 @@
+"""What is searched: candidates, limits, load cases and conditions of one pulley."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.batch.arc_columns import ArcColumns
+from wraparc.choose.belt_sag import Sag
+from wraparc.choose.cost import Costing, price_problems
+from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley
+from wraparc.drive.conditions import DRY, Condition
+from wraparc.errors import InputError, Problem
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+#: Most designs of one search.
+MOST_DESIGNS = 2_000_000
+
+
+@dataclass(frozen=True, kw_only=True)
+class Limits:
+    """What a design must keep, in every load case and condition.
+
+    Attributes
+    ----------
+    creep
+        Largest creep at the exit [m], or None for that of the drive.
+    bond_stress
+        Largest shear stress at the bond of the lagging [Pa], or None.
+    creep_limit_margin, tested_slip_margin, gross_slip_margin
+        Least margins to the three capacities [-], or None.
+    tested_pressure
+        Whether wrap pressures must lie in the range the lagging was tested in.
+    rating
+        Tension allowed as a multiple of the belt rating by load case, 1 where not named [-];
+        None to leave the rating out.
+    least_pulley_diameter
+        Whether the least pulley diameter of the belt must be kept.
+    sag
+        Sag of the slack belt between idlers, or None to leave it out.
+    """
+
+    creep: float | None = None
+    bond_stress: float | None = None
+    creep_limit_margin: float | None = None
+    tested_slip_margin: float | None = None
+    gross_slip_margin: float | None = None
+    tested_pressure: bool = True
+    rating: Mapping[str, float] | None = field(default_factory=dict, hash=False)
+    least_pulley_diameter: bool = True
+    sag: Sag | None = None
+
+    @property
+    def needs_capacities(self) -> bool:
+        """Whether a margin is limited."""
+        margins = (self.creep_limit_margin, self.tested_slip_margin, self.gross_slip_margin)
+        return any(m is not None for m in margins)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Search:
+    """Designs of one pulley of a drive: every combination of the candidates.
+
+    Attributes
+    ----------
+    drive, pulley
+        The drive and the name of the pulley; other pulleys stay as they are.
+    laggings, belts
+        Candidates.
+    thicknesses
+        Thicknesses of the lagging [m]; empty for each lagging's own.
+    diameters, wrap_angles
+        Over the lagging [m] and [rad].
+    slack_tensions
+        Slack-side tensions, the same in every load case as a gravity take-up keeps it [N]; None
+        for the tensions of the load cases, empty for the least that each design can do with.
+    conditions
+        States in which every limit must hold.
+    limits, costing
+        What must be kept, and how it is priced.
+    title
+        What is decided.
+
+    Raises
+    ------
+    InputError
+        With every candidate that cannot be priced, and if there are too many designs.
+    """
+
+    drive: Drive
+    pulley: str
+    laggings: tuple[Lagging, ...]
+    belts: tuple[Belt, ...]
+    thicknesses: tuple[float, ...] = ()
+    diameters: tuple[float, ...]
+    wrap_angles: tuple[float, ...]
+    slack_tensions: tuple[float, ...] | None = None
+    conditions: tuple[Condition, ...] = (Condition(name=DRY),)
+    limits: Limits = field(default_factory=Limits)
+    costing: Costing
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        problems = price_problems(
+            self.costing, [lag.name for lag in self.laggings], [b.name for b in self.belts]
+        )
+        if self.costing.tariff is not None and any(b.speed is None for b in self.belts):
+            message = "needed to price the energy lost to creep"
+            problems.append(
+                Problem(key="belt.speed", message=message, remedy="Add it to the drive file.")
+            )
+        if len(self) > MOST_DESIGNS:
+            problems.append(
+                Problem(
+                    key="candidates",
+                    value=f"{len(self)} designs",
+                    message=f"more than {MOST_DESIGNS}",
+                    remedy="Search a coarser grid first.",
+                )
+            )
+        if problems:
+            raise InputError(problems)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Candidates by kind: lagging, thickness, belt, diameter, wrap angle, slack tension."""
+        return (
+            len(self.laggings),
+            max(1, len(self.thicknesses)),
+            len(self.belts),
+            len(self.diameters),
+            len(self.wrap_angles),
+            max(1, len(self.slack_tensions or ())),
+        )
+
+    def __len__(self) -> int:
+        return int(np.prod(self.shape, dtype=np.int64))
+
+    @property
+    def least_slack(self) -> bool:
+        """Whether every design gets the least slack-side tension it can do with."""
+        return self.slack_tensions == ()
+
+    @property
+    def creep_limit(self) -> float:
+        """Creep that is accepted [m]."""
+        if self.limits.creep is not None:
+            return self.limits.creep
+        return self.drive.creep_limit_of(self.base)
+
+    @property
+    def base(self) -> Pulley:
+        """The pulley as it is in the drive."""
+        return self.drive.pulley(self.pulley)
+
+    def pulls(self) -> Array:
+        """T1 - T2 by load case [N]."""
+        return np.array([c.tensions[self.pulley].effective for c in self.drive.load_cases])
+
+    def conditioned(self) -> tuple[Lagging, ...]:
+        """Every lagging in every condition, condition by condition."""
+        return tuple(c.lagging(lag) for c in self.conditions for lag in self.laggings)
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """The designs of a search by number: places of their candidates and their values.
+
+    Attributes
+    ----------
+    places
+        Place of each design in the lists of candidates, shape (6, n).
+    thickness, diameter, wrap_angle, slack
+        Values [m, m, rad, N]; slack is nan where the load cases have their own.
+    """
+
+    search: Search
+    places: Integers
+    thickness: Array
+    diameter: Array
+    wrap_angle: Array
+    slack: Array
+
+    @classmethod
+    def of(cls, search: Search) -> Grid:
+        """Return the designs in the order of the candidates, the last kind counting fastest."""
+        n = len(search)
+        places = np.stack(np.unravel_index(np.arange(n), search.shape)).astype(np.int64)
+        own = np.array([lag.thickness for lag in search.laggings])
+        thick = np.array(search.thicknesses)[places[1]] if search.thicknesses else own[places[0]]
+        tensions = search.slack_tensions
+        slack = np.array(tensions)[places[5]] if tensions else np.full(n, np.nan)
+        return cls(
+            search,
+            places,
+            thick,
+            np.array(search.diameters)[places[3]],
+            np.array(search.wrap_angles)[places[4]],
+            slack,
+        )
+
+    def __len__(self) -> int:
+        return len(self.thickness)
+
+    def with_slack(self, slack: Array) -> Grid:
+        """Return the same designs at other slack-side tensions."""
+        return replace(self, slack=slack)
+
+    def tensions(self, case: LoadCase) -> tuple[Array, Array]:
+        """Entry and exit tension of every design in a load case [N]."""
+        t = case.tensions[self.search.pulley]
+        own = np.isnan(self.slack)
+        exit_side = np.where(own, t.exit, self.slack + max(0.0, -t.effective))
+        entry_side = np.where(own, t.entry, self.slack + max(0.0, t.effective))
+        return entry_side, exit_side
+
+    def arcs(self, case: LoadCase, condition: int) -> ArcColumns:
+        """Return the arcs of every design in one load case and condition."""
+        s, n = self.search, len(self)
+        entry, leaving = self.tensions(case)
+        base = s.base
+        modulus = np.array([b.modulus for b in s.belts])[self.places[2]]
+        speed = np.array([np.nan if b.speed is None else b.speed for b in s.belts])
+        return ArcColumns(
+            lagging=self.places[0] + condition * len(s.laggings),
+            entry_tension=entry,
+            exit_tension=leaving,
+            diameter=self.diameter,
+            wrap_angle=self.wrap_angle,
+            thickness=self.thickness,
+            belt_width=np.full(n, s.drive.belt.width),
+            belt_modulus=modulus,
+            creep_limit=np.full(n, s.creep_limit),
+            belt_speed=speed[self.places[2]],
+            overrun=np.full(n, np.nan if base.overrun is None else base.overrun),
+            recovery=np.full(n, float(base.recovery)),
+        )

@@ -1,0 +1,453 @@
+"""Choose: every design solved, held to its limits, priced, ranked; and why the others fall out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.batch.arc_columns import ArcColumns, solve_columns
+from wraparc.choose.cost import energy_cost, lagging_cost, purchases
+from wraparc.choose.search import Grid, Search
+from wraparc.drive import Lagging, LoadCase
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Solver = Callable[..., Mapping[str, Array]]
+
+#: a value may pass its limit by this much, as a least tension meets its limit exactly [-]
+TOLERANCE = 1e-6
+#: designs up to which all are solved precisely; else those this near a limit, and the first ones
+MOST_PRECISE, UNDECIDED, RANKED_PRECISELY = 1000, 3e-3, 100
+#: limits in the order they are told
+LIMITS = (
+    "traction",
+    "creep",
+    "bond_stress",
+    "creep_limit_margin",
+    "tested_slip_margin",
+    "gross_slip_margin",
+    "tested_pressure",
+    "least_slack",
+    "belt_sag",
+    "belt_rating",
+    "least_pulley_diameter",
+)
+#: limits of what the solver answers
+OF_THE_ARC = {"creep", "bond_stress", "creep_limit_margin", "tested_slip_margin",
+              "gross_slip_margin"}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """How every design stands to one limit.
+
+    Attributes
+    ----------
+    excess
+        How far the worst case is beyond the limit, as a share of it: > 0 broken, nan where the
+        limit does not apply, shape (n,) [-].
+    value, limit
+        What it is in the worst case and what is allowed [SI], shape (n,).
+    where
+        Place of the worst case: load case + condition * number of load cases, shape (n,).
+    """
+
+    excess: Array
+    value: Array
+    limit: Array
+    where: Integers
+
+    @property
+    def broken(self) -> NDArray[np.bool_]:
+        """Whether each design breaks it."""
+        return self.excess > TOLERANCE
+
+
+@dataclass(frozen=True, eq=False)
+class Costs:
+    """Life-cycle cost of every design by part, shape (n,) [currency]."""
+
+    lagging: Array
+    lagging_least: Array
+    lagging_most: Array
+    belt: Array
+    energy: Array
+
+    @property
+    def total(self) -> Array:
+        """Lagging at the middle of its life, belt, energy."""
+        return self.lagging + self.belt + self.energy
+
+
+@dataclass(frozen=True, eq=False)
+class Selection:
+    """The answer of a search.
+
+    Attributes
+    ----------
+    search
+        What was searched.
+    grid
+        The designs, with the slack-side tensions they were solved at.
+    creep, bond_stress
+        Worst of every design [m] and [Pa]; nan where it breaks away.
+    tight_tension, slack_tension
+        Largest tension, and smallest, over the load cases [N].
+    held
+        Limits by name.
+    costs
+        Costs of every design.
+    ranking
+        Feasible designs, cheapest first; then by creep, slack tension and order.
+    creep_front, slack_front
+        Designs of `ranking` that nobody beats in cost and creep, in cost and slack tension.
+    """
+
+    search: Search
+    grid: Grid
+    creep: Array
+    bond_stress: Array
+    tight_tension: Array
+    slack_tension: Array
+    held: Mapping[str, Held]
+    costs: Costs
+    ranking: Integers
+    creep_front: Integers
+    slack_front: Integers
+
+    def __len__(self) -> int:
+        return len(self.grid)
+
+    @property
+    def feasible(self) -> NDArray[np.bool_]:
+        """Whether each design keeps every limit."""
+        return feasible(self.held, len(self))
+
+    def broken(self, design: int) -> tuple[str, ...]:
+        """Names of the limits that a design breaks."""
+        return tuple(name for name, held in self.held.items() if held.broken[design])
+
+    def place(self, where: int) -> tuple[str, str]:
+        """Load case and condition of a place in `Held.where`."""
+        cases = self.search.drive.load_cases
+        condition, case = divmod(int(where), len(cases))
+        return cases[case].name, self.search.conditions[condition].name
+
+    def nearest(self) -> int:
+        """The infeasible design whose worst excess is least; of no use where one is feasible."""
+        worst = np.nanmax([held.excess for held in self.held.values()], axis=0)
+        return int(np.argmin(worst))
+
+    def next_dearer(self) -> int | None:
+        """Cheapest feasible design with a lagging dearer than that of the cheapest design.
+
+        Dearer to buy for the same area, not over its life: None if no feasible design has one.
+        """
+        if not len(self.ranking):
+            return None
+        rate = np.array([_rate(self.search, lag) for lag in self.search.laggings])
+        lagging = self.grid.places[0][self.ranking]
+        dearer = rate[lagging] > rate[lagging[0]] * (1.0 + 1e-9)
+        if not dearer.any():
+            return None
+        following = np.argmin(np.where(dearer, rate[lagging], np.inf))
+        return int(self.ranking[np.argmax(lagging == lagging[following])])
+
+
+def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
+    """Solve every design of a search and rank those that keep every limit.
+
+    Parameters
+    ----------
+    search
+        What is searched.
+    solve
+        What solves columns of arcs.
+
+    Returns
+    -------
+    Selection
+        The ranking, the fronts, and how every design stands to every limit.
+    """
+    grid = Grid.of(search)
+    shortage = np.zeros(len(grid))
+    # a least tension meets its limit exactly, and few designs cost little
+    precise = search.least_slack or len(grid) <= MOST_PRECISE
+    if search.least_slack:
+        least, shortage = least_slack(search, grid, solve)
+        grid = grid.with_slack(np.where(np.isnan(least), own_slack(search), least))
+    laggings = search.conditioned()
+    cases = search.drive.load_cases
+    tensions = [grid.tensions(case) for case in cases]
+    slack = np.min([np.minimum(*t) for t in tensions], axis=0)
+    answers = _answers(search, grid, solve, np.arange(len(grid)), precise=precise)
+    refined = np.full(len(grid), precise)
+    while True:
+        held = _held(search, grid, laggings, answers, shortage)
+        costs = _costs(search, grid, answers[: len(cases)])
+        creep = _worst([np.abs(a["exit_creep"]) for a in answers])
+        ranking = _ranking(feasible(held, len(grid)), costs.total, creep, slack)
+        again = _undecided(held, ranking, refined)
+        if not len(again):
+            break
+        for old, new in zip(
+            answers, _answers(search, grid, solve, again, precise=True), strict=True
+        ):
+            for name, column in old.items():
+                column[again] = new[name]
+        refined[again] = True
+    tight = np.max([np.maximum(*t) for t in tensions], axis=0)
+    return Selection(
+        search=search,
+        grid=grid,
+        creep=creep,
+        bond_stress=_worst([np.abs(a["peak_shear_stress"]) for a in answers]),
+        tight_tension=tight,
+        slack_tension=slack,
+        held=held,
+        costs=costs,
+        ranking=ranking,
+        creep_front=front(ranking, costs.total, creep),
+        slack_front=front(ranking, costs.total, slack),
+    )
+
+
+def _answers(
+    search: Search, grid: Grid, solve: Solver, which: Integers, *, precise: bool
+) -> list[dict[str, Array]]:
+    """What the solver says of some designs, load case by load case, condition by condition."""
+    laggings, wanted = search.conditioned(), search.limits.needs_capacities
+    return [
+        dict(
+            solve(
+                grid.arcs(case, condition).rows(which),
+                laggings,
+                capacities=wanted,
+                precise=precise,
+            )
+        )
+        for condition in range(len(search.conditions))
+        for case in search.drive.load_cases
+    ]
+
+
+def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.bool_]) -> Integers:
+    """Designs so near a limit, or so high in the ranking, that they must be solved precisely."""
+    close = np.zeros(len(refined), dtype=bool)
+    close[ranking[:RANKED_PRECISELY]] = True
+    for name in OF_THE_ARC & held.keys():
+        with np.errstate(invalid="ignore"):
+            close |= np.abs(held[name].excess) < UNDECIDED
+    return np.flatnonzero(close & ~refined)
+
+
+def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tuple[Array, Array]:
+    """Least slack-side tension with which each design keeps the creep limit in every load case.
+
+    Not less than the lowest tested wrap pressure and the sag of the belt ask for, where these are
+    limits.
+
+    Returns
+    -------
+    least
+        The largest, over load cases and conditions, of the least tension of each; nan where one
+        has none with its tight-side wrap pressure in the tested range [N].
+    shortage
+        Where there is none: the pull over the largest that could be carried so [-], else 0.
+    """
+    laggings = search.conditioned()
+    own = grid.with_slack(np.full(len(grid), np.nan))
+    found, shortage = _slack_floor(search, grid), np.zeros(len(grid))
+    for condition in range(len(search.conditions)):
+        for case in search.drive.load_cases:
+            pull = abs(case.tensions[search.pulley].effective)
+            if pull == 0.0:
+                continue
+            answer = solve(own.arcs(case, condition), laggings, capacities=True, precise=True)
+            found = np.maximum(found, answer["least_exit_tension"])  # nan stays nan
+            missing = np.isnan(answer["least_exit_tension"])
+            most = answer["largest_effective_tension"]
+            short = np.where(most > 0.0, pull / np.where(most > 0.0, most, 1.0), np.inf)
+            shortage = np.maximum(shortage, np.where(missing, short, 0.0))
+    return found, shortage
+
+
+def _slack_floor(search: Search, grid: Grid) -> Array:
+    """Slack-side tension that sag and the lowest tested wrap pressure, p B D/2, ask for [N]."""
+    sag = search.limits.sag
+    least = np.full(len(grid), 0.0 if sag is None else sag.tension)
+    if not search.limits.tested_pressure:
+        return least
+    tested = [lag.law.tested for lag in search.laggings]
+    low = np.array([0.0 if t is None else t.pressure_min for t in tested])[grid.places[0]]
+    tested_least = 0.5 * low * search.drive.belt.width * grid.diameter
+    return np.asarray(np.maximum(least, tested_least))
+
+
+def feasible(held: Mapping[str, Held], n: int) -> NDArray[np.bool_]:
+    """Whether each design keeps every limit, shape (n,)."""
+    good = np.ones(n, dtype=bool)
+    for one in held.values():
+        good &= ~one.broken
+    return good
+
+
+def front(ranking: Integers, cost: Array, other: Array) -> Integers:
+    """Return the designs of a ranking by cost that no cheaper (or equal) one beats in `other`."""
+    if not len(ranking):
+        return ranking
+    values = other[ranking]
+    best_before = np.concatenate([[np.inf], np.minimum.accumulate(values)[:-1]])
+    return ranking[values < best_before * (1.0 - 1e-12)]
+
+
+def _ranking(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) -> Integers:
+    designs = np.flatnonzero(good)
+    order = np.lexsort((designs, slack[designs], creep[designs], cost[designs]))
+    return designs[order].astype(np.int64)
+
+
+def own_slack(search: Search) -> float:
+    """Slack-side tension of the drive as it is: the largest over its load cases [N]."""
+    tensions = [c.tensions[search.pulley] for c in search.drive.load_cases]
+    return max(min(t.entry, t.exit) for t in tensions)
+
+
+def _worst(columns: Sequence[Array]) -> Array:
+    return np.asarray(np.max(np.stack(columns), axis=0))  # nan (a breakaway) stays nan
+
+
+def _held(
+    search: Search,
+    grid: Grid,
+    laggings: Sequence[Lagging],
+    answers: Sequence[Mapping[str, Array]],
+    shortage: Array,
+) -> dict[str, Held]:
+    limits, cases = search.limits, search.drive.load_cases
+    n = len(grid)
+    parts: dict[str, list[tuple[Array, Array]]] = {name: [] for name in LIMITS}
+    for k, answer in enumerate(answers):
+        condition, at = divmod(k, len(cases))
+        _of_arc(search, parts, answer)
+        if limits.tested_pressure:
+            arcs = grid.arcs(cases[at], condition)
+            _of_pressure(parts["tested_pressure"], arcs, laggings)
+    if limits.rating is not None:
+        for case in cases:
+            parts["belt_rating"].append(_of_rating(search, grid, case))
+    if limits.sag is not None:
+        for case in cases:
+            slack = np.minimum(*grid.tensions(case))
+            parts["belt_sag"].append((-slack, np.full(n, -limits.sag.tension)))
+    if limits.least_pulley_diameter:
+        asked = _of_belts(search, grid, "least_pulley_diameter")
+        # the other way round: what is allowed is the least
+        parts["least_pulley_diameter"].append((-grid.diameter, -asked))
+    if search.least_slack:
+        parts["least_slack"].append((shortage, np.ones(n)))
+    return {name: _of_parts(pairs, n) for name, pairs in parts.items() if pairs}
+
+
+def _of_arc(
+    search: Search, parts: dict[str, list[tuple[Array, Array]]], answer: Mapping[str, Array]
+) -> None:
+    """Add what one load case in one condition says of the limits (value, limit); signs as there."""
+    limits, n = search.limits, len(answer["solved"])
+    solved = answer["solved"] > 0.0
+    # a breakaway misses by the ratio it would have to carry over the largest it can
+    gross = answer["gross_slip_margin"]
+    beyond = np.where(gross > 0.0, 1.0 / np.where(gross > 0.0, gross, 1.0), np.inf)
+    beyond = np.where(beyond > 1.0, beyond, 1.0 + 1e-3)
+    parts["traction"].append((np.where(solved, 0.0, beyond), np.ones(n)))
+    parts["creep"].append((np.abs(answer["exit_creep"]), np.full(n, search.creep_limit)))
+    if limits.bond_stress is not None:
+        stress = np.abs(answer["peak_shear_stress"])
+        parts["bond_stress"].append((stress, np.full(n, limits.bond_stress)))
+    for name in ("creep_limit_margin", "tested_slip_margin", "gross_slip_margin"):
+        least = getattr(limits, name)
+        if least is not None:
+            parts[name].append((-answer[name], np.full(n, -least)))
+
+
+def _of_pressure(
+    parts: list[tuple[Array, Array]], arcs: ArcColumns, laggings: Sequence[Lagging]
+) -> None:
+    tested = [lag.law.tested for lag in laggings]
+    low = np.array([np.nan if t is None else t.pressure_min for t in tested])[arcs.lagging]
+    high = np.array([np.nan if t is None else t.pressure_max for t in tested])[arcs.lagging]
+    area = arcs.belt_width * arcs.diameter
+    most = 2.0 * np.maximum(arcs.entry_tension, arcs.exit_tension) / area
+    least = 2.0 * np.minimum(arcs.entry_tension, arcs.exit_tension) / area
+    above, below = most / high - 1.0, low / least - 1.0
+    # one number for both ends: the worse of them
+    upper = ~(below > above)
+    parts.append((np.where(upper, most, -least), np.where(upper, high, -low)))
+
+
+def _of_rating(search: Search, grid: Grid, case: LoadCase) -> tuple[Array, Array]:
+    share = (search.limits.rating or {}).get(case.name, 1.0)
+    tight = np.maximum(*grid.tensions(case)) / search.drive.belt.width
+    return np.asarray(tight), share * _of_belts(search, grid, "rating")
+
+
+def _of_belts(search: Search, grid: Grid, name: str) -> Array:
+    values = [getattr(b, name) for b in search.belts]
+    known: Array = np.array([np.nan if v is None else v for v in values], dtype=float)
+    return np.asarray(known[grid.places[2]])
+
+
+def _of_parts(pairs: list[tuple[Array, Array]], n: int) -> Held:
+    """Worst of several (value, limit) pairs; negative ones are lower limits."""
+    values = np.stack([v for v, _ in pairs])
+    bounds = np.stack([b for _, b in pairs])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        excess = np.where(
+            bounds > 0.0, values / bounds - 1.0, 1.0 - np.abs(values) / np.abs(bounds)
+        )
+    ranked = np.where(np.isnan(excess), -np.inf, excess)
+    where = np.argmax(ranked, axis=0)
+    at = np.arange(n)
+    return Held(
+        excess=excess[where, at],
+        value=np.abs(values[where, at]),
+        limit=np.abs(bounds[where, at]),
+        where=where.astype(np.int64),
+    )
+
+
+def _rate(search: Search, lagging: Lagging) -> float:
+    """Price of lagging a square metre once [currency/m2]."""
+    cost = search.costing.laggings[lagging.name].cost
+    return (cost.material + cost.installation) / cost.area
+
+
+def _area(search: Search, grid: Grid) -> Array:
+    face = search.costing.face_width or search.drive.belt.width
+    return np.asarray(math.pi * grid.diameter * face)
+
+
+def _costs(search: Search, grid: Grid, dry: Sequence[Mapping[str, Array]]) -> Costs:
+    """Cost of every design; energy by the first condition."""
+    c, n = search.costing, len(grid)
+    area = _area(search, grid)
+    parts = np.zeros((3, n))
+    for place, lagging in enumerate(search.laggings):
+        mine = grid.places[0] == place
+        parts[:, mine] = lagging_cost(c.laggings[lagging.name].cost, area[mine], c.years)
+    belts = np.zeros(len(search.belts))
+    for place, belt in enumerate(search.belts):
+        if belt.name in c.belts:
+            price = c.belts[belt.name]
+            belts[place] = price.price * float(purchases(c.years, price.life_years))
+    energy = np.zeros(n)
+    if c.tariff is not None:
+        for case, answer in zip(search.drive.load_cases, dry, strict=True):
+            hours = c.hours.get(case.name, 0.0)
+            if hours > 0.0:
+                energy = energy + energy_cost(answer["power_loss"], hours, c.tariff, c.years)
+    return Costs(parts[0], parts[1], parts[2], belts[grid.places[2]], energy)

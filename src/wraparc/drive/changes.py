@@ -1,0 +1,146 @@
+"""Changes to a drive: another lagging, belt or thickness, worn, bare."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from wraparc.catalogue import CatalogueBelt, DesignFriction, belts, design_friction
+from wraparc.drive.belt import Belt
+from wraparc.drive.drive import Drive
+from wraparc.drive.lagging import Lagging
+from wraparc.drive.load_case import LoadCase
+from wraparc.drive.pulley import Pulley
+from wraparc.errors import InputError, Problem, shown
+from wraparc.friction import Constant
+from wraparc.provenance import Kind, Provenance
+
+
+def with_pulley(drive: Drive, pulley: Pulley) -> Drive:
+    """Return the drive with the pulley of the same name replaced."""
+    return replace(
+        drive, pulleys=tuple(pulley if p.name == pulley.name else p for p in drive.pulleys)
+    )
+
+
+def with_lagging(drive: Drive, pulley: str, lagging: Lagging) -> Drive:
+    """Return the drive with another lagging on a pulley."""
+    return with_pulley(drive, replace(drive.pulley(pulley), lagging=lagging))
+
+
+def with_thickness(drive: Drive, pulley: str, thickness: float) -> Drive:
+    """Return the drive with a lagging of another thickness [m]; the diameter stays over it."""
+    return with_lagging(drive, pulley, replace(drive.pulley(pulley).lagging, thickness=thickness))
+
+
+def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
+    """Return the drive with its lagging worn down: thinner, and the diameter smaller by as much.
+
+    The friction stays that of the unworn lagging: what wear of tread and tiles takes off it is
+    not known.
+    """
+    base = drive.pulley(pulley)
+    diameter = base.diameter - 2.0 * (base.lagging.thickness - thickness)
+    lagging = replace(base.lagging, thickness=thickness)
+    return with_pulley(drive, replace(base, lagging=lagging, diameter=diameter))
+
+
+def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:
+    """Return the drive with a belt of the catalogue, its width and speed kept."""
+    belt = Belt(
+        name=row.name,
+        kind=row.kind,
+        width=drive.belt.width,
+        speed=drive.belt.speed,
+        modulus=row.modulus,
+        rating=row.rating,
+        least_pulley_diameter=row.least_pulley_diameter,
+        provenance=row.provenance,
+    )
+    return replace(drive, belt=belt)
+
+
+def other_carcass(belt: Belt) -> CatalogueBelt:
+    """Return the catalogue belt of the other carcass whose rating is nearest.
+
+    Raises
+    ------
+    InputError
+        If rating or carcass are not known.
+    """
+    if belt.rating is None or belt.kind not in ("fabric", "steel cord"):
+        raise InputError(
+            Problem(
+                key="belt",
+                value=shown(belt.name),
+                message="its rating and whether it is fabric or steel cord must be known to find "
+                "the other carcass of the same rating",
+                remedy="Give rating and kind, or name the other belt.",
+            )
+        )
+    others = [b for b in belts() if b.kind != belt.kind]
+    rating = belt.rating
+    return min(others, key=lambda b: abs(math.log(b.rating / rating)))
+
+
+def bare(drive: Drive, pulley: str, standard: str, condition: str = "dry") -> tuple[Drive, str]:
+    """Return the drive with a bare pulley by the design value of a standard, and its source.
+
+    The lower end of the published values, as a constant friction on steel that neither shears
+    nor compresses. The diameter stays.
+
+    Raises
+    ------
+    InputError
+        If the standard has no such value.
+    """
+    found = [d for d in design_friction() if d.standard == standard and d.surface == "bare"]
+    design = next((d for d in found if d.condition in (condition, "")), None)
+    if design is None:
+        known = sorted({d.standard for d in design_friction() if d.surface == "bare"})
+        raise InputError(
+            Problem(
+                value=shown(standard),
+                message=f"no design value of a bare pulley, {condition}",
+                remedy=f"Those of {', '.join(known)} are known.",
+            )
+        )
+    lagging = _bare_lagging(design, condition)
+    source = lagging.provenance
+    return with_lagging(drive, pulley, lagging), f"friction {design.friction[0]:g}, {source}"
+
+
+def _bare_lagging(design: DesignFriction, condition: str) -> Lagging:
+    origin = design.provenance
+    note = "lower end of the design values"
+    return Lagging(
+        name="bare",
+        title="Bare steel",
+        law=Constant(friction_coefficient=design.friction[0]),
+        surface="bare",
+        condition=condition,
+        provenance=Provenance(Kind.PUBLISHED, origin.source, origin.date, note),
+    )
+
+
+def case_named(drive: Drive, name: str | None) -> LoadCase:
+    """Return a load case by name, the first for None.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    if name is None:
+        return drive.load_cases[0]
+    found = next((c for c in drive.load_cases if c.name == name), None)
+    if found is None:
+        names = ", ".join(shown(c.name) for c in drive.load_cases)
+        raise InputError(
+            Problem(
+                value=shown(name),
+                message="the drive has no such load case",
+                remedy=f"It has {names}.",
+            )
+        )
+    return found

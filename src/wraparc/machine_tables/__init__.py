@@ -1,0 +1,1 @@
+"""Tables out of the files of machines: numbers, columns, units, spreadsheets."""

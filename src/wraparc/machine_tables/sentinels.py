@@ -1,0 +1,72 @@
+"""Rows that are marks of the machine or remains of a broken transfer, not readings."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.machine_tables.numerals import Array
+
+Mask = NDArray[np.bool_]
+_MARKS = (9999.0, 99999.0, 999999.0, 9999999.0, 32767.0, 32768.0, 1e30)
+_ENDS = 3
+
+
+def sentinel_rows(travel: Array, force: Array, keep: Mask) -> Mask:
+    """Rows at either end where both columns are 0 after a jump, or hold a number like -9999.
+
+    Parameters
+    ----------
+    travel, force
+        In the file's own units, shape (n,).
+    keep
+        Rows still in use, shape (n,).
+    """
+    marked = np.zeros(len(travel), dtype=bool)
+    rows = np.flatnonzero(keep)
+    if len(rows) < 5:
+        return marked
+    for column in (travel, force):
+        marked |= _marks(column, rows)
+    steps = np.abs(np.diff(travel[rows]))
+    usual = max(float(np.quantile(steps, 0.9)), float(np.median(np.abs(travel[rows]))) * 1e-6)
+    for inward in (rows[::-1], rows):
+        for k in range(_ENDS):
+            end, inner = inward[k], inward[k + 1]
+            if travel[end] == 0.0 == force[end] and abs(travel[inner]) > 20.0 * usual:
+                marked[inward[: k + 1]] = True
+    return marked
+
+
+def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
+    """Values written for "nothing measured", far outside all others of the column."""
+    found = np.zeros(len(column), dtype=bool)
+    size = np.abs(column[rows])
+    suspects = rows[np.isin(size, _MARKS) | (size >= 1e30)]
+    if 0 < len(suspects) < len(rows) / 2:
+        rest = np.setdiff1d(rows, suspects)
+        largest = float(np.abs(column[rest]).max())
+        found[suspects] = np.abs(column[suspects]) > 5.0 * largest
+    return found
+
+
+def last_row(keep: Mask) -> Mask:
+    """Return the last row in use."""
+    last = np.zeros(len(keep), dtype=bool)
+    last[np.flatnonzero(keep)[-1:]] = True
+    return last
+
+
+def off_trend(travel: Array, force: Array, keep: Mask) -> Mask:
+    """Return the last row, if its values leave the trend of those before it.
+
+    For a file that ends without a line end: a number cut in the middle is still a number.
+    """
+    cut = np.zeros(len(travel), dtype=bool)
+    rows = np.flatnonzero(keep)
+    if len(rows) < 5:
+        return cut
+    for column in (travel, force):
+        before, last = column[rows[-1 - min(50, len(rows) - 1) : -1]], column[rows[-1]]
+        steps = np.abs(np.diff(before))
+        if abs(last - before[-1]) > 5.0 * max(float(steps.max()), 1e-9 * abs(before[-1])):
+            cut[rows[-1]] = True
+    return cut

@@ -1,0 +1,387 @@
+"""Text to raw tables: delimiter, header, names, units, cells. Knows no brand.
+
+A table is a run of lines that have the same number of cells, at least two of them
+numbers. What stands above it is its header; whole lines in quotes are unwrapped.
+"""
+
+import csv
+import itertools
+import re
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.machine_tables.bulk import Bulk, read_bulk
+from wraparc.machine_tables.columns import NamedColumn, name_columns
+from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric
+
+Cells = Sequence[object] | Array
+_DELIMITERS = ("\t", ";", "|", ",", " ")
+DELIMITER_NAMES = {"\t": "tab", ";": "semicolon", "|": "bar", ",": "comma", " ": "blanks"}
+_SAMPLE = 200
+_HEAD = 150
+_LARGEST_GAP = 2
+_OVERLAP = 5
+_HEADER_KEPT = 40
+_ALL_NUMERIC = re.compile(r'[-+\u22120-9eE.,;|\t "]*[0-9][-+\u22120-9eE.,;|\t "]*')
+_LAST_DECIMALS = re.compile(r"[.,](\d*)\"?\s*$")
+_EMPTY = ' ;,|\t"'
+_WHOLE_LINE_QUOTED = re.compile(r'"(?:[^"]|"")*"')
+
+
+@dataclass(frozen=True, eq=False)
+class RawTable:
+    """One table of a file, its cells as written.
+
+    Parameters
+    ----------
+    place
+        Where it stands, for example ``"lines 13 to 2196"`` or ``"sheet 'Data'"``.
+    header
+        Lines above it, as cells; the nearest is the last.
+    columns
+        Cells, column by column.
+    lines
+        Line (or sheet row) of each row, counted from 1.
+    skipped
+        Line and reason of each line inside the table that is no row of it.
+    delimiter
+        What stands between the cells; empty for a workbook.
+    cut
+        Whether the last row ends the file without a line end, so that its last number may be
+        incomplete.
+    shorter
+        Whether that number also has fewer decimals than those above it.
+    sheet
+        Name of the sheet in a workbook.
+    style
+        Decimal sign, where the columns hold numbers converted already.
+    """
+
+    place: str
+    header: tuple[tuple[str, ...], ...]
+    columns: tuple[Cells, ...]
+    lines: NDArray[np.int64]
+    skipped: tuple[tuple[int, str], ...] = ()
+    delimiter: str = ""
+    cut: bool = False
+    shorter: bool = False
+    sheet: str = ""
+    style: NumeralStyle | None = None
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return len(self.lines)
+
+    def named(self) -> tuple[list[NamedColumn], str]:
+        """Return the columns with their names and units, and a complaint; see `name_columns`."""
+        last = self.columns[-1]
+        empty = not isinstance(last, np.ndarray) and not any(str(cell).strip() for cell in last)
+        return name_columns(self.header, len(self.columns), last_empty=empty)
+
+
+def tables_in_text(
+    text: str, *, delimiter: str | None = None, ended: bool = True
+) -> list[RawTable]:
+    """Find every table in `text`.
+
+    Parameters
+    ----------
+    text
+        The file, its line ends those of Unix.
+    delimiter
+        What stands between cells (a blank: any run of blanks), if it is not to be found.
+    ended
+        Whether the last line has its line end.
+
+    Returns
+    -------
+    Tables in the order of the file; none if no line looks like a row of numbers.
+    """
+    lines = _unwrapped(text.split("\n"))
+    while lines and not lines[-1].strip():
+        lines.pop()
+    sign = delimiter or _delimiter_of(lines)
+    if sign is None:
+        return []
+    tables = _quick(lines, sign) if len(lines) > _HEAD else None
+    if tables is None:
+        tables = _careful(lines, sign)
+    if tables and not ended and tables[-1].lines[-1] == len(lines):
+        tables[-1] = replace(tables[-1], cut=True, shorter=_has_fewer_decimals(lines))
+    return tables
+
+
+def _quick(lines: Sequence[str], sign: str) -> list[RawTable] | None:
+    """Convert the table that reaches beyond the head at once; None where that cannot be done.
+
+    It ends with the file or before an empty line, what follows it being read carefully.
+    """
+    head = _careful(lines[:_HEAD], sign)
+    if not head or head[-1].lines[-1] != _HEAD or head[-1].skipped:
+        return None
+    first, width = int(head[-1].lines[0]) - 1, len(head[-1].columns)
+    stop = next((k for k in range(_HEAD, len(lines)) if not lines[k]), len(lines))
+    after: list[RawTable] = []
+    if stop < len(lines):
+        # Its last rows are read with what follows, to see that it ends there.
+        start = stop - min(_OVERLAP, stop - first)
+        last, *after = _careful(lines[start:], sign, start) or [head[-1]]
+        if last.lines.tolist() != list(range(start + 1, stop + 1)) or len(last.columns) != width:
+            return None
+        if last.skipped:
+            return None
+    bulk = read_bulk("\n".join(lines[first:stop]), sign, width)
+    if bulk is None:
+        return None
+    return [*head[:-1], _bulk_table(bulk, first, head[-1].header, sign), *after]
+
+
+def _careful(lines: Sequence[str], sign: str, offset: int = 0) -> list[RawTable]:
+    """Find the tables cell by cell; `offset` lines stand before the first."""
+    cells = _split_all(lines, sign)
+    runs = _runs(cells, _row_widths(lines, cells))
+    tables = []
+    for run, start in zip(runs, [0, *(run.last + 1 for run in runs)], strict=False):
+        above = [line for line in lines[start : run.first] if line.strip(_EMPTY)]
+        header = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
+        tables.append(_text_table(cells, run, header, sign, offset))
+    return tables
+
+
+def _has_fewer_decimals(lines: Sequence[str]) -> bool:
+    counts = []
+    for line in lines[-21:]:
+        match = _LAST_DECIMALS.search(line)
+        counts.append(len(match[1]) if match else 0)
+    return counts[-1] < min(counts[:-1], default=0)
+
+
+def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str) -> list[RawTable]:
+    """Find every table in the rows of a worksheet; cells are text or numbers."""
+    widths = np.array([_mixed_width(row) for row in rows], dtype=np.int64)
+    texts = [[_text(cell) for cell in row] for row in rows]
+    runs = _runs(texts, widths)
+    starts = [0, *(run.last + 1 for run in runs)]
+    tables = []
+    for run, start in zip(runs, starts, strict=False):
+        above = [tuple(row) for row in texts[start : run.first] if any(row)]
+        picked = [rows[k] for k in run.rows]
+        tables.append(
+            RawTable(
+                place=f"sheet {sheet!r}, rows {run.first + 1} to {run.last + 1}",
+                header=tuple(above[-_HEADER_KEPT:]),
+                columns=tuple(zip(*picked, strict=True)),
+                lines=np.array(run.rows, dtype=np.int64) + 1,
+                skipped=tuple((k + 1, reason) for k, reason in run.skipped),
+                sheet=sheet,
+            )
+        )
+    return tables
+
+
+def _text(cell: object) -> str:
+    return "" if cell is None else str(cell).strip()
+
+
+def _mixed_width(row: Sequence[object]) -> int:
+    numeric = sum(
+        looks_numeric(cell)
+        if isinstance(cell, str)
+        else isinstance(cell, int | float) and not isinstance(cell, bool)
+        for cell in row
+    )
+    if numeric >= 2:
+        return len(row)
+    return -1 if any(_text(cell) for cell in row) else 0
+
+
+def _text_table(
+    cells: Sequence[list[str]],
+    run: "_Run",
+    header: tuple[tuple[str, ...], ...],
+    sign: str,
+    offset: int,
+) -> RawTable:
+    before = offset + 1
+    return RawTable(
+        place=f"lines {run.first + before} to {run.last + before}",
+        header=header,
+        columns=tuple(zip(*[cells[k] for k in run.rows], strict=True)),
+        lines=np.array(run.rows, dtype=np.int64) + before,
+        skipped=tuple((k + before, reason) for k, reason in run.skipped),
+        delimiter=sign,
+    )
+
+
+def _bulk_table(bulk: Bulk, first: int, header: tuple[tuple[str, ...], ...], sign: str) -> RawTable:
+    count = len(bulk.values)
+    return RawTable(
+        place=f"lines {first + 1} to {first + count}",
+        header=header,
+        columns=tuple(bulk.values.T),
+        lines=np.arange(first + 1, first + count + 1),
+        delimiter=sign,
+        style=bulk.style,
+    )
+
+
+def _header_cells(line: str, sign: str, width: int) -> tuple[str, ...]:
+    if sign != " ":
+        return tuple(cell.strip() for cell in _splitter(sign)(line))
+    # Blanks also stand inside names: prefer the reading that fits the number of columns.
+    for pattern in (r"\S+(?: \S+)*", r"[^\s\[(]+\s*[\[(][^\])]*[\])]|\S+"):
+        parts = re.findall(pattern, line)
+        if len(parts) == width:
+            return tuple(parts)
+    return tuple(line.split())
+
+
+def _unwrapped(lines: list[str]) -> list[str]:
+    """Take off the quotes of lines that stand in quotes as a whole."""
+    sample = [line.strip() for line in lines[:: max(1, len(lines) // _SAMPLE)] if line.strip()]
+    whole = sum(_is_wrapped(line) for line in sample)
+    if not sample or whole < 0.6 * len(sample):
+        return lines
+    return [
+        line.strip()[1:-1].replace('""', '"') if _is_wrapped(line.strip()) else line
+        for line in lines
+    ]
+
+
+def _is_wrapped(line: str) -> bool:
+    inner = line[1:-1]
+    return (
+        _WHOLE_LINE_QUOTED.fullmatch(line) is not None
+        and any(d in inner for d in _DELIMITERS)
+        and not looks_numeric(inner)
+    )
+
+
+def _splitter(delimiter: str) -> Callable[[str], list[str]]:
+    if delimiter == " ":
+        return str.split
+
+    def split(line: str) -> list[str]:
+        if '"' not in line:
+            return line.split(delimiter)
+        # A lone quote is a sign for inch or a mistake: such a line is taken literally.
+        if line.count('"') % 2:
+            return line.split(delimiter)
+        try:
+            return next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))
+        except (csv.Error, StopIteration):
+            return line.split(delimiter)
+
+    return split
+
+
+def _split_all(lines: Sequence[str], delimiter: str) -> list[list[str]]:
+    if delimiter != " " and any('"' in line for line in lines[:: max(1, len(lines) // 50)]):
+        balanced = [line if line.count('"') % 2 == 0 else line.replace('"', "") for line in lines]
+        try:
+            rows = list(csv.reader(balanced, delimiter=delimiter, skipinitialspace=True))
+        except csv.Error:
+            rows = []
+        # The reader passes over nothing and joins nothing where quotes are balanced.
+        if len(rows) == len(lines):
+            return rows
+    return list(map(_splitter(delimiter), lines))
+
+
+def _delimiter_of(lines: Sequence[str]) -> str | None:
+    later = lines[len(lines) // 4 :] if len(lines) > 40 else lines
+    thinned = later[:: max(1, len(later) // _SAMPLE)]
+    sample = [line for line in thinned if any(c.isdigit() for c in line)]
+    scored = [(_fit_of(sample, sign), -k, sign) for k, sign in enumerate(_DELIMITERS)]
+    best = max(scored, default=(0.0, 0, ""))
+    return best[2] if best[0] > 0 else None
+
+
+def _fit_of(sample: Sequence[str], delimiter: str) -> float:
+    """Share of the lines that are rows of one width, times the share of numbers in them."""
+    split = _splitter(delimiter)
+    widths: Counter[int] = Counter()
+    shares: dict[int, float] = {}
+    for line in sample:
+        cells = [cell for cell in split(line) if cell.strip()]
+        numeric = sum(map(looks_numeric, cells))
+        if numeric >= 2:
+            widths[len(cells)] += 1
+            shares[len(cells)] = shares.get(len(cells), 0.0) + numeric / len(cells)
+    if not widths:
+        return 0.0
+    width = max(widths, key=lambda w: shares[w])
+    return shares[width] / len(sample)
+
+
+def _row_widths(lines: Sequence[str], cells: Sequence[Sequence[str]]) -> NDArray[np.int64]:
+    """Cells of each line that is a row of numbers; 0 for an empty line, -1 for any other."""
+    widths = np.fromiter(map(len, cells), dtype=np.int64, count=len(cells))
+    matches = _ALL_NUMERIC.fullmatch
+    plain = np.fromiter((matches(x) is not None for x in lines), dtype=bool, count=len(lines))
+    for k in np.flatnonzero(~plain | (widths < 2)).tolist():
+        if widths[k] < 2 or sum(map(looks_numeric, cells[k])) < 2:
+            widths[k] = -1 if lines[k].strip(_EMPTY) else 0
+    return widths
+
+
+@dataclass
+class _Run:
+    """Rows of one width under each other, being collected."""
+
+    first: int
+    last: int
+    width: int
+    rows: list[int] = field(default_factory=list)
+    skipped: list[tuple[int, str]] = field(default_factory=list)
+
+
+def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64]) -> list[_Run]:
+    """Group rows into tables; a line or two that is no row does not end a table."""
+    bounds = [0, *(np.flatnonzero(np.diff(widths)) + 1).tolist(), len(widths)]
+    stretches = [
+        (a, b, int(widths[a])) for a, b in itertools.pairwise(bounds) if b > a and widths[a] != 0
+    ]
+    found: list[_Run] = []
+    gap: list[int] = []
+    for place, (start, stop, width) in enumerate(stretches):
+        run = found[-1] if found else None
+        following = [w for _, _, w in stretches[place + 1 :][:2] if w > 0]
+        if width < 0:
+            gap.extend(range(start, stop))
+            continue
+        if run and width == run.width and not _ends_table(gap, cells, width):
+            run.skipped.extend((k, f"not a row of numbers: {_shown(cells[k])}") for k in gap)
+            run.rows.extend(range(start, stop))
+            run.last = stop - 1
+        elif (
+            run and not gap and stop - start <= _LARGEST_GAP and following[:1] in ([], [run.width])
+        ):
+            run.skipped.extend(
+                (k, f"{width} cells instead of {run.width}") for k in range(start, stop)
+            )
+            run.last = stop - 1
+        else:
+            found.append(_Run(start, stop - 1, width, list(range(start, stop))))
+        gap = []
+    if found and len(gap) == 1 and gap[0] == len(widths) - 1:
+        found[-1].skipped.append((gap[0], f"not a row of numbers: {_shown(cells[gap[0]])}"))
+    return found
+
+
+def _ends_table(gap: Sequence[int], cells: Sequence[Sequence[str]], width: int) -> bool:
+    if len(gap) > _LARGEST_GAP:
+        return True
+    return any(
+        len(cells[k]) == width and sum(bool(cell.strip()) for cell in cells[k]) >= 2 for k in gap
+    )
+
+
+def _shown(row: Sequence[str]) -> str:
+    text = " ".join(cell.strip() for cell in row if cell.strip())
+    return text if len(text) <= 40 else text[:37] + "..."

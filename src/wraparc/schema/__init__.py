@@ -1,0 +1,1 @@
+"""Documents of tables and keys, read with all their faults at once. Knows no belt."""

@@ -1,0 +1,158 @@
+"""Text of a file to a document (nested tables), whatever the file turns out to be."""
+
+import os
+import re
+import stat
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.schema.shared_keys import FORMAT
+
+#: Largest file that is read [bytes].
+LARGEST = 5_000_000
+#: Most parts of one dotted key; TOML readers take quadratic time over them.
+_MOST_KEY_PARTS = 40
+_LONG_KEY = re.compile(rf"(?<![\w\"'-])(?:[\w\"'-]++[ \t]*+\.[ \t]*+){{{_MOST_KEY_PARTS}}}")
+_POSITION = re.compile(r" ?\(at (?:line (\d+), column (\d+)|end of document)\)$")
+
+Document = dict[str, Any]
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """Return the text of a plain UTF-8 file of at most 5 MB.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, or is something else.
+    """
+    file = printable(os.fspath(path))
+    try:
+        status = os.stat(path)
+        if stat.S_ISDIR(status.st_mode):
+            raise _file_problem(file, "is a folder", "Give the path of a file in it.")
+        if not stat.S_ISREG(status.st_mode):
+            raise _file_problem(file, "is not a plain file", "Give the path of a text file.")
+        if status.st_size > LARGEST:
+            size = f"{status.st_size / 1e6:.1f} MB"
+            raise _file_problem(
+                file, f"is {size} large, more than {LARGEST / 1e6:.0f} MB", "Is it the right file?"
+            )
+        with open(path, "rb") as stream:
+            data = stream.read(LARGEST + 1)
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        reason = getattr(error, "strerror", None) or str(error)
+        raise _file_problem(file, f"cannot be read: {reason}", "Check the path.") from None
+    return decoded(data, file)
+
+
+def printable(path: str) -> str:
+    """Return a path as messages show it, with its control characters escaped."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in path)
+
+
+def decoded(data: bytes, file: str = "") -> str:
+    """Return bytes as text, refusing all but UTF-8 (with or without a byte order mark)."""
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        problem = Problem(
+            message=f"is not UTF-8 text: byte 0x{data[error.start]:02x} at position {error.start}",
+            remedy="Save it as UTF-8.",
+            file=file,
+            line=line,
+        )
+        raise InputError(problem) from None
+
+
+def parse(text: str, file: str = "") -> Document:
+    """Return the tables of a TOML text.
+
+    Raises
+    ------
+    InputError
+        If it is no TOML, with the line.
+    """
+    if len(text) > LARGEST:
+        raise _file_problem(file, "is too large", "Is it the right file?")
+    if long_key := _LONG_KEY.search(text):
+        line = text.count("\n", 0, long_key.start()) + 1
+        message = f"a key of more than {_MOST_KEY_PARTS} parts"
+        raise InputError(Problem(message=message, file=file, line=line))
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise _file_problem(file, "is nested too deeply", "Is it the right file?") from None
+    except tomllib.TOMLDecodeError as error:
+        raise _syntax_error(text, str(error), file) from None
+    except ValueError:  # of int(), beyond the digits it converts
+        message = "holds a whole number of thousands of digits"
+        raise _file_problem(file, message, "Is it the right file?") from None
+
+
+def check_format(document: Document, file: str = "") -> None:
+    """Refuse a document of a newer format before complaining of keys that are new in it."""
+    if "format" not in document:
+        return
+    given = document["format"]
+    whole = isinstance(given, int) and not isinstance(given, bool)
+    if whole and 1 <= given <= FORMAT:
+        return
+    if whole and given > FORMAT:
+        message = f"the file is of a newer format; this version of wraparc reads up to {FORMAT}"
+        remedy = "Update wraparc."
+    else:
+        message, remedy = "must be a whole number from 1", f"Write format = {FORMAT}."
+    raise InputError(
+        Problem(message=message, remedy=remedy, file=file, key="format", value=shown(given))
+    )
+
+
+def _syntax_error(text: str, message: str, file: str) -> InputError:
+    position = _POSITION.search(message)
+    line = int(position[1]) if position and position[1] else None
+    if position and line is None:
+        line = text.count("\n") + 1
+    sentence = _POSITION.sub("", message)
+    sentence = f"{sentence[:1].lower()}{sentence[1:]}"
+    column = f" at column {position[2]}" if position and position[2] else ""
+    return InputError(
+        Problem(
+            message=f"not valid TOML: {sentence}{column}",
+            remedy='Text needs quotes, and so does a quantity: width = "1200 mm".',
+            file=file,
+            line=line,
+        )
+    )
+
+
+def _file_problem(file: str, message: str, remedy: str) -> InputError:
+    return InputError(Problem(message=message, remedy=remedy, file=file))
+
+
+def write_text(path: str | os.PathLike[str], text: str) -> None:
+    """Write a text file as a whole or not at all.
+
+    Raises
+    ------
+    InputError
+        If it cannot be written; what was there before is then untouched.
+    """
+    file = printable(os.fspath(path))
+    target = Path(os.path.realpath(path))
+    draft = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    try:
+        try:
+            draft.write_text(text, "utf-8", newline="\n")
+            os.replace(draft, target)
+        finally:
+            draft.unlink(missing_ok=True)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        message, remedy = f"cannot be written: {reason}", "Choose another place."
+        raise _file_problem(file, message, remedy) from None

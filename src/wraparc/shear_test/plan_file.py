@@ -1,0 +1,128 @@
+"""Shear test plans: TOML to the plan as data."""
+
+import os
+from dataclasses import replace
+from typing import Any
+
+from wraparc.errors import InputError
+from wraparc.provenance import Kind, Provenance
+from wraparc.schema.origins import own_provenance
+from wraparc.schema.problems import Report
+from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.tables import Record
+from wraparc.shear_test import Choices, PlannedTest, PressureOptions, Rig, TestPlan
+from wraparc.shear_test.plan_keys import PLAN
+from wraparc.units import parse_quantity, unit_factor
+
+_CHOICES = ("travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table")
+_SAME = (
+    "name", "title", "description", "surface", "thickness", "shear_modulus", "elastic_modulus",
+    "compression_modulus", "roughness",
+)  # fmt: skip
+_TEST = (
+    "pressure",
+    "normal_force",
+    "condition",
+    "repeat",
+    "temperature",
+    "speed",
+    "date",
+    "sample",
+)
+
+
+def load_plan(path: str | os.PathLike[str]) -> TestPlan:
+    """Return the test plan of a file; the files it names are relative to it.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    name = os.fspath(path)
+    plan = plan_from_text(read_text(path), file=name)
+    return replace(plan, folder=os.path.dirname(name))
+
+
+def plan_from_text(text: str, *, file: str = "") -> TestPlan:
+    """Return the test plan of a text."""
+    return plan_from_document(parse(text, file), file=file)
+
+
+def plan_from_document(document: Document, *, file: str = "") -> TestPlan:
+    """Return the test plan of a document that is already parsed."""
+    check_format(document, file)
+    report = Report(file)
+    record: Record = PLAN.read(document, (), report)
+    rig = _rig(record.get("rig"), report)
+    provenance = own_provenance(record, report)
+    common = record.get("columns", {})
+    tests = [
+        _test(item, position, common, report)
+        for position, item in enumerate(record.get("test") or (), start=1)
+        if isinstance(item, Record)
+    ]
+    report.raise_all()
+    fit = record.get("fit", {})
+    lagging = record["lagging"]
+    return TestPlan(
+        rig=rig,
+        tests=tuple(tests),
+        options=PressureOptions(
+            variables=fit.get("variables", "peak"),
+            transition_pressure=fit.get("transition_pressure"),
+            pieces=fit.get("pieces"),
+        ),
+        remove_shear=fit.get("remove_shear"),
+        provenance=provenance or Provenance(Kind.MEASURED),
+        file=file,
+        **{key: lagging[key] for key in _SAME if key in lagging},
+    )
+
+
+def _rig(record: Any, report: Report) -> Rig:
+    if not isinstance(record, Record):
+        return Rig(area=1.0)
+    more = {key: record[key] for key in ("faces", "largest_lash", "name") if key in record}
+    if "compliance" in record:
+        more["compliance"] = _compliance(record, report)
+    return Rig(area=record.get("sample_area", 1.0), **more)
+
+
+def _compliance(record: Record, report: Report) -> float:
+    """Return a length over a force, ``0.02 mm/kN``, in metres per newton."""
+    text = record["compliance"]
+    place = (*record.place, "compliance")
+    length, slash, force = text.partition("/")
+    value = -1.0
+    if slash:
+        try:
+            value = parse_quantity(length, "length") / unit_factor(force.strip(), "force")
+        except InputError as error:
+            report.take(error, place)
+            return 0.0
+    if value < 0.0:
+        report.add(place, "must be a length over a force", 'Write "0.02 mm/kN".', text)
+    return value
+
+
+def _test(record: Record, position: int, common: Any, report: Report) -> PlannedTest:
+    place = f"test[{position}]"
+    if "pressure" in record and "normal_force" in record:
+        report.add(
+            (*record.place, "normal_force"),
+            "given, and pressure as well",
+            "Keep one of them: pressure = normal force / sample area.",
+            record.raw["normal_force"],
+        )
+    said = {**common, **record}
+    choices = {key: said[key] for key in _CHOICES if key in said}
+    if "normal_force_column" in said:
+        choices["normal_force"] = said["normal_force_column"]
+    units = {**common.get("units", {}), **record.get("units", {})}
+    return PlannedTest(
+        file=record.get("file", ""),
+        place=place,
+        choices=Choices(units=units, **choices),
+        **{key: record[key] for key in _TEST if key in record},
+    )

@@ -1,0 +1,301 @@
+"""Values of fields of a drive file, by column, to arcs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.batch.arcs import COLUMNS, Arcs
+from wraparc.batch.laws import LawBank
+from wraparc.drive import Drive, Lagging, Tensions
+from wraparc.errors import InputError
+from wraparc.files.drive_file import drive_from_document
+from wraparc.files.tensions import KEYS, Given, spread
+from wraparc.friction import FrictionLaw
+from wraparc.schema.problems import Place, Report, place_text
+from wraparc.schema.source import Document
+from wraparc.schema.tables import Record
+from wraparc.study.fields import FRICTION_FACTOR, SLIP_FACTOR
+from wraparc.study.fitted import DrawnFit, with_peaks
+from wraparc.study.parameter_study import Rows
+from wraparc.study.plan import Levels, Values
+from wraparc.train.keys import TRAIN_FILE
+from wraparc.units import DIMENSION_TEXT, Dimension
+
+Array = NDArray[np.float64]
+
+_MOST_KEPT = 4096  # drives built for fields that are no column
+_OF_PULLEY = {
+    "diameter": "diameter",
+    "wrap_angle": "wrap_angle",
+    "overrun": "overrun",
+    "creep_limit": "creep_limit",
+}
+_OF_LAGGING = {
+    "thickness": "lagging_thickness",
+    "shear_modulus": "shear_modulus",
+    "compression_modulus": "compression_modulus",
+    "wear_coefficient": "wear_coefficient",
+}
+_OF_BELT = {"width": "belt_width", "modulus": "belt_modulus", "speed": "belt_speed"}
+_TENSIONS = ("entry_tension", "exit_tension")
+
+
+@dataclass(frozen=True)
+class Field:
+    """A field that a study varies.
+
+    Attributes
+    ----------
+    name
+        As the study calls it.
+    place
+        Its key path, tables by their names.
+    dimension
+        What it measures, or None for words.
+    labels
+        The words, in the order of their places.
+    """
+
+    name: str
+    place: Place
+    dimension: Dimension | None
+    labels: tuple[Any, ...] = ()
+
+    @classmethod
+    def of(cls, axis: Levels, place: Place) -> Field:
+        """Return the field of an axis of levels."""
+        return cls(axis.field, place, axis.dimension, () if axis.numeric else axis.values)
+
+    def given(self, value: float) -> object:
+        """Return a value as a drive file has it."""
+        if self.dimension is None:
+            return self.labels[int(value)]
+        if self.dimension == "number":
+            return float(value)
+        return f"{float(value)!r} {DIMENSION_TEXT[self.dimension].si_unit}"
+
+
+@dataclass(frozen=True, eq=False)
+class _Base:
+    """What a drive says of the pulley, but for its tensions."""
+
+    columns: Mapping[str, float]
+    law: FrictionLaw
+
+
+class DriveSource:
+    """A drive file whose fields are varied on one pulley.
+
+    Fields that are a column of the batch kernel, and tensions, are varied for all designs at once.
+    For the others a drive is built for every combination of their values, some 600 a second.
+
+    Parameters
+    ----------
+    document
+        The drive file, parsed.
+    pulley
+        The pulley.
+    fields
+        What is varied.
+    fits
+        Laws that are drawn.
+    slow
+        Names of fields that are never taken as columns.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        pulley: str,
+        fields: Sequence[Field],
+        fits: Sequence[DrawnFit] = (),
+        slow: frozenset[str] = frozenset(),
+    ) -> None:
+        self.document, self.pulley, self.slow = document, pulley, slow
+        self.fields, self.fits = tuple(fields), tuple(fits)
+        self.drive = drive_from_document(document, allow_paths=True)
+        self._read_tensions()
+        lagging = self._record_of(pulley).get("lagging")
+        own = lagging if isinstance(lagging, str) else ""
+        self._columns = {
+            field.name: column
+            for field in self.fields
+            if field.dimension is not None
+            and field.name not in slow
+            and (column := _column(field.place, pulley, own, self.drive))
+        }
+        self._scaling = {f.place[-1]: f.name for f in self.fields if f.place[-1] in _SCALING}
+        fast = {*self._columns, *self._scaling.values()}
+        self._others = tuple(
+            f
+            for f in self.fields
+            if f.name not in fast and (f.name in slow or not _is_tension(f.place, pulley))
+        )
+        self._kept: dict[tuple[float, ...], _Base | None] = {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_kept": {}}
+
+    def _record_of(self, pulley: str) -> Record:
+        return next(r for r in self._pulleys if r["name"] == pulley)
+
+    def _read_tensions(self) -> None:
+        record: Record = TRAIN_FILE.read(self.document, (), Report())
+        self._pulleys: list[Record] = record["pulley"]
+        self._cases = {case["name"]: case for case in record.get("load_case", ())}
+        self._names = [r["name"] for r in self._pulleys]
+
+    def unit_of(self, name: str) -> Dimension | None:
+        """Return what a column of values measures."""
+        known: dict[str, Dimension | None] = {f.name: f.dimension for f in self.fields}
+        for fit in self.fits:
+            known.update(fit.columns)
+        return known.get(name)
+
+    def rows(self, values: Values, size: int, load_case: str) -> Rows:
+        """Return designs in a load case."""
+        bases, which = self._bases(values, size)
+        valid = np.array([b is not None for b in bases], dtype=bool)[which]
+        known = [b if b is not None else self._base(self.drive) for b in bases]
+        columns = {
+            name: np.array([b.columns[name] for b in known], dtype=float)[which]
+            for name in COLUMNS
+            if name not in _TENSIONS
+        }
+        for field, column in self._columns.items():
+            if field in values:
+                columns[column] = np.asarray(values[field], dtype=float)
+        entry, exit_ = self._tensions(values, size, load_case)
+        most = Tensions.LIMITS["entry"].most
+        for tension in (entry, exit_):
+            valid &= (tension > 0.0) & (tension <= most)
+        columns["entry_tension"] = np.where(valid, entry, 2.0)
+        columns["exit_tension"] = np.where(valid, exit_, 1.0)
+        laws, law = self._laws([b.law for b in known], which, values, size)
+        ones = np.ones(size)
+        return Rows(
+            arcs=Arcs(laws=LawBank.of(laws), law=law, **columns),
+            valid=valid,
+            friction_factor=values.get(self._scaling.get(FRICTION_FACTOR, ""), ones),
+            slip_factor=values.get(self._scaling.get(SLIP_FACTOR, ""), ones),
+        )
+
+    def _laws(
+        self, laws: Sequence[FrictionLaw], which: NDArray[np.int64], values: Values, size: int
+    ) -> tuple[list[FrictionLaw], NDArray[np.int64]]:
+        """Laws, each once, and the place of that of every design."""
+        drawn = [fit for fit in self.fits if next(iter(fit.columns)) in values]
+        if not drawn:
+            places: dict[FrictionLaw, int] = {}
+            index = np.array([places.setdefault(law, len(places)) for law in laws])
+            return list(places), index[which]
+        fit = drawn[0]
+        table = np.stack([values[name] for name in fit.columns], axis=1)
+        own = [
+            with_peaks(laws[which[i]], dict(zip(fit.fit.parameters, table[i], strict=True)))
+            for i in range(size)
+        ]
+        return own, np.arange(size)
+
+    def _bases(self, values: Values, size: int) -> tuple[list[_Base | None], NDArray[np.int64]]:
+        """Drives of the different combinations of fields that are no columns."""
+        others = [f for f in self._others if f.name in values]
+        if not others:
+            return [self._base(self.drive)], np.zeros(size, dtype=np.int64)
+        table = np.stack([values[f.name] for f in others], axis=1)
+        different, which = np.unique(table, axis=0, return_inverse=True)
+        return [self._built(others, row) for row in different], which.ravel()
+
+    def _built(self, others: Sequence[Field], row: Array) -> _Base | None:
+        """Return the drive of a combination; None if there cannot be one."""
+        key = tuple(row.tolist())
+        if key not in self._kept:
+            if len(self._kept) >= _MOST_KEPT:
+                self._kept.clear()
+            given = {place_text(f.place): f.given(v) for f, v in zip(others, key, strict=True)}
+            try:
+                drive = drive_from_document(self.document, overrides=given, allow_paths=True)
+                self._kept[key] = self._base(drive)
+            except InputError:
+                self._kept[key] = None
+        return self._kept[key]
+
+    def _base(self, drive: Drive) -> _Base:
+        pulley = drive.pulley(self.pulley)
+        lagging: Lagging = pulley.lagging
+        nan = float("nan")
+        speed, wear = drive.belt.speed, lagging.wear_coefficient
+        columns = {
+            "diameter": pulley.diameter,
+            "wrap_angle": pulley.wrap_angle,
+            "belt_width": drive.belt.width,
+            "belt_modulus": drive.belt.modulus,
+            "lagging_thickness": lagging.thickness,
+            "shear_modulus": lagging.shear_modulus,
+            "compression_modulus": lagging.compression_modulus,
+            "wear_coefficient": nan if wear is None else wear,
+            "overrun": nan if pulley.overrun is None else pulley.overrun,
+            "recovery": float(pulley.recovery),
+            "creep_limit": drive.creep_limit_of(pulley),
+            "belt_speed": nan if speed is None else speed,
+        }
+        return _Base(columns, lagging.law)
+
+    def _tensions(self, values: Values, size: int, load_case: str) -> tuple[Array, Array]:
+        """Entry and exit tensions of the pulley, by the rules of drive files."""
+        at = {f.place: values[f.name] for f in self.fields if f.name in values}
+        speed: Any = at.get(("belt", "speed"), self.drive.belt.speed)
+        given = []
+        for record in self._pulleys:
+            name = record["name"]
+            diameter: Any = at.get(("pulley", name, "diameter"), record["diameter"])
+            numbers = _numbers(record, ("pulley", name), at)
+            given.append(Given(name, (), numbers, {}, diameter))
+        if load_case in self._cases:
+            given = [self._in_case(item, load_case, at) for item in given]
+        entry, exit_ = spread(given, speed)[self._names.index(self.pulley)]
+        missing = float("nan")
+        return (
+            np.broadcast_to(missing if entry is None else entry, (size,)).astype(float),
+            np.broadcast_to(missing if exit_ is None else exit_, (size,)).astype(float),
+        )
+
+    def _in_case(self, item: Given, case: str, at: Mapping[Place, Array]) -> Given:
+        tables = self._cases[case].get("pulley", {})
+        table = tables.get(item.name, Record({}, (), {}))
+        place = ("load_case", case, "pulley", item.name)
+        return item.overridden(Record(_numbers(table, place, at), (), {}))
+
+
+_SCALING = (FRICTION_FACTOR, SLIP_FACTOR)
+
+
+def _numbers(record: Mapping[str, Any], place: Place, at: Mapping[Place, Array]) -> dict[str, Any]:
+    """Tensions of a table with those of the study put over them."""
+    numbers = {key: record[key] for key in KEYS if key in record}
+    return numbers | {key: at[(*place, key)] for key in KEYS if (*place, key) in at}
+
+
+def _is_tension(place: Place, pulley: str) -> bool:
+    """Whether a field only makes tensions: the diameter of another pulley does, by a torque."""
+    another = place[0] == "pulley" and place[1] != pulley and place[2:] == ("diameter",)
+    return another or (place[-1] in KEYS and place[0] in ("pulley", "load_case"))
+
+
+def _column(place: Place, pulley: str, own_lagging: str, drive: Drive) -> str:
+    """Return the column that a field is, or nothing."""
+    head, key = place[:-1], str(place[-1])
+    if head == ("belt",):
+        return _OF_BELT.get(key, "")
+    if head == ("pulley", pulley):
+        return _OF_PULLEY.get(key, "")
+    if head in (("pulley", pulley, "lagging"), ("lagging", own_lagging)):
+        return _OF_LAGGING.get(key, "")
+    if place == ("creep_limit",) and drive.pulley(pulley).creep_limit is None:
+        return "creep_limit"
+    return ""

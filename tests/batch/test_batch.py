@@ -1,0 +1,284 @@
+"""The batch against the solver for one arc.
+
+Expected values: `wraparc.arc.Distributed`, which has its own independent twin; the precise setting
+of the batch where that stands in for it; and the batch itself where a result must not depend on
+how the batch was cut.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arc.drives import LAWS, RUBBER, SOFTENING, integral_log, random_arc
+from batch.batches import columns_of, designs, lagging
+from wraparc.arc import Distributed, Status, WrapArc
+from wraparc.batch import (
+    STATUSES,
+    BatchResult,
+    Setting,
+    engineering,
+    precise,
+    row,
+    solve_arcs,
+    solve_batch,
+)
+from wraparc.batch.arcs import arcs_of_table
+from wraparc.batch.native import available
+from wraparc.drive import Lagging
+from wraparc.errors import InputError
+from wraparc.files import load_lagging
+
+LAGGINGS = [lagging(name, law) for name, law in LAWS.items()]
+SHIPPED = [load_lagging(name) for name in ("diamond-rubber", "medium-ceramic", "full-ceramic")]
+
+
+def random_arcs(per_law: int, seed: int) -> list[WrapArc]:
+    """Driving, idling and braking arcs of every law."""
+    return [
+        random_arc(law, np.random.default_rng([seed, k, i]))
+        for k, law in enumerate(LAWS.values())
+        for i in range(per_law)
+    ]
+
+
+def same(batch: BatchResult, arcs: list[WrapArc], *, capacities: bool, within: float) -> None:
+    """Every number that one arc reports, by name."""
+    solver = Distributed(capacities=capacities)
+    columns = dict(batch)
+    for i, arc in enumerate(arcs):
+        result = solver.solve(arc)
+        assert STATUSES[int(columns["status"][i])] == result.status.value, arc
+        scalars = result.scalars()
+        for name, column in columns.items():
+            if name not in scalars or (name in OF_OPERATING_POINT and not result.status.solved):
+                continue
+            expected, found = scalars[name], float(column[i])
+            if math.isnan(expected) or math.isinf(expected):
+                assert str(found) == str(expected), (name, arc)
+            else:
+                scale = arc.wrap_angle if name.endswith("_arc") else abs(expected)
+                small = SMALL.get(name, 0.0)
+                assert abs(found - expected) <= within * scale + small, (name, found, arc)
+
+
+#: differences of nearly equal numbers, and places of an extreme, are no better than this
+SMALL = {
+    "creep_shrinkage": 1e-12,
+    "creep_compression": 1e-12,
+    "creep_global": 1e-12,
+    "entry_creep_ratio": 1e-12,
+    "exit_creep_ratio": 1e-12,
+    "peak_shear_position": 1e-4,
+    "outside_tested_share": 1e-9,
+    "mean_friction": 1e-11,  # the solver reaches T2 to so much
+    "transmitted_power": 1e-5,
+    "efficiency": 1e-12,
+    "shear_loss": 1e-7,
+    "power_loss": 1e-7,
+    "sliding_power": 1e-7,
+    "frictional_energy": 1e-9,
+}
+OF_OPERATING_POINT = {
+    "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip",
+    "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle",
+    "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc",
+    "transmitted_power", "sliding_power", "shear_loss", "power_loss", "efficiency",
+    "frictional_energy", "wear_rate", "exit_tension", "entry_tension", "tension_ratio",
+    "effective_tension",
+}  # fmt: skip
+
+
+def test_precise_is_the_solver_of_one_arc() -> None:
+    arcs = random_arcs(30, 5)
+    batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE, capacities=False)
+    same(batch, arcs, capacities=False, within=1e-9)
+
+
+def test_precise_capacities_are_those_of_one_arc() -> None:
+    arcs = random_arcs(3, 6)
+    batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE)
+    # a largest ratio is searched for: its place is flat
+    same(batch, arcs, capacities=True, within=1e-7)
+
+
+def test_a_batch_has_every_number_of_an_arc() -> None:
+    result = Distributed().solve(random_arcs(1, 1)[0]).scalars()
+    batch = solve_arcs(columns_of(random_arcs(1, 1)[:1], LAGGINGS), capacities=False)
+    assert set(result) - set(batch) == {"identity_error"}
+    assert set(batch) - set(result) == {"status"}
+
+
+@pytest.mark.parametrize("lag", SHIPPED, ids=lambda lag: lag.name)
+def test_engineering_accuracy(lag: Lagging) -> None:
+    """Creep within 1e-4, all of it against the precise setting."""
+    table = designs(1500, 8)
+    near = solve_batch(table, lag)
+    exact = solve_batch(table, lag, setting=Setting.PRECISE)
+    np.testing.assert_array_equal(near["status"], exact["status"])
+    assert np.mean(exact["status"] == 0) > 0.9
+    for name, within in {
+        "exit_creep": 1e-4,
+        "exit_slip": 1e-4,
+        "peak_shear_stress": 2e-3,
+        "power_loss": 1e-4,
+        "frictional_energy": 1e-4,
+        "active_arc": 5e-4,
+        "creep_limit_capacity": 1e-3,
+        "tested_slip_capacity": 1e-3,
+        "gross_slip_capacity": 1e-4,
+        "least_exit_tension": 1e-3,
+        "largest_effective_tension": 1e-3,
+        "efficiency": 1e-5,
+    }.items():
+        np.testing.assert_allclose(near[name], exact[name], rtol=within, err_msg=name)
+    # it counts mesh steps: a crossing is found to a part of one
+    np.testing.assert_allclose(
+        near["outside_tested_share"], exact["outside_tested_share"], atol=2e-2
+    )
+
+
+def test_engineering_leaves_other_laws_and_braking_to_the_scalar_kernel() -> None:
+    arcs = random_arcs(12, 9)
+    near = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False)
+    exact = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False, setting=Setting.PRECISE)
+    np.testing.assert_array_equal(near["status"], exact["status"])
+    np.testing.assert_allclose(near["exit_creep"], exact["exit_creep"], rtol=1e-4, atol=1e-12)
+    others = ~np.array([a.law in (RUBBER, SOFTENING) and a.side > 0.0 for a in arcs])
+    np.testing.assert_array_equal(near["exit_creep"][others], exact["exit_creep"][others])
+
+
+@pytest.mark.parametrize("setting", Setting)
+def test_no_cut_changes_a_bit(setting: Setting) -> None:
+    """An arc's numbers do not depend on its neighbours, on chunks, or on threads."""
+    n = 200 if setting is Setting.PRECISE else 20_000
+    table = designs(n, 11)
+    table["lagging"] = np.arange(n) % 3  # type: ignore[assignment]
+    arcs = arcs_of_table(table, SHIPPED)
+    capacities = setting is Setting.PRECISE
+    whole = solve_arcs(arcs, setting=setting, capacities=capacities, threads=1)
+    threaded = solve_arcs(arcs, setting=setting, capacities=capacities, threads=3)
+    np.testing.assert_array_equal(whole.found, threaded.found)
+    order = np.random.default_rng(1).permutation(n)[: n // 10]
+    some = solve_arcs(arcs.rows(order), setting=setting, capacities=capacities)
+    np.testing.assert_array_equal(whole.found[order], some.found)
+    for i in order[:5]:
+        alone = solve_arcs(arcs.rows(slice(i, i + 1)), setting=setting, capacities=capacities)
+        np.testing.assert_array_equal(whole.found[i : i + 1], alone.found)
+
+
+def test_many_laws_are_cut_with_their_chunk() -> None:
+    """More laws than rows in a chunk, as draws of a fitted law are."""
+    laws = [lagging(f"draw {k}", integral_log(peak=0.6 + 1e-5 * k)) for k in range(300)]
+    table = designs(1, 3)
+    arcs = arcs_of_table({**{k: np.full(300, v) for k, v in table.items()},
+                          "lagging": np.arange(300)}, laws)  # fmt: skip
+    whole = solve_arcs(arcs, capacities=False)
+    part = solve_arcs(arcs.rows(slice(100, 200)), capacities=False)
+    np.testing.assert_array_equal(whole.found[100:200], part.found)
+    assert np.all(np.diff(whole["exit_creep"]) < 0.0)  # more friction, less creep
+
+
+@pytest.fixture
+def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """As if numba were not installed."""
+    assert available()
+    with monkeypatch.context() as patch:
+        patch.setattr(precise, "available", lambda: False)
+        patch.setattr(engineering, "available", lambda: False)
+        yield
+
+
+def test_interpreted_precise_is_compiled_precise(request: pytest.FixtureRequest) -> None:
+    arcs = columns_of(random_arcs(1, 13), LAGGINGS)
+    compiled = solve_arcs(arcs, setting=Setting.PRECISE)
+    request.getfixturevalue("interpreted")
+    plain = solve_arcs(arcs, setting=Setting.PRECISE)
+    np.testing.assert_allclose(plain.found, compiled.found, rtol=1e-12, atol=1e-15)
+
+
+def test_interpreted_lanes_are_compiled_lanes(request: pytest.FixtureRequest) -> None:
+    """Compiled logarithms are good to 5e-9; what they are multiplied into may be ten times more."""
+    arcs = arcs_of_table(designs(200, 14), SHIPPED[0])
+    compiled = solve_arcs(arcs, capacities=False)
+    request.getfixturevalue("interpreted")
+    plain = solve_arcs(arcs, capacities=False)
+    np.testing.assert_allclose(plain["exit_creep"], compiled["exit_creep"], rtol=1e-6)
+    np.testing.assert_allclose(plain["peak_shear_stress"], compiled["peak_shear_stress"], rtol=1e-6)
+
+
+def test_breakaway_has_a_status_and_its_capacities() -> None:
+    table = designs(50, 15)
+    table["exit_tension"] = table["entry_tension"] / 600.0
+    batch = solve_batch(table, SHIPPED[0])
+    assert batch.breakaway.all()
+    assert not batch.solved.any()
+    assert STATUSES[1] == Status.BREAKAWAY.value
+    assert np.isnan(batch["exit_creep"]).all()
+    assert np.all(batch["gross_slip_margin"] < 1.0)
+    assert repr(batch) == "<BatchResult: 50 arcs, 50 breakaway>"
+
+
+def test_an_unfit_law_is_refused_not_raised() -> None:
+    steep = lagging("steep", integral_log(slope=-5000.0, residual=0.1))
+    batch = solve_batch(designs(3, 16), steep)
+    assert batch["status"].tolist() == [row.REFUSED] * 3
+    assert "unfit" in STATUSES[row.REFUSED]
+
+
+def test_energy_follows_from_the_exact_loss() -> None:
+    """Loss of a solved drive is (T1 - T2)(g + (T1 - T2)/(2 EA')): model, energy."""
+    table = {**designs(100, 17), "belt_speed": np.full(100, 3.0)}
+    batch = solve_batch(table, SHIPPED[1], setting=Setting.PRECISE)
+    pull = batch["effective_tension"]
+    loss = pull * (batch["entry_creep_ratio"] + 0.5 * pull * batch.arcs.compliance)
+    speed = 3.0 / (1.0 - batch["entry_creep_ratio"])
+    np.testing.assert_allclose(batch["power_loss"], speed * loss, rtol=1e-6)
+    np.testing.assert_allclose(batch["efficiency"], 1.0 - loss / pull, rtol=1e-9)
+
+
+def test_progress_is_told_and_may_cancel() -> None:
+    arcs = arcs_of_table(designs(30_000, 18), SHIPPED[0])
+    told: list[tuple[int, int]] = []
+    solve_arcs(arcs, capacities=False, progress=lambda done, total: told.append((done, total)))
+    assert told[-1] == (30_000, 30_000)
+    assert [done for done, _ in told] == sorted(done for done, _ in told)
+
+    class EnoughError(Exception):
+        pass
+
+    def cancel(done: int, total: int) -> None:
+        raise EnoughError
+
+    for threads in (1, 2):
+        with pytest.raises(EnoughError):
+            solve_arcs(arcs, capacities=False, progress=cancel, threads=threads)
+
+
+def test_nothing_to_solve() -> None:
+    empty = {name: v[:0] for name, v in designs(1, 1).items()}
+    assert solve_batch(empty, SHIPPED[0])["exit_creep"].shape == (0,)
+
+
+def test_every_fault_of_a_table_at_once() -> None:
+    table: dict[str, Any] = dict(designs(4, 19))
+    del table["wrap_angle"]
+    table["belt_width"] = [1.0, math.nan, -1.0, 1.0]
+    table["belt_with"] = 1.0
+    with pytest.raises(InputError) as error:
+        solve_batch(table, SHIPPED[0])
+    assert "no such column" in str(error.value)
+    assert "wrap_angle" in str(error.value)
+    table = {**designs(4, 19), "belt_width": [1.0, math.nan, -1.0, 1.0], "diameter": [1.0, 2.0],
+             "recovery": 0.5, "lagging": "nylon"}  # fmt: skip
+    with pytest.raises(InputError) as error:
+        solve_batch(table, SHIPPED)
+    text = str(error.value)
+    for part in ("belt_width", "row 1", "2 rows are like this", "diameter", "recovery", "nylon"):
+        assert part in text
+    with pytest.raises(InputError, match="at least 1"):
+        solve_batch(designs(2, 1), SHIPPED[0], threads=0)

@@ -1,0 +1,126 @@
+"""Compiled code on disk is never that of another source.
+
+Expected values: the interpreter, which has no cache.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import wraparc
+from wraparc.batch import native
+from wraparc.batch.lane_kernel import solve_rows as lane_rows
+from wraparc.batch.precise import capacity_rows, tension_rows
+
+RUN = """
+import sys
+sys.path.insert(0, sys.argv[1])
+import wraparc.batch.native as native
+from wraparc.batch.probe import entry
+assert native.__file__.startswith(sys.argv[1])
+print(native.compiled(entry)(2.0), entry(2.0))
+"""
+ENTRY = """
+from wraparc.batch.probe_helper import inner
+
+def entry(x):
+    return inner(x) + 1.0
+"""
+HELPER = """
+FACTOR = {factor}
+
+def deepest(x):
+    return {body}
+
+def inner(x):
+    return FACTOR * deepest(x)
+"""
+
+
+def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> None:
+    """What numba's own cache gets wrong: it looks at the file of the entry alone."""
+    package = tmp_path / "source" / "wraparc"
+    shutil.copytree(Path(wraparc.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc"))
+    folder = package / "study" / "batch"
+    (folder / "probe.py").write_text(ENTRY, "utf-8")
+    for factor, body, expected in (
+        ("3.0", "x * x", "13.0 13.0"),
+        ("3.0", "x * x", "13.0 13.0"),  # from disk
+        ("5.0", "x * x", "21.0 21.0"),  # a constant
+        ("5.0", "x + x + x", "31.0 31.0"),  # a function two calls away
+    ):
+        (folder / "probe_helper.py").write_text(HELPER.format(factor=factor, body=body), "utf-8")
+        run = subprocess.run(
+            [sys.executable, "-B", "-c", RUN, str(package.parent)],
+            capture_output=True,
+            text=True,
+            check=False,
+            env={**os.environ, "WRAPARC_CACHE_DIR": str(tmp_path / "cache")},
+        )
+        assert run.stdout.strip() == expected, run.stderr
+    assert len(list((tmp_path / "cache" / "compiled").iterdir())) == 3
+
+
+def test_the_fingerprint_covers_all_that_is_compiled() -> None:
+    entries = (tension_rows, capacity_rows, lane_rows)
+    modules = {f.__module__ for entry in entries for f in native.called(entry)}
+    assert {
+        "wraparc.friction.compact",
+        "wraparc.arc.kernel.march",
+        "wraparc.arc.kernel.tension_march",
+        "wraparc.arc.kernel.stick",
+        "wraparc.arc.kernel.shoot",
+        "wraparc.arc.kernel.capacity",
+        "wraparc.arc.profile",
+        "wraparc.batch.row",
+        "wraparc.batch.lane_march",
+        "wraparc.batch.lane_look",
+    } <= modules
+
+
+def test_a_place_that_cannot_be_written_costs_the_cache_only(tmp_path: Path) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("", "utf-8")
+    run = subprocess.run(
+        [
+            sys.executable,
+            "-c",
+            "from wraparc.batch.native import _folder; print(_folder('abc'))",
+        ],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "WRAPARC_CACHE_DIR": str(blocked)},
+    )
+    assert run.stdout.strip() == "None", run.stderr
+
+
+THREADS = """
+import numpy as np
+from wraparc import Setting, load_lagging, solve_batch
+n = 40_000
+table = dict(entry_tension=np.full(n, 1e5), exit_tension=5e4, diameter=0.8, wrap_angle=3.1,
+             belt_width=1.0, belt_modulus=1e7)
+laggings = [load_lagging(name) for name in ("diamond-rubber", "full-ceramic")]
+first = solve_batch(table, laggings[0], capacities=False, threads=4)
+few = {k: v[:4] if np.ndim(v) else v for k, v in table.items()} | {"lagging": [0, 1, 0, 1]}
+for setting in Setting:
+    again = solve_batch(few, laggings, setting=setting)
+    assert again.solved.all()
+print(np.ptp(first["exit_creep"]), abs(again["exit_creep"][0] / first["exit_creep"][0] - 1) < 1e-4)
+"""
+
+
+def test_threads_may_be_the_first_to_compile_or_load() -> None:
+    """Many threads at once are the first to want an entry, and others are wanted after it."""
+    run = subprocess.run(
+        [sys.executable, "-X", "faulthandler", "-c", THREADS],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.stdout.split() == ["0.0", "True"], run.stderr

@@ -1,0 +1,86 @@
+"""The quick way through long files against the careful one, cell by cell: an independent reader."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from shear_test.virtual import rubber
+from wraparc.machine_tables import tables as room
+from wraparc.machine_tables.numerals import NumeralStyle, numbers, style_of
+from wraparc.shear_test import DIALECTS, Choices, VirtualRig, read_machine_bytes, run_virtual_test
+from wraparc.shear_test.record import Array
+
+TEST = run_virtual_test(VirtualRig(law=rubber(), points=400), 207e3, 1)
+TEXTS = {name: d for name, d in DIALECTS.items() if name != "excel"}
+
+
+def text_of(name: str) -> list[str]:
+    data = TEXTS[name].write(TEST)
+    for encoding in ("utf-8-sig", "utf-16", "latin-1"):
+        try:
+            return data.decode(encoding).splitlines()
+        except UnicodeError:
+            continue
+    raise AssertionError(name)
+
+
+def values(cells: object, style: NumeralStyle) -> Array:
+    return numbers(cells, style)  # type: ignore[arg-type]
+
+
+CHANGES: dict[str, Callable[[list[str]], list[str]]] = {
+    "as it is": lambda lines: lines,
+    "a blank line in it": lambda lines: [*lines[:250], "", *lines[250:]],
+    "two blank lines in it": lambda lines: [*lines[:250], "", "", *lines[250:]],
+    "a word after a blank line": lambda lines: [*lines[:250], "", "pause", *lines[250:]],
+    "a word in it": lambda lines: [*lines[:250], "pause", *lines[250:]],
+    "another table behind it": lambda lines: [*lines, "", "a;b", "", "x", *lines[-3:]],
+    "the same rows behind three lines": lambda lines: [
+        *lines[:300], "", "one", "two", "three", *lines[-60:],
+    ],
+    "a word at its end": lambda lines: [*lines, "", "end of test"],
+    "a short row before a blank line": lambda lines: [*lines[:250], "1", "", *lines[250:]],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("change", list(CHANGES))
+@pytest.mark.parametrize("name", list(TEXTS))
+def test_the_quick_way_gives_what_the_careful_one_gives(
+    name: str, change: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = "\n".join(CHANGES[change](text_of(name))) + "\n"
+    quick = room.tables_in_text(text)
+    monkeypatch.setattr(room, "_quick", lambda *_: None)
+    careful = room.tables_in_text(text)
+    assert [t.place for t in quick] == [t.place for t in careful]
+    assert [t.header for t in quick] == [t.header for t in careful]
+    for one, other in zip(quick, careful, strict=True):
+        assert one.lines.tolist() == other.lines.tolist()
+        assert one.skipped == other.skipped
+        columns: Any = [c for c in other.columns if any(str(cell).strip() for cell in c)]
+        style = one.style or style_of(
+            [c for c in columns if isinstance(c[0], str) and c[0][-1:].isdigit()], ""
+        )
+        for a, b in zip(one.columns, other.columns, strict=True):
+            np.testing.assert_array_equal(values(a, style), values(b, style))
+
+
+@pytest.mark.parametrize("name", list(TEXTS))
+def test_every_dialect_goes_the_quick_way(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise AssertionError("the careful way was taken")
+
+    found = read_machine_bytes(TEXTS[name].write(TEST), "x", Choices(units=dict(TEXTS[name].units)))
+    assert len(found.travel) == 400
+    original = room._careful
+    monkeypatch.setattr(
+        room,
+        "_careful",
+        lambda lines, sign, offset=0: (
+            refuse() if len(lines) > 160 else original(lines, sign, offset)
+        ),
+    )
+    again = read_machine_bytes(TEXTS[name].write(TEST), "x", Choices(units=dict(TEXTS[name].units)))
+    np.testing.assert_array_equal(again.force, found.force)
