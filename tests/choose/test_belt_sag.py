@@ -9,10 +9,10 @@ import pytest
 from choose.searches import search
 from cli.running import wraparc
 from wraparc import InputError
-from wraparc.choose.belt_sag import GRAVITY, Sag
 from wraparc.choose.file import load_search
 from wraparc.choose.search import Limits
 from wraparc.choose.selection import choose, own_slack
+from wraparc.drive import GRAVITY, Sag
 from wraparc.present.choose_sheet import choose_sheet
 from wraparc.present.choose_words import reason, saving_words
 

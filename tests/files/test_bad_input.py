@@ -73,7 +73,8 @@ def between(low: str, high: str) -> str:
             'speed = "3 m/s"',
             'colour = "black"',
             'belt.colour = "black": unknown key. The keys here are preset, name, kind, width, '
-            "modulus, rating, speed, least_pulley_diameter, provenance, sources.",
+            "modulus, rating, speed, momentary_factor, "
+            "least_pulley_diameter, largest_wrap_pressure, provenance, sources.",
         ),
         ('name = "head"', "", 'pulley[1].name: missing. Write name = "head".'),
         # dimensions

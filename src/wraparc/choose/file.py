@@ -5,13 +5,13 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
 from wraparc import catalogue
-from wraparc.choose.belt_sag import CUSTOMARY, Sag
 from wraparc.choose.cost import BeltPrice, Costing, Price, catalogue_price
 from wraparc.choose.keys import CHOOSE
 from wraparc.choose.search import Limits, Search
-from wraparc.drive import Belt, Cost, Drive, Lagging
+from wraparc.drive import Belt, Cost, Drive, Lagging, Sag
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import InputError, shown
+from wraparc.files.drive_build import SAG_KEYS
 from wraparc.files.drive_file import load_drive
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
@@ -198,8 +198,7 @@ def _limits(record: Any, drive: Drive, report: Report) -> Limits:
 def _sag(record: Any) -> Sag | None:
     if not isinstance(record, Record) or not record.sound():
         return None
-    share = record.get("share", CUSTOMARY)
-    return Sag(spacing=record["idler_spacing"], line_mass=record["line_mass"], share=share)
+    return Sag(**{SAG_KEYS.get(key, key): value for key, value in record.items()})
 
 
 def _known_cases(names: Any, drive: Drive, place: Place, report: Report) -> None:

@@ -1,8 +1,8 @@
 """The keys of a choose file."""
 
 from wraparc.catalogue import design_friction, lagging_costs
-from wraparc.choose.belt_sag import Sag
 from wraparc.drive import Limit, Pulley, Tensions
+from wraparc.files.drive_keys import SAG
 from wraparc.schema.kinds import ByName, Choice, Flag, Name, Quantity, Rows, Text, WordOr
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE, limited
 from wraparc.schema.tables import Entry, Table
@@ -28,29 +28,6 @@ CANDIDATES = Table(
         ),
     ),
     "Candidates",
-)
-
-SAG = Table(
-    (
-        Entry(
-            "idler_spacing",
-            limited(Sag.LIMITS, "spacing"),
-            "Idler spacing",
-            "Of the strand behind the pulley.",
-            required=True,
-            example='idler_spacing = "3 m"',
-        ),
-        Entry(
-            "line_mass",
-            limited(Sag.LIMITS, "line_mass"),
-            "Mass per length",
-            "Of the belt, with its load on a carrying strand.",
-            required=True,
-            example='line_mass = "22 kg/m"',
-        ),
-        Entry("share", limited(Sag.LIMITS, "share"), "Sag over spacing", "2 % if left out."),
-    ),
-    "Belt sag",
 )
 
 LIMITS = Table(

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch.arc_columns import ArcColumns
-from wraparc.choose.belt_sag import Sag
 from wraparc.choose.cost import Costing, price_problems
-from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley
+from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import InputError, Problem
 

@@ -2,6 +2,19 @@
 
 from wraparc.drive.belt import Belt
 from wraparc.drive.compression import SHAPES, Block, compression_modulus
+from wraparc.drive.criteria import (
+    CASE_KINDS,
+    CONDITIONS,
+    GRAVITY,
+    STANDARDS,
+    TAKE_UPS,
+    CaseKind,
+    Criteria,
+    DesignStandard,
+    SafetyFactors,
+    Sag,
+    TakeUp,
+)
 from wraparc.drive.drive import CREEP_LIMIT, MOST_PULLEYS, Drive, repeated
 from wraparc.drive.lagging import SURFACES, Cost, Fit, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
@@ -10,20 +23,31 @@ from wraparc.drive.remarks import design_remarks
 from wraparc.schema.limits import Limit
 
 __all__ = [
+    "CASE_KINDS",
+    "CONDITIONS",
     "CREEP_LIMIT",
     "DESIGN",
+    "GRAVITY",
     "MOST_PULLEYS",
     "SHAPES",
+    "STANDARDS",
     "SURFACES",
+    "TAKE_UPS",
     "Belt",
     "Block",
+    "CaseKind",
     "Cost",
+    "Criteria",
+    "DesignStandard",
     "Drive",
     "Fit",
     "Lagging",
     "Limit",
     "LoadCase",
     "Pulley",
+    "SafetyFactors",
+    "Sag",
+    "TakeUp",
     "Tensions",
     "compression_modulus",
     "design_remarks",

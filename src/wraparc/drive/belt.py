@@ -26,8 +26,13 @@ class Belt:
         Belt speed [m/s], or None; power and wear need it.
     kind
         Carcass, for example ``fabric`` or ``steel cord``.
+    momentary_factor
+        Tension allowed while starting and braking over the rating [-], or None where the maker
+        does not say: then 1.
     least_pulley_diameter
         Smallest drive pulley at 75-100 % of the rating [m], or None.
+    largest_wrap_pressure
+        Largest pressure between belt and pulley face, 2 T/(B D) [Pa], or None.
     provenance
         Where the numbers came from.
     sources
@@ -44,7 +49,9 @@ class Belt:
         "modulus": Limit("force_per_width", least=1.0, rigid=True),
         "rating": Limit("force_per_width", open=True),
         "speed": Limit("speed", open=True),
+        "momentary_factor": Limit("number", least=1.0, most=10.0),
         "least_pulley_diameter": Limit("length", open=True),
+        "largest_wrap_pressure": Limit("pressure", open=True),
     }
 
     name: str
@@ -53,7 +60,9 @@ class Belt:
     rating: float | None = None
     speed: float | None = None
     kind: str = ""
+    momentary_factor: float | None = None
     least_pulley_diameter: float | None = None
+    largest_wrap_pressure: float | None = None
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
 

@@ -2,10 +2,11 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from wraparc.drive.belt import Belt
+from wraparc.drive.criteria import Criteria
 from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import Problem, shown
@@ -33,6 +34,8 @@ class Drive(Viewable):
         The load cases, each with the tensions of every pulley.
     creep_limit
         Largest creep accepted at the exit of a pulley [m].
+    criteria
+        Take-up, design standard, safety factors and sag that it is held against.
     description
         Anything worth saying about it.
 
@@ -49,6 +52,7 @@ class Drive(Viewable):
     pulleys: tuple[Pulley, ...]
     load_cases: tuple[LoadCase, ...]
     creep_limit: float = CREEP_LIMIT
+    criteria: Criteria = field(default_factory=Criteria)
     description: str = ""
 
     def __post_init__(self) -> None:

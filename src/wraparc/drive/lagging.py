@@ -150,6 +150,10 @@ class Lagging(Viewable):
         Young's modulus E of the rubber [Pa], or None.
     wear_coefficient
         Worn volume per frictional energy [m3/J], or None.
+    bond_strength
+        Shear stress that the lagging and its bond may bear steadily [Pa], or None.
+    fatigue_limit
+        Shear stress that they may bear at every pass of the belt [Pa], or None.
     cost
         Prices and life, or None.
     fit
@@ -175,6 +179,8 @@ class Lagging(Viewable):
         "compression_modulus": Limit("pressure", least=1.0, rigid=True),
         "elastic_modulus": Limit("pressure", least=1.0),
         "wear_coefficient": Limit("wear_coefficient"),
+        "bond_strength": Limit("pressure", open=True),
+        "fatigue_limit": Limit("pressure", open=True),
     }
 
     name: str
@@ -187,6 +193,8 @@ class Lagging(Viewable):
     surface: str = ""
     elastic_modulus: float | None = None
     wear_coefficient: float | None = None
+    bond_strength: float | None = None
+    fatigue_limit: float | None = None
     cost: Cost | None = None
     fit: Fit | None = None
     provenance: Provenance = field(default_factory=Provenance)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from wraparc.drive.criteria import CASE_KINDS, CaseKind, choice_problems
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
 #: Name of the load case made by the tensions of the pulleys themselves.
@@ -58,10 +59,15 @@ class LoadCase:
         Name of the state.
     tensions
         Tensions by name of the pulley.
+    kind
+        ``running``, ``starting`` or ``braking`` (stopping): what safety factors and the belt
+        allow. A conveyor that is held back all the time is running.
     """
 
     name: str
     tensions: Mapping[str, Tensions] = field(hash=False)
+    kind: CaseKind = "running"
 
     def __post_init__(self) -> None:
-        raise_all(name_problems("name", self.name))
+        problems = choice_problems(self, {"kind": CASE_KINDS})
+        raise_all(name_problems("name", self.name) + problems)

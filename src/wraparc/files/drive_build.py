@@ -3,7 +3,16 @@
 from typing import Any
 
 from wraparc import catalogue
-from wraparc.drive import Belt, Lagging, Pulley
+from wraparc.drive import (
+    Belt,
+    Criteria,
+    DesignStandard,
+    Lagging,
+    Pulley,
+    SafetyFactors,
+    Sag,
+    TakeUp,
+)
 from wraparc.errors import InputError, Problem
 from wraparc.files.drive_keys import BELT, PULLEY
 from wraparc.files.lagging_build import build_laggings
@@ -14,9 +23,14 @@ from wraparc.schema.origins import own_provenance, read_sources
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
 
-_BELT_KEYS = ("name", "kind", "width", "modulus", "rating", "speed", "least_pulley_diameter")
+_BELT_KEYS = (
+    "name", "kind", "width", "modulus", "rating", "speed", "momentary_factor",
+    "least_pulley_diameter", "largest_wrap_pressure",
+)  # fmt: skip
 _PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter")
 _PULLEY_KEYS = ("name", "diameter", "wrap_angle", "overrun", "recovery", "creep_limit")
+# Keys of a sag table by what they are called in the code.
+SAG_KEYS = {"idler_spacing": "spacing"}
 # Keys of a lagging that hold numbers.
 _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
     "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
@@ -172,3 +186,24 @@ def build_pulley(record: Record, laggings: Laggings, report: Report) -> Pulley |
     except InputError as error:
         report.take(error, record.place, record.raw)
         return None
+
+
+_PARTS: dict[str, tuple[str, type]] = {
+    "take_up": ("take_up", TakeUp),
+    "design_standard": ("standard", DesignStandard),
+    "safety_factor": ("safety", SafetyFactors),
+    "sag": ("sag", Sag),
+}
+
+
+def build_criteria(record: Record, report: Report) -> Criteria:
+    """Return what a drive is held against; what is wrong is reported."""
+    parts: dict[str, Any] = {}
+    for key, (name, make) in _PARTS.items():
+        table = record.get(key)
+        if isinstance(table, Record) and table.sound():
+            try:
+                parts[name] = make(**{SAG_KEYS.get(k, k): value for k, value in table.items()})
+            except InputError as error:
+                report.take(error, table.place, table.raw)
+    return Criteria(**parts)

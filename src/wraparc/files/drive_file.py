@@ -5,7 +5,7 @@ from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
 from wraparc.errors import InputError, shown
-from wraparc.files.drive_build import Laggings, build_belt, build_pulley
+from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.tensions import KEYS, Given, complete, resolve
 from wraparc.schema.kinds import nearest
@@ -95,6 +95,7 @@ def drive_from_document(
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
     pulleys = [build_pulley(item, laggings, report) for item in records]
     cases = _load_cases(record, records, report)
+    criteria = build_criteria(record, report)
     report.raise_all()
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     try:
@@ -103,6 +104,7 @@ def drive_from_document(
             belt=cast(Belt, belt),
             pulleys=tuple(cast(Pulley, pulley) for pulley in pulleys),
             load_cases=cases,
+            criteria=criteria,
             **parts,
         )
     except InputError as error:
@@ -133,7 +135,8 @@ def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[
         whole = sure and case.sound()
         tensions = resolve(given, speed, report, sure=whole)
         if "name" in case:
-            built.append(LoadCase(name=case["name"], tensions=tensions))
+            kind = case.get("kind", "running")
+            built.append(LoadCase(name=case["name"], tensions=tensions, kind=kind))
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())
     return tuple(built)

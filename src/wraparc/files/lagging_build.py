@@ -12,7 +12,10 @@ from wraparc.schema.problems import Report
 from wraparc.schema.tables import Record
 
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
-_SAME = ("name", "title", "description", "surface", "elastic_modulus", "wear_coefficient")
+_SAME = (
+    "name", "title", "description", "surface", "elastic_modulus", "wear_coefficient",
+    "bond_strength", "fatigue_limit",
+)  # fmt: skip
 _MEASURED = ("thickness", "shear_modulus", "compression_modulus")
 _ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")
 

@@ -150,6 +150,12 @@ def _law(kind: str, *entries: Entry, tested: bool = True) -> Table:
                 "Lowest and highest; not for knots and pieces, whose ends they are.",
             ),
             Entry("tested_slip", _SLIP, "Tested slip", "Largest slip of the tests."),
+            Entry(
+                "tested_slip_speed",
+                Quantity("speed", Limit("speed", open=True)),
+                "Tested slip speed",
+                "Speed of slip in the tests.",
+            ),
         ]
     return Table((*common, *entries), kind)
 
@@ -215,6 +221,18 @@ _LAGGING = (
     known("compression_modulus", _rigid_or("compression_modulus")),
     Entry("block", BLOCK, "Blocks", "Shape of the blocks, to estimate the compression modulus."),
     known("wear_coefficient", limited(Lagging.LIMITS, "wear_coefficient")),
+    Entry(
+        "bond_strength",
+        limited(Lagging.LIMITS, "bond_strength"),
+        "Bond strength",
+        "Shear stress that the lagging and its bond may bear steadily.",
+    ),
+    Entry(
+        "fatigue_limit",
+        limited(Lagging.LIMITS, "fatigue_limit"),
+        "Fatigue limit",
+        "Shear stress that they may bear at every pass of the belt.",
+    ),
     Entry("cost", COST, "Cost", "What it costs on one pulley."),
     Entry("law", OneOrMore(LAW), "Friction laws", "One for each condition."),
     *ORIGINS,

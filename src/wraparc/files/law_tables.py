@@ -57,7 +57,10 @@ def _tested(law: FrictionLaw, own_pressures: bool = False) -> Tables:
         return {}
     ends = (law.tested.pressure_min, law.tested.pressure_max)
     pressures = {} if own_pressures else {"tested_pressure": _quantities(ends, "pressure")}
-    return pressures | {"tested_slip": quantity_text(law.tested.slip_max, "length")}
+    table = pressures | {"tested_slip": quantity_text(law.tested.slip_max, "length")}
+    if law.tested.slip_speed is not None:
+        table["tested_slip_speed"] = quantity_text(law.tested.slip_speed, "speed")
+    return table
 
 
 def _quantities(values: Sequence[float], dimension: Any) -> list[str]:

@@ -91,6 +91,7 @@ def _problem(key: str, message: str, remedy: str = "", value: str = "") -> Input
 def _tested(record: Record, ends: tuple[float, float] | None = None) -> TestedRange | None:
     """Return the tested range; its pressures are `ends` where the law has its own."""
     pressures, slip = record.get("tested_pressure"), record.get("tested_slip")
+    speed = record.get("tested_slip_speed")
     if ends is not None:
         if pressures is not None:
             raise _problem(
@@ -100,16 +101,18 @@ def _tested(record: Record, ends: tuple[float, float] | None = None) -> TestedRa
                 shown(record.raw["tested_pressure"]),
             )
         pressures = list(ends)
-        if slip is None:
-            return None
-    if pressures is None and slip is None:
+    if slip is None and speed is not None:
+        raise _problem("tested_slip", "missing, where tested_slip_speed is given", "Give both.")
+    if slip is None and (pressures is None or ends is not None):
         return None
     if pressures is None or slip is None:
         missing, there = "tested_pressure", "tested_slip"
         if slip is None:
             missing, there = there, missing
         raise _problem(missing, f"missing, where {there} is given", "Give both or none.")
-    return TestedRange(pressure_min=pressures[0], pressure_max=pressures[1], slip_max=slip)
+    return TestedRange(
+        pressure_min=pressures[0], pressure_max=pressures[1], slip_max=slip, slip_speed=speed
+    )
 
 
 def _integral_log(record: Record) -> IntegralLog:

@@ -2,14 +2,26 @@
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from itertools import takewhile
 from typing import Any
 
 from wraparc import catalogue
-from wraparc.drive import DESIGN, Belt, Drive, Lagging, Limit, LoadCase, Pulley
+from wraparc.drive import (
+    DESIGN,
+    Belt,
+    Criteria,
+    DesignStandard,
+    Drive,
+    Lagging,
+    Limit,
+    LoadCase,
+    Pulley,
+    SafetyFactors,
+    TakeUp,
+)
 from wraparc.errors import InputError, Problem
-from wraparc.files.drive_build import Laggings, build_belt
+from wraparc.files.drive_build import SAG_KEYS, Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import BELT, DRIVE
 from wraparc.files.lagging_file import load_lagging_conditions
@@ -138,15 +150,42 @@ def _drive_table(drive: Drive) -> Document:
     document: Document = {"format": FORMAT}
     document |= {key: text for key in ("title", "description") if (text := getattr(drive, key))}
     document["creep_limit"] = quantity_text(drive.creep_limit, "length")
+    document |= _criteria_tables(drive.criteria)
     document["belt"] = _belt_table(drive.belt)
     document["pulley"] = [_pulley_table(pulley, design) for pulley in drive.pulleys]
     cases = [case for case in drive.load_cases if case.name != DESIGN]
     if cases:
         document["load_case"] = [
-            {"name": c.name, "pulley": {name: _tensions(t) for name, t in c.tensions.items()}}
+            {
+                "name": c.name,
+                **({} if c.kind == "running" else {"kind": c.kind}),
+                "pulley": {name: _tensions(t) for name, t in c.tensions.items()},
+            }
             for c in cases
         ]
     return document
+
+
+def _criteria_tables(criteria: Criteria) -> Tables:
+    """Return the tables of what a drive is held against, without what is as if left out."""
+    parts = (
+        ("take_up", criteria.take_up, TakeUp()),
+        ("design_standard", criteria.standard, DesignStandard()),
+        ("safety_factor", criteria.safety, SafetyFactors()),
+        ("sag", criteria.sag, None),
+    )
+    keys = {name: key for key, name in SAG_KEYS.items()}
+    tables: Tables = {}
+    for title, part, usual in parts:
+        if part is None or part == usual:
+            continue
+        values = {f.name: getattr(part, f.name) for f in fields(part)}
+        values = {k: v for k, v in values.items() if usual is None or v != getattr(usual, k)}
+        tables[title] = {
+            keys.get(k, k): quantity_text(v, part.LIMITS[k].dimension) if k in part.LIMITS else v
+            for k, v in values.items()
+        }
+    return tables
 
 
 def _belt_table(belt: Belt) -> Tables:

@@ -24,6 +24,8 @@ class TestedRange:
         Lowest and highest tested wrap pressure [Pa].
     slip_max
         Largest tested slip [m].
+    slip_speed
+        Speed of slip in the tests [m/s], or None where it is not said.
     """
 
     __test__ = False  # not a test class, whatever its name suggests to a test collector
@@ -31,6 +33,7 @@ class TestedRange:
     pressure_min: float
     pressure_max: float
     slip_max: float
+    slip_speed: float | None = None
 
     def __post_init__(self) -> None:
         check(
@@ -45,6 +48,12 @@ class TestedRange:
                 "slip_max",
                 f"{self.slip_max:g} m",
                 "the largest tested slip must be positive and finite",
+            ),
+            (
+                self.slip_speed is None or 0.0 < self.slip_speed < np.inf,
+                "slip_speed",
+                f"{self.slip_speed} m/s",
+                "the speed of slip in the tests must be positive and finite",
             ),
         )
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from wraparc.choose.belt_rating import LighterBelt
-from wraparc.choose.belt_sag import SOURCE as SAG_SOURCE
 from wraparc.choose.selection import Selection
+from wraparc.drive import Sag
 from wraparc.present.choose_words import (
     design_name,
     money,
@@ -199,7 +199,7 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
 def _sources(selection: Selection) -> Iterator[str]:
     search = selection.search
     if search.limits.sag is not None:
-        yield SAG_SOURCE
+        yield Sag.SOURCE
     for lagging in search.laggings:
         yield f"{lagging.name}, friction: {lagging.source_of('law')}"
         price = search.costing.laggings[lagging.name]

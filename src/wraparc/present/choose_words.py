@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterator
 
-from wraparc.choose.belt_sag import GRAVITY
 from wraparc.choose.selection import Selection, own_slack
+from wraparc.drive import GRAVITY
 from wraparc.present.sheet import named, percent, quantity
 from wraparc.units import Dimension, System
 

@@ -8,7 +8,7 @@ from typing import Any, cast
 
 from wraparc.drive import DESIGN, Belt, Drive, Pulley
 from wraparc.errors import InputError, Problem, shown
-from wraparc.files.drive_build import Laggings, build_belt, build_pulley
+from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.tensions import KEYS, Given, complete, resolve
 from wraparc.schema.kinds import nearest
@@ -89,6 +89,7 @@ def train_from_document(
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
     pulleys = [build_pulley(item, laggings, report) for item in records]
     _refuse_pulley_tensions(record, records, report)
+    criteria = build_criteria(record, report)
     report.raise_all()
     # nothing was reported, so nothing is None
     reader = _Reader(record, cast(Belt, belt), [cast(Pulley, p) for p in pulleys], report)
@@ -100,6 +101,7 @@ def train_from_document(
             belt=reader.belt,
             pulleys=reader.actual,
             cases=tuple(cases),
+            criteria=criteria,
             nominal_diameters=reader.nominal if reader.actual != tuple(reader.pulleys) else (),
             **parts,
         )
@@ -171,7 +173,8 @@ class _Reader:
         for table in tables:
             over = table.get("train")
             empty = Record({}, (*table.place, "train"), {})
-            built.append(self._case(table["name"], train, over if over is not None else empty))
+            case = self._case(table["name"], train, over if over is not None else empty)
+            built.append(case and replace(case, kind=table.get("kind", "running")))
         return [case for case in built if case is not None]
 
     def _case(self, name: str, train: Record, over: Record | None) -> TrainCase | None:

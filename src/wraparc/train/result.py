@@ -255,9 +255,11 @@ class TrainResult(Viewable):
             belt=self.train.belt,
             pulleys=self.train.pulleys,
             creep_limit=self.train.creep_limit,
+            criteria=self.train.criteria,
             load_cases=tuple(
                 LoadCase(
                     name=result.case.name,
+                    kind=result.case.kind,
                     tensions={
                         m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
                         for m in result.members

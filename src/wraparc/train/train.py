@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import ClassVar
 
@@ -13,6 +13,8 @@ from wraparc.drive import (
     CREEP_LIMIT,
     MOST_PULLEYS,
     Belt,
+    CaseKind,
+    Criteria,
     Drive,
     Limit,
     LoadCase,
@@ -104,6 +106,8 @@ class TrainCase:
     runs
         Rise of tension over the run from each pulley to the next, negative where it falls [N]; 0
         where drives stand together. Empty for none.
+    kind
+        ``running``, ``starting`` or ``braking``, as in `LoadCase`.
     """
 
     LIMITS: ClassVar[dict[str, Limit]] = {
@@ -116,6 +120,7 @@ class TrainCase:
     exit_tension: float
     division: Division
     runs: tuple[float, ...] = ()
+    kind: CaseKind = "running"
 
     def __post_init__(self) -> None:
         raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
@@ -149,6 +154,8 @@ class Train:
         those of the pulleys. They differ where a lagging has worn.
     creep_limit
         Largest creep accepted at the exit of a pulley [m].
+    criteria
+        What the train is held against, as in `Drive`; its take-up is behind the last pulley.
 
     Raises
     ------
@@ -165,6 +172,7 @@ class Train:
     cases: tuple[TrainCase, ...]
     nominal_diameters: tuple[float, ...] = ()
     creep_limit: float = CREEP_LIMIT
+    criteria: Criteria = field(default_factory=Criteria)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)
@@ -201,6 +209,7 @@ class Train:
             pulleys=drive.pulleys,
             cases=tuple(_case_of(drive, case) for case in drive.load_cases),
             creep_limit=drive.creep_limit,
+            criteria=drive.criteria,
         )
 
     @property
@@ -235,6 +244,7 @@ def _case_of(drive: Drive, case: LoadCase) -> TrainCase:
         exit_tension=pairs[-1].exit,
         division=Pulls(tuple(pair.effective for pair in pairs)),
         runs=runs if any(runs) else (),
+        kind=case.kind,
     )
 
 
