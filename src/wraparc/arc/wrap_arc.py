@@ -186,6 +186,12 @@ class WrapArc:
         return self.entry_tension - self.exit_tension
 
     @property
+    def duty(self) -> str:
+        """What the pulley does to the belt: ``driving``, ``braking`` or ``idling``."""
+        pull = self.effective_tension
+        return "driving" if pull > 0.0 else "braking" if pull < 0.0 else "idling"
+
+    @property
     def side(self) -> float:
         """+1 on a driving or idling pulley, -1 on a braking one."""
         return 1.0 if self.entry_tension >= self.exit_tension else -1.0

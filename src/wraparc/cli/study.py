@@ -208,10 +208,10 @@ def _tell(
         kind = os.path.splitext(plot_file)[1].lower().lstrip(".")
         texts[plot_file] = pictures[0].to_bytes(kind)
     if report_file:
-        from wraparc.present.study_html import study_html
+        from wraparc.present.study_sheet import study_page
 
         drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
-        texts[report_file] = study_html(sheet, drawn, summary)
+        texts[report_file] = study_page(sheet, drawn, summary)
     if STANDARD_OUTPUT in texts:
         click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
     for name, text in texts.items():

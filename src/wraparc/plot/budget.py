@@ -20,8 +20,13 @@ _PARTS = (
 _NAMES = {"distributed": "distributed", "paper": "paper's march"}
 
 
-def draw_budget(ax: "Axes", results: Sequence[ArcResult], system: System) -> None:
-    """Draw the creep at the exit by source, a bar for each method, beside the limit."""
+def draw_budget(ax: "Axes", results: Sequence[ArcResult], system: System, columns: int = 2) -> None:
+    """Draw the creep at the exit by source, a bar for each method, beside the limit.
+
+    The legend, in `columns`, stands below the axes.
+    """
+    from matplotlib.transforms import ScaledTranslation
+
     unit, size = display_unit("length", system)
     for place, result in enumerate(results):
         above = below = 0.0
@@ -47,7 +52,9 @@ def draw_budget(ax: "Axes", results: Sequence[ArcResult], system: System) -> Non
     ax.tick_params(axis="y", length=0)
     ax.set_xlabel(f"{GLOSSARY['exit_creep'].title} [{unit}]")
     ax.set_title("Creep by source")
-    ax.legend(loc="upper left", bbox_to_anchor=(-0.02, -1.35 / len(results)), ncols=2)
+    # a fixed distance below the label of the axis, however high the axes are
+    under = ax.transAxes + ScaledTranslation(0.0, -0.42, ax.figure.dpi_scale_trans)
+    ax.legend(loc="upper left", bbox_to_anchor=(-0.02, 0.0), bbox_transform=under, ncols=columns)
 
 
 def _label(result: ArcResult, name: str, label: str) -> str:

@@ -82,6 +82,39 @@ def plot_arc(
         return Picture(figure)
 
 
+def plot_pulley(result: ArcResult, system: System = "si") -> Picture:
+    """Return the pulley of an arc alone, small enough to stand beside another in print."""
+    with styled():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(4.1, 3.6))
+        draw_pulley(figure.add_axes((0.04, 0.17, 0.92, 0.82)), result, system)
+        return Picture(figure)
+
+
+def plot_budget(results: Sequence[ArcResult], system: System = "si") -> Picture:
+    """Return the creep at the exit by source alone, a bar for each method."""
+    with styled():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(3.7, 3.6))
+        left, height = (0.04, 0.2) if len(results) == 1 else (0.27, 0.32)
+        draw_budget(figure.add_axes((left, 0.9 - height, 0.95 - left, height)), results, system, 1)
+        return Picture(figure)
+
+
+def plot_profiles(results: Sequence[ArcResult], system: System = "si") -> Picture:
+    """Return the four profiles of an arc alone, two by two."""
+    with styled():
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(8.2, 5.4))
+        grid = {"left": 0.07, "right": 0.93, "top": 0.91, "bottom": 0.085, "wspace": 0.42}
+        axes = figure.subplots(2, 2, gridspec_kw={**grid, "hspace": 0.42}).ravel().tolist()
+        draw_profiles(axes, results, system)
+        return Picture(figure)
+
+
 def _title(result: ArcResult, title: str) -> str:
     arc = result.arc
     place = f"pulley {arc.pulley}, load case {arc.load_case}" if arc.pulley else ""

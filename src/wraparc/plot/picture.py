@@ -5,6 +5,7 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from wraparc.errors import InputError, MissingExtraError
@@ -20,7 +21,7 @@ _DPI = 150
 # which also the colour-blind tell apart, and differ in lightness when printed grey.
 BLUE, ORANGE, GREEN, RED, GREY = "#0072b2", "#d55e00", "#009e73", "#a50f15", "#666666"
 _STYLE: dict[str, Any] = {
-    "font.family": "DejaVu Sans",
+    "font.family": ["DejaVu Sans", "sans-serif"],
     "font.size": 9.0,
     "axes.titlesize": 10.0,
     "axes.titleweight": "bold",
@@ -39,6 +40,7 @@ _STYLE: dict[str, Any] = {
     "legend.handlelength": 2.6,
     "hatch.linewidth": 0.5,
     "figure.facecolor": "white",
+    "svg.fonttype": "none",  # letters stay letters: searched, copied, read aloud
     "svg.hashsalt": "wraparc",
     "pdf.fonttype": 42,
 }
@@ -50,6 +52,21 @@ def require_matplotlib() -> None:
         import matplotlib.figure  # noqa: F401
     except ImportError as error:
         raise MissingExtraError("matplotlib", "plot") from error
+
+
+def picture_fonts() -> tuple[Path, ...]:
+    """Return the files of the faces that the letters of a picture are drawn in.
+
+    Raises
+    ------
+    MissingExtraError
+        Without matplotlib.
+    """
+    require_matplotlib()
+    from matplotlib import get_data_path
+
+    folder = Path(get_data_path()) / "fonts" / "ttf"
+    return tuple(folder / f"DejaVuSans{face}.ttf" for face in ("", "-Bold"))
 
 
 @contextmanager

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+_OTHER_NAME = "paper's march"
 #: How a second method is drawn over the first.
 _OTHER: dict[str, Any] = {"color": "black", "linewidth": 1.0}
 
@@ -43,13 +44,31 @@ def draw_profiles(axes: Sequence["Axes"], results: Sequence[ArcResult], system: 
         _mark_zones(ax, first, named=i == 0)
         ax.set_xlim(0.0, end)
         ax.set_xticks(_angle_ticks(end))
-        ax.tick_params(labelbottom=i == len(axes) - 1)
-        if ax.get_legend_handles_labels()[0]:  # on the line of the title, out of the curves' way
-            ax.legend(
-                loc="lower right", bbox_to_anchor=(1.01, 0.97), ncols=5, columnspacing=1.2,
-                handletextpad=0.5, borderpad=0.2,
-            )  # fmt: skip
-    axes[-1].set_xlabel("Wrap angle from the entry nip [deg]")
+        spec = ax.get_subplotspec()
+        last = spec is None or spec.is_last_row()
+        ax.tick_params(labelbottom=last)
+        if last:
+            ax.set_xlabel("Wrap angle from the entry nip [deg]")
+        _name_lines(ax, first=i == 0, beside_title=spec is None or spec.get_gridspec().ncols == 1)
+
+
+def _name_lines(ax: "Axes", *, first: bool, beside_title: bool) -> None:
+    """Put the legend out of the curves' way: on the line of the title, or below the title.
+
+    The second method is named in the first axes alone.
+    """
+    handles, labels = ax.get_legend_handles_labels()
+    named = [k for k, label in enumerate(labels) if first or label != _OTHER_NAME]
+    if not named:
+        return
+    style: dict[str, Any] = {"columnspacing": 1.2, "handletextpad": 0.5, "borderpad": 0.2}
+    style |= {"handles": [handles[k] for k in named], "ncols": 5}
+    if beside_title:
+        ax.legend(loc="lower right", bbox_to_anchor=(1.01, 0.97), **style)
+    else:
+        ax.set_title(ax.get_title(loc="left"), pad=17.0)
+        style |= {"handlelength": 1.9, "columnspacing": 1.0}
+        ax.legend(loc="lower left", bbox_to_anchor=(-0.02, 0.97), **style)
 
 
 def column(result: ArcResult, name: str, system: System) -> Array:
@@ -76,7 +95,7 @@ def _angle_ticks(end: float) -> list[float]:
 
 def _draw_tension(ax: "Axes", results: Sequence[ArcResult], system: System) -> None:
     for i, result in enumerate(results):
-        style = _OTHER | {"label": "paper's march"} if i else {"color": BLUE}
+        style = _OTHER | {"label": _OTHER_NAME} if i else {"color": BLUE}
         ax.plot(angles(result), column(result, "tension", system), **style)
     ax.set_ylim(bottom=0.0)
     ax.set_ylabel(heading("tension", system))
@@ -103,7 +122,7 @@ def _draw_friction(ax: "Axes", results: Sequence[ArcResult], system: System) -> 
         at = angles(result)
         available, used = (np.abs(column(result, n, system)) for n in ("friction", "friction_used"))
         if i:
-            ax.plot(at, used, label="paper's march", **_OTHER)
+            ax.plot(at, used, label=_OTHER_NAME, **_OTHER)
             continue
         most = most_friction(result)
         if most is not None:
@@ -135,7 +154,7 @@ def _draw_creep(ax: "Axes", results: Sequence[ArcResult], system: System) -> Non
         at = angles(result)
         creep, slip = (column(result, n, system) for n in ("creep", "slip"))
         if i:
-            ax.plot(at, creep, label="paper's march", **_OTHER)
+            ax.plot(at, creep, label=_OTHER_NAME, **_OTHER)
             continue
         ax.plot(at, creep, color=BLUE, label="creep")
         ax.plot(at, slip, color=ORANGE, linestyle=(0, (4, 2)), label="slip")
@@ -152,7 +171,7 @@ def _draw_creep(ax: "Axes", results: Sequence[ArcResult], system: System) -> Non
 
 def _draw_shear(ax: "Axes", results: Sequence[ArcResult], system: System) -> None:
     for i, result in enumerate(results):
-        style = _OTHER | {"label": "paper's march"} if i else {"color": BLUE}
+        style = _OTHER | {"label": _OTHER_NAME} if i else {"color": BLUE}
         ax.plot(angles(result), column(result, "shear_stress", system), **style)
     first = results[0]
     at, sign = math.degrees(first.peak_shear_position), first.arc.side

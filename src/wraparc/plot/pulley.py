@@ -104,7 +104,7 @@ def _draw_lagging(ax: "Axes", result: ArcResult, system: System, quantity: str) 
     colours = LinearSegmentedColormap.from_list("warm", list(shades))
     drawn = PolyCollection(list(cells), array=middle, cmap=colours, edgecolors="face")
     drawn.set_clim(0.0, max(float(values.max()), 1e-12))
-    drawn.set_linewidth(0.3)
+    drawn.set_linewidth(0.7)
     ax.add_collection(drawn)
     figure = ax.get_figure()
     if figure is not None:
@@ -165,16 +165,18 @@ def _draw_tension(ax: "Axes", result: ArcResult, system: System, *, entry: bool)
     symbol = GLOSSARY["entry_tension" if entry else "exit_tension"].symbol
     text = f"{symbol} = {display(tension, 'force', system, digits=3)}"
     turn = (math.degrees(math.atan2(out[1], out[0])) + 90.0) % 180.0 - 90.0
-    x, y = start + 0.55 * out + 0.11 * aside
-    ax.text(
-        x, y, text, ha="center", va="center", rotation=turn,
+    x, y = start + 0.55 * out
+    # in points from the arrow, so that the words stay clear of it in a small picture
+    ax.annotate(
+        text, (float(x), float(y)), (10.0 * float(aside[0]), 10.0 * float(aside[1])),
+        textcoords="offset points", ha="center", va="center", rotation=turn,
         rotation_mode="anchor", fontsize=10, weight="bold",
     )  # fmt: skip
     # a mark on the inner side of the strand tells which way the belt runs
     way = -out if entry else out
     middle = 0.5 * (nip + far) - 0.12 * aside
     _arrow(ax, middle - 0.09 * way, middle + 0.09 * way, 1.0)
-    ax.update_datalim([start + 0.2 * aside, tip])
+    ax.update_datalim([start + 0.24 * aside, tip])
 
 
 def _arrow(ax: "Axes", start: Array, tip: Array, width: float) -> None:
@@ -211,6 +213,4 @@ def _draw_rotation(ax: "Axes", result: ArcResult) -> None:
     tip = radius * np.array([math.cos(end), math.sin(end)])
     way = np.array([math.sin(end), -math.cos(end)])
     _arrow(ax, tip - 0.01 * way, tip + 0.09 * way, 1.2)
-    pull = result.arc.effective_tension
-    duty = "driving" if pull > 0.0 else "braking" if pull < 0.0 else "idling"
-    ax.text(0.0, -0.2, duty, ha="center", va="center", fontsize=8.5)
+    ax.text(0.06, -0.22, result.arc.duty, ha="right", va="center", fontsize=8.5)

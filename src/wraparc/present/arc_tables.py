@@ -98,14 +98,15 @@ def creep_table(results: Results, system: System) -> Table:
         ("creep_compression", "the lagging is squeezed at the entry and recovers"),
         ("creep_global", "the uniform rest that makes the friction add up"),
     ):
-        texts = _values(results, lambda r, name=name: _part(r, name, system))  # type: ignore[misc]
+        texts = _values(results, lambda r, name=name: creep_part(r, name, system))  # type: ignore[misc]
         row = row_of(name, 0.0)
         rows.append(Row(row.title, texts, row.symbol, note, name))
     rows.append(row_of("exit_creep", *(r.exit_creep for r in results), system=system))
     return Table("Creep by source", tuple(rows), heads(results))
 
 
-def _part(result: ArcResult, name: str, system: System) -> str:
+def creep_part(result: ArcResult, name: str, system: System) -> str:
+    """Return a part of the creep at the exit with its share of the whole."""
     part = getattr(result, name)
     if result.exit_creep == 0.0:
         return named(name, part, system)

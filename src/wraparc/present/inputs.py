@@ -99,11 +99,6 @@ def _tension_rows(
     return (
         row_of("entry_tension", entry, system=system, note=note("entry_tension")),
         row_of("exit_tension", leaving, system=system, note=note("exit_tension")),
-        row_of("effective_tension", arc.effective_tension, system=system, note=_duty(arc)),
+        row_of("effective_tension", arc.effective_tension, system=system, note=arc.duty),
         row_of("tension_ratio", entry / leaving, system=system),
     )
-
-
-def _duty(arc: WrapArc) -> str:
-    pull = arc.effective_tension
-    return "driving" if pull > 0.0 else "braking" if pull < 0.0 else "idling"

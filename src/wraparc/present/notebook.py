@@ -1,7 +1,6 @@
 """Results in a notebook: HTML tables and data frames."""
 
 from functools import singledispatch
-from html import escape
 from typing import Any
 
 from wraparc.arc import ArcResult, DriveResult, Profile
@@ -9,7 +8,8 @@ from wraparc.drive import Drive, Lagging
 from wraparc.errors import MissingExtraError
 from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.present.drive_sheet import arc_sheet, drive_sheet, input_sheet
-from wraparc.present.sheet import Sheet, Table
+from wraparc.present.page import sheet_html
+from wraparc.present.sheet import Sheet
 from wraparc.train.result import TrainResult
 
 
@@ -54,42 +54,6 @@ def _(thing: Profile) -> Sheet:
 def html(thing: Any) -> str:
     """Return a result as a piece of HTML."""
     return sheet_html(sheet_of(thing))
-
-
-def sheet_html(sheet: Sheet) -> str:
-    """Return a sheet as a piece of HTML, without styles of its own."""
-    parts = [f"<h3>{escape(sheet.title)}</h3>"]
-    parts += [f"<p>{escape(sheet.subtitle)}</p>"] if sheet.subtitle else []
-    if sheet.verdict:
-        told = sheet.verdict
-        parts.append(f"<p><strong>{told.level}. {escape(told.headline)}</strong></p>")
-        parts += [f"<p>{escape(' '.join(told.sentences))}</p>"] if told.sentences else []
-    parts += map(_table_html, sheet.tables)
-    parts += [_list_html("ul", sheet.remarks), _list_html("ol", sheet.sources)]
-    return f'<div class="wraparc">{"".join(parts)}</div>'
-
-
-def _table_html(table: Table) -> str:
-    heads = ["", *(["symbol"] if table.has_symbols else []), *table.heads]
-    heads += ["note"] if table.has_notes else []
-    head = "".join(f"<th>{escape(text)}</th>" for text in heads)
-    lines = []
-    for row in table.rows:
-        mark = f"{row.level}: " if row.level else ""
-        cells = [row.symbol] if table.has_symbols else []
-        cells += row.values
-        cells += [mark + row.note] if table.has_notes else []
-        line = "".join(f"<td>{escape(cell)}</td>" for cell in cells)
-        lines.append(f'<tr><th scope="row">{escape(row.title)}</th>{line}</tr>')
-    note = f"<p>{escape(table.note)}</p>" if table.note else ""
-    caption = f"<caption>{escape(table.title)}</caption>"
-    body = f"<thead><tr>{head}</tr></thead><tbody>{''.join(lines)}</tbody>"
-    return f"<table>{caption}{body}</table>{note}"
-
-
-def _list_html(tag: str, sentences: tuple[str, ...]) -> str:
-    items = "".join(f"<li>{escape(sentence)}</li>" for sentence in sentences)
-    return f"<{tag}>{items}</{tag}>" if items else ""
 
 
 @singledispatch

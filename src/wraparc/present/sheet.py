@@ -176,3 +176,8 @@ def percent(share: float, digits: int = 3) -> str:
     if math.isnan(share):
         return NONE
     return f"{display(100.0 * share, 'number', digits=digits)} %"
+
+
+def started(sentence: str) -> str:
+    """Return a sentence with its capital."""
+    return sentence[:1].upper() + sentence[1:]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
 from wraparc.glossary import GLOSSARY
+from wraparc.present.page import sheet_page
 from wraparc.present.sheet import (
     NONE,
     Level,
@@ -318,6 +320,14 @@ def _remarks(summary: Summary) -> Iterator[str]:
         )
     if data["sampling"] == "sobol" and data["samples"] & (data["samples"] - 1):
         yield f"{data['samples']} samples is no power of 2: Sobol points are then less even."
+
+
+def study_page(sheet: Sheet, pictures: Sequence[str], summary: Summary) -> str:
+    """Return a study as one HTML page: its sheet, pictures as SVG, and the input it rests on."""
+    named_ = [(f"Picture {n}: {sheet.title}", svg) for n, svg in enumerate(pictures, start=1)]
+    data = json.dumps(summary.data["input"], indent=1, ensure_ascii=False, default=str)
+    program, print_ = summary.data["program"], summary.data["fingerprint"]
+    return sheet_page(sheet, named_, f"{program}, fingerprint {print_}. Input:\n{data}")
 
 
 def study_document(

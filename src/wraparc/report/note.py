@@ -15,22 +15,22 @@ from wraparc.present.arc_tables import answer_table, belongs, capacity_table, cr
 from wraparc.present.catalogue_sheets import law_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.drive_sheet import method_remarks
-from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent
+from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent, started
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
 from wraparc.report.checks import Check, Outcome, check_table, checks
+from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
 from wraparc.report.equations import Equation, equations
 from wraparc.report.inputs import Input, drive_inputs, input_tables
-from wraparc.report.profile_drawing import profile_drawing
-from wraparc.report.pulley_drawing import budget_drawing, pulley_drawing
-from wraparc.report.svg import Drawing
 from wraparc.units import System, display_unit
+from wraparc.version import __version__
 
 if TYPE_CHECKING:
     from wraparc.train import TrainResult
 
 Paper = Literal["a4", "us-letter"]
 PAPERS: tuple[Paper, ...] = ("a4", "us-letter")
+PROGRAM = f"wraparc {__version__}"
 _LONGEST = 120
 _MOST_PULLEYS_DRAWN = 4
 
@@ -120,6 +120,22 @@ class Note:
     told: Verdict
     summary: str
     sections: tuple[Section, ...]
+
+    @property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """Every picture, in order."""
+        return tuple(drawing for section in self.sections for drawing in section.drawings)
+
+    @property
+    def title_block(self) -> tuple[tuple[str, str], ...]:
+        """What the title block says: name and value, what is empty left out."""
+        head = self.head
+        pairs = (
+            ("Project", head.project), ("Document", head.number), ("Revision", head.revision),
+            ("Prepared by", head.author), ("Date", head.date), ("Drive file", head.file),
+            ("Program", PROGRAM), ("Belt", self.belt),
+        )  # fmt: skip
+        return tuple(pair for pair in pairs if pair[1])
 
 
 def make_note(
@@ -350,7 +366,7 @@ def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
         if arc.status.solved and arc.outside_tested_share > 0.0:
             share = percent(arc.outside_tested_share)
             yield (
-                f"{belongs(arc)[0].upper()}{belongs(arc)[1:]}: on {share} of the wrap pressure or "
+                f"{started(belongs(arc))}: on {share} of the wrap pressure or "
                 "slip lies outside the tested range; the friction is extrapolated there."
             )
     gross = results[0].governing.capacities.gross_slip_capacity

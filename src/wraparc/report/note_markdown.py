@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from wraparc.present.sheet import Table
 from wraparc.report.note import Note, Section
 from wraparc.report.note_pdf import letters
-from wraparc.version import __version__
 
 # What Markdown, or the HTML in it, would take for markup.
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|~$&!])")
@@ -28,18 +27,8 @@ def _lines(note: Note) -> Iterator[str]:
     if note.subtitle:
         yield from ("", plain(note.subtitle))
     yield ""
-    for title, value in (
-        ("Project", head.project),
-        ("Document", head.number),
-        ("Revision", head.revision),
-        ("Prepared by", head.author),
-        ("Date", head.date),
-        ("Drive file", head.file),
-        ("Program", f"wraparc {__version__}"),
-        ("Belt", note.belt),
-    ):
-        if value:
-            yield f"- {title}: {plain(value)}"
+    for title, value in note.title_block:
+        yield f"- {title}: {plain(value)}"
     yield from ("", f"**{told.level}.** {plain(told.headline)}", "")
     yield f"**Checks.** {plain(note.summary)}"
     if told.sentences:

@@ -15,9 +15,8 @@ from wraparc.present.words import short
 from wraparc.provenance import Provenance
 from wraparc.report.checks import Check, checks
 from wraparc.report.inputs import Input
-from wraparc.report.note import Note, NoteHead, make_note, note_inputs
+from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
 from wraparc.units import Dimension, System, display_unit
-from wraparc.version import __version__
 
 if TYPE_CHECKING:
     from wraparc.train import TrainResult
@@ -62,7 +61,7 @@ def _properties(note: Note) -> dict[str, Any]:
         "title": note.title,
         "author": head.author,
         "subject": head.project,
-        "comments": f"wraparc {__version__}",
+        "comments": PROGRAM,
     }
     try:
         return told | {"created": datetime.fromisoformat(head.date).replace(tzinfo=None)}
@@ -115,7 +114,7 @@ class _Workbook:
         if landscape:
             sheet.set_landscape()
         sheet.fit_to_pages(1, 0)
-        sheet.set_footer(f"&Lwraparc {__version__}&R&P of &N")
+        sheet.set_footer(f"&L{PROGRAM}&R&P of &N")
         return sheet
 
     def _table(
@@ -150,19 +149,12 @@ class _Workbook:
         return value / self._unit(GLOSSARY[name].dimension)[1]
 
     def _summary(self) -> None:
-        sheet, note, head = self._sheet("Summary", landscape=False), self.note, self.note.head
+        sheet, note = self._sheet("Summary", landscape=False), self.note
         self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
-        pairs = (
-            ("Project", head.project), ("Document", head.number), ("Revision", head.revision),
-            ("Prepared by", head.author), ("Date", head.date), ("Drive file", head.file),
-            ("Program", f"wraparc {__version__}"), ("Belt", note.belt),
-            (str(note.told.level), note.told.headline), ("Checks", note.summary),
-        )  # fmt: skip
+        told = note.told
+        pairs = (*note.title_block, (str(told.level), told.headline), ("Checks", note.summary))
         row = 1
-        for title, value in (
-            *((t, v) for t, v in pairs if v),
-            *(("", s) for s in note.told.sentences),
-        ):
+        for title, value in (*pairs, *(("", sentence) for sentence in told.sentences)):
             self._put(sheet, row, 0, title, self.bold)
             sheet.merge_range(row, 1, row, 8, "", self.wrapped)
             self._put(sheet, row, 1, value, self.wrapped)

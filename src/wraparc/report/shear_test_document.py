@@ -4,7 +4,6 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.report.shear_test_tables import law_at
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.pressure_form import equations
@@ -40,7 +39,7 @@ def plan_document(result: PlanResult) -> dict[str, Any]:
 def _condition(condition: ConditionResult) -> dict[str, Any]:
     found = condition.found
     pressures = found.level_pressures()
-    slip, friction, half = law_at(condition, pressures)
+    slip, friction, half = condition.peaks_at(pressures)
     transition = found.transition
     law = [
         {

@@ -2,7 +2,7 @@
 
 import math
 
-from wraparc.present.sheet import NONE, Row, Sheet, Table
+from wraparc.present.sheet import NONE, Row, Sheet, Table, started
 from wraparc.shear_test.record import MachineRecord
 
 
@@ -31,7 +31,7 @@ def record_sheet(record: MachineRecord) -> Sheet:
             Table("Columns", columns, ("unit", "lowest", "highest")),
             Table("Rows", tuple(rows)),
         ),
-        remarks=tuple(note[:1].upper() + note[1:] + "." for note in record.notes),
+        remarks=tuple(started(note) + "." for note in record.notes),
     )
 
 

@@ -14,13 +14,12 @@ from wraparc.report.shear_test_files import (
     without_empty,
 )
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
-from wraparc.shear_test.pressure_fit import t95
 from wraparc.shear_test.pressure_form import equations
 from wraparc.units import System, display_unit
 
 Array = NDArray[np.float64]
-_Z95 = 1.959964
 
 
 def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
@@ -140,13 +139,13 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
 
 def _curve_values(test: TestResult, system: System, size: float) -> tuple[str, ...]:
     fit, q = test.fit, test.fit.parameters
-    slip = _with_error(q.peak_slip / size, _Z95 * fit.error("ln_peak_slip") * q.peak_slip / size)
+    slip = _with_error(q.peak_slip / size, Z95 * fit.error("ln_peak_slip") * q.peak_slip / size)
     held = f"{q.lash / size:.3g} (held)"
-    lash = _with_error(q.lash / size, _Z95 * fit.error("lash") / size)
+    lash = _with_error(q.lash / size, Z95 * fit.error("lash") / size)
     return (
         _number(test.curve.pressure / display_unit("pressure", system)[1]),
         slip if fit.peak_inside else f"({slip})",
-        _with_error(q.peak_friction, _Z95 * fit.error("ln_peak_friction") * q.peak_friction),
+        _with_error(q.peak_friction, Z95 * fit.error("ln_peak_friction") * q.peak_friction),
         lash if "lash" in fit.free else held,
         f"{fit.r_squared:.4f}",
         f"{test.curve.noise:.4f}",
@@ -160,15 +159,15 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
     for test in condition.tests:
         fit, q = test.fit, test.fit.parameters
         (a, b), (by_a, by_b) = fit.coefficients(), fit.coefficient_errors()
-        slope = _with_error(q.post_peak_slope * size, _Z95 * fit.error("post_peak_slope") * size)
-        level = _with_error(q.residual_friction, _Z95 * fit.error("residual_friction"))
+        slope = _with_error(q.post_peak_slope * size, Z95 * fit.error("post_peak_slope") * size)
+        level = _with_error(q.residual_friction, Z95 * fit.error("residual_friction"))
         check = derivative_check(fit)
         rows.append(
             Row(
                 title=test.test.file,
                 values=(
-                    _with_error(a, _Z95 * by_a),
-                    _with_error(b, _Z95 * by_b),
+                    _with_error(a, Z95 * by_a),
+                    _with_error(b, Z95 * by_b),
                     slope if "post_peak_slope" in fit.free else NONE,
                     level if "residual_friction" in fit.free else NONE,
                     _number(check.a, 3) if check else NONE,
@@ -195,7 +194,7 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
     """The law at the tested pressures, with 95 % intervals and the paper's A and b."""
     unit, size = display_unit("length", system)
     pressures = condition.found.level_pressures()
-    slip, friction, error = law_at(condition, pressures)
+    slip, friction, error = condition.peaks_at(pressures)
     slope, ratio = condition.found.tails.at(pressures)
     rows = []
     for k, pressure in enumerate(pressures):
@@ -227,19 +226,6 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
         "scatter between samples included. A and b hold for slip in mm."
     )
     return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note))
-
-
-def law_at(condition: ConditionResult, pressures: Array) -> tuple[Array, Array, Array]:
-    """Peak slip [m], peak friction, and half 95 % intervals of their logarithms, shape (n, 2)."""
-    if condition.fit is not None:
-        peaks = np.exp(condition.fit.peaks(pressures))
-        error = t95(condition.fit.freedom) * condition.fit.peak_errors(pressures)
-        return peaks[:, 0], peaks[:, 1], error
-    statistics = condition.lagging.fit
-    assert statistics is not None  # noqa: S101 - every fitted lagging has its statistics
-    values = np.array(statistics.values)
-    error = _Z95 * np.sqrt(np.diag(np.array(statistics.covariance))) / values
-    return np.array([values[0]]), np.array([values[1]]), error[None, :]
 
 
 def forms_table(condition: ConditionResult, name: str) -> Table:

@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from wraparc.drive import Lagging
 from wraparc.errors import Problem
-from wraparc.shear_test.curve_fit import CurveFit
+from wraparc.shear_test.curve_fit import Z95, CurveFit
 from wraparc.shear_test.misfit import JudgedFit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
-from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, t95
 from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.tails import Tails
@@ -201,6 +201,18 @@ class ConditionResult:
     def fit(self) -> PressureFit | None:
         """The law's fit over pressure; None for a single pressure."""
         return self.found.fit
+
+    def peaks_at(self, pressures: Array) -> tuple[Array, Array, Array]:
+        """Peak slip [m], peak friction, half 95 % intervals of their logarithms, shape (n, 2)."""
+        if self.fit is not None:
+            peaks = np.exp(self.fit.peaks(pressures))
+            error = t95(self.fit.freedom) * self.fit.peak_errors(pressures)
+            return peaks[:, 0], peaks[:, 1], error
+        statistics = self.lagging.fit
+        assert statistics is not None  # noqa: S101 - every fitted lagging has its statistics
+        values = np.array(statistics.values)
+        error = Z95 * np.sqrt(np.diag(np.array(statistics.covariance))) / values
+        return np.array([values[0]]), np.array([values[1]]), error[None, :]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

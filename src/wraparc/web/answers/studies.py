@@ -8,8 +8,7 @@ from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
-from wraparc.present.study_html import study_html
-from wraparc.present.study_sheet import Global, Local, study_document, study_sheet
+from wraparc.present.study_sheet import Global, Local, study_document, study_page, study_sheet
 from wraparc.schema.emit import document_text
 from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads
@@ -114,7 +113,7 @@ def _told(asked: StudyFile, path: str) -> Data:
     }  # fmt: skip
     pictures = _pictures(asked, summary, local, indices, dimensions)
     content = Path(path).read_bytes() if os.path.getsize(path) <= _MOST_BYTES else b""
-    html = study_html(sheets["si"], list(pictures.values()), summary)
+    html = study_page(sheets["si"], list(pictures.values()), summary)
     return {
         **sheet_data(lambda system: sheets[system]),
         "summary": clean(study_document(summary, local=local, indices=indices)),

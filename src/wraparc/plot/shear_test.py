@@ -1,14 +1,14 @@
 """Pictures of a fitted test plan: curves, residuals, derivative check, pressure dependence."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, styled
-from wraparc.report.shear_test_tables import law_at
 from wraparc.shear_test.analysis import ConditionResult, TestResult
+from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ def _band(condition: ConditionResult) -> "_Band":
     if condition.fit is None:
         return np.empty(0), []
     p = np.geomspace(*condition.fit.ends, 160)
-    slip, friction, half = law_at(condition, p)
+    slip, friction, half = condition.peaks_at(p)
     return p, _as_columns(slip, friction, _errors(condition, p, half))
 
 
@@ -206,10 +206,10 @@ def _own(test: TestResult) -> list[tuple[float, float]]:
     by_a, by_b = fit.coefficient_errors()
     x = q.peak_slip / _MM
     return [
-        (x, 1.96 * min(fit.error("ln_peak_slip"), 1.0) * x),
-        (q.peak_friction, 1.96 * min(fit.error("ln_peak_friction"), 1.0) * q.peak_friction),
-        (a, 1.96 * min(by_a, abs(a))),
-        (b, 1.96 * min(by_b, abs(b))),
+        (x, Z95 * min(fit.error("ln_peak_slip"), 1.0) * x),
+        (q.peak_friction, Z95 * min(fit.error("ln_peak_friction"), 1.0) * q.peak_friction),
+        (a, Z95 * min(by_a, abs(a))),
+        (b, Z95 * min(by_b, abs(b))),
     ]
 
 
@@ -319,20 +319,24 @@ def _legend(figure: "Figure", texts: list[str], colours: list[str]) -> None:
 
 def condition_pictures(
     condition: ConditionResult, saturation: float | None
-) -> Iterator[tuple[str, str, Picture]]:
-    """Yield name, caption and picture of everything there is to draw."""
-    yield "curves", "Every curve with its fit, and the law of all tests.", curves_picture(condition)
-    yield (
-        "pressure",
-        "Peak slip, peak friction, A and b over pressure with 95 % bands (crosses: tests that "
-        "disagree with their repeats), and the error of predicting each pressure from the others.",
-        pressure_picture(condition, saturation),
-    )
-    yield (
-        "checks",
-        "Left: what the fits leave over, averaged over thirtieths of the slip, in units of the "
-        "noise of one reading. Right: the check by which the law was found, the five-point "
-        "derivative of each curve against A ln x + (A - b), a straight line over the logarithm "
-        "of slip.",
-        checks_picture(condition),
-    )
+) -> dict[str, tuple[str, Callable[[], Picture]]]:
+    """Return what there is to draw of a condition: by name, caption and what draws it."""
+    return {
+        "curves": (
+            "Every curve with its fit, and the law of all tests.",
+            lambda: curves_picture(condition),
+        ),
+        "pressure": (
+            "Peak slip, peak friction, A and b over pressure with 95 % bands (crosses: tests that "
+            "disagree with their repeats), and the error of predicting each pressure from the "
+            "others.",
+            lambda: pressure_picture(condition, saturation),
+        ),
+        "checks": (
+            "Left: what the fits leave over, averaged over thirtieths of the slip, in units of the "
+            "noise of one reading. Right: the check by which the law was found, the five-point "
+            "derivative of each curve against A ln x + (A - b), a straight line over the logarithm "
+            "of slip.",
+            lambda: checks_picture(condition),
+        ),
+    }

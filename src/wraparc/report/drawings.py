@@ -1,0 +1,89 @@
+"""The pictures of a note: drawn as everywhere, told in words for who cannot see them."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from wraparc.arc import ArcResult
+from wraparc.plot.drive import plot_budget, plot_profiles, plot_pulley
+from wraparc.plot.picture import Picture
+from wraparc.present.arc_tables import METHOD_TITLES, belongs, creep_part
+from wraparc.present.sheet import between, named, started
+from wraparc.units import System
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A picture of a document.
+
+    Attributes
+    ----------
+    draw
+        Draws it; what is read as text alone needs no picture.
+    caption
+        What stands below it.
+    alt
+        What it shows, in words, for who cannot see it.
+    width
+        How much of the width of the page it takes.
+    """
+
+    draw: Callable[[], Picture]
+    caption: str
+    alt: str
+    width: float = 1.0
+
+
+def pulley_drawing(result: ArcResult, system: System) -> Drawing:
+    """Return the pulley of an arc, its wrap coloured by shear stress."""
+    arc = result.arc
+    alt = (
+        f"Pulley {arc.pulley}, {arc.duty}: belt wrapped over "
+        f"{named('wrap_angle', arc.wrap_angle, system)}, tension "
+        f"{between('tension', result.entry_tension, result.exit_tension, system)}. The lagging is "
+        f"coloured by shear stress, which peaks at "
+        f"{named('peak_shear_stress', result.peak_shear_stress, system)}, "
+        f"{named('peak_shear_position', result.peak_shear_position, system)} from the entry nip."
+    )
+    caption = f"{started(belongs(result))}: shear stress of the lagging."
+    return Drawing(lambda: plot_pulley(result, system), caption, alt, 0.5)
+
+
+def budget_drawing(results: Sequence[ArcResult], system: System) -> Drawing:
+    """Return the creep at the exit by source, a bar for each method."""
+    words = " ".join(_budget_words(result, system) for result in results)
+    limit = named("creep_limit", results[0].arc.creep_limit, system)
+    alt = f"Creep at the exit by source. {words} The creep limit is {limit}."
+    caption = f"Creep at the exit by source, {belongs(results[0])}."
+    return Drawing(lambda: plot_budget(results, system), caption, alt, 0.45)
+
+
+def _budget_words(result: ArcResult, system: System) -> str:
+    parts = ", ".join(
+        f"{words} {creep_part(result, name, system)}"
+        for name, words in (
+            ("creep_shrinkage", "belt shrinkage"),
+            ("creep_compression", "lagging compression"),
+            ("creep_global", "global"),
+        )
+    )
+    return f"{started(METHOD_TITLES.get(result.method, result.method))}: {parts}."
+
+
+def profile_drawing(results: Sequence[ArcResult], system: System) -> Drawing:
+    """Return the four profiles along the wrap of an arc, by one method or two."""
+    first = results[0]
+
+    def ends(name: str) -> str:
+        column = getattr(first.profile, name)
+        at = [named(name, float(column[i]), system) for i in (0, -1)]
+        return f"from {at[0]} at the entry to {at[1]} at the exit"
+
+    alt = (
+        f"Four profiles along the wrap of {belongs(first)}. Belt tension runs {ends('tension')}, "
+        f"creep {ends('creep')}, slip {ends('slip')}, friction used {ends('friction_used')}, "
+        f"shear stress {ends('shear_stress')}."
+    )
+    caption = f"Along the wrap, {belongs(first)}."
+    if len(results) > 1:
+        caption += " Thin and black: the paper's march."
+    return Drawing(lambda: plot_profiles(results, system), caption, alt)

@@ -1,0 +1,31 @@
+"""Equations of a note: every law has its own, and they follow what was used."""
+
+from dataclasses import replace
+
+from present.drives import solved
+from wraparc.report.equations import _LAWS, equations
+
+
+def test_every_law_has_its_equation() -> None:
+    from wraparc.friction import FrictionLaw
+
+    known = {
+        cls.__name__
+        for cls in FrictionLaw.__subclasses__()
+        if cls.__module__.startswith("wraparc.")
+    }
+    assert set(_LAWS) == known
+
+
+def test_equations_follow_what_was_used() -> None:
+    arcs = solved().arcs
+    titles = [e.title for e in equations(arcs, paper=False, train=False, design=False)]
+    assert any(t.startswith("Entry overrun") for t in titles)
+    given = [replace(arcs[0], arc=replace(arcs[0].arc, overrun=0.0, recovery=False))]
+    fewer = [e.title for e in equations(given, paper=False, train=False, design=False)]
+    assert not any(t.startswith("Entry overrun") for t in fewer)
+    assert any("recovery" in t for t in titles)
+    assert not any("recovery" in t for t in fewer)
+    for e in equations(arcs, paper=True, train=True, design=True):
+        assert e.words
+        assert e.latex.count("{") == e.latex.count("}")
