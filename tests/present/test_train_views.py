@@ -10,7 +10,7 @@ import pytest
 from present.test_notebook import checked
 from wraparc import Distributed, TrainResult, load_train, solve_train
 from wraparc.plot import plot
-from wraparc.present.notebook import sheet_html
+from wraparc.present.page import sheet_html
 from wraparc.present.train_sheet import matching_sheet, train_sheet
 from wraparc.train import Motors, VariableSpeed, match_drives
 
