@@ -1,0 +1,110 @@
+"""Answers to numbers: what a golden file keeps of a result, a JSON answer or a text.
+
+Kept are every number with all its digits, yes and no, and a few words that are answers themselves
+(`ANSWERS`). Other texts leave only their numbers with their units, in order: a sentence may be
+said better. What differs from run to run or from machine to machine is left out by name
+(`LEFT_OUT`). A long row of numbers is kept thinned, with a digest of all of it.
+"""
+
+import dataclasses
+import enum
+import hashlib
+import math
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+Plain = Any
+#: Words that are answers.
+ANSWERS = {"status", "level", "state", "method", "pulley", "load_case", "kind", "unit", "surface"}
+#: Times, versions, names of sessions; inputs that hold program objects; JSON of the whole form.
+LEFT_OUT = {
+    "date", "version", "program", "libraries", "id", "session", "expires_in", "started", "seconds",
+    "elapsed", "duration", "time", "case", "drive", "train", "law", "provenance", "sources",
+    "toml", "html", "svg", "sequence",
+}  # fmt: skip
+_KEPT = 12  # numbers of a long row
+_UNIT = (
+    r"(?:%|deg|rad|rpm|N m|kN m|lbf ft|kN/m|N/mm|MN/m|N/m|PIW|kPa/mm|psi/in|1/mm|1/in|J/m2|W|kW|hp"
+    r"|MPa|kPa|Pa|psi|ksi|mm3/J|in3/\(ft lbf\)|kg/m|lbm/ft|m/s|fpm|m2|mm|in|ft|m|kN|N|lbf|h|years)"
+)
+_NUMBER = re.compile(
+    rf"(?<![\w.])([-+−]?\d[\d,]*(?:\.\d+)?(?:e[-+]?\d+)?)(?: ?({_UNIT})(?![\w/]))?"
+)
+_NO_NUMBER = re.compile(r"\\?\[\d+\\?\]|\d{4}-\d\d-\d\d|wraparc \d+\.\d+\.\d+\w*")
+
+
+def numbers_of_text(text: str) -> list[str]:
+    """Return the numbers of a text with their units, in order, without notes and dates."""
+    found = _NUMBER.findall(_NO_NUMBER.sub(" ", text))
+    return [f"{number} {unit}".strip() for number, unit in found]
+
+
+def plain(value: Any, key: str = "") -> Plain:
+    """Return the numbers of an answer as dictionaries, lists and numbers; None if it has none."""
+    if isinstance(value, np.ndarray):
+        return _row(value.ravel().tolist())
+    if isinstance(value, np.generic):
+        return plain(value.item(), key)
+    if isinstance(value, enum.Enum):
+        return value.name
+    if value is None or isinstance(value, bool | int):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else f"{value}"
+    if isinstance(value, str):
+        return value if key in ANSWERS else (numbers_of_text(value) or None)
+    if isinstance(value, list | tuple):
+        return _list(value, key)
+    named = value if isinstance(value, Mapping) else _fields(value)
+    found = {str(k): plain(v, str(k)) for k, v in named.items() if k not in LEFT_OUT}
+    return {k: v for k, v in found.items() if v is not None or named[k] is None} or None
+
+
+def _fields(value: Any) -> dict[str, Any]:
+    """Return fields and properties of a frozen result; nothing of an object without fields."""
+    if not dataclasses.is_dataclass(value):
+        return {}
+    kind = type(value)
+    names = [f.name for f in dataclasses.fields(value)]
+    names += [name for name in dir(kind) if isinstance(getattr(kind, name), property)]
+    return {name: getattr(value, name) for name in names if not name.startswith("_")}
+
+
+def _list(values: Any, key: str) -> Plain:
+    leaves = _leaves(values)
+    if leaves is not None:
+        return _row(leaves) if leaves else None
+    items = [plain(item, key) for item in values]
+    return items if any(item is not None for item in items) else None
+
+
+def _leaves(values: Any) -> list[Any] | None:
+    """Return the numbers of nested rows one after the other; None if there is something else."""
+    found: list[Any] = []
+    for value in values:
+        if isinstance(value, list | tuple | np.ndarray):
+            inner = _leaves(value)
+            if inner is None:
+                return None
+            found += inner
+        elif value is None or isinstance(value, bool | int | float | np.number):
+            found.append(value.item() if isinstance(value, np.generic) else value)
+        else:
+            return None
+    return found
+
+
+def _row(values: list[Any]) -> Plain:
+    shown = [plain(v) for v in values]
+    if len(shown) <= _KEPT:
+        return shown
+    every = -(-len(shown) // _KEPT)
+    return {"numbers": len(shown), "every": every, "kept": shown[::every], "digest": digest(shown)}
+
+
+def digest(values: list[Any]) -> str:
+    """Return a digest of numbers with all their digits."""
+    return hashlib.sha256("\n".join(map(repr, values)).encode()).hexdigest()[:24]

@@ -1,0 +1,33 @@
+"""What a golden file keeps of an answer; expected: written down by hand."""
+
+import numpy as np
+
+from golden.plain import numbers_of_text, plain
+
+
+def test_numbers_of_a_text_keep_their_units_and_leave_the_words() -> None:
+    text = (
+        "Creep 4.003 mm (63 %) at -180.0 deg, T2 97.50 kN [3]; on 2026-11-22, wraparc 0.1.0, ST2000"
+    )
+    assert numbers_of_text(text) == ["4.003 mm", "63 %", "-180.0 deg", "97.50 kN"]
+
+
+def test_a_long_row_is_thinned_and_its_digest_sees_every_bit() -> None:
+    row = np.linspace(0.0, 1.0, 100)
+    kept = plain(row)
+    assert (kept["numbers"], kept["every"], len(kept["kept"])) == (100, 9, 12)
+    row[50] = np.nextafter(row[50], 2.0)  # not among those kept
+    changed = plain(row)
+    assert changed["kept"] == kept["kept"]
+    assert changed["digest"] != kept["digest"]
+
+
+def test_words_stay_where_they_are_answers_and_dates_go() -> None:
+    answer = {
+        "level": "OK",
+        "title": "a drive",
+        "date": "2026-11-22",
+        "none": None,
+        "x": float("inf"),
+    }
+    assert plain(answer) == {"level": "OK", "none": None, "x": "inf"}
