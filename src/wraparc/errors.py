@@ -5,8 +5,9 @@ the attributes. Nothing here knows files, units or physics.
 """
 
 import json
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from typing import Any
 
 _SHOWN_LENGTH = 60
@@ -29,6 +30,24 @@ def shown(value: object) -> str:
     if len(text) > _SHOWN_LENGTH:
         text = text[: _SHOWN_LENGTH - 4] + ('..."' if text.startswith('"') else "...")
     return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
+
+
+def near(given: object, known: Iterable[str], most: int = 3) -> list[str]:
+    """Return the known words nearest to a given one, the nearest first; none if none is near."""
+    import difflib  # only a mistake needs it, and start-up is short
+
+    if not isinstance(given, str):
+        return []
+    words = list(known)
+    within = [word for word in words if len(given) > 2 and given in word]
+    alike = difflib.get_close_matches(given[:100], words, n=most, cutoff=0.55)
+    return list(dict.fromkeys(within + alike))[:most]
+
+
+def nearest(given: object, known: Iterable[str]) -> str:
+    """Return "Did you mean ...?" with the nearest of the known words, or nothing."""
+    texts = [shown(word) for word in near(given, known)]
+    return f"Did you mean {' or '.join(texts)}?" if texts else ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,6 +113,30 @@ class InputError(WraparcError, ValueError):
             return str(self.problems[0])
         lines = "\n".join(f"  - {problem}" for problem in self.problems)
         return f"{len(self.problems)} problems:\n{lines}"
+
+
+def no_such(what: str, name: object, known: Iterable[str], *, of: str = "the drive") -> InputError:
+    """Return the error for a name that nothing has, with the nearest names and all there are."""
+    names = list(known)
+    there = f"It has {', '.join(map(shown, names))}."
+    return InputError(
+        Problem(
+            message=f"{of} has no such {what}",
+            remedy=f"{nearest(name, names)} {there}".strip(),
+            value=shown(name),
+        )
+    )
+
+
+@contextmanager
+def placed(key: str, file: str = "") -> Iterator[None]:
+    """Say of the problems raised within where they are, if they do not say it themselves."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(
+            replace(p, key=p.key or key, file=p.file or file) for p in error.problems
+        ) from None
 
 
 class MissingExtraError(WraparcError, ImportError):

@@ -3,12 +3,30 @@
 import json
 import os
 import stat
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from wraparc.errors import InputError, Problem
 
 Location = str | os.PathLike[str]
+
+
+@contextmanager
+def replacing(target: Path) -> Iterator[Path]:
+    """Give a draft beside a file; it takes the file's place if all goes well, else it goes."""
+    draft = _draft(target)
+    try:
+        yield draft
+        if target.exists():
+            draft.chmod(stat.S_IMODE(target.stat().st_mode))
+        os.replace(draft, target)
+    finally:
+        draft.unlink(missing_ok=True)
+
+
+def _draft(target: Path) -> Path:
+    return target.with_name(f".{target.name[:80]}.{os.getpid()}.tmp")
 
 
 def save_file(path: Location, data: str | bytes) -> None:
@@ -28,14 +46,8 @@ def save_file(path: Location, data: str | bytes) -> None:
         if target.exists() and not stat.S_ISREG(target.stat().st_mode):
             target.write_bytes(content)
             return
-        draft = target.with_name(f".{target.name[:80]}.{os.getpid()}.tmp")
-        try:
+        with replacing(target) as draft:
             draft.write_bytes(content)
-            if target.exists():
-                draft.chmod(stat.S_IMODE(target.stat().st_mode))
-            os.replace(draft, target)
-        finally:
-            draft.unlink(missing_ok=True)
     except (OSError, ValueError) as error:
         raise InputError(_unwritable(path, error)) from None
 
@@ -91,7 +103,7 @@ def _trial(name: str) -> Problem | None:
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(0, "Permission denied")
         if not target.exists() or stat.S_ISREG(target.stat().st_mode):
-            draft = target.with_name(f".{target.name[:80]}.{os.getpid()}.tmp")
+            draft = _draft(target)
             draft.touch()
             draft.unlink()
     except (OSError, ValueError) as error:

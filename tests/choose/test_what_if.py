@@ -11,6 +11,7 @@ from wraparc import Belt, InputError, load_drive, load_lagging, solve
 from wraparc.catalogue import belt as catalogue_belt
 from wraparc.choose.what_if import Change, what_if
 from wraparc.drive import changes as study
+from wraparc.provenance import Kind, Provenance
 
 
 def test_before_and_after_are_what_solve_gives(tmp_path: Path) -> None:
@@ -28,6 +29,19 @@ def test_before_and_after_are_what_solve_gives(tmp_path: Path) -> None:
     assert ratio == pytest.approx(90 / 12.96, rel=0.15)
     assert cord.belt.width == drive.belt.width
     assert cord.belt.speed == drive.belt.speed
+
+
+def test_another_belt_keeps_where_width_and_speed_came_from(tmp_path: Path) -> None:
+    """Only what the catalogue publishes is called published."""
+    drive = load_drive(drive_file(tmp_path))
+    measured = Provenance(Kind.MEASURED, "site survey")
+    sources = {"width": Provenance(), "speed": measured}
+    given = replace(drive, belt=replace(drive.belt, sources=sources))
+    row = catalogue_belt("Flexsteel ST1250")
+    belt = study.with_belt(given, row).belt
+    assert belt.source_of("width") == Provenance()
+    assert belt.source_of("speed") == measured
+    assert belt.source_of("modulus") == row.provenance
 
 
 def test_worn_lagging_makes_the_pulley_smaller(tmp_path: Path) -> None:

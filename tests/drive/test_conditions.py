@@ -19,7 +19,7 @@ from wraparc import (
 )
 from wraparc.catalogue import lagging_costs
 from wraparc.choose.cost import catalogue_price, energy_cost, lagging_cost, purchases
-from wraparc.drive.conditions import Condition, design_ratio, scaled
+from wraparc.drive.conditions import Condition, design_ratio
 
 PIECES = IntegralLog(
     coefficients=CoefficientPieces(
@@ -54,7 +54,7 @@ def test_a_scaled_law_is_the_law_scaled(name: str, friction: float, slip: float)
     law = LAWS[name]
     x = np.linspace(0.0, 30e-3, 61)[:, None]
     p = np.array([4e4, 1.5e5, 4e5, 8e5])
-    got = scaled(law, friction, slip).friction(x, p)
+    got = law.scaled(friction, slip).friction(x, p)
     assert np.allclose(got, friction * law.friction(x / slip, p), rtol=1e-12, atol=1e-15)
 
 

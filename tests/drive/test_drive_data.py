@@ -153,9 +153,16 @@ def test_everything_wrong_is_told_at_once(make: Callable[[], object], expected: 
     assert sentences(make) == expected
 
 
-def test_an_unknown_pulley_is_a_key_error() -> None:
-    with pytest.raises(KeyError, match="tail"):
-        DRIVE.pulley("tail")
+def test_pulley_and_load_case_by_name() -> None:
+    """The first without a name; an unknown name is told with those there are."""
+    assert DRIVE.pulley() is DRIVE.pulley("head") is DRIVE.pulleys[0]
+    assert DRIVE.load_case() is DRIVE.load_case("design") is DRIVE.load_cases[0]
+    assert sentences(lambda: DRIVE.pulley("tail")) == [
+        '"tail": the drive has no such pulley. It has "head".'
+    ]
+    assert sentences(lambda: DRIVE.load_case("desing")) == [
+        '"desing": the drive has no such load case. Did you mean "design"? It has "design".'
+    ]
 
 
 # ---- covariance of a fit ----

@@ -2,6 +2,7 @@
 
 import errno
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -135,14 +136,14 @@ def test_a_full_disk_keeps_what_is_done(
     whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "a.parquet"
-    save, count = run_module._save, iter(range(100))
+    replace, count = os.replace, iter(range(100))
 
-    def full(file: Path, content: bytes) -> None:
-        if next(count) == 3:
+    def full(draft: Path, file: Path) -> None:
+        if str(file).endswith(".parquet") and next(count) == 3:
             raise OSError(errno.ENOSPC, "No space left on device")
-        save(file, content)
+        replace(draft, file)
 
-    monkeypatch.setattr(run_module, "_save", full)
+    monkeypatch.setattr(os, "replace", full)
     with pytest.raises(InputError, match="the disk is full; 3 of 10 parts are done and stay"):
         run_study(small(), path, Run(part_designs=40))
     assert len(list(parts_folder(path).glob("*.parquet"))) == 3

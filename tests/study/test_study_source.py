@@ -12,7 +12,6 @@ from study.studies import EXAMPLES, FOLDER, SAMPLING, study_of
 from wraparc.arc import Distributed, WrapArc
 from wraparc.batch import Setting
 from wraparc.drive import Fit, Lagging
-from wraparc.drive.conditions import scaled
 from wraparc.files import drive_from_document, load_lagging, save_lagging
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.schema.source import parse, read_text
@@ -188,7 +187,7 @@ def test_factors_scale_the_law_as_a_law_of_its_own_would() -> None:
     base = WrapArc.of(drive, drive.pulleys[0], drive.load_cases[0])
     for i in range(4):
         f, s = (float(column[i]) for column in values.values())
-        arc = replace(base, law=scaled(base.law, 0.9 * f, s))
+        arc = replace(base, law=base.law.scaled(0.9 * f, s))
         told = Distributed().solve(arc).scalars()
         for name in study.outputs:
             assert found[name][i] == pytest.approx(told[name], rel=2e-7, nan_ok=True), name

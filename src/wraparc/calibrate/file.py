@@ -7,11 +7,11 @@ from wraparc.arc import ArcResult, Distributed, Method, PaperMarch, WrapArc
 from wraparc.calibrate.calibration import PARAMETERS, QUANTITIES, Number, Prior, Problemset, Trace
 from wraparc.calibrate.record import ROLES, Folded, RecordChoices, fold, read_record
 from wraparc.drive import Drive, Limit
-from wraparc.errors import InputError, shown
-from wraparc.files.drive_file import load_drive
+from wraparc.errors import InputError
+from wraparc.files.drive_parts import case_of, drive_of
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
-from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text, nearest
+from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, read_document
 from wraparc.schema.problems import Place, Report
@@ -124,16 +124,13 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
     report = Report(file)
     record: Record = CALIBRATE.read(document, (), report)
     report.raise_all()
-    try:
-        drive = load_drive(os.path.join(folder, record["drive"]))
-    except InputError as error:
-        report.take(error, ("drive",))
-        raise InputError(report.problems) from None
-    names = [p.name for p in drive.pulleys]
-    pulley = record.get("pulley", names[0])
-    if pulley not in names:
-        report.add(("pulley",), "the drive has no such pulley", nearest(pulley, names), pulley)
-        report.raise_all()
+    drive = drive_of(record, folder, report)
+    report.raise_all()
+    assert drive is not None  # noqa: S101 - else it was reported
+    on = report.tried(lambda: drive.pulley(record.get("pulley")), ("pulley",))
+    report.raise_all()
+    assert on is not None  # noqa: S101 - else it was reported
+    pulley = on.name
     numbers = [_number(r, drive, pulley, report) for r in record.get("number", ())]
     folded = [_folded(r, drive, pulley, folder, report) for r in record.get("record", ())]
     priors = _priors(record, report)
@@ -189,16 +186,6 @@ def traces_of(folded: Folded, load_case: str) -> list[Trace]:
     return found
 
 
-def _case(record: Record, drive: Drive, report: Report) -> str:
-    cases = [c.name for c in drive.load_cases]
-    name: str = record.get("load_case", cases[0])
-    if name not in cases:
-        remedy = nearest(name, cases) or f"It has {', '.join(map(shown, cases))}."
-        report.add((*record.place, "load_case"), "the drive has no such load case", remedy, name)
-        return cases[0]
-    return name
-
-
 def _si(text: str, dimension: Dimension, place: Place, report: Report) -> float | None:
     try:
         return parse_quantity(text, dimension)
@@ -210,7 +197,7 @@ def _si(text: str, dimension: Dimension, place: Place, report: Report) -> float 
 def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number | None:
     quantity = record["quantity"]
     dimension = GLOSSARY[quantity].dimension
-    case = _case(record, drive, report)
+    case = case_of(record, drive, report)
     sd = _si(record["sd"], dimension, (*record.place, "sd"), report)
     value = None
     if "value" in record:
@@ -229,8 +216,7 @@ def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number
 
 def _speed_ratio(record: Record, drive: Drive, pulley: str, case: str) -> float:
     """Creep ratio from tachometers: the lagging surface runs at the radius it has under load."""
-    load_case = next(c for c in drive.load_cases if c.name == case)
-    arc = WrapArc.of(drive, drive.pulley(pulley), load_case)
+    arc = WrapArc.of(drive, drive.pulley(pulley), drive.load_case(case))
     surface = record["drum_speed"] * (1.0 - arc.compression / arc.radius)
     return float(1.0 - record["belt_speed"] / surface)
 
@@ -238,7 +224,7 @@ def _speed_ratio(record: Record, drive: Drive, pulley: str, case: str) -> float:
 def _folded(
     record: Record, drive: Drive, pulley: str, folder: str, report: Report
 ) -> tuple[str, Folded] | None:
-    case = _case(record, drive, report)
+    case = case_of(record, drive, report)
     for key in ("columns", "units", "signs"):
         for role in record.get(key, {}):
             if role not in ROLES:

@@ -62,10 +62,9 @@ class Fit:
     def _solved(self, x: Array) -> tuple[list[float], list[Array]]:
         p = self.problem
         drive = calibrated_drive(p.drive, p.pulley, self.values(x))
-        cases = {c.name: c for c in drive.load_cases}
         used = {n.load_case for n in p.numbers} | {t.load_case for t in p.traces}
         results = {
-            name: p.method.solve(WrapArc.of(drive, drive.pulley(p.pulley), cases[name]))
+            name: p.method.solve(WrapArc.of(drive, drive.pulley(p.pulley), drive.load_case(name)))
             for name in sorted(used)
         }
         numbers = [float(results[n.load_case].scalars()[n.quantity]) for n in p.numbers]

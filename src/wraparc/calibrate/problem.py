@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from wraparc.arc import Distributed, Method, WrapArc
 from wraparc.drive import Drive
 from wraparc.drive.changes import with_pulley
-from wraparc.drive.conditions import scaled
 from wraparc.errors import InputError, Problem
 
 Array = NDArray[np.float64]
@@ -148,7 +147,7 @@ class Problemset:
 def calibrated_drive(drive: Drive, pulley: str, values: Mapping[str, float]) -> Drive:
     """Return the drive with parameters put in: factors on the law; moduli and overrun [SI]."""
     base = drive.pulley(pulley)
-    law = scaled(base.lagging.law, values.get("friction", 1.0), values.get("peak_slip", 1.0))
+    law = base.lagging.law.scaled(values.get("friction", 1.0), values.get("peak_slip", 1.0))
     lagging = replace(
         base.lagging, law=law, shear_modulus=values.get("shear_modulus", base.lagging.shear_modulus)
     )

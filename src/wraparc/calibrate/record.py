@@ -66,8 +66,6 @@ class Folded:
         theta from the entry nip, shape (n,) [rad].
     displacement, shear_angle
         Means at these positions, shape (n,) [m] and [rad], or None; sign as in the model.
-    displacement_sd, shear_angle_sd
-        Standard error of one mean [m] and [rad], nan with fewer than two revolutions.
     revolutions
         Full contact arcs found.
     entry, leaving
@@ -81,8 +79,6 @@ class Folded:
     position: Array
     displacement: Array | None
     shear_angle: Array | None
-    displacement_sd: float
-    shear_angle_sd: float
     revolutions: int
     entry: float
     leaving: float
@@ -287,7 +283,7 @@ def fold(
     """
     signs = (choices or RecordChoices()).signs
     wrap = drive.pulley(pulley).wrap_angle
-    case = next(c for c in drive.load_cases if c.name == load_case)
+    case = drive.load_case(load_case)
     side = 1.0 if case.tensions[pulley].effective >= 0.0 else -1.0
     angle = record.angle if record.angle[-1] >= record.angle[0] else -record.angle
     signals = {
@@ -314,21 +310,19 @@ def fold(
     if np.count_nonzero(off) > 20:  # the mean of all off the belt is surer than a cluster
         levels = {name: float(value[off].mean()) for name, value in signals.items()}
     notes = [] if angle is record.angle else ["the rotation angle falls with time: turned round"]
-    means, errors = {}, {}
+    means = {}
     for name, value in signals.items():
-        mean, error = _binned(value[use] - levels[name], place, points)
+        mean = _binned(value[use] - levels[name], place, points)
         sign = _sign(name, mean, side, signs.get(name))
         if sign < 0.0:
             notes.append(f"the sign of {name.replace('_', ' ')} was turned round")
-        means[name], errors[name] = sign * mean, error
+        means[name] = sign * mean
     filled = np.bincount(place, minlength=points) > 0
-    middle, _ = _binned(along[use], place, points)  # where its samples lie, not its middle
+    middle = _binned(along[use], place, points)  # where its samples lie, not its middle
     return Folded(
         position=middle[filled],
         displacement=means["displacement"][filled] if "displacement" in means else None,
         shear_angle=means["shear_angle"][filled] if "shear_angle" in means else None,
-        displacement_sd=errors.get("displacement", math.nan),
-        shear_angle_sd=errors.get("shear_angle", math.nan),
         revolutions=int(whole.sum()),
         entry=float(np.mod(leaving - wrap, 2.0 * np.pi)),
         leaving=float(np.mod(leaving, 2.0 * np.pi)),
@@ -438,14 +432,10 @@ def _whole_turns(turn: NDArray[np.int64], along: Array, wrap: float) -> NDArray[
     return np.asarray(begins & ends)
 
 
-def _binned(value: Array, place: NDArray[np.int64], points: int) -> tuple[Array, float]:
-    """Mean of each bin, and the standard error of one mean."""
+def _binned(value: Array, place: NDArray[np.int64], points: int) -> Array:
+    """Mean of each bin."""
     count = np.maximum(np.bincount(place, minlength=points), 1)
-    mean = np.bincount(place, weights=value, minlength=points) / count
-    if count.min() < 2:
-        return mean, math.nan
-    spread = np.bincount(place, weights=(value - mean[place]) ** 2, minlength=points)
-    return mean, float(np.sqrt(np.median(spread / (count - 1) / count)))
+    return np.bincount(place, weights=value, minlength=points) / count
 
 
 def _sign(name: str, mean: Array, side: float, given: int | None) -> float:

@@ -1,6 +1,5 @@
 """Sourced data that ships with the program, read from its data files when asked for."""
 
-import difflib
 import math
 import tomllib
 from collections.abc import Iterable
@@ -9,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, near, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import parse_quantity
 
@@ -202,10 +201,7 @@ def lagging_costs() -> tuple[LaggingCost, ...]:
 def unknown_name(what: str, name: str, known: Iterable[str], command: str) -> InputError:
     """Return the error for a name that the catalogue does not have, with the nearest ones."""
     by_plain = {_plain(k): k for k in known}
-    plain = _plain(name[:100])
-    near = [k for key, k in by_plain.items() if plain and plain in key]
-    near += [by_plain[k] for k in difflib.get_close_matches(plain, by_plain, n=3, cutoff=0.5)]
-    texts = [shown(k) for k in dict.fromkeys(near)][:3]
+    texts = [shown(by_plain[key]) for key in near(_plain(name), by_plain)]
     remedy = f"Did you mean {' or '.join(texts)}?" if texts else ""
     return InputError(
         Problem(

@@ -1,7 +1,7 @@
 """Choose files: TOML to a search."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any, TypeVar
 
 from wraparc import catalogue
@@ -9,13 +9,13 @@ from wraparc.choose.cost import BeltPrice, Costing, Price, catalogue_price
 from wraparc.choose.keys import CHOOSE
 from wraparc.choose.search import Limits, Search
 from wraparc.drive import Belt, Cost, Drive, Lagging, Sag
+from wraparc.drive.changes import belt_of
 from wraparc.drive.conditions import DRY, Condition
-from wraparc.errors import InputError, shown
+from wraparc.errors import InputError, nearest, shown
 from wraparc.files.drive_build import SAG_KEYS
-from wraparc.files.drive_file import load_drive
+from wraparc.files.drive_parts import check_cases, drive_of, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
-from wraparc.schema.kinds import nearest
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, read_document
 from wraparc.schema.problems import Place, Report
@@ -45,10 +45,10 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
     report = Report(file)
     record: Record = CHOOSE.read(document, (), report)
     report.raise_all()
-    drive = _drive(record["drive"], folder, report)
+    drive = drive_of(record, folder, report)
     report.raise_all()
     assert drive is not None  # noqa: S101 - else it was reported
-    pulley = _pulley(record, drive, report)
+    pulley = pulley_of(record, drive, report)
     candidates: Record = record["candidates"]
     laggings = _laggings(candidates, drive, pulley, folder, report)
     belts = _belts(candidates, drive, report)
@@ -86,33 +86,6 @@ def _slack(candidates: Record, slack: Any) -> tuple[float, ...] | None:
     return () if slack is None else tuple(slack)
 
 
-def _drive(name: str, folder: str, report: Report) -> Drive | None:
-    path = os.path.join(folder, name)
-    return _tried(lambda: load_drive(path), ("drive",), report)
-
-
-def _tried(make: Callable[[], _T], place: Place, report: Report) -> _T | None:
-    try:
-        return make()
-    except InputError as error:
-        report.take(error, place)
-        return None
-
-
-def _pulley(record: Record, drive: Drive, report: Report) -> str:
-    names = [p.name for p in drive.pulleys]
-    name: str = record.get("pulley", names[0])
-    if name not in names:
-        there = ", ".join(map(shown, names))
-        remedy = nearest(name, names) or f"It has {there}."
-        report.add(("pulley",), "the drive has no such pulley", remedy, name)
-        return names[0]
-    if "pulley" not in record and len(names) > 1:
-        message = "the drive has several pulleys"
-        report.add(("pulley",), message, f"Write which of {', '.join(map(shown, names))}.")
-    return name
-
-
 def _laggings(
     candidates: Record, drive: Drive, pulley: str, folder: str, report: Report
 ) -> tuple[Lagging, ...]:
@@ -122,7 +95,7 @@ def _laggings(
     for position, name in enumerate(candidates["laggings"], start=1):
         path = os.path.join(folder, name) if is_path(name) else name
         place = ("candidates", "laggings", position)
-        lagging = _tried(lambda path=path: load_lagging(path), place, report)  # type: ignore[misc]
+        lagging = report.tried(lambda path=path: load_lagging(path), place)  # type: ignore[misc]
         if lagging is not None:
             found.append(lagging)
     return _unlike(found, ("candidates", "laggings"), report)
@@ -134,9 +107,9 @@ def _belts(candidates: Record, drive: Drive, report: Report) -> tuple[Belt, ...]
     found = []
     for position, name in enumerate(candidates["belts"], start=1):
         place = ("candidates", "belts", position)
-        row = _tried(lambda name=name: catalogue.belt(name), place, report)  # type: ignore[misc]
+        row = report.tried(lambda name=name: catalogue.belt(name), place)  # type: ignore[misc]
         if row is not None:
-            found.append(drive_belt(row, drive.belt))
+            found.append(belt_of(row, drive.belt))
     return _unlike(found, ("candidates", "belts"), report)
 
 
@@ -148,20 +121,6 @@ def _unlike(found: Sequence[_Named], place: Place, report: Report) -> tuple[_Nam
     for name in sorted({name for name in names if names.count(name) > 1}):
         report.add(place, f"{shown(name)} stands there more than once", "Keep one of them.")
     return tuple(found)
-
-
-def drive_belt(row: catalogue.CatalogueBelt, like: Belt) -> Belt:
-    """Return a belt of the catalogue in the width and at the speed of another."""
-    return Belt(
-        name=row.name,
-        kind=row.kind,
-        width=like.width,
-        speed=like.speed,
-        modulus=row.modulus,
-        rating=row.rating,
-        least_pulley_diameter=row.least_pulley_diameter,
-        provenance=row.provenance,
-    )
 
 
 def _condition(record: Record, report: Report) -> Condition:
@@ -178,7 +137,7 @@ def _limits(record: Any, drive: Drive, report: Report) -> Limits:
     if not isinstance(record, Record):
         return Limits()
     share = record.get("rating_share", {})
-    _known_cases(share, drive, ("limits", "rating_share"), report)
+    check_cases(((name, (*record.place, "rating_share", name)) for name in share), drive, report)
     keys = (
         "creep",
         "bond_stress",
@@ -201,14 +160,6 @@ def _sag(record: Any) -> Sag | None:
     return Sag(**{SAG_KEYS.get(key, key): value for key, value in record.items()})
 
 
-def _known_cases(names: Any, drive: Drive, place: Place, report: Report) -> None:
-    cases = [case.name for case in drive.load_cases]
-    for name in names:
-        if name not in cases:
-            remedy = nearest(name, cases) or f"It has {', '.join(map(shown, cases))}."
-            report.add((*place, name), "the drive has no such load case", remedy)
-
-
 def _costing(record: Record, laggings: Sequence[Lagging], drive: Drive, report: Report) -> Costing:
     given = record.get("lagging", {})
     names = [lagging.name for lagging in laggings]
@@ -216,7 +167,8 @@ def _costing(record: Record, laggings: Sequence[Lagging], drive: Drive, report: 
         if name not in names:
             place = ("cost", "lagging", name)
             report.add(place, "no lagging among the candidates", nearest(name, names))
-    _known_cases(record.get("hours", {}), drive, ("cost", "hours"), report)
+    hours = record.get("hours", {})
+    check_cases(((name, (*record.place, "hours", name)) for name in hours), drive, report)
     prices = {}
     for lagging in laggings:
         price = _price(lagging, given.get(lagging.name), record["currency"], report)
@@ -229,7 +181,7 @@ def _costing(record: Record, laggings: Sequence[Lagging], drive: Drive, report: 
             name: BeltPrice(price=r["price"], life_years=r["life_years"])
             for name, r in record.get("belt", {}).items()
         },
-        hours=record.get("hours", {}),
+        hours=hours,
         **{key: record[key] for key in ("years", "tariff", "face_width") if key in record},
     )
 

@@ -63,18 +63,13 @@ def what_if(
 
     Raises
     ------
-    KeyError
-        If the drive has no such pulley or load case.
     InputError
-        If a law is unfit for an arc.
+        If the drive has no such pulley or load case, or a law is unfit for an arc.
     """
     solver = Distributed() if method is None else method
 
     def solved(one: Drive) -> ArcResult:
-        case = next((c for c in one.load_cases if c.name == load_case), None)
-        if case is None:
-            raise KeyError(load_case)
-        return solver.solve(WrapArc.of(one, one.pulley(pulley), case))
+        return solver.solve(WrapArc.of(one, one.pulley(pulley), one.load_case(load_case)))
 
     after = tuple(solved(change.drive) for change in changes)
     return WhatIf(pulley, load_case, solved(drive), tuple(changes), after)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import click
 
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, placed
 from wraparc.saving import save_file
 from wraparc.units import System
 
@@ -145,15 +145,14 @@ def virtual_record(
     from wraparc.arc import Distributed, WrapArc
     from wraparc.calibrate.virtual_pulley import record_text
     from wraparc.calibrate.virtual_pulley import virtual_record as make
-    from wraparc.drive.changes import case_named
     from wraparc.files import load_drive
 
     check_outputs({"OUTPUT": (output, (".csv",))}, [file])
     drive = load_drive(file)
-    name = pulley or drive.pulleys[0].name
-    if name not in [p.name for p in drive.pulleys]:
-        raise InputError(Problem(key="--pulley", value=name, message="no such pulley"))
-    arc = WrapArc.of(drive, drive.pulley(name), case_named(drive, load_case))
+    with placed("--pulley", file):
+        on = drive.pulley(pulley)
+    with placed("--load-case", file):
+        arc = WrapArc.of(drive, on, drive.load_case(load_case))
     result = Distributed(points=360, capacities=False).solve(arc)
     if not result.status.solved:
         raise InputError(Problem(file=file, message=f"no record of it: {result.status}"))

@@ -78,14 +78,14 @@ def choose(
 def _lightest(selection: Selection) -> LighterBelt | None:
     from wraparc import catalogue
     from wraparc.choose.belt_rating import least_belt
-    from wraparc.choose.file import drive_belt
+    from wraparc.drive.changes import belt_of
 
     if not len(selection.ranking):
         return None
     best = int(selection.ranking[0])
     now = selection.search.belts[selection.grid.places[2, best]]
     kinds = [row for row in catalogue.belts() if row.kind == now.kind]
-    return least_belt(selection, best, [drive_belt(row, now) for row in kinds])
+    return least_belt(selection, best, [belt_of(row, now) for row in kinds])
 
 
 def _texts(

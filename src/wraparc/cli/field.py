@@ -14,7 +14,7 @@ from wraparc.calibrate.field_numbers import (
 )
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.units import Dimension, System, parse_number, parse_quantity
 
 
@@ -44,7 +44,8 @@ def field(
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     drive = load_drive(file, overrides=settings)
-    name = pulley or drive.pulleys[0].name
+    with placed("--pulley", file):
+        name = drive.pulley(pulley).name
     results = _solved(drive, name)
     limits = {case: at for case, r in results.items() if (at := at_creep_limit(r)) is not None}
     coefficient, source = _coefficient(drive, name, results, wear_hours, said)
@@ -71,17 +72,6 @@ def field(
 
 
 def _solved(drive: Drive, pulley: str) -> dict[str, ArcResult]:
-    names = [p.name for p in drive.pulleys]
-    if pulley not in names:
-        there = ", ".join(map(shown, names))
-        raise InputError(
-            Problem(
-                key="--pulley",
-                value=shown(pulley),
-                message="the drive has no such pulley",
-                remedy=f"It has {there}.",
-            )
-        )
     return {
         case.name: Distributed().solve(WrapArc.of(drive, drive.pulley(pulley), case))
         for case in drive.load_cases

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 
 import click
 
+from wraparc.errors import near
+
 
 class Command(NamedTuple):
     """Where a command is, and what it is for."""
@@ -88,12 +90,10 @@ class LazyGroup(click.Group):
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError as error:
-            import difflib
-
-            near = difflib.get_close_matches(args[0], COMMANDS, n=3)
-            if not near:
+            meant = near(args[0], COMMANDS)
+            if not meant:
                 raise
-            text = f"No such command {args[0]!r}. Did you mean {' or '.join(near)}?"
+            text = f"No such command {args[0]!r}. Did you mean {' or '.join(meant)}?"
             raise click.UsageError(text, error.ctx) from None
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

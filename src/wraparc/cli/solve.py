@@ -1,6 +1,5 @@
 """``wraparc solve`` and ``wraparc check``."""
 
-import difflib
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -11,7 +10,7 @@ from wraparc.arc import Distributed, DriveResult, Method, PaperMarch, Status
 from wraparc.arc import solve as solve_drive
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, placed, shown
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.saving import save_file
 from wraparc.train.file import load_drive_or_train
@@ -199,22 +198,8 @@ def with_case(drive: Drive, name: str | None, file: str) -> Drive:
     """Return the drive with one load case only."""
     if name is None:
         return drive
-    chosen = tuple(case for case in drive.load_cases if case.name == name)
-    if not chosen:
-        names = [case.name for case in drive.load_cases]
-        near = difflib.get_close_matches(name, names, n=2)
-        there = ", ".join(map(shown, names))
-        meant = f"Did you mean {' or '.join(map(shown, near))}? " if near else ""
-        raise InputError(
-            Problem(
-                message="the drive has no such load case",
-                remedy=f"{meant}It has {there}.",
-                file=file,
-                key="--load-case",
-                value=shown(name),
-            )
-        )
-    return replace(drive, load_cases=chosen)
+    with placed("--load-case", file):
+        return replace(drive, load_cases=(drive.load_case(name),))
 
 
 def with_limit(drive: Drive, text: str | None) -> Drive:

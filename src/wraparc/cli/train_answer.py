@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from wraparc.arc import Distributed, DriveResult, Method
 from wraparc.arc import solve as solve_drive
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import placed
 from wraparc.present.sheet import Sheet
 from wraparc.train import Train, TrainResult, TrainStatus, solve_train
 from wraparc.units import System
@@ -15,19 +15,8 @@ def with_case(train: Train, name: str | None, file: str, key: str = "--load-case
     """Return the train with one load case only."""
     if name is None:
         return train
-    chosen = tuple(case for case in train.cases if case.name == name)
-    if not chosen:
-        there = ", ".join(shown(case.name) for case in train.cases)
-        raise InputError(
-            Problem(
-                message="the train has no such load case",
-                remedy=f"It has {there}.",
-                file=file,
-                key=key,
-                value=shown(name),
-            )
-        )
-    return replace(train, cases=chosen)
+    with placed(key, file):
+        return replace(train, cases=(train.case(name),))
 
 
 def with_limit(train: Train, limit: float | None) -> Train:

@@ -9,7 +9,7 @@ import click
 from wraparc.arc import Distributed
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.saving import save_file
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.file import load_train
@@ -139,17 +139,8 @@ def _drive(train: Train, pulley: str | None, file: str) -> int:
 
 
 def _check_case(train: Train, name: str, file: str) -> None:
-    names = [case.name for case in train.cases]
-    if name and name not in names:
-        raise InputError(
-            Problem(
-                message="the train has no such load case",
-                remedy=f"It has {', '.join(map(shown, names))}.",
-                file=file,
-                key="--load-case",
-                value=shown(name),
-            )
-        )
+    with placed("--load-case", file):
+        train.case(name)
 
 
 def _quantity(option: str, text: str, dimension: Any) -> float:

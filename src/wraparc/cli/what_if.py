@@ -7,7 +7,7 @@ import click
 from wraparc.choose.what_if import Change
 from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, placed
 from wraparc.units import System
 
 
@@ -42,18 +42,14 @@ def what_if(
     Every change is one column of the table, each made to the drive as it is in the file.
     """
     from wraparc.choose.what_if import what_if as solve_both
-    from wraparc.drive.changes import case_named
     from wraparc.files import load_drive
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     drive = load_drive(file)
-    name = pulley or drive.pulleys[0].name
-    case = case_named(drive, load_case).name
-    if name not in [p.name for p in drive.pulleys]:
-        there = ", ".join(p.name for p in drive.pulleys)
-        raise InputError(
-            Problem(key="--pulley", value=name, message="no such pulley", remedy=f"It has {there}.")
-        )
+    with placed("--pulley", file):
+        name = drive.pulley(pulley).name
+    with placed("--load-case", file):
+        case = drive.load_case(load_case).name
     changes = list(_changes(drive, name, file, said))
     if not changes:
         raise InputError(

@@ -69,6 +69,10 @@ class Belt:
     def __post_init__(self) -> None:
         raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
 
+    def source_of(self, part: str) -> Provenance:
+        """Return where one number came from: its own source, else the belt's."""
+        return self.sources.get(part, self.provenance)
+
     @property
     def axial_stiffness(self) -> float:
         """EA = M B [N]."""

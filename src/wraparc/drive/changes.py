@@ -9,7 +9,6 @@ from wraparc.catalogue import CatalogueBelt, DesignFriction, belts, design_frict
 from wraparc.drive.belt import Belt
 from wraparc.drive.drive import Drive
 from wraparc.drive.lagging import Lagging
-from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Constant
@@ -47,17 +46,27 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
 
 def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:
     """Return the drive with a belt of the catalogue, its width and speed kept."""
-    belt = Belt(
+    return replace(drive, belt=belt_of(row, drive.belt))
+
+
+def belt_of(row: CatalogueBelt, like: Belt) -> Belt:
+    """Return a belt of the catalogue in the width and at the speed of another.
+
+    Width and speed keep the provenance they had there.
+    """
+    return Belt(
         name=row.name,
         kind=row.kind,
-        width=drive.belt.width,
-        speed=drive.belt.speed,
+        width=like.width,
+        speed=like.speed,
         modulus=row.modulus,
         rating=row.rating,
         least_pulley_diameter=row.least_pulley_diameter,
         provenance=row.provenance,
+        sources={
+            key: like.source_of(key) for key in ("width", "speed") if getattr(like, key) is not None
+        },
     )
-    return replace(drive, belt=belt)
 
 
 def other_carcass(belt: Belt) -> CatalogueBelt:
@@ -121,26 +130,3 @@ def _bare_lagging(design: DesignFriction, condition: str) -> Lagging:
         condition=condition,
         provenance=Provenance(Kind.PUBLISHED, origin.source, origin.date, note),
     )
-
-
-def case_named(drive: Drive, name: str | None) -> LoadCase:
-    """Return a load case by name, the first for None.
-
-    Raises
-    ------
-    InputError
-        If there is none.
-    """
-    if name is None:
-        return drive.load_cases[0]
-    found = next((c for c in drive.load_cases if c.name == name), None)
-    if found is None:
-        names = ", ".join(shown(c.name) for c in drive.load_cases)
-        raise InputError(
-            Problem(
-                value=shown(name),
-                message="the drive has no such load case",
-                remedy=f"It has {names}.",
-            )
-        )
-    return found

@@ -8,22 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from math import log
 
 from wraparc.catalogue import DesignFriction, design_friction
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
-from wraparc.friction import (
-    CoefficientPieces,
-    Constant,
-    ElasticPlastic,
-    FrictionLaw,
-    IntegralLog,
-    MeasuredTable,
-    PressureKnots,
-    PressurePower,
-    Trend,
-)
 from wraparc.provenance import Kind, Provenance
 
 DRY = "dry"
@@ -69,7 +57,7 @@ class Condition:
         factor, source = self.factor_of(lagging)
         return replace(
             lagging,
-            law=scaled(lagging.law, factor),
+            law=lagging.law.scaled(factor),
             condition=self.name,
             sources={**lagging.sources, "law": source},
             fit=None,
@@ -132,70 +120,3 @@ def design_ratio(standard: str, surface: str, condition: str) -> tuple[float, Pr
 def _ends(design: DesignFriction) -> str:
     low, high = design.friction
     return f"{low:g}" if low == high else f"{low:g}-{high:g}"
-
-
-def scaled(law: FrictionLaw, friction: float = 1.0, slip: float = 1.0) -> FrictionLaw:
-    """Return the law with mu'(x, p) = friction * mu(x / slip, p).
-
-    Parameters
-    ----------
-    law
-        Any friction law.
-    friction
-        Factor on the friction, > 0 [-].
-    slip
-        Factor on the slip axis, > 0 [-]: peaks move to this multiple of their slip.
-    """
-    if friction == slip == 1.0:
-        return law
-    if isinstance(law, IntegralLog):
-        c = law.coefficients
-        knots = _knots if isinstance(c, PressureKnots) else _pieces
-        return replace(law, coefficients=knots(c, friction, slip))  # type: ignore[arg-type]
-    if isinstance(law, ElasticPlastic):
-        return replace(
-            law,
-            stiffness=law.stiffness * friction / slip,
-            friction_coefficient=law.friction_coefficient * friction,
-        )
-    if isinstance(law, Constant | PressurePower):
-        return replace(law, friction_coefficient=law.friction_coefficient * friction)
-    if isinstance(law, MeasuredTable):
-        rows = tuple(tuple(mu * friction for mu in row) for row in law.values)
-        return replace(law, slip=tuple(x * slip for x in law.slip), values=rows)
-    raise TypeError(f"{type(law).__name__} cannot be scaled")
-
-
-def _knots(c: PressureKnots, friction: float, slip: float) -> PressureKnots:
-    return replace(
-        c,
-        peak_friction=tuple(v * friction for v in c.peak_friction),
-        peak_slip=tuple(v * slip for v in c.peak_slip),
-        post_peak_slope=tuple(v * friction / slip for v in c.post_peak_slope),
-        residual_friction=tuple(v * friction for v in c.residual_friction),
-    )
-
-
-def _pieces(c: CoefficientPieces, friction: float, slip: float) -> CoefficientPieces:
-    return replace(
-        c,
-        # x / s is x in a unit s times as long: that says it without touching the trend of b
-        slip_unit=c.slip_unit * slip,
-        pieces=tuple(
-            replace(
-                piece,
-                a=_times(piece.a, friction),
-                b=_times(piece.b, friction),
-                post_peak_slope=_times(piece.post_peak_slope, friction / slip),
-                residual_friction=_times(piece.residual_friction, friction),
-            )
-            for piece in c.pieces
-        ),
-    )
-
-
-def _times(trend: Trend, factor: float) -> Trend:
-    c = trend.coefficients
-    if trend.form in ("power", "exponential"):
-        return replace(trend, coefficients=(c[0] + log(factor), *c[1:]))
-    return replace(trend, coefficients=tuple(v * factor for v in c))

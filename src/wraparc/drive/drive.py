@@ -1,15 +1,15 @@
 """A whole drive: a belt, its drive pulleys, and the load cases to be carried."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, Protocol, TypeVar
 
 from wraparc.drive.belt import Belt
 from wraparc.drive.criteria import Criteria
 from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
-from wraparc.errors import Problem, shown
+from wraparc.errors import Problem, no_such, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.views import Viewable
 
@@ -68,15 +68,19 @@ class Drive(Viewable):
                 problems.append(_wrong_pulleys(case, names))
         raise_all(problems)
 
-    def pulley(self, name: str) -> Pulley:
-        """Return the pulley of a name.
+    def pulley(self, name: str | None = None) -> Pulley:
+        """Return a pulley by name, the first for None.
 
         Raises
         ------
-        KeyError
-            If there is none.
+        InputError
+            If there is none of this name, with those there are.
         """
-        return next((p for p in self.pulleys if p.name == name), None) or _no_such(name)
+        return named("pulley", name, self.pulleys)
+
+    def load_case(self, name: str | None = None) -> LoadCase:
+        """Return a load case by name, the first for None; errors as for `pulley`."""
+        return named("load case", name, self.load_cases)
 
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""
@@ -104,5 +108,17 @@ def _wrong_pulleys(case: LoadCase, names: set[str]) -> Problem:
     return Problem(key=f"load_case.{case.name}", message=" and ".join(parts))
 
 
-def _no_such(name: str) -> Pulley:
-    raise KeyError(name)
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+_N = TypeVar("_N", bound=_Named)
+
+
+def named(what: str, name: str | None, among: Sequence[_N], *, of: str = "the drive") -> _N:
+    """Return the one of a name, the first for None; an `InputError` lists them if there is none."""
+    for one in among:
+        if name in (None, one.name):
+            return one
+    raise no_such(what, name, [one.name for one in among], of=of)

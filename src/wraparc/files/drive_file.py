@@ -4,11 +4,10 @@ import os
 from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
-from wraparc.errors import InputError, shown
+from wraparc.errors import InputError, nearest, shown
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.tensions import KEYS, Given, complete, resolve
-from wraparc.schema.kinds import nearest
 from wraparc.schema.overrides import Overrides, overridden
 from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, check_format, parse, read_text

@@ -6,10 +6,9 @@ from functools import lru_cache
 
 from wraparc.catalogue import lagging_names, lagging_text
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_keys import LAGGING_FILE
-from wraparc.schema.kinds import nearest
 from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, check_format, parse, read_text
 from wraparc.schema.tables import Record

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Trend
-from wraparc.friction.integral_log import Form
+from wraparc.friction.trend import Form
 
 _NUMBER = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
 _GRAMMAR = (

@@ -28,12 +28,13 @@ from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.files.law_tables import fit_table, law_table
 from wraparc.provenance import Provenance
+from wraparc.saving import save_file
 from wraparc.schema.emit import document_text
 from wraparc.schema.keep import kept
 from wraparc.schema.problems import Report
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.shared_keys import FORMAT
-from wraparc.schema.source import Document, write_text
+from wraparc.schema.source import Document
 
 Tables = dict[str, Any]
 
@@ -65,7 +66,7 @@ def drive_document(drive: Drive, *, like: Document | None = None) -> Document:
 
 def save_drive(drive: Drive, path: str | os.PathLike[str], *, like: Document | None = None) -> None:
     """Write a drive file as a whole or not at all; see `drive_text`."""
-    write_text(path, drive_text(drive, like=like))
+    save_file(path, drive_text(drive, like=like))
 
 
 def lagging_text(laggings: Lagging | Sequence[Lagging]) -> str:
@@ -86,7 +87,7 @@ def lagging_text(laggings: Lagging | Sequence[Lagging]) -> str:
 
 def save_lagging(laggings: Lagging | Sequence[Lagging], path: str | os.PathLike[str]) -> None:
     """Write a lagging file as a whole or not at all; see `lagging_text`."""
-    write_text(path, lagging_text(laggings))
+    save_file(path, lagging_text(laggings))
 
 
 def _reads_as(document: Document, drive: Drive) -> bool:

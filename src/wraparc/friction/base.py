@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -58,12 +59,36 @@ class TestedRange:
         )
 
 
+@dataclass(frozen=True)
+class Equation:
+    """One equation, as documents show it.
+
+    Attributes
+    ----------
+    title
+        What it says.
+    typst, latex
+        The equation in either language.
+    words
+        The equation read aloud.
+    """
+
+    title: str
+    typst: str
+    latex: str
+    words: str
+
+
 class FrictionLaw(ABC):
     """Friction of a lagging, mu(x, p): an odd function of slip x that depends on wrap pressure p.
 
     Below the lowest tested pressure friction is held; above the highest the traction mu p is held.
     Slip is never clamped. Laws are frozen data: equal numbers make equal laws.
     """
+
+    #: What engineers call the law.
+    title: ClassVar[str]
+    equation: ClassVar[Equation]
 
     tested: TestedRange | None
 
@@ -91,6 +116,22 @@ class FrictionLaw(ABC):
     @abstractmethod
     def steepest_fall(self) -> float:
         """Steepest fall of friction with slip, a number <= 0 [1/m]."""
+
+    def scaled(self, friction: float = 1.0, slip: float = 1.0) -> Self:
+        """Return the law with mu'(x, p) = friction * mu(x / slip, p).
+
+        Parameters
+        ----------
+        friction
+            Factor on the friction, > 0 [-].
+        slip
+            Factor on the slip axis, > 0 [-]: peaks move to this multiple of their slip.
+        """
+        return self if friction == slip == 1.0 else self._scaled(friction, slip)
+
+    @abstractmethod
+    def _scaled(self, friction: float, slip: float) -> Self:
+        """Return the law scaled by factors of which one is not 1."""
 
 
 def held_pressure(edges: ArrayLike, pressure: ArrayLike) -> tuple[Array, Array]:

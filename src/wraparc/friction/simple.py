@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.friction.base import Array, FrictionLaw, TestedRange, check, held_pressure
+from wraparc.friction.base import Array, Equation, FrictionLaw, TestedRange, check, held_pressure
 from wraparc.friction.compact import LIMIT, CompactLaw
 
 
@@ -26,6 +27,9 @@ class Constant(FrictionLaw):
     tested
         Range of the measurement behind it, or None.
     """
+
+    title = "constant friction (Euler-Eytelwein)"
+    equation = Equation("Constant friction", "mu = mu_0", r"\mu = \mu_0", "mu equals mu 0")
 
     friction_coefficient: float
     tested: TestedRange | None = None
@@ -55,6 +59,9 @@ class Constant(FrictionLaw):
         """Return 0: friction does not fall with slip."""
         return 0.0
 
+    def _scaled(self, friction: float, slip: float) -> Self:
+        return replace(self, friction_coefficient=self.friction_coefficient * friction)
+
 
 @dataclass(frozen=True, kw_only=True)
 class ElasticPlastic(FrictionLaw):
@@ -69,6 +76,14 @@ class ElasticPlastic(FrictionLaw):
     tested
         Range of the measurement behind it, or None.
     """
+
+    title = "elastic-plastic"
+    equation = Equation(
+        "Elastic-plastic friction",
+        "mu = min(kappa_s x / p, mu_0)",
+        r"\mu = \min(\kappa_s x / p, \mu_0)",
+        "mu is the smaller of kappa s x over p and mu 0",
+    )
 
     stiffness: float
     friction_coefficient: float
@@ -107,6 +122,13 @@ class ElasticPlastic(FrictionLaw):
         """Return 0: friction does not fall with slip."""
         return 0.0
 
+    def _scaled(self, friction: float, slip: float) -> Self:
+        return replace(
+            self,
+            stiffness=self.stiffness * friction / slip,
+            friction_coefficient=self.friction_coefficient * friction,
+        )
+
 
 @dataclass(frozen=True, kw_only=True)
 class PressurePower(FrictionLaw):
@@ -123,6 +145,14 @@ class PressurePower(FrictionLaw):
     tested
         Range of the measurement behind it, or None.
     """
+
+    title = "power of pressure"
+    equation = Equation(
+        "Friction as a power of pressure",
+        "mu = mu_0 (p / p_0)^(-n)",
+        r"\mu = \mu_0 (p/p_0)^{-n}",
+        "mu equals mu 0 times p over p 0 to the minus n",
+    )
 
     friction_coefficient: float
     reference_pressure: float
@@ -162,3 +192,6 @@ class PressurePower(FrictionLaw):
     def steepest_fall(self) -> float:
         """Return 0: friction does not fall with slip."""
         return 0.0
+
+    def _scaled(self, friction: float, slip: float) -> Self:
+        return replace(self, friction_coefficient=self.friction_coefficient * friction)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import isfinite
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.friction.base import Array, FrictionLaw, TestedRange, check
+from wraparc.friction.base import Array, Equation, FrictionLaw, TestedRange, check
 from wraparc.friction.compact import TABLE, CompactLaw
 from wraparc.friction.interpolation import evaluate, pchip
 
@@ -30,6 +31,14 @@ class MeasuredTable(FrictionLaw):
     values
         Friction, one tuple for each pressure, shape (n, m), >= 0, positive past slip 0 [-].
     """
+
+    title = "measured table"
+    equation = Equation(
+        "Friction by monotone interpolation of the measured table",
+        'mu = mu(x, p) "interpolated"',
+        r"\mu = \mu(x, p)\ \text{interpolated}",
+        "mu of x and p interpolated",
+    )
 
     slip: tuple[float, ...]
     pressure: tuple[float, ...]
@@ -127,6 +136,10 @@ class MeasuredTable(FrictionLaw):
                 for t in (0.0 * width, np.clip(vertex, 0.0, width), width)
             ]
         return min(falls)
+
+    def _scaled(self, friction: float, slip: float) -> Self:
+        rows = tuple(tuple(mu * friction for mu in row) for row in self.values)
+        return replace(self, slip=tuple(x * slip for x in self.slip), values=rows)
 
 
 def _ascending(values: tuple[float, ...]) -> bool:

@@ -44,11 +44,6 @@ class NumeralStyle:
     decimal: str = "."
     proof: str = ""
 
-    @property
-    def thousands(self) -> str:
-        """The other one of the two signs."""
-        return "," if self.decimal == "." else "."
-
 
 def looks_numeric(cell: str) -> bool:
     """Whether `cell` reads as a number in one style or the other."""

@@ -59,7 +59,7 @@ def lagging_rows(lagging: Lagging, system: System, of: Sources) -> tuple[Row, ..
     rows = [
         Row("Lagging", (lagging.name,), note=lagging.title),
         Row("Condition", (lagging.condition,)),
-        Row("Friction law", (type(lagging.law).__name__,), note=of.note(lagging.source_of("law"))),
+        Row("Friction law", (lagging.law.title,), note=of.note(lagging.source_of("law"))),
     ]
     for name, field in (
         ("lagging_thickness", "thickness"),

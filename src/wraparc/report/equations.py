@@ -1,30 +1,9 @@
 """The equations that a note rests on: typeset, in LaTeX, and in words for who cannot see them."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from wraparc.arc import ArcResult
-
-
-@dataclass(frozen=True)
-class Equation:
-    """One equation.
-
-    Attributes
-    ----------
-    title
-        What it says.
-    typst, latex
-        The equation in either language.
-    words
-        The equation read aloud.
-    """
-
-    title: str
-    typst: str
-    latex: str
-    words: str
-
+from wraparc.friction.base import Equation
 
 _PRESSURE = Equation(
     "Wrap pressure",
@@ -106,39 +85,6 @@ _TRAIN = Equation(
     "v i over v 1 equals 1 plus T i over M B times 1 minus g 1, over 1 plus T 1 over M B times 1 "
     "minus g i",
 )
-_LAWS = {
-    "IntegralLog": Equation(
-        "Friction up to its peak; beyond it a straight line down to the residual friction",
-        "mu = A x ln x - b x, quad x_p = e^(b\\/A - 1), quad mu_p = -A x_p; quad "
-        "x > x_p: mu = max(mu_p + m (x - x_p), mu_r)",
-        r"\mu = A x \ln x - b x,\quad x_p = e^{b/A - 1},\quad \mu_p = -A x_p;\quad "
-        r"x > x_p:\ \mu = \max(\mu_p + m(x - x_p), \mu_r)",
-        "mu equals A x logarithm of x minus b x; its peak lies at x p equal to e to the b over A "
-        "minus 1 and is mu p equal to minus A x p; beyond it mu is the larger of mu p plus m times "
-        "x minus x p and mu r",
-    ),
-    "Constant": Equation(
-        "Constant friction", "mu = mu_0", r"\mu = \mu_0", "mu equals mu 0"
-    ),
-    "ElasticPlastic": Equation(
-        "Elastic-plastic friction",
-        "mu = min(kappa_s x / p, mu_0)",
-        r"\mu = \min(\kappa_s x / p, \mu_0)",
-        "mu is the smaller of kappa s x over p and mu 0",
-    ),
-    "PressurePower": Equation(
-        "Friction as a power of pressure",
-        "mu = mu_0 (p / p_0)^(-n)",
-        r"\mu = \mu_0 (p/p_0)^{-n}",
-        "mu equals mu 0 times p over p 0 to the minus n",
-    ),
-    "MeasuredTable": Equation(
-        "Friction by monotone interpolation of the measured table",
-        'mu = mu(x, p) "interpolated"',
-        r"\mu = \mu(x, p)\ \text{interpolated}",
-        "mu of x and p interpolated",
-    ),
-}  # fmt: skip
 
 
 def equations(
@@ -163,9 +109,7 @@ def _chosen(
     yield _TENSION
     yield _CREEP if any(r.arc.recovery for r in arcs) else _CREEP_PLAIN
     yield _SHEAR
-    for law in dict.fromkeys(type(r.arc.law).__name__ for r in arcs):
-        if law in _LAWS:
-            yield _LAWS[law]
+    yield from dict.fromkeys(r.arc.law.equation for r in arcs)
     if any(r.arc.overrun is None for r in arcs):
         yield _KICK
     yield _CAPACITY

@@ -24,13 +24,6 @@ _TENSIONS = (
 )
 #: Things alike that fit beside each other on a page, with room for their sources.
 _ABREAST = 4
-_LAW_NAMES = {
-    "IntegralLog": "integral-log law",
-    "Constant": "constant friction (Euler-Eytelwein)",
-    "ElasticPlastic": "elastic-plastic",
-    "PressurePower": "power of pressure",
-    "MeasuredTable": "measured table",
-}
 
 
 @dataclass(frozen=True)
@@ -146,8 +139,7 @@ def _pulley(drive: Drive, pulley: Pulley) -> Iterator[Input]:
 
 def _lagging(lagging: Lagging) -> Iterator[Input]:
     group = f"Lagging {lagging.name}"
-    kind = type(lagging.law).__name__
-    law = _LAW_NAMES.get(kind, kind)
+    law = lagging.law.title
     yield Input(group, "Friction law", law, symbol="mu(x, p)", origin=lagging.source_of("law"))
     for name, key in (
         ("lagging_thickness", "thickness"),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Pulley, design_remarks
 from wraparc.errors import InputError, Problem, shown
+from wraparc.friction import Equation
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import answer_table, belongs, capacity_table, creep_table
 from wraparc.present.catalogue_sheets import law_table
@@ -20,7 +21,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
 from wraparc.report.checks import Check, Outcome, check_table, checks
 from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
-from wraparc.report.equations import Equation, equations
+from wraparc.report.equations import equations
 from wraparc.report.inputs import Input, drive_inputs, input_tables
 from wraparc.units import System, display_unit
 from wraparc.version import __version__

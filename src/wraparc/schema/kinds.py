@@ -6,13 +6,12 @@ a validation library would: importing one costs a third of a second, half of wha
 run of the command line may take.
 """
 
-import difflib
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from wraparc.errors import InputError, shown
+from wraparc.errors import InputError, nearest, shown
 from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.units import DIMENSION_TEXT, Dimension, display_unit, parse_quantity
@@ -279,14 +278,3 @@ def table_labels(rows: Sequence[object]) -> list[str | int]:
         name if isinstance(name, str) and name.strip() and names.count(name) == 1 else position
         for position, name in enumerate(names, start=1)
     ]
-
-
-def nearest(given: object, known: Iterable[str]) -> str:
-    """Return "Did you mean ...?" with the nearest of the known words, or nothing."""
-    if not isinstance(given, str):
-        return ""
-    words = list(known)
-    near = [word for word in words if len(given) > 2 and given in word]
-    near += difflib.get_close_matches(given[:100], words, n=3, cutoff=0.55)
-    texts = [shown(word) for word in dict.fromkeys(near)][:3]
-    return f"Did you mean {' or '.join(texts)}?" if texts else ""

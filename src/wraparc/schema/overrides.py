@@ -8,8 +8,8 @@ import tomllib
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from wraparc.errors import InputError, Problem, shown
-from wraparc.schema.kinds import nearest, table_labels
+from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.schema.kinds import table_labels
 from wraparc.schema.problems import Place, place_text
 from wraparc.schema.shared_keys import ALIASES
 from wraparc.schema.source import Document, parse, read_text

@@ -1,9 +1,9 @@
 """Places in a document, and the problems found there, collected so that all are told at once."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Final, TypeVar
 
 from wraparc.errors import InputError, Problem, shown
 
@@ -13,6 +13,9 @@ Place = tuple[str | int, ...]
 _BARE = re.compile(r"[A-Za-z0-9_-]{1,60}")
 _STEP = re.compile(r"\.?([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]")
 _MOST = 50
+
+
+_T = TypeVar("_T")
 
 
 class _Nothing:
@@ -113,6 +116,20 @@ class Report:
                 value = problem.value
             key = place_text(place + below)
             self._append(replace(problem, key=key, value=value, file=self.file))
+
+    def tried(
+        self,
+        make: Callable[[], _T],
+        place: Place,
+        raw: object = NOTHING,
+        names: Mapping[str, str] | None = None,
+    ) -> _T | None:
+        """Return what a function makes, or None after taking the problems it raises."""
+        try:
+            return make()
+        except InputError as error:
+            self.take(error, place, raw, names)
+            return None
 
     def _append(self, problem: Problem) -> None:
         problem = problem if problem.file else replace(problem, file=self.file)

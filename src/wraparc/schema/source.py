@@ -4,7 +4,6 @@ import os
 import re
 import stat
 import tomllib
-from pathlib import Path
 from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
@@ -133,26 +132,3 @@ def _syntax_error(text: str, message: str, file: str) -> InputError:
 
 def _file_problem(file: str, message: str, remedy: str) -> InputError:
     return InputError(Problem(message=message, remedy=remedy, file=file))
-
-
-def write_text(path: str | os.PathLike[str], text: str) -> None:
-    """Write a text file as a whole or not at all.
-
-    Raises
-    ------
-    InputError
-        If it cannot be written; what was there before is then untouched.
-    """
-    file = printable(os.fspath(path))
-    target = Path(os.path.realpath(path))
-    draft = target.with_name(f".{target.name}.{os.getpid()}.tmp")
-    try:
-        try:
-            draft.write_text(text, "utf-8", newline="\n")
-            os.replace(draft, target)
-        finally:
-            draft.unlink(missing_ok=True)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        message, remedy = f"cannot be written: {reason}", "Choose another place."
-        raise _file_problem(file, message, remedy) from None

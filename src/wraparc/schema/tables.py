@@ -4,8 +4,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from wraparc.errors import shown
-from wraparc.schema.kinds import Choice, Kind, Quantity, nearest
+from wraparc.errors import nearest, shown
+from wraparc.schema.kinds import Choice, Kind, Quantity
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.units import DIMENSION_TEXT
 

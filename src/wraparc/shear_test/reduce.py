@@ -74,8 +74,6 @@ class FrictionCurve:
         Friction of the first readings [-].
     onset
         Travel where the friction has started to rise, a first guess of the lash [m].
-    resolution
-        Typical distance of the readings in travel [m].
     notes
         What was taken off or found, as sentences.
     """
@@ -93,7 +91,6 @@ class FrictionCurve:
     zero_error: float
     first_friction: float
     onset: float
-    resolution: float
     notes: tuple[str, ...]
 
 
@@ -150,7 +147,6 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         zero_error=zero[1] if zero else 0.0,
         first_friction=float(np.median(friction[:5])),
         onset=onset,
-        resolution=float(np.median(np.diff(travel))),
         notes=notes,
     )
 

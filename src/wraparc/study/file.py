@@ -13,11 +13,11 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.drive import Drive, Lagging
-from wraparc.errors import InputError, shown
+from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import drive_from_document
+from wraparc.files.drive_parts import check_cases, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
-from wraparc.schema.kinds import nearest
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, overridden, read_document
 from wraparc.schema.problems import Place, Report, place_text
@@ -89,7 +89,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     base, drive = _drive(drive_path, record, report)
     report.raise_all()
     assert drive is not None  # noqa: S101 - else it was reported
-    pulley = _pulley(record, drive, report)
+    pulley = pulley_of(record, drive, report)
     loads = _load_cases(record, drive, report)
     read = [read_axis(r, base, drive, report) for r in record["axis"] if isinstance(r, Record)]
     axes = [pair for pair in read if pair is not None]
@@ -171,19 +171,6 @@ def _free_name(path: str, taken: Mapping[str, Any]) -> str:
     return next(name for name in numbered if name not in taken)
 
 
-def _pulley(record: Record, drive: Drive, report: Report) -> str:
-    names = [p.name for p in drive.pulleys]
-    name: str = record.get("pulley", names[0])
-    if name not in names:
-        remedy = nearest(name, names) or f"It has {', '.join(map(shown, names))}."
-        report.add(("pulley",), "the drive has no such pulley", remedy, name)
-        return names[0]
-    if "pulley" not in record and len(names) > 1:
-        there = ", ".join(map(shown, names))
-        report.add(("pulley",), "the drive has several pulleys", f"Write which of {there}.")
-    return name
-
-
 def _load_cases(record: Record, drive: Drive, report: Report) -> tuple[str, ...]:
     there = [case.name for case in drive.load_cases]
     if "load_cases" not in record:
@@ -191,11 +178,8 @@ def _load_cases(record: Record, drive: Drive, report: Report) -> tuple[str, ...]
     given = record["load_cases"]
     if given is None:
         return tuple(there)
-    for number, name in enumerate(given, start=1):
-        if name not in there:
-            remedy = nearest(name, there) or f"It has {', '.join(map(shown, there))}."
-            place = ("load_cases", number)
-            report.add(place, "the drive has no such load case", remedy, name)
+    places = ((name, ("load_cases", number)) for number, name in enumerate(given, start=1))
+    check_cases(places, drive, report)
     return tuple(dict.fromkeys(given))
 
 

@@ -74,9 +74,8 @@ def _fit(record: Record, name: str, steps: Place, drive: Drive, report: Report) 
         message = "only the lagging of a pulley can be drawn from its fit"
         report.add(place, message, 'Write field = "pulley.NAME.lagging".', name)
         return None
-    pulley = next((p for p in drive.pulleys if p.name == steps[1]), None)
+    pulley = report.tried(lambda: drive.pulley(str(steps[1])), place)
     if pulley is None:
-        report.add(place, "the drive has no such pulley", value=name)
         return None
     if pulley.lagging.fit is None:
         message = f"lagging {pulley.lagging.name} has no statistics of a fit to draw from"

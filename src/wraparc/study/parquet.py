@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.glossary import GLOSSARY
+from wraparc.saving import replacing
 from wraparc.study.parameter_study import (
     CONDITION,
     DESIGN,
@@ -201,15 +202,10 @@ def merge(parts: Iterable[Path], schema: Any, target: Path) -> None:
     """Write parts into one file, a row group a part; whole or not at all."""
     import pyarrow.parquet as pq
 
-    draft = target.with_name(f".{target.name[:80]}.{os.getpid()}.tmp")
-    try:
-        with _writer(str(draft), schema) as writer:
-            for part in parts:
-                with pq.ParquetFile(part) as file:
-                    writer.write_table(file.read().cast(schema))
-        os.replace(draft, target)
-    finally:
-        draft.unlink(missing_ok=True)
+    with replacing(target) as draft, _writer(str(draft), schema) as writer:
+        for part in parts:
+            with pq.ParquetFile(part) as file:
+                writer.write_table(file.read().cast(schema))
 
 
 def read_data(path: str | os.PathLike[str]) -> dict[str, Any]:

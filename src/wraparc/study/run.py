@@ -13,7 +13,7 @@ from pathlib import Path
 from wraparc.batch import Setting
 from wraparc.batch.native import available
 from wraparc.errors import InputError, Problem, shown
-from wraparc.saving import save_file, saving_problems
+from wraparc.saving import replacing, save_file, saving_problems
 from wraparc.study.executor import Executor, Part, Threads
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import merge, require_pyarrow, rows_of, schema_of
@@ -208,7 +208,8 @@ def _solve(study: Study, folder: Path, parts: Sequence[Part], done: set[Part], h
     try:
         for part, content in solved:
             try:
-                _save(_file(folder, part), content)
+                with replacing(_file(folder, part)) as draft:
+                    draft.write_bytes(content)
             except OSError as error:
                 raise _stopped(error, folder, count, len(parts)) from None
             count, designs = count + 1, designs + part.stop - part.start
@@ -217,16 +218,6 @@ def _solve(study: Study, folder: Path, parts: Sequence[Part], done: set[Part], h
         close = getattr(solved, "close", None)
         if close is not None:
             close()
-
-
-def _save(file: Path, content: bytes) -> None:
-    """Write a part: whole or not at all."""
-    draft = file.with_name(f".{file.name}.{os.getpid()}.tmp")
-    try:
-        draft.write_bytes(content)
-        os.replace(draft, file)
-    finally:
-        draft.unlink(missing_ok=True)
 
 
 def _tell(progress: Progress | None, done: int, total: int) -> None:

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
         TorqueFollower,
         VariableSpeed,
     )
-    from wraparc.train.passage_table import Passages
     from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
     from wraparc.train.solve import solve_train
     from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
@@ -38,7 +37,6 @@ __all__ = [
     "Motor",
     "MotorPoint",
     "Motors",
-    "Passages",
     "Pulls",
     "ShareCurve",
     "ShareMap",
@@ -59,7 +57,6 @@ __all__ = [
 
 _MODULES = {
     "curve": "Mark MarkKind ShareCurve share_curve",
-    "passage_table": "Passages",
     "matching": "Change Matching match_drives",
     "motors": "FluidCoupling Induction Motor TorqueFollower VariableSpeed",
     "result": "CaseResult MemberResult MotorPoint TrainResult TrainStatus",

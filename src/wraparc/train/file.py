@@ -7,11 +7,10 @@ from dataclasses import replace
 from typing import Any, cast
 
 from wraparc.drive import DESIGN, Belt, Drive, Pulley
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.tensions import KEYS, Given, complete, resolve
-from wraparc.schema.kinds import nearest
 from wraparc.schema.overrides import Overrides, overridden, read_document
 from wraparc.schema.problems import NOTHING, Report, place_text
 from wraparc.schema.source import Document, check_format, parse

@@ -9,7 +9,7 @@ import numpy as np
 
 from wraparc.errors import InputError, Problem
 from wraparc.train.member import RATIO_SCALE, Member
-from wraparc.train.passage_table import LARGEST_RATIO, Array, Passages, PassageTable, one_by_one
+from wraparc.train.passage_table import LARGEST_RATIO, Array, PassageTable
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import Setup
 from wraparc.train.system import System
@@ -65,7 +65,6 @@ def share_map(
     y: Array,
     across: Axis = Axis.TRIM,
     down: Axis = Axis.LOAD,
-    passages: Passages = one_by_one,
 ) -> ShareMap:
     """Return the shares of a solved train over two quantities, the speeds of the drums held.
 
@@ -79,8 +78,6 @@ def share_map(
         Values on the axes, see `ShareCurve.values` [-].
     across, down
         What is varied.
-    passages
-        What sends the belt over the pulleys; `wraparc.study.passages.all_at_once` is compiled.
 
     Raises
     ------
@@ -99,7 +96,7 @@ def share_map(
     setup = Setup.of(train, train.cases[0])
     _check(setup.system, train, across, down)
     origin = [place(train, solved, axis, drive) for axis in (across, down)]
-    grid = _Grid(setup.system, train, drive, (across, down), origin, passages)
+    grid = _Grid(setup.system, train, drive, (across, down), origin)
     x, y = np.asarray(x, float), np.asarray(y, float)
     shares, creeps = grid.solve(x, y)
     return ShareMap(train, solved, drive, across, down, x, y, shares, creeps)
@@ -136,11 +133,9 @@ class _Grid:
         drive: int,
         axes: tuple[Axis, Axis],
         origin: Sequence[float],
-        passages: Passages,
     ) -> None:
         self._base, self._train, self._drive = base, train, drive
         self._axes, self._origin = axes, origin
-        self._passages = passages
 
     def solve(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Shares and exit creeps, (ny, nx, drives)."""
@@ -180,7 +175,7 @@ class _Grid:
 
         def table(member: Member, ends: tuple[float, float]) -> PassageTable:
             if (member, ends) not in made:
-                made[member, ends] = PassageTable.of(member, *ends, self._passages)
+                made[member, ends] = PassageTable.of(member, *ends)
             return made[member, ends]
 
         pulleys = []

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import asinh, exp, log
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,19 +24,11 @@ _TENSION_STEP = 0.25  # of the logarithm
 _EFFORT_POINTS, _TENSION_POINTS = 6, 4
 
 
-class Passages(Protocol):
-    """Sends the belt over a pulley many times.
+def _passages(member: Member, logs: Array, efforts: Array) -> Array:
+    """Send the belt over a pulley once for each ln(entry tension) and effort, (n,) each.
 
-    Takes the pulley as numbers, ln(entry tension) and effort, (n,) each; returns ln(exit over entry
-    tension) [-] and exit creep [m], (2, n).
+    Returns ln(exit over entry tension) [-] and exit creep [m], (2, n).
     """
-
-    def __call__(self, member: Member, logs: Array, efforts: Array, /) -> Array:
-        """Return the passages."""
-
-
-def one_by_one(member: Member, logs: Array, efforts: Array) -> Array:
-    """Send the belt over a pulley again and again, in this process; see `Passages`."""
     found = np.empty((2, len(logs)))
     for i, (log_entry, effort) in enumerate(zip(logs, efforts, strict=True)):
         at = member.passage(exp(log_entry), float(effort), SHARP)
@@ -62,9 +53,7 @@ class PassageTable:
     values: Array
 
     @classmethod
-    def of(
-        cls, member: Member, lowest: float, highest: float, passages: Passages = one_by_one
-    ) -> PassageTable:
+    def of(cls, member: Member, lowest: float, highest: float) -> PassageTable:
         """Tabulate a pulley for entry tensions from `lowest` to `highest` [N]."""
         end = asinh(LARGEST_RATIO / RATIO_SCALE)
         half = int(end / _EFFORT_STEP) + 1
@@ -72,7 +61,7 @@ class PassageTable:
         parts = max(_TENSION_POINTS, int(log(highest / lowest) / _TENSION_STEP) + 2)
         logs = np.linspace(log(lowest), log(highest), parts)
         places = np.meshgrid(efforts, logs, indexing="ij")
-        found = passages(member, places[1].ravel(), places[0].ravel())
+        found = _passages(member, places[1].ravel(), places[0].ravel())
         values = found.reshape(2, len(efforts), len(logs))
         steps = (float(efforts[1] - efforts[0]), float(logs[1] - logs[0]))
         return cls((float(efforts[0]), float(logs[0])), steps, values)

@@ -21,6 +21,7 @@ from wraparc.drive import (
     Pulley,
     repeated,
 )
+from wraparc.drive.drive import named
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
 from wraparc.train.motors import Motor, TorqueFollower
@@ -222,13 +223,10 @@ class Train:
 
         Raises
         ------
-        KeyError
-            If there is none.
+        InputError
+            If there is none, with those there are.
         """
-        for case in self.cases:
-            if name in ("", case.name):
-                return case
-        raise KeyError(name)
+        return named("load case", name or None, self.cases, of="the train")
 
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""

@@ -5,13 +5,12 @@ divisor is one unit or a product in brackets: ``kN``, ``kN/m``, ``lbf*ft``, ``NÂ
 ``ft-lb``, ``mm2``, ``mm^-1``, ``1/mm``, ``mm3/(N m)``.
 """
 
-import difflib
 import re
 from decimal import Decimal
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, near, shown
 from wraparc.units.numbers import finite, split_number
 from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
@@ -183,10 +182,10 @@ def _named(name: str, known: dict[str, Unit]) -> Unit:
     if unit is not None:
         return unit
     same_but_case = [other for other in known if other.casefold() == name.casefold()]
-    near = same_but_case or difflib.get_close_matches(name, known, n=2, cutoff=0.5)
+    meant = same_but_case or near(name, known, 2)
     remedy = "The units are listed in the documentation; case matters."
-    if near:
-        remedy = "Did you mean " + " or ".join(near) + "?"
+    if meant:
+        remedy = "Did you mean " + " or ".join(meant) + "?"
     raise _UnitTextError(f"unknown unit {shown(name)}", remedy)
 
 

@@ -18,7 +18,7 @@ from wraparc.schema.problems import place_text
 from wraparc.train import Train, solve_train
 from wraparc.units import display
 from wraparc.web.answers.documents import read
-from wraparc.web.answers.drives import case_of, pulley_of
+from wraparc.web.answers.drives import asked_for
 from wraparc.web.answers.shown import Data, both, texts_data
 from wraparc.web.answers.solving import main_solver
 from wraparc.web.errors import problems_data
@@ -43,7 +43,7 @@ _COLUMNS = (
 def compare(request: Data) -> Data:
     """Solve the same pulley and load case with each lagging or belt."""
     drive = _drive(request["document"])
-    pulley, case = pulley_of(drive, request["pulley"]), case_of(drive, request["load_case"])
+    pulley, case = asked_for(drive, request)
     rows, impossible = [], []
     candidates = list(_candidates(request, drive, pulley.name))
     for name, changed, change in candidates:

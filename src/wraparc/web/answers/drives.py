@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.drive import Drive, LoadCase, Pulley, design_remarks
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import placed
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
@@ -14,7 +14,6 @@ from wraparc.present.inputs import input_table
 from wraparc.present.sheet import Table
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
-from wraparc.schema.kinds import nearest
 from wraparc.train import Train, solve_train
 from wraparc.units import System
 from wraparc.web.answers.documents import read
@@ -41,7 +40,7 @@ def solve_fast(request: Data) -> Data:
     points = request["points"]
     method = main_solver(points, capacities=False)
     drive = thing if isinstance(thing, Drive) else _divided(thing, request["load_case"], points)
-    pulley, case = pulley_of(drive, request["pulley"]), case_of(drive, request["load_case"])
+    pulley, case = asked_for(drive, request)
     result = method.solve(WrapArc.of(drive, pulley, case))
     answered = DriveResult(drive, (result,))
     return {
@@ -64,13 +63,7 @@ def _first_tables(result: ArcResult, system: System) -> list[Table | None]:
 
 def _divided(train: Train, load_case: str | None, points: int) -> Drive:
     """Return the drive of a train with the tensions that its division of the load makes."""
-    if load_case is not None:
-        cases = tuple(case for case in train.cases if case.name == load_case)
-        if not cases:
-            raise _no_such("load case", load_case, [case.name for case in train.cases])
-        train = replace(train, cases=cases)
-    else:
-        train = replace(train, cases=train.cases[:1])
+    train = _case_only(train, load_case or train.cases[0].name)
     method = Distributed(points=points, capacities=False)
     return solve_train(train, method=method, raise_on_failure=False).drive_result().drive
 
@@ -88,7 +81,8 @@ def solve_all(request: Data) -> Data:
         train_part = train_data(solved_train)
     else:
         if request["load_case"] is not None:
-            case = case_of(thing, request["load_case"])
+            with placed("load_case"):
+                case = thing.load_case(request["load_case"])
             thing = replace(thing, load_cases=(case,))
         first = solve(thing, method=main_solver(request["points"]), raise_on_failure=False)
     drive = first.drive
@@ -128,10 +122,8 @@ def solve_all(request: Data) -> Data:
 def _case_only(train: Train, load_case: str | None) -> Train:
     if load_case is None:
         return train
-    cases = tuple(case for case in train.cases if case.name == load_case)
-    if not cases:
-        raise _no_such("load case", load_case, [case.name for case in train.cases])
-    return replace(train, cases=cases)
+    with placed("load_case"):
+        return replace(train, cases=(train.case(load_case),))
 
 
 def _arc_data(drive: Drive, result: ArcResult, paper: ArcResult) -> Data:
@@ -200,34 +192,9 @@ def check(request: Data) -> Data:
     return {"kind": "train", **sheet_data(lambda system: train_input_sheet(thing, system))}
 
 
-def pulley_of(drive: Drive, name: str | None) -> Pulley:
-    """Return a pulley by name, the first for None."""
-    if name is None:
-        return drive.pulleys[0]
-    found = next((p for p in drive.pulleys if p.name == name), None)
-    if found is None:
-        raise _no_such("pulley", name, [p.name for p in drive.pulleys])
-    return found
-
-
-def case_of(drive: Drive, name: str | None) -> LoadCase:
-    """Return a load case by name, the first for None."""
-    if name is None:
-        return drive.load_cases[0]
-    found = next((c for c in drive.load_cases if c.name == name), None)
-    if found is None:
-        raise _no_such("load case", name, [c.name for c in drive.load_cases])
-    return found
-
-
-def _no_such(what: str, name: str, known: list[str]) -> InputError:
-    there = f"It has {', '.join(map(shown, known))}."
-    meant = nearest(name, known)
-    return InputError(
-        Problem(
-            message=f"the drive has no such {what}",
-            remedy=f"{meant} {there}".strip(),
-            key=what.replace(" ", "_"),
-            value=shown(name),
-        )
-    )
+def asked_for(drive: Drive, request: Data) -> tuple[Pulley, LoadCase]:
+    """Return the pulley and the load case of a request, the first where it names none."""
+    with placed("pulley"):
+        pulley = drive.pulley(request["pulley"])
+    with placed("load_case"):
+        return pulley, drive.load_case(request["load_case"])

@@ -8,7 +8,6 @@ import numpy as np
 
 from wraparc.arc import ArcResult, Profile
 from wraparc.present.sheet import Row, Sheet, Table, Verdict
-from wraparc.provenance import Provenance
 from wraparc.units import Dimension, System, display
 
 Data = dict[str, Any]
@@ -150,15 +149,3 @@ def tested_data(result: ArcResult) -> Data | None:
         return None
     names = ("pressure_min", "pressure_max", "slip_max")
     return {name: getattr(tested, name) for name in names}
-
-
-def source_data(of: str, part: str, origin: Provenance) -> Data:
-    """Return where a number came from."""
-    return {
-        "of": of,
-        "part": part,
-        "kind": origin.kind.value,
-        "source": origin.source,
-        "date": origin.date,
-        "note": origin.note,
-    }

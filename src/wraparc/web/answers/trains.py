@@ -7,7 +7,7 @@ import numpy as np
 from wraparc.arc import Distributed
 from wraparc.drive import Lagging
 from wraparc.drive.conditions import Condition
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.document import sources_of
 from wraparc.present.train_document import matching_document, train_document
 from wraparc.present.train_sheet import matching_sheet, train_sheet
@@ -105,13 +105,8 @@ def _drive(thing: Train, name: str | None) -> int:
 
 
 def _known_case(thing: Train, name: str) -> None:
-    names = [case.name for case in thing.cases]
-    if name and name not in names:
-        remedy = f"It has {', '.join(map(shown, names))}."
-        message = "the train has no such load case"
-        raise InputError(
-            Problem(message=message, remedy=remedy, key="load_case", value=shown(name))
-        )
+    with placed("load_case"):
+        thing.case(name)
 
 
 def _trim(text: str) -> float:
