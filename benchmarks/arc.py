@@ -21,7 +21,8 @@ from scipy.optimize import brentq
 
 from wraparc import load_lagging
 from wraparc.arc import Distributed, WrapArc
-from wraparc.arc.kernel.capacity import parameters_at, solve_tension
+from wraparc.arc.kernel.answer import solve_tension
+from wraparc.arc.kernel.quantities import parameters_at
 
 
 def random_arc(lagging: str, rng: np.random.Generator) -> WrapArc:
@@ -83,10 +84,10 @@ def main() -> None:
         arcs = [random_arc(lagging, rng) for _ in range(count)]
         rows = []
         for arc in arcs:
-            law, par = arc.compact_law(), parameters_at(arc.entry_tension, arc.geometry())
+            law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
             rows.append(
                 (
-                    best(partial(solve_tension, law, par, arc.exit_tension, 24, [])),
+                    best(partial(solve_tension, law, par, arc.exit_tension, 24)),
                     best(partial(Distributed(capacities=False).solve, arc)),
                     best(partial(Distributed().solve, arc)),
                 )

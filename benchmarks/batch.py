@@ -65,17 +65,16 @@ def generally(arcs: Arcs, i: int) -> float:
     The best of the general ways: slip as the state, so that no root is left inside, and the law
     by the same scalar function. g is sought within a factor of 30 of what it is.
     """
-    kind, *numbers = arcs.laws.compact(0)
-    edges, c, slips = (tuple(part.tolist()) for part in numbers)
+    compact = arcs.laws.compact(0)
     given = arcs.inputs()[i].tolist()
     radius, angle, width, compliance, soft = given[1:6]
     entry, goal = given[9], math.log(given[10] / given[9])
     kick = given[7] * (entry / (width * radius)) ** 1.5
 
     def law(slip: float, p: float) -> tuple[float, float, float]:
-        segment = segment_of(edges, p)
-        branch = branch_of(kind, edges, c, slips, segment, slip, p)
-        return friction_at(kind, edges, c, slips, segment, branch, slip, p)
+        segment = segment_of(compact, p)
+        branch = branch_of(compact, segment, slip, p)
+        return friction_at(compact, segment, branch, slip, p)
 
     def rates(_: float, y: NDArray[np.float64], g: float) -> list[float]:
         tension = entry * math.exp(y[1])

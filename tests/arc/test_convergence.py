@@ -15,8 +15,8 @@ import pytest
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
 from arc.twin import Twin
 from wraparc.arc import Distributed, WrapArc
-from wraparc.arc.kernel.capacity import parameters_at
 from wraparc.arc.kernel.march import sweep
+from wraparc.arc.kernel.quantities import parameters_at
 from wraparc.friction import FrictionLaw
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))
@@ -27,7 +27,7 @@ STEEL = 144e6 * 1.2
 def exit_slip(arc: WrapArc, g: float, steps: int) -> float:
     """Slip at the exit of a march in position at an entry creep ratio."""
     par = parameters_at(arc.entry_tension, arc.geometry())
-    return sweep(arc.compact_law(), par, g, steps, 0, [])[0][1]
+    return sweep(arc.law.compact(), par, g, steps, 0, [])[0].slip
 
 
 def orders(arc: WrapArc, g: float, steps: tuple[int, ...]) -> list[float]:

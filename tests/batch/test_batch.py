@@ -17,13 +17,13 @@ import pytest
 from arc.drives import LAWS, RUBBER, SOFTENING, integral_log, random_arc
 from batch.batches import columns_of, designs, lagging
 from wraparc.arc import Distributed, Status, WrapArc
+from wraparc.arc.kernel.quantities import REFUSED
 from wraparc.batch import (
     STATUSES,
     BatchResult,
     Setting,
     engineering,
     precise,
-    row,
     solve_arcs,
     solve_batch,
 )
@@ -226,8 +226,8 @@ def test_breakaway_has_a_status_and_its_capacities() -> None:
 def test_an_unfit_law_is_refused_not_raised() -> None:
     steep = lagging("steep", integral_log(slope=-5000.0, residual=0.1))
     batch = solve_batch(designs(3, 16), steep)
-    assert batch["status"].tolist() == [row.REFUSED] * 3
-    assert "unfit" in STATUSES[row.REFUSED]
+    assert batch["status"].tolist() == [REFUSED] * 3
+    assert "unfit" in STATUSES[REFUSED]
 
 
 def test_energy_follows_from_the_exact_loss() -> None:

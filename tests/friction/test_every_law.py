@@ -32,10 +32,9 @@ every_law = pytest.mark.parametrize("law", LAWS.values(), ids=LAWS.keys())
 def scalar(law: FrictionLaw, slip: float, pressure: float) -> tuple[float, float, float]:
     """mu, mu_x and mu_p of a positive slip in the form that the solvers read."""
     c = law.compact()
-    spread = (c.kind, c.edges, c.coefficients, c.slips)
-    segment = segment_of(c.edges, pressure)
-    branch = branch_of(*spread, segment, slip, pressure)
-    mu, mu_x, mu_p = friction_at(*spread, segment, branch, slip, pressure)
+    segment = segment_of(c, pressure)
+    branch = branch_of(c, segment, slip, pressure)
+    mu, mu_x, mu_p = friction_at(c, segment, branch, slip, pressure)
     if c.onset_compliance > 0.0 and slip < c.onset_compliance * mu * pressure:
         # the elastic part of this law is a spring in series, not friction, to the solvers
         mu = slip / (c.onset_compliance * pressure)
@@ -133,17 +132,16 @@ def test_scalar_form_has_the_right_derivatives(law: FrictionLaw) -> None:
 @every_law
 def test_branches_end_where_the_formula_changes(law: FrictionLaw) -> None:
     c = law.compact()
-    spread = (c.kind, c.edges, c.coefficients, c.slips)
     for p in PRESSURES.tolist()[::5]:
-        segment = segment_of(c.edges, p)
+        segment = segment_of(c, p)
         for branch, x in enumerate(kinks(law, p) if c.onset_compliance == 0.0 else []):
             before, after = x * (1 - 1e-9), x * (1 + 1e-9)
-            if branch_of(*spread, segment, before, p) != branch:
+            if branch_of(c, segment, before, p) != branch:
                 continue  # a branch of no length
-            assert branch_of(*spread, segment, after, p) > branch
-            assert abs(branch_gap(*spread, segment, branch, x, p)) < 1e-9 * x
-            assert branch_gap(*spread, segment, branch, before, p) < 0.0
-            assert branch_gap(*spread, segment, branch, after, p) > 0.0
+            assert branch_of(c, segment, after, p) > branch
+            assert abs(branch_gap(c, segment, branch, x, p)) < 1e-9 * x
+            assert branch_gap(c, segment, branch, before, p) < 0.0
+            assert branch_gap(c, segment, branch, after, p) > 0.0
 
 
 @every_law
@@ -161,7 +159,7 @@ def test_plateau_is_the_largest_friction(law: FrictionLaw) -> None:
     c = law.compact()
     for p in PRESSURES.tolist():
         slips = np.concatenate([SLIPS, kinks(law, p)])
-        plateau = plateau_at(c.kind, c.edges, c.coefficients, c.slips, segment_of(c.edges, p), p)
+        plateau = plateau_at(c, segment_of(c, p), p)
         assert plateau == pytest.approx(float(law.friction(slips, p).max()), rel=1e-12)
 
 
@@ -170,7 +168,7 @@ def test_segments_are_the_intervals_of_pressure(law: FrictionLaw) -> None:
     ends = law.compact().edges
     assert ends == edges(law)
     for p in (1e-3, 1e9, *(e * f for e in ends for f in (1 - 1e-12, 1.0, 1 + 1e-12))):
-        segment = segment_of(ends, p)
+        segment = segment_of(law.compact(), p)
         assert -1 <= segment < max(len(ends), 1)
         assert segment < 0 or ends[segment] <= p
         assert segment >= len(ends) - 1 or p < ends[segment + 1]

@@ -11,12 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wraparc.arc.kernel.march import Law
-from wraparc.arc.kernel.shoot import jumps
+from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.stick import onset_stress
 from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
 from wraparc.arc.wrap_arc import WrapArc
-from wraparc.friction.compact import branch_of, friction_at, segment_of
+from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
 
 nan = math.nan
 
@@ -113,8 +112,8 @@ class _March:
 
     def __init__(self, arc: WrapArc, segments: int) -> None:
         self.arc, self.segments = arc, segments
-        self.law: Law = arc.compact_law()
-        self.onset = arc.law.compact().onset_compliance
+        self.law = arc.law.compact()
+        self.onset = self.law.onset_compliance
 
     def ratio(self, share: float) -> float:
         """ln(tight/slack) carried with a global creep towards the slack side [m]."""
@@ -205,15 +204,14 @@ class _March:
         )
 
 
-def _slip(law: Law, shear: float, p: float, u: float, guess: float) -> tuple[float, float]:
+def _slip(law: CompactLaw, shear: float, p: float, u: float, guess: float) -> tuple[float, float]:
     """Slip x in [0, u] with x + (h/G) mu(x, p) p = u, and mu there (Newton, safeguarded)."""
-    kind, edges, c, slips = law
-    segment = segment_of(edges, p)
+    segment = segment_of(law, p)
     low, high = 0.0, u
     x = guess if 0.0 < guess < u else u
     for _ in range(100):
-        branch = branch_of(kind, edges, c, slips, segment, x, p)
-        mu, mu_x, _ = friction_at(kind, edges, c, slips, segment, branch, x, p)
+        branch = branch_of(law, segment, x, p)
+        mu, mu_x, _ = friction_at(law, segment, branch, x, p)
         f = x + shear * mu * p - u
         if abs(f) <= 1e-13 * u or shear == 0.0:
             break

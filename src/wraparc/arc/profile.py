@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import exp
 
-from wraparc.arc.kernel.march import P1, RECORD, Buffer, Parameters
+from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters
 
 
 def sort(out: Buffer, count: int) -> None:
@@ -89,7 +89,7 @@ def share_outside(
     for i in range(count - 1):
         a, b = RECORD * i, RECORD * (i + 1)
         low, high = 0.0, 1.0
-        p0, p1 = par[P1] * exp(out[a + 1]), par[P1] * exp(out[b + 1])
+        p0, p1 = par.entry_pressure * exp(out[a + 1]), par.entry_pressure * exp(out[b + 1])
         x0, x1 = abs(out[a + 2]), abs(out[b + 2])
         for f0, f1 in (
             (pressure_min - p0, pressure_min - p1),

@@ -7,27 +7,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wraparc.arc.kernel.capacity import (
-    STUCK,
-    Geometry,
-    carry,
-    gross_slip,
-    largest_ratio,
-    least_slack,
-    parameters_at,
+from wraparc.arc.kernel.answer import (
+    CAPACITIES,
+    Answer,
+    Carried,
+    answer,
+    at_gross_slip,
+    find_capacities,
+    profile_of,
     profile_size,
-    solve_tension,
-    trace,
 )
-from wraparc.arc.kernel.march import KICK, RECORD, T1, Law, Parameters
-from wraparc.arc.kernel.shoot import CREEP, EXHAUSTED, FOUND, SLIP, Shot
+from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer, Shot, zeros
 from wraparc.arc.profile import active_length, peak_stress, share_outside
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan
-#: largest relative miss of T2 that counts as solved
-BALANCE = 1e-8
+STATUS = {SOLVED: Status.SOLVED, BREAKAWAY: Status.BREAKAWAY}
 
 
 @dataclass(frozen=True)
@@ -62,96 +58,51 @@ class Distributed:
         InputError
             If the law is unfit for the arc, see `WrapArc`.
         """
-        law, geometry = arc.compact_law(), arc.geometry()
-        par = parameters_at(arc.entry_tension, geometry)
-        none: list[float] = []
-        outcome, z, shot = solve_tension(law, par, arc.exit_tension, self.steps, none)
-        status = Status.SOLVED
-        if outcome == EXHAUSTED:
-            status = Status.BREAKAWAY
-            tight = max(arc.entry_tension, arc.exit_tension)
-            guess = arc.side * math.log(arc.entry_tension / arc.exit_tension)
-            _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, self.steps, none)
-            par = parameters_at(entry, geometry)
-        elif outcome not in (FOUND, STUCK) or not _balanced(arc, shot):
-            status = Status.UNSOLVED
-        out = [0.0] * profile_size(law, par, self.steps, self.points)
-        count = 0
-        if z > -math.inf:
-            shot, count = trace(law, par, arc.exit_tension, z, self.steps, self.points, out)
-        else:
-            for i in range(self.points + 1):
-                out[RECORD * i] = arc.length * i / self.points
-            count = self.points + 1
-        found = self._capacities(arc, law, geometry) if self.capacities else Capacities()
-        return result_of(self.name, arc, law, par, status, shot, out, count, found)
-
-    def _capacities(self, arc: WrapArc, law: Law, geometry: Geometry) -> Capacities:
-        tight = max(arc.entry_tension, arc.exit_tension)
-        actual = tight / min(arc.entry_tension, arc.exit_tension)
-        none: list[float] = []
-        outcome, z, entry, shot = carry(
-            law, geometry, tight, CREEP, arc.creep_limit, nan, self.steps, none
-        )
-        creep = math.exp(abs(shot[0])) if outcome == FOUND else nan
-        least, most = nan, nan
-        tested = arc.law.tested
-        pull = abs(arc.effective_tension)
-        if pull > 1e-6 * tight and outcome == FOUND:
-            top = 1e3 * tight
-            if tested is not None:
-                top = tested.pressure_max * arc.width * arc.radius
-            least, most = least_slack(
-                law, geometry, pull, arc.creep_limit, tight, entry, z, top, self.steps, none
-            )
-        slip = nan
-        if tested is not None:
-            outcome, _, _, shot = carry(
-                law, geometry, tight, SLIP, tested.slip_max, nan, self.steps, none
-            )
-            slip = math.exp(abs(shot[0])) if outcome == FOUND else nan
-        gross, gross_creep = largest_ratio(
-            law, geometry, tight, arc.law.steepest_fall() < 0.0, self.steps, none
-        )
-        gross = math.exp(gross)
-        # past the largest ratio of a softening law creep grows and the ratio falls
-        if gross_creep <= arc.creep_limit:
-            creep = gross
-        if tested is not None and gross_creep <= tested.slip_max:
-            slip = gross
-        return Capacities(
-            creep_limit_capacity=creep,
-            creep_limit_margin=creep / actual,
-            equivalent_friction=math.log(creep) / arc.wrap_angle,
-            least_exit_tension=least,
-            largest_effective_tension=most,
-            tested_slip_capacity=slip,
-            tested_slip_margin=slip / actual,
-            gross_slip_capacity=gross,
-            gross_slip_margin=gross / actual,
-            gross_slip_creep=gross_creep,
-        )
+        law, geometry, load = arc.law.compact(), arc.geometry(), arc.load()
+        found = answer(law, geometry, load, self.steps)
+        if found.outcome == BREAKAWAY:
+            found = at_gross_slip(law, geometry, load, self.steps)
+        out = zeros(profile_size(law, found.par, self.steps, self.points))
+        shot, count = profile_of(law, found, arc.exit_tension, self.steps, self.points, out)
+        capacities = Capacities()
+        if self.capacities:
+            carried = find_capacities(law, geometry, load, CAPACITIES, self.steps)
+            capacities = capacities_of(arc, carried)
+        return result_of(self.name, arc, found._replace(shot=shot), out, count, capacities)
 
 
-def _balanced(arc: WrapArc, shot: Shot) -> bool:
-    tension = arc.entry_tension * math.exp(shot[0])
-    return abs(tension / arc.exit_tension - 1.0) <= BALANCE
+def capacities_of(arc: WrapArc, carried: Carried) -> Capacities:
+    """Capacities and margins as an engineer reads them."""
+    actual = max(arc.entry_tension, arc.exit_tension)
+    actual /= min(arc.entry_tension, arc.exit_tension)
+    creep, slip, gross = map(math.exp, carried[:3])
+    return Capacities(
+        creep_limit_capacity=creep,
+        creep_limit_margin=creep / actual,
+        equivalent_friction=math.log(creep) / arc.wrap_angle,
+        least_exit_tension=carried.least_slack,
+        largest_effective_tension=carried.most_pull,
+        tested_slip_capacity=slip,
+        tested_slip_margin=slip / actual,
+        gross_slip_capacity=gross,
+        gross_slip_margin=gross / actual,
+        gross_slip_creep=carried.gross_creep,
+    )
 
 
 def result_of(
     method: str,
     arc: WrapArc,
-    law: Law,
-    par: Parameters,
-    status: Status,
-    shot: Shot,
-    out: list[float],
+    found: Answer,
+    out: Buffer,
     count: int,
     capacities: Capacities,
 ) -> ArcResult:
     """Return the result of an arc that the kernel has solved and traced."""
+    par, shot = found.par, found.shot
     q, slip, creep, _, _, g, zone = shot
-    entry = par[T1]  # on breakaway of a braking pulley the exit tension is the one held
+    status = STATUS.get(found.outcome, Status.UNSOLVED)
+    entry = par.entry_tension  # on breakaway of a braking pulley the exit tension is the one held
     exit_tension = entry * math.exp(q)
     peak, where = peak_stress(out, count)
     tested = arc.law.tested
@@ -160,7 +111,7 @@ def result_of(
         outside = share_outside(
             par, out, count, tested.pressure_min, tested.pressure_max, tested.slip_max
         )
-    overrun = par[KICK]
+    overrun = par.kick
     distributed = creep - overrun - g * arc.length
     pull = entry - exit_tension
     recovery = arc.recovery_compliance / arc.compliance if arc.compliance > 0.0 else 0.0
@@ -190,9 +141,7 @@ def result_of(
     )
 
 
-def _profile(
-    arc: WrapArc, entry_tension: float, out: list[float], count: int, zone: float
-) -> Profile:
+def _profile(arc: WrapArc, entry_tension: float, out: Buffer, count: int, zone: float) -> Profile:
     rows: Array = np.array(out[: RECORD * count]).reshape(count, RECORD)
     s, q, slip, creep, tau = rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3], rows[:, 4]
     tension = entry_tension * np.exp(q)

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from wraparc.arc.kernel.capacity import Geometry
-from wraparc.arc.kernel.march import Law
-from wraparc.arc.kernel.shoot import jumps
+from wraparc.arc.kernel.effort import jumps
+from wraparc.arc.kernel.quantities import Geometry, Load
 from wraparc.arc.kernel.stick import onset_stress
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
@@ -123,10 +122,11 @@ class WrapArc:
                     remedy="Check the unit of the slope, the thickness and the shear modulus.",
                 )
             )
-        law = self.compact_law()
+        law = self.law.compact()
         kick = self.entry_overrun
         if kick > 0.0 and jumps(law):
-            held = self._held_creep(law)
+            compliance = self.shear_compliance + law.onset_compliance
+            held = compliance * onset_stress(law, self.entry_pressure)[0]
             if kick > held:
                 problems.append(
                     Problem(
@@ -141,10 +141,6 @@ class WrapArc:
                     )
                 )
         return problems
-
-    def _held_creep(self, law: Law) -> float:
-        compliance = self.shear_compliance + self.law.compact().onset_compliance
-        return compliance * onset_stress(law, self.entry_pressure)[0]
 
     @classmethod
     def of(cls, drive: Drive, pulley: Pulley, case: LoadCase) -> WrapArc:
@@ -244,7 +240,7 @@ class WrapArc:
         coefficient = 0.0
         if self.overrun is None:
             coefficient = 1.25 * self.compression_compliance**1.5 / math.sqrt(self.radius)
-        return (
+        return Geometry(
             self.side,
             self.radius,
             self.wrap_angle,
@@ -256,7 +252,16 @@ class WrapArc:
             self.law.compact().onset_compliance,
         )
 
-    def compact_law(self) -> Law:
-        """The friction law as the march reads it."""
-        c = self.law.compact()
-        return (c.kind, c.edges, c.coefficients, c.slips)
+    def load(self) -> Load:
+        """Tensions and limits, as the kernel reads them."""
+        tested = self.law.tested
+        ends = (math.nan, math.nan, math.nan)
+        if tested is not None:
+            ends = (tested.pressure_min, tested.pressure_max, tested.slip_max)
+        return Load(
+            self.entry_tension,
+            self.exit_tension,
+            self.creep_limit,
+            *ends,
+            self.law.steepest_fall(),
+        )

@@ -46,26 +46,6 @@ _POSITIVE = {*REQUIRED, "creep_limit", "shear_modulus", "compression_modulus"}
 _RIGID = {"belt_modulus", "shear_modulus", "compression_modulus"}  # may be infinite
 _MAY_BE_MISSING = {"overrun", "belt_speed", "wear_coefficient"}  # nan says so
 
-# places in the row of numbers that a kernel reads for one arc
-INPUTS = (
-    "side",
-    "radius",
-    "wrap_angle",
-    "width",
-    "compliance",
-    "shear",
-    "kick",
-    "kick_coefficient",
-    "onset",
-    "entry_tension",
-    "exit_tension",
-    "creep_limit",
-    "pressure_min",
-    "pressure_max",
-    "slip_max",
-    "steepest_fall",
-)
-
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Arcs:
@@ -153,7 +133,7 @@ class Arcs:
         return self.lagging_thickness / self.shear_modulus
 
     def inputs(self) -> Array:
-        """Numbers of every arc that a kernel reads, in the order of `INPUTS`, shape (n, 16)."""
+        """Numbers of every arc that a kernel reads, in the order of `row.INPUTS`, shape (n, 16)."""
         radius = 0.5 * self.diameter
         squeeze = self.lagging_thickness / self.compression_modulus
         by_formula = np.isnan(self.overrun)

@@ -7,9 +7,11 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.kernel import answer
+from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED
 from wraparc.batch import lane_slots as slot
 from wraparc.batch import row
-from wraparc.batch.arcs import INPUTS, Arcs, Array, Integers
+from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.elementwise import LANES, Lanes
 from wraparc.batch.lane_kernel import (
     CREEP,
@@ -39,7 +41,7 @@ ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with
 SMALLEST_LOG_RATIO = 1e-5
 NO_LIMIT = 1e300
 
-_INPUT = {name: k for k, name in enumerate(INPUTS)}
+_INPUT = {name: k for k, name in enumerate(row.INPUTS)}
 _FOUND = {place: k for k, place in enumerate(FOUND)}
 _MAIN = (
     (row.EXIT_CREEP, slot.EXIT_CREEP),
@@ -73,11 +75,11 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
     batch.find_gross(parts)
     if parts & row.TENSIONS:
         batch.find_tensions()
-    if parts & (row.CREEP_LIMIT | row.LEAST):
-        batch.find_carried(CREEP, row.CREEP_CAPACITY, row.CREEP_LIMIT)
-    if parts & row.TESTED_SLIP:
-        batch.find_carried(SLIP, row.SLIP_CAPACITY, row.TESTED_SLIP)
-    if parts & row.LEAST:
+    if parts & (answer.CREEP_LIMIT | answer.LEAST):
+        batch.find_carried(CREEP, row.CREEP_CAPACITY, answer.CREEP_LIMIT)
+    if parts & answer.TESTED_SLIP:
+        batch.find_carried(SLIP, row.SLIP_CAPACITY, answer.TESTED_SLIP)
+    if parts & answer.LEAST:
         batch.find_least()
     batch.hand_over(parts)
     return batch.found, batch.left > 0
@@ -104,7 +106,7 @@ class _Batch:
         pressure = self.of("entry_tension") / (self.of("width") * self.of("radius"))
         softens = self.of("steepest_fall") < 0.0
         refused = self.of("shear") * pressure * self.of("steepest_fall") <= -1.0
-        self.found[:, row.OUTCOME] = np.where(refused, row.REFUSED, row.SOLVED)
+        self.found[:, row.OUTCOME] = np.where(refused, REFUSED, SOLVED)
         self.pressure, self.softens, self.live = pressure, softens, ~refused
         self.fit = self.live & (self.laws.row[arcs.law] >= 0) & (self.of("side") > 0.0)
         self.left[self.live & ~self.fit] = row.EVERYTHING
@@ -176,12 +178,12 @@ class _Batch:
         )
         self.found[which, row.GROSS_CAPACITY] = gross
         self.found[which, row.GROSS_CREEP] = np.inf
-        self.found[which[self.log_ratio[which] >= gross], row.OUTCOME] = row.BREAKAWAY
-        self.left[self.fit & self.softens] |= row.GROSS_SLIP
+        self.found[which[self.log_ratio[which] >= gross], row.OUTCOME] = BREAKAWAY
+        self.left[self.fit & self.softens] |= answer.GROSS_SLIP
 
     def find_tensions(self) -> None:
         """Operating points."""
-        runs = self.fit & (self.found[:, row.OUTCOME] == row.SOLVED)
+        runs = self.fit & (self.found[:, row.OUTCOME] == SOLVED)
         which = np.flatnonzero(runs & (self.log_ratio > SMALLEST_LOG_RATIO))
         self.left[runs & (self.log_ratio <= SMALLEST_LOG_RATIO)] |= row.TENSIONS
         out, good = self.solve(self.rows(which, 1.0), TENSIONS)
@@ -213,7 +215,7 @@ class _Batch:
         limit, tension = self.of("creep_limit"), self.of("entry_tension")
         wanted = self.fit & (self.pull > 1e-6 * tension)
         which = np.flatnonzero(wanted & ~np.isnan(self.found[:, row.CREEP_CAPACITY]))
-        self.left[wanted & np.isnan(self.found[:, row.CREEP_CAPACITY])] |= row.LEAST
+        self.left[wanted & np.isnan(self.found[:, row.CREEP_CAPACITY])] |= answer.LEAST
         top = self.of("pressure_max") * self.of("width") * self.of("radius")
         top = np.where(np.isnan(top), 1e3 * tension, top)
         # the ratio that is carried at the given T1 is a good one to begin with
@@ -236,7 +238,7 @@ class _Batch:
         less, sound = self._pull_within(which, limit, inner)
         good &= sound & (less <= most) & (most < pull)
         self.found[which[good], row.MOST_PULL] = most[good]
-        self.left[which[~good]] |= row.LEAST
+        self.left[which[~good]] |= answer.LEAST
 
     def _pull_within(self, which: Integers, limit: Array, tension: Array) -> tuple[Array, Flags]:
         """Pull at the creep limit with an entry tension, and where it has been found."""
@@ -246,7 +248,7 @@ class _Batch:
 
     def hand_over(self, parts: int) -> None:
         """Let the scalar kernel do what is left."""
-        self.left &= parts | (row.GROSS_SLIP if parts & row.CAPACITIES else 0)
+        self.left &= parts | (answer.GROSS_SLIP if parts & answer.CAPACITIES else 0)
         which = np.flatnonzero(self.left)
         if not len(which):
             return

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch.laws import LawBank
-from wraparc.friction.compact import KNOT_STRIDE, KNOTS, PIECES, peak
+from wraparc.friction.compact import KNOT_STRIDE, KNOTS, PIECES, CompactLaw, peak
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ class LaneLaws:
     @classmethod
     def of(cls, bank: LawBank) -> LaneLaws:
         """Return the table of a bank."""
-        rows = [_row(*bank.compact(i)[:3]) for i in range(len(bank))]
+        rows = [_row(bank.compact(i)) for i in range(len(bank))]
         sizes = np.array([len(row) for row in rows], dtype=np.int64)
         starts = np.cumsum(sizes) - sizes
         numbers = np.concatenate([*rows, np.zeros(FIRST_CELL + CELL)])
@@ -58,9 +58,9 @@ class LaneLaws:
         return cls(numbers, np.where(sizes > 0, starts, -1), kinked)
 
 
-def _row(kind: int, edges: Array, c: Array) -> Array:
+def _row(law: CompactLaw) -> Array:
     """Row of one law; empty if there is none."""
-    found = _cells(kind, edges, c)
+    found = _cells(law)
     if found is None:
         return np.empty(0)
     edges, cubics = found
@@ -104,16 +104,17 @@ def _value_and_slope(c: Array, t: Array) -> tuple[Array, Array]:
     return value, c[:, 1] + t * (2.0 * c[:, 2] + 3.0 * t * c[:, 3])
 
 
-def _cells(kind: int, edges: Array, c: Array) -> tuple[Array, Array] | None:
+def _cells(law: CompactLaw) -> tuple[Array, Array] | None:
     """Edges and cubics of one law, shapes (n,) and (n - 1, 8); None if it is of another kind."""
-    if kind == KNOTS:
+    edges, c = np.array(law.edges), np.array(law.coefficients)
+    if law.kind == KNOTS:
         if len(edges) == 0:
             # one law for all pressures; the top is far above any
             return np.array([1.0, 1e15]), c[:8].reshape(1, 8)
         return edges, c.reshape(-1, KNOT_STRIDE)[:, :8]
-    if kind != PIECES:
+    if law.kind != PIECES:
         return None
-    parts = [_sampled(edges, c, i) for i in range(len(edges) - 1)]
+    parts = [_sampled(law, i) for i in range(len(edges) - 1)]
     if any(p is None for p in parts):
         return None
     found = [p for p in parts if p is not None]
@@ -121,19 +122,18 @@ def _cells(kind: int, edges: Array, c: Array) -> tuple[Array, Array] | None:
     return lower_edges, np.concatenate([p[1] for p in found])
 
 
-def _sampled(edges: Array, c: Array, piece: int) -> tuple[Array, Array] | None:
+def _sampled(law: CompactLaw, piece: int) -> tuple[Array, Array] | None:
     """Hermite cells of one piece of trend lines, as many as the accuracy asks for."""
-    ends, numbers = tuple(edges.tolist()), tuple(c.tolist())
     n = 2
     while n <= MOST_CELLS:
-        p = np.linspace(edges[piece], edges[piece + 1], n + 1)
-        values = np.array([peak(PIECES, ends, numbers, piece, float(v)) for v in p])
+        p = np.linspace(law.edges[piece], law.edges[piece + 1], n + 1)
+        values = np.array([peak(law, piece, float(v)) for v in p])
         cells = np.concatenate(
             [_hermite(p, values[:, 0], values[:, 2]), _hermite(p, values[:, 1], values[:, 3])],
             axis=1,
         )
         middle = 0.5 * (p[1:] + p[:-1])
-        truth = np.array([peak(PIECES, ends, numbers, piece, float(v))[:2] for v in middle])
+        truth = np.array([peak(law, piece, float(v))[:2] for v in middle])
         t = 0.5 * np.diff(p)
         for_slip = cells[:, 0] + t * (cells[:, 1] + t * (cells[:, 2] + t * cells[:, 3]))
         for_friction = cells[:, 4] + t * (cells[:, 5] + t * (cells[:, 6] + t * cells[:, 7]))

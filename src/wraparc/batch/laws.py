@@ -62,16 +62,23 @@ class LawBank:
             tested=np.array([_tested(law) for law in laws], dtype=float).reshape(-1, 3),
         )
 
-    def compact(self, index: int) -> tuple[int, Array, Array, Array]:
-        """One law as the solvers read it: kind, edges, coefficients, slips."""
+    @property
+    def arrays(self) -> tuple[Integers, Array, Integers, Array]:
+        """What of the bank a compiled kernel reads."""
+        return self.kind, self.numbers, self.places, self.onset_compliance
+
+    def compact(self, index: int) -> CompactLaw:
+        """One law as the solvers read it."""
         e, ne, c, nc, s, ns = self.places[index].tolist()
         v = self.numbers
-        return int(self.kind[index]), v[e : e + ne], v[c : c + nc], v[s : s + ns]
+        parts = (v[e : e + ne], v[c : c + nc], v[s : s + ns])
+        edges, coefficients, slips = (tuple(part.tolist()) for part in parts)
+        onset = float(self.onset_compliance[index])
+        return CompactLaw(int(self.kind[index]), edges, coefficients, slips, onset)
 
     def take(self, index: Integers) -> LawBank:
         """Return the bank of some of the laws, in the order asked for."""
-        parts = [self.compact(int(i)) for i in index]
-        numbers, places = _packed([CompactLaw(k, e, c, s) for k, e, c, s in parts])  # type: ignore[arg-type]
+        numbers, places = _packed([self.compact(int(i)) for i in index])
         return LawBank(
             kind=self.kind[index],
             numbers=numbers,

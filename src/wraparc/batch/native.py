@@ -146,6 +146,8 @@ def fingerprint(functions: tuple[FunctionType, ...], options: object = None) -> 
     digest.update(repr(about).encode())
     for function in functions:
         constants = {k: v for k, v in _globals(function).items() if _is_plain(v)}
+        # of a named tuple the order of its fields
+        constants |= {k: v._fields for k, v in _globals(function).items() if hasattr(v, "_fields")}
         parts = (function.__module__, function.__qualname__, sorted(constants.items()))
         digest.update(repr((parts, _code(function.__code__))).encode())
     return digest.hexdigest()[:20]

@@ -6,61 +6,45 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.arc.kernel.answer import CAPACITIES
 from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.elementwise import memory
 from wraparc.batch.native import available, compiled
 from wraparc.batch.row import (
-    CAPACITIES,
     EVERYTHING,
     FOUND_NUMBERS,
     capacities_of_row,
     tensions_of_row,
 )
+from wraparc.friction.compact import CompactLaw
 
 STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
 
 def tension_rows(
-    given: Any,
-    kinds: Any,
-    numbers: Any,
-    places: Any,
-    which: Any,
-    parts: Any,
-    steps: int,
-    points: int,
-    found: Any,
+    given: Any, bank: Any, which: Any, parts: Any, steps: int, points: int, found: Any
 ) -> None:
     """Begin rows of arcs, each with its law, and find operating points; compiled only."""
     for i in range(len(given)):
-        law = law_of(kinds, numbers, places, which[i])
-        tensions_of_row(law, given[i], parts[i], steps, points, found[i])
+        tensions_of_row(law_of(bank, which[i]), given[i], parts[i], steps, points, found[i])
 
 
-def capacity_rows(
-    given: Any,
-    kinds: Any,
-    numbers: Any,
-    places: Any,
-    which: Any,
-    parts: Any,
-    steps: int,
-    found: Any,
-) -> None:
+def capacity_rows(given: Any, bank: Any, which: Any, parts: Any, steps: int, found: Any) -> None:
     """Find capacities. An entry of its own: what is not asked for need not be compiled."""
     for i in range(len(given)):
-        law = law_of(kinds, numbers, places, which[i])
-        capacities_of_row(law, given[i], parts[i], steps, found[i])
+        capacities_of_row(law_of(bank, which[i]), given[i], parts[i], steps, found[i])
 
 
-def law_of(kinds: Any, numbers: Any, places: Any, which: int) -> Any:
-    """One law of a bank, in memory that is not counted."""
+def law_of(bank: Any, which: int) -> CompactLaw:
+    """One law of a bank of (kinds, numbers, places, onsets), in memory that is not counted."""
+    kinds, numbers, places, onsets = bank
     e, ne, c, nc, s, ns = places[which]
-    return (
+    return CompactLaw(
         kinds[which],
         memory(numbers[e : e + ne], "edges"),
         memory(numbers[c : c + nc], "coefficients"),
         memory(numbers[s : s + ns], "slips"),
+        onsets[which],
     )
 
 
@@ -78,16 +62,13 @@ def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
     wanted = np.broadcast_to(np.asarray(parts, dtype=np.int64), (n,)).copy()
     found = np.empty((n, FOUND_NUMBERS))
     if available():
-        laws = arcs.laws
-        bank = (laws.kind, laws.numbers, laws.places, arcs.law)
-        compiled(tension_rows)(given, *bank, wanted, STEPS, POINTS, found)
+        bank = arcs.laws.arrays
+        compiled(tension_rows)(given, bank, arcs.law, wanted, STEPS, POINTS, found)
         if np.any(wanted & CAPACITIES):
-            compiled(capacity_rows)(given, *bank, wanted, STEPS, found)
+            compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found)
         return found
     for i in range(n):
-        kind, *parts_of_law = arcs.laws.compact(int(arcs.law[i]))
-        edges, c, slips = (tuple(p.tolist()) for p in parts_of_law)
-        law, numbers, part = (kind, edges, c, slips), given[i].tolist(), int(wanted[i])
+        law, numbers, part = arcs.laws.compact(int(arcs.law[i])), given[i].tolist(), int(wanted[i])
         row: list[float] = [0.0] * FOUND_NUMBERS
         tensions_of_row(law, numbers, part, STEPS, POINTS, row)
         capacities_of_row(law, numbers, part, STEPS, row)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import Status
+from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.errors import MissingExtraError
@@ -20,16 +21,16 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-REFUSED = (
+REFUSAL = (
     "The friction law is unfit for this arc: it falls so steeply past its peak, or the overrun is "
     "so large, that slip is not unique. Solve the arc alone to read which."
 )
 #: what each number of the column ``status`` says
 STATUSES: Mapping[int, str] = {
-    row.SOLVED: Status.SOLVED.value,
-    row.BREAKAWAY: Status.BREAKAWAY.value,
-    row.UNSOLVED: Status.UNSOLVED.value,
-    row.REFUSED: REFUSED,
+    SOLVED: Status.SOLVED.value,
+    BREAKAWAY: Status.BREAKAWAY.value,
+    UNSOLVED: Status.UNSOLVED.value,
+    REFUSED: REFUSAL,
 }
 
 
@@ -72,13 +73,13 @@ class BatchResult(Mapping[str, Array]):
     @property
     def solved(self) -> Flags:
         """Which arcs carry their load, shape (n,)."""
-        flags: Flags = self.found[:, row.OUTCOME] == row.SOLVED
+        flags: Flags = self.found[:, row.OUTCOME] == SOLVED
         return flags
 
     @property
     def breakaway(self) -> Flags:
         """Which arcs cannot, shape (n,)."""
-        flags: Flags = self.found[:, row.OUTCOME] == row.BREAKAWAY
+        flags: Flags = self.found[:, row.OUTCOME] == BREAKAWAY
         return flags
 
     def to_frame(self) -> pd.DataFrame:

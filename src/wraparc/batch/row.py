@@ -1,37 +1,44 @@
 """One arc of a batch by the scalar kernel: numbers in, numbers out.
 
-What `wraparc.arc.Distributed` does for one arc, in functions of plain numbers and buffers only, so
-that the same source runs in the interpreter and compiled. A test holds the two together.
+Rows of numbers around :mod:`wraparc.arc.kernel.answer`, in functions of plain numbers and buffers
+only, so that the same source runs in the interpreter and compiled.
 """
 
 from __future__ import annotations
 
-from math import exp, inf, nan
+from math import nan
 
-from wraparc.arc.kernel.capacity import (
-    STUCK,
-    Geometry,
-    carry,
-    largest_ratio,
-    least_slack,
-    parameters_at,
+from wraparc.arc.kernel.answer import (
+    CAPACITIES,
+    CREEP_LIMIT,
+    GROSS_SLIP,
+    LEAST,
+    TESTED_SLIP,
+    answer,
+    find_capacities,
+    profile_of,
     profile_size,
-    solve_tension,
-    trace,
 )
-from wraparc.arc.kernel.march import KICK, RECORD, SHEAR, Buffer, Law, Parameters, room
-from wraparc.arc.kernel.shoot import CREEP, EXHAUSTED, FOUND, SLIP, jumps
+from wraparc.arc.kernel.effort import jumps
+from wraparc.arc.kernel.quantities import (
+    REFUSED,
+    SOLVED,
+    Buffer,
+    Geometry,
+    Load,
+    parameters_at,
+    zeros,
+)
 from wraparc.arc.kernel.stick import onset_stress
 from wraparc.arc.profile import active_length, peak_stress, share_outside
+from wraparc.friction.compact import CompactLaw
 
-#: what is wanted of an arc, to be added up
-TENSIONS, CREEP_LIMIT, TESTED_SLIP, LEAST, GROSS_SLIP = 1, 2, 4, 8, 16
-CAPACITIES = CREEP_LIMIT + TESTED_SLIP + LEAST + GROSS_SLIP
+#: what is wanted of an arc, to be added up with the capacities
+TENSIONS = 1
 EVERYTHING = TENSIONS + CAPACITIES
 
-# outcomes
-SOLVED, BREAKAWAY, UNSOLVED, REFUSED = 0, 1, 2, 3
-BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
+#: numbers that a kernel reads for one arc
+INPUTS = (*Geometry._fields, *Load._fields)
 
 # places in a row of results
 (
@@ -67,17 +74,29 @@ PLACES = {
 }
 
 
+def geometry_of(given: Buffer) -> Geometry:
+    """What of an arc does not depend on its tensions, from its row of `INPUTS`."""
+    g = given
+    return Geometry(g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8])
+
+
+def load_of(given: Buffer) -> Load:
+    """What an arc is asked, from its row of `INPUTS`."""
+    g = given
+    return Load(g[9], g[10], g[11], g[12], g[13], g[14], g[15])
+
+
 def tensions_of_row(
-    law: Law, given: Buffer, parts: int, steps: int, points: int, found: Buffer
+    law: CompactLaw, given: Buffer, parts: int, steps: int, points: int, found: Buffer
 ) -> None:
     """Begin the row of an arc, and find its operating point if that is wanted.
 
     Parameters
     ----------
     law
-        Its friction law, see :mod:`wraparc.friction.compact`.
+        Its friction law.
     given
-        Its numbers, in the order of `wraparc.batch.arcs.INPUTS`.
+        Its numbers, in the order of `INPUTS`.
     parts
         Which results are wanted; the others become nan.
     steps, points
@@ -87,117 +106,54 @@ def tensions_of_row(
     """
     for k in range(FOUND_NUMBERS):
         found[k] = nan
-    par = parameters_at(given[9], geometry_of(given))
-    tight = max(given[9], given[10])
+    geometry, load = geometry_of(given), load_of(given)
     found[OUTCOME] = SOLVED
-    if refused(law, par, tight / (given[3] * given[1]), given[15], given[8]):
+    if refused(law, geometry, load):
         found[OUTCOME] = REFUSED
     elif parts & TENSIONS:
-        find_tensions(law, par, given[10], given, steps, points, room(0), found)
+        find_tensions(law, geometry, load, steps, points, found)
 
 
-def capacities_of_row(law: Law, given: Buffer, parts: int, steps: int, found: Buffer) -> None:
+def capacities_of_row(
+    law: CompactLaw, given: Buffer, parts: int, steps: int, found: Buffer
+) -> None:
     """Find the capacities that are wanted of an arc whose row is begun."""
-    if parts & CAPACITIES and found[OUTCOME] != REFUSED:
-        tight, pull = max(given[9], given[10]), given[9] - given[10]
-        find_capacities(law, geometry_of(given), tight, pull, given, parts, steps, room(0), found)
+    if not parts & CAPACITIES or found[OUTCOME] == REFUSED:
+        return
+    carried = find_capacities(law, geometry_of(given), load_of(given), parts, steps)
+    found[CREEP_CAPACITY], found[SLIP_CAPACITY] = carried.creep_limit, carried.tested_slip
+    found[GROSS_CAPACITY], found[GROSS_CREEP] = carried.gross_slip, carried.gross_creep
+    found[LEAST_SLACK], found[MOST_PULL] = carried.least_slack, carried.most_pull
 
 
-def geometry_of(given: Buffer) -> Geometry:
-    """What of an arc does not depend on its tensions."""
-    return (
-        given[0],
-        given[1],
-        given[2],
-        given[3],
-        given[4],
-        given[5],
-        given[6],
-        given[7],
-        given[8],
-    )
-
-
-def refused(law: Law, par: Parameters, top: float, fall: float, onset: float) -> bool:
+def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
     """Whether slip or creep would not be unique, as `wraparc.arc.WrapArc` says in words."""
-    if par[SHEAR] * top * fall <= -1.0:
+    top = max(load.entry_tension, load.exit_tension) / (geometry.width * geometry.radius)
+    if geometry.shear * top * load.steepest_fall <= -1.0:
         return True
-    if par[KICK] > 0.0 and jumps(law):
-        return par[KICK] > (par[SHEAR] + onset) * onset_stress(law, par[1])[0]
+    par = parameters_at(load.entry_tension, geometry)
+    if par.kick > 0.0 and jumps(law):
+        return par.kick > (par.shear + par.onset) * onset_stress(law, par.entry_pressure)[0]
     return False
 
 
 def find_tensions(
-    law: Law,
-    par: Parameters,
-    exit_tension: float,
-    given: Buffer,
-    steps: int,
-    points: int,
-    none: Buffer,
-    found: Buffer,
+    law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int, found: Buffer
 ) -> None:
     """Solve for the tensions and read the profile."""
-    outcome, z, shot = solve_tension(law, par, exit_tension, steps, none)
-    if outcome == EXHAUSTED:
-        found[OUTCOME] = BREAKAWAY
+    solved = answer(law, geometry, load, steps)
+    found[OUTCOME] = solved.outcome
+    if solved.outcome != SOLVED:
         return
-    if (outcome not in (FOUND, STUCK)) or not abs(
-        given[9] * exp(shot[0]) / exit_tension - 1.0
-    ) <= BALANCE:
-        found[OUTCOME] = UNSOLVED
-        return
-    out = room(profile_size(law, par, steps, points))
-    length = given[1] * given[2]
-    if z > -inf:
-        shot, count = trace(law, par, exit_tension, z, steps, points, out)
-    else:
-        count = points + 1
-        for i in range(count):
-            out[RECORD * i] = length * i / points
-    found[LOG_RATIO], found[EXIT_SLIP], found[EXIT_CREEP] = shot[0], shot[1], shot[2]
-    found[EXIT_STRESS], found[WORK], found[CREEP_RATIO] = shot[3], shot[4], shot[5]
-    found[STUCK_LENGTH], found[ENTRY_STRESS] = shot[6], out[4]
+    par = solved.par
+    out = zeros(profile_size(law, par, steps, points))
+    shot, count = profile_of(law, solved, load.exit_tension, steps, points, out)
+    found[LOG_RATIO], found[EXIT_SLIP], found[EXIT_CREEP] = shot.log_tension, shot.slip, shot.creep
+    found[EXIT_STRESS], found[WORK], found[CREEP_RATIO] = shot.stress, shot.work, shot.creep_ratio
+    found[STUCK_LENGTH], found[ENTRY_STRESS] = shot.stuck_length, out[4]
     found[PEAK_STRESS], found[PEAK_AT] = peak_stress(out, count)
     found[ACTIVE] = active_length(out, count)
-    if given[12] == given[12]:
-        found[OUTSIDE] = share_outside(par, out, count, given[12], given[13], given[14])
-
-
-def find_capacities(
-    law: Law,
-    geometry: Geometry,
-    tight: float,
-    pull: float,
-    given: Buffer,
-    parts: int,
-    steps: int,
-    none: Buffer,
-    found: Buffer,
-) -> None:
-    """What the arc could carry with its tight side held."""
-    limit, pressure_max, slip_max = given[11], given[13], given[14]
-    pull = abs(pull)
-    if parts & (CREEP_LIMIT + LEAST):
-        outcome, z, entry, shot = carry(law, geometry, tight, CREEP, limit, nan, steps, none)
-        if outcome == FOUND:
-            found[CREEP_CAPACITY] = abs(shot[0])
-        if parts & LEAST and outcome == FOUND and pull > 1e-6 * tight:
-            top = 1e3 * tight
-            if pressure_max == pressure_max:
-                top = pressure_max * given[3] * given[1]
-            found[LEAST_SLACK], found[MOST_PULL] = least_slack(
-                law, geometry, pull, limit, tight, entry, z, top, steps, none
-            )
-    if parts & TESTED_SLIP and slip_max == slip_max:
-        outcome, _, _, shot = carry(law, geometry, tight, SLIP, slip_max, nan, steps, none)
-        if outcome == FOUND:
-            found[SLIP_CAPACITY] = abs(shot[0])
-    if parts & GROSS_SLIP:
-        gross, creep = largest_ratio(law, geometry, tight, given[15] < 0.0, steps, none)
-        found[GROSS_CAPACITY], found[GROSS_CREEP] = gross, creep
-        # past the largest ratio of a softening law creep grows and the ratio falls
-        if creep <= limit:
-            found[CREEP_CAPACITY] = gross
-        if creep <= slip_max:
-            found[SLIP_CAPACITY] = gross
+    if load.pressure_min == load.pressure_min:
+        found[OUTSIDE] = share_outside(
+            par, out, count, load.pressure_min, load.pressure_max, load.slip_max
+        )

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch import BatchResult, Setting, row, solve_arcs
-from wraparc.batch.arcs import INPUTS, Arcs, Array
+from wraparc.batch.arcs import Arcs, Array
 
 Integers = NDArray[np.int64]
 
@@ -65,7 +65,7 @@ class _Unscaled(Arcs):
         """Numbers of every arc that a kernel reads."""
         given = super().inputs()
         for name, (of_f, of_s) in GIVEN_POWERS.items():
-            given[:, INPUTS.index(name)] *= self.friction_factor**of_f * self.slip_factor**of_s
+            given[:, row.INPUTS.index(name)] *= self.friction_factor**of_f * self.slip_factor**of_s
         return given
 
 

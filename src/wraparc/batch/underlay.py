@@ -28,7 +28,7 @@ from numba.extending import (
     type_callable,
 )
 
-from wraparc.arc.kernel import march
+from wraparc.arc.kernel import quantities
 from wraparc.batch import elementwise
 from wraparc.batch.elementwise import LANES
 
@@ -278,7 +278,7 @@ def _index(context: Any, builder: Any, sig: Any, args: Any) -> Any:
     return builder.sub(bits, bits.type(_MAGIC_BITS))
 
 
-@overload(march.room, strict=False)
+@overload(quantities.zeros, strict=False)
 def _room(size: Any) -> Any:
     def zeros(size: Any) -> Any:
         return np.zeros(size)
@@ -399,7 +399,7 @@ def optimised_once(entry: str) -> Iterator[None]:
 #: functions that are not compiled from their source
 REPLACED = frozenset(
     {
-        march.room,
+        quantities.zeros,
         elementwise.memory,
         elementwise.lower,
         elementwise.upper,

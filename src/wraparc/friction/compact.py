@@ -13,8 +13,8 @@ integration step and kept through it, so that no kink of a law falls inside a st
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import exp, log
+from typing import NamedTuple
 
 Floats = Sequence[float]
 
@@ -35,8 +35,7 @@ KNOT_STRIDE = 16
 PIECE_STRIDE = 25
 
 
-@dataclass(frozen=True)
-class CompactLaw:
+class CompactLaw(NamedTuple):
     """A friction law as numbers.
 
     Attributes
@@ -54,16 +53,16 @@ class CompactLaw:
     """
 
     kind: int
-    edges: tuple[float, ...]
-    coefficients: tuple[float, ...]
-    slips: tuple[float, ...] = ()
+    edges: Floats
+    coefficients: Floats
+    slips: Floats = ()
     onset_compliance: float = 0.0
 
 
-def segment_of(edges: Floats, pressure: float) -> int:
+def segment_of(law: CompactLaw, pressure: float) -> int:
     """Segment of a pressure [Pa]: -1 below the first edge, n - 1 from the last edge on."""
+    edges = law.edges
     n = len(edges)
-    low, high = -1, n - 1
     if n == 0 or pressure < edges[0]:
         return -1
     if pressure >= edges[n - 1]:
@@ -100,12 +99,11 @@ def _trend(c: Floats, o: int, p: float) -> tuple[float, float]:
     return y, dy
 
 
-def peak(
-    kind: int, edges: Floats, c: Floats, segment: int, pressure: float
-) -> tuple[float, float, float, float]:
+def peak(law: CompactLaw, segment: int, pressure: float) -> tuple[float, float, float, float]:
     """Peak slip [m], peak friction [-] and their derivatives by pressure, integral-log laws."""
+    edges, c = law.edges, law.coefficients
     last = len(edges) - 1
-    if kind == KNOTS:
+    if law.kind == KNOTS:
         if segment < 0:
             return c[0], c[4], 0.0, 0.0
         if segment >= last:
@@ -131,10 +129,9 @@ def peak(
     return unit * number, -a * number, unit * number_p, -a_p * number - a * number_p
 
 
-def tail(
-    kind: int, edges: Floats, c: Floats, segment: int, pressure: float
-) -> tuple[float, float, float, float]:
+def tail(law: CompactLaw, segment: int, pressure: float) -> tuple[float, float, float, float]:
     """Post-peak slope [1/m], residual friction [-] and their derivatives by pressure."""
+    kind, edges, c = law.kind, law.edges, law.coefficients
     last = len(edges) - 1
     held = segment < 0
     if held:
@@ -158,21 +155,14 @@ def tail(
 
 
 def friction_at(  # noqa: C901 - one branch a kind of law
-    kind: int,
-    edges: Floats,
-    c: Floats,
-    slips: Floats,
-    segment: int,
-    branch: int,
-    slip: float,
-    pressure: float,
+    law: CompactLaw, segment: int, branch: int, slip: float, pressure: float
 ) -> tuple[float, float, float]:
     """Friction of one piece of a law and its derivatives.
 
     Parameters
     ----------
-    kind, edges, c, slips
-        A :class:`CompactLaw`, spread out.
+    law
+        The law.
     segment, branch
         The piece; it is continued smoothly where slip or pressure lie beyond it.
     slip
@@ -186,6 +176,7 @@ def friction_at(  # noqa: C901 - one branch a kind of law
         Friction [-] and its derivatives by slip [1/m] and pressure [1/Pa]. Below the lowest edge
         friction is held, above the highest the traction mu p is held.
     """
+    kind, edges, c = law.kind, law.edges, law.coefficients
     last = len(edges) - 1
     if kind == KNOTS and branch == RISE and 0 <= segment < last:
         # the common case, written out: `peak` and the formula below in one go
@@ -213,7 +204,7 @@ def friction_at(  # noqa: C901 - one branch a kind of law
     elif segment < 0 and last >= 0:
         at = edges[0]
     if kind in (KNOTS, PIECES):
-        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(kind, edges, c, segment, pressure)
+        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(law, segment, pressure)
         if branch == RISE:
             r = max(slip / slip_pk, SMALLEST)
             lr = log(r)
@@ -222,7 +213,7 @@ def friction_at(  # noqa: C901 - one branch a kind of law
             mu_x = -mu_pk * lr / slip_pk
             mu_p = mu_pk_p * form + mu_pk * lr * r * slip_pk_p / slip_pk
         else:
-            slope, residual, slope_p, residual_p = tail(kind, edges, c, segment, pressure)
+            slope, residual, slope_p, residual_p = tail(law, segment, pressure)
             if branch == LINE:
                 d = slip - slip_pk
                 mu = mu_pk + slope * d
@@ -245,7 +236,7 @@ def friction_at(  # noqa: C901 - one branch a kind of law
             mu = c[0] * (at / c[1]) ** (-c[2])
             mu_p = -c[2] * mu / at
     else:
-        mu, mu_x, mu_p = _table(edges, c, slips, segment, branch, slip, pressure)
+        mu, mu_x, mu_p = _table(law, segment, branch, slip, pressure)
     if above:
         factor = edges[last] / pressure
         mu *= factor
@@ -257,9 +248,10 @@ def friction_at(  # noqa: C901 - one branch a kind of law
 
 
 def _table(
-    edges: Floats, c: Floats, slips: Floats, segment: int, branch: int, slip: float, pressure: float
+    law: CompactLaw, segment: int, branch: int, slip: float, pressure: float
 ) -> tuple[float, float, float]:
     """A measured table: a cubic in slip for each pressure, blended linearly in pressure."""
+    edges, c, slips = law.edges, law.coefficients, law.slips
     last = len(edges) - 1
     cells = len(slips)  # the last cell is the constant past the last slip
     t = slip - slips[branch]
@@ -276,18 +268,11 @@ def _table(
     return low + w * (high - low), low_x + w * (high_x - low_x), (high - low) / width
 
 
-def branch_of(
-    kind: int,
-    edges: Floats,
-    c: Floats,
-    slips: Floats,
-    segment: int,
-    slip: float,
-    pressure: float,
-) -> int:
+def branch_of(law: CompactLaw, segment: int, slip: float, pressure: float) -> int:
     """Branch that holds at a magnitude of slip [m] and a pressure [Pa]."""
+    kind, c, slips = law.kind, law.coefficients, law.slips
     if kind == LIMIT:
-        limit = plateau_at(kind, edges, c, slips, segment, pressure) * pressure
+        limit = plateau_at(law, segment, pressure) * pressure
         return ELASTIC if c[3] > 0.0 and slip < c[3] * limit else PLASTIC
     if kind == TABLE:
         n = len(slips)
@@ -295,54 +280,44 @@ def branch_of(
         while branch < n - 1 and slip >= slips[branch + 1]:
             branch += 1
         return branch
-    slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
+    slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
     if slip <= slip_pk:
         return RISE
-    slope, residual, _, _ = tail(kind, edges, c, segment, pressure)
+    slope, residual, _, _ = tail(law, segment, pressure)
     if mu_pk + slope * (slip - slip_pk) < min(residual, mu_pk):
         return RESIDUAL
     return LINE
 
 
-def branch_gap(
-    kind: int,
-    edges: Floats,
-    c: Floats,
-    slips: Floats,
-    segment: int,
-    boundary: int,
-    slip: float,
-    pressure: float,
-) -> float:
+def branch_gap(law: CompactLaw, segment: int, boundary: int, slip: float, pressure: float) -> float:
     """Slip beyond the boundary of branches `boundary` and `boundary + 1` [m]; negative before."""
-    if kind == TABLE:
-        return slip - slips[boundary + 1]
-    if kind == LIMIT:
-        return slip - c[3] * plateau_at(kind, edges, c, slips, segment, pressure) * pressure
-    slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, pressure)
+    if law.kind == TABLE:
+        return slip - law.slips[boundary + 1]
+    if law.kind == LIMIT:
+        return slip - law.coefficients[3] * plateau_at(law, segment, pressure) * pressure
+    slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
     if boundary == RISE:
         return slip - slip_pk
-    slope, residual, _, _ = tail(kind, edges, c, segment, pressure)
+    slope, residual, _, _ = tail(law, segment, pressure)
     if slope == 0.0:
         return -1.0
     return slip - slip_pk - min(residual - mu_pk, 0.0) / slope
 
 
-def plateau_at(
-    kind: int, edges: Floats, c: Floats, slips: Floats, segment: int, pressure: float
-) -> float:
+def plateau_at(law: CompactLaw, segment: int, pressure: float) -> float:
     """Largest friction a law offers at a pressure at any slip [-]."""
+    kind, edges, slips = law.kind, law.edges, law.slips
     last = len(edges) - 1
     if kind in (KNOTS, PIECES):
-        _, mu, _, _ = peak(kind, edges, c, segment, pressure)
+        _, mu, _, _ = peak(law, segment, pressure)
         if last >= 0 and segment >= last:
             mu *= edges[last] / pressure
         return mu
     if kind == LIMIT:
-        mu, _, _ = friction_at(kind, edges, c, slips, segment, PLASTIC, 0.0, pressure)
+        mu, _, _ = friction_at(law, segment, PLASTIC, 0.0, pressure)
         return mu
     best = 0.0
     for branch in range(len(slips)):
-        mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, slips[branch], pressure)
+        mu, _, _ = friction_at(law, segment, branch, slips[branch], pressure)
         best = max(best, mu)
     return best

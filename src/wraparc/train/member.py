@@ -2,7 +2,7 @@
 
 The unknown of a pulley is its *effort* y, a number of order one that grows with the creep towards
 the slack side. For laws that rise from zero friction the entry creep ratio is g = 1e-5 sinh(y); for
-laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.kernel.shoot`, with its
+laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.kernel.effort`, with its
 sign.
 Both are continuous where the pulley changes from driving to braking.
 """
@@ -13,9 +13,17 @@ from dataclasses import dataclass
 from math import asinh, copysign, cosh, exp, log1p, sinh
 
 from wraparc.arc import WrapArc
-from wraparc.arc.kernel.capacity import STUCK, Geometry, parameters_at, solve_tension
-from wraparc.arc.kernel.march import KICK, ONSET, SHEAR, Law, Parameters
-from wraparc.arc.kernel.shoot import FOUND, effort_of, fire, jumps, largest_effort
+from wraparc.arc.kernel.answer import solve_tension
+from wraparc.arc.kernel.effort import effort_of, jumps, largest_effort, shoot_from
+from wraparc.arc.kernel.quantities import (
+    SOLVED,
+    STUCK,
+    Geometry,
+    Parameters,
+    parameters_at,
+    zeros,
+)
+from wraparc.friction import CompactLaw
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
 COARSE, SHARP, FINE = 8, 16, 24
@@ -79,7 +87,7 @@ class Member:
         Compression of the lagging at the entry per tension there, 2 h/(E_c B D) [m/N].
     """
 
-    law: Law
+    law: CompactLaw
     geometry: Geometry
     radius: float
     stretch: float
@@ -90,7 +98,7 @@ class Member:
         """Return the member of an arc, whose tensions do not matter."""
         squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
         stretch = 1.0 / arc.axial_stiffness
-        return cls(arc.compact_law(), arc.geometry(), arc.radius, stretch, squeeze)
+        return cls(arc.law.compact(), arc.geometry(), arc.radius, stretch, squeeze)
 
     @property
     def holds(self) -> bool:
@@ -101,16 +109,16 @@ class Member:
     def rests(self) -> bool:
         """Whether the belt can rest without any creep (a held belt, nothing that shears)."""
         par = parameters_at(1.0, self.geometry)
-        return self.holds and par[SHEAR] + par[ONSET] == 0.0
+        return self.holds and par.shear + par.onset == 0.0
 
     @property
     def compliance(self) -> float:
         """1/EA' [1/N]."""
-        return self.geometry[4]
+        return self.geometry.compliance
 
     def parameters(self, entry: float, side: float) -> Parameters:
         """Return the numbers of the march at an entry tension [N] and a side (+1, -1)."""
-        return parameters_at(entry, (side, *self.geometry[1:]))
+        return parameters_at(entry, self.geometry._replace(side=side))
 
     def arm(self, entry: float) -> float:
         """R - delta, the lever of the belt on the shaft [m]."""
@@ -137,34 +145,43 @@ class Member:
             z = min(z, largest_effort(self.law, par))
         else:
             effort = min(max(effort, -_LARGEST_EFFORT), _LARGEST_EFFORT)
-            if self.parameters(entry, 1.0)[KICK] > 0.0:
+            if self.parameters(entry, 1.0).kick > 0.0:
                 side = 1.0
             par = self.parameters(entry, side)
             z = effort_of(par, RATIO_SCALE * sinh(effort))
         try:
-            shot, _ = fire(self.law, par, z, steps, 0, [])
+            shot, _ = shoot_from(self.law, par, z, steps, 0, zeros(0))
         except OverflowError:  # a trial far beyond any sense: more tension than numbers have
             gone = copysign(_BEYOND, effort)
             return Passage(entry, entry * exp(-gone), effort, 0.01 * gone, gone, gone, False)
-        ratio = shot[5] if self.holds else RATIO_SCALE * sinh(effort)
-        return Passage(entry, entry * exp(shot[0]), effort, ratio, shot[2], shot[1], shot[6] > 0.0)
+        ratio = shot.creep_ratio if self.holds else RATIO_SCALE * sinh(effort)
+        return Passage(
+            entry,
+            entry * exp(shot.log_tension),
+            effort,
+            ratio,
+            shot.creep,
+            shot.slip,
+            shot.stuck_length > 0.0,
+        )
 
     def between(self, entry: float, exit_: float, steps: int = FINE) -> Passage | None:
         """Send the belt over the pulley between two tensions; None if friction cannot."""
         side = 1.0 if entry >= exit_ else -1.0
         par = self.parameters(entry, side)
-        outcome, z, shot = solve_tension(self.law, par, exit_, steps, [])
+        outcome, z, shot = solve_tension(self.law, par, exit_, steps)
         if outcome == STUCK and z < -1.0:  # an overrun may turn the creep of a light load around
             side = -side
             par = self.parameters(entry, side)
-            outcome, z, shot = solve_tension(self.law, par, exit_, steps, [])
-        if outcome not in (FOUND, STUCK):
+            outcome, z, shot = solve_tension(self.law, par, exit_, steps)
+        if outcome not in (SOLVED, STUCK):
             return None
         if self.holds:
             effort = side * max(z + (0.0 if self.rests else 1.0), 0.0)
         else:
-            effort = self.effort_at(shot[5])
-        return Passage(entry, exit_, effort, shot[5], shot[2], shot[1], shot[6] > 0.0)
+            effort = self.effort_at(shot.creep_ratio)
+        held = shot.stuck_length > 0.0
+        return Passage(entry, exit_, effort, shot.creep_ratio, shot.creep, shot.slip, held)
 
     def slopes(self, at: Passage, steps: int = FINE) -> Slopes:
         """Slopes of a passage, by differences."""

@@ -18,8 +18,7 @@ from functools import partial
 from itertools import pairwise
 from math import asinh, expm1, inf, isnan, log, log1p, nan, sinh
 
-from wraparc.arc.kernel.march import LENGTH
-from wraparc.arc.kernel.shoot import CREEP_SCALE, largest_effort
+from wraparc.arc.kernel.effort import CREEP_SCALE, largest_effort
 from wraparc.train.member import COARSE, Member, Passage
 from wraparc.train.motors import Motor
 from wraparc.train.roots import bracketed_root, rising_root
@@ -211,7 +210,7 @@ class Search:
         par = member.parameters(entry, 1.0)
         top = largest_effort(member.law, par)
         if member.rests:
-            return 1.0 + LARGEST_RATIO * par[LENGTH] / CREEP_SCALE
+            return 1.0 + LARGEST_RATIO * par.length / CREEP_SCALE
         return 1.0 + top
 
     def miss(self, w: float) -> float:

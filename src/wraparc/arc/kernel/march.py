@@ -7,7 +7,7 @@ numerical method" of the documentation). With p = p1 e^q and tau = mu(|x|, p) p 
     dx/ds = (g + (T1 - T) C + c (mu + p mu_p) mu p / R) / (1 + c p mu_x)
 
 C = 1/EA', c = h/G. Every function here takes and returns plain numbers, so that one source runs in
-the interpreter and compiled. A law arrives as (kind, edges, coefficients, slips), see
+the interpreter and compiled. A law arrives as (kind, edges, coefficients, law.slips), see
 :mod:`wraparc.friction.compact`; the drive as the tuple `par` made by :func:`parameters`.
 
 Steps are sixth order (J. C. Butcher, J. Austral. Math. Soc. 4 (1964) 179-194, 7 stages) on the mesh
@@ -17,9 +17,18 @@ law throughout; where it ends in another piece, it is cut at the boundary.
 
 from __future__ import annotations
 
-from collections.abc import MutableSequence
-from math import exp, inf, log, sqrt
+from math import exp, inf, log
 
+from wraparc.arc.kernel.butcher import (
+    to_end,
+    to_fifth,
+    to_fourth,
+    to_last,
+    to_second,
+    to_sixth,
+    to_third,
+)
+from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, State, zeros
 from wraparc.friction.compact import (
     ELASTIC,
     KNOTS,
@@ -28,7 +37,7 @@ from wraparc.friction.compact import (
     RISE,
     SMALLEST,
     TABLE,
-    Floats,
+    CompactLaw,
     branch_gap,
     branch_of,
     friction_at,
@@ -36,19 +45,8 @@ from wraparc.friction.compact import (
     segment_of,
 )
 
-Law = tuple[int, Floats, Floats, Floats]
-Parameters = tuple[float, ...]
-Buffer = MutableSequence[float]
-
-# places in `par`
-T1, P1, RADIUS, LENGTH, COMPLIANCE, SHEAR, KICK, WIDTH, SIDE, ONSET = range(10)
-
-#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work, and
-#: 1 where the law has a kink
-RECORD = 7
 MESH_POWER = 4
 LARGEST_LOG = 50.0  # of T/T1: a trial stage far off the solution may ask for more
-LEAST_COMPLIANCE = 1e-16  # of belt and lagging [1/N]: a rigid belt has a strain of 1e-10 at 1 MN
 # how near a cut lands on a boundary of the law (ln p, or slip [m]): where only the curvature of the
 # law jumps, the square of the miss counts
 CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE, SLIP_CUT_TOLERANCE = 1e-6, 3e-4, 1e-9
@@ -56,69 +54,23 @@ FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each s
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
 
 
-def room(size: int) -> list[float]:
-    """A buffer of zeros. Compiled code replaces it by an array."""
-    return [0.0] * size
-
-
-def parameters(
-    entry_tension: float,
-    side: float,
-    radius: float,
-    wrap_angle: float,
-    width: float,
-    compliance: float,
-    shear: float,
-    kick: float,
-    kick_coefficient: float,
-    onset: float,
-) -> Parameters:
-    """Numbers of one drive, as the march reads them.
-
-    Parameters
-    ----------
-    entry_tension
-        T1 [N].
-    side
-        +1 driving (T1 >= T2), -1 braking.
-    radius, wrap_angle, width
-        R [m], phi [rad], B [m].
-    compliance
-        1/EA' [1/N].
-    shear
-        h/G [m/Pa].
-    kick, kick_coefficient
-        The overrun is kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
-    onset
-        Slip per shear stress before the limit of an elastic-plastic law [m/Pa].
-    """
-    pressure = entry_tension / (width * radius)
-    overrun = kick + kick_coefficient * pressure * sqrt(pressure)
-    return (
-        entry_tension,
-        pressure,
-        radius,
-        radius * wrap_angle,
-        max(compliance, LEAST_COMPLIANCE),
-        shear,
-        overrun,
-        width,
-        side,
-        onset,
-    )
-
-
 def rates(
-    law: Law, par: Parameters, g: float, segment: int, branch: int, sign: float, q: float, x: float
+    law: CompactLaw,
+    par: Parameters,
+    g: float,
+    segment: int,
+    branch: int,
+    sign: float,
+    q: float,
+    x: float,
 ) -> tuple[float, float, float]:
     """dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law."""
-    kind, edges, c, slips = law
-    t1, p1, radius, _, compliance, shear, _, _, _, _ = par
+    radius, shear = par.radius, par.shear
     e = exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
-    p = p1 * e
-    mu, mu_x, mu_p = friction_at(kind, edges, c, slips, segment, branch, x * sign, p)
+    p = par.entry_pressure * e
+    mu, mu_x, mu_p = friction_at(law, segment, branch, x * sign, p)
     dq = -mu / radius
-    dx = g + t1 * (1.0 - e) * compliance
+    dx = g + par.entry_tension * (1.0 - e) * par.compliance
     if shear > 0.0:
         sp = shear * p
         dx = (dx + sp * (mu + p * mu_p) * mu / radius) / (1.0 + sp * mu_x)
@@ -126,7 +78,7 @@ def rates(
 
 
 def step(
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     g: float,
     segment: int,
@@ -140,69 +92,38 @@ def step(
     k1: tuple[float, float, float],
 ) -> tuple[float, float, float]:
     """One step of length h in xi with the rates k1 at its start: q, x and friction work done."""
+    # ds in h at the five places of the stages
     f = MESH_POWER * span
     z = xi * xi * xi * f * h
     a1, b1, w1 = k1[0] * z, k1[1] * z, k1[2] * z
     t = xi + h / 3.0
     z3 = t * t * t * f * h
-    r = rates(law, par, g, segment, branch, sign, q + a1 / 3.0, x + b1 / 3.0)
+    r = rates(law, par, g, segment, branch, sign, q + to_second(a1), x + to_second(b1))
     a2, b2 = r[0] * z3, r[1] * z3
     t = xi + h * 2.0 / 3.0
     z = t * t * t * f * h
-    r = rates(law, par, g, segment, branch, sign, q + a2 * 2.0 / 3.0, x + b2 * 2.0 / 3.0)
+    r = rates(law, par, g, segment, branch, sign, q + to_third(a2), x + to_third(b2))
     a3, b3, w3 = r[0] * z, r[1] * z, r[2] * z
-    r = rates(
-        law,
-        par,
-        g,
-        segment,
-        branch,
-        sign,
-        q + (a1 + 4.0 * a2 - a3) / 12.0,
-        x + (b1 + 4.0 * b2 - b3) / 12.0,
-    )
+    q4, x4 = q + to_fourth(a1, a2, a3), x + to_fourth(b1, b2, b3)
+    r = rates(law, par, g, segment, branch, sign, q4, x4)
     a4, b4, w4 = r[0] * z3, r[1] * z3, r[2] * z3
     t = xi + 0.5 * h
     z = t * t * t * f * h
-    r = rates(
-        law,
-        par,
-        g,
-        segment,
-        branch,
-        sign,
-        q + (18.0 * a2 - a1 - 3.0 * a3 - 6.0 * a4) / 16.0,
-        x + (18.0 * b2 - b1 - 3.0 * b3 - 6.0 * b4) / 16.0,
-    )
+    q5, x5 = q + to_fifth(a1, a2, a3, a4), x + to_fifth(b1, b2, b3, b4)
+    r = rates(law, par, g, segment, branch, sign, q5, x5)
     a5, b5, w5 = r[0] * z, r[1] * z, r[2] * z
-    r = rates(
-        law,
-        par,
-        g,
-        segment,
-        branch,
-        sign,
-        q + (9.0 * a2 - 3.0 * a3 - 6.0 * a4 + 4.0 * a5) / 8.0,
-        x + (9.0 * b2 - 3.0 * b3 - 6.0 * b4 + 4.0 * b5) / 8.0,
-    )
+    q6, x6 = q + to_sixth(a2, a3, a4, a5), x + to_sixth(b2, b3, b4, b5)
+    r = rates(law, par, g, segment, branch, sign, q6, x6)
     a6, b6, w6 = r[0] * z, r[1] * z, r[2] * z
     t = xi + h
     z = t * t * t * f * h
-    r = rates(
-        law,
-        par,
-        g,
-        segment,
-        branch,
-        sign,
-        q + (9.0 * a1 - 36.0 * a2 + 63.0 * a3 + 72.0 * a4 - 64.0 * a6) / 44.0,
-        x + (9.0 * b1 - 36.0 * b2 + 63.0 * b3 + 72.0 * b4 - 64.0 * b6) / 44.0,
-    )
+    q7, x7 = q + to_last(a1, a2, a3, a4, a6), x + to_last(b1, b2, b3, b4, b6)
+    r = rates(law, par, g, segment, branch, sign, q7, x7)
     a7, b7, w7 = r[0] * z, r[1] * z, r[2] * z
     return (
-        q + (11.0 * (a1 + a7) + 81.0 * (a3 + a4) - 32.0 * (a5 + a6)) / 120.0,
-        x + (11.0 * (b1 + b7) + 81.0 * (b3 + b4) - 32.0 * (b5 + b6)) / 120.0,
-        (11.0 * (w1 + w7) + 81.0 * (w3 + w4) - 32.0 * (w5 + w6)) / 120.0,
+        q + to_end(a1, a3, a4, a5, a6, a7),
+        x + to_end(b1, b3, b4, b5, b6, b7),
+        to_end(w1, w3, w4, w5, w6, w7),
     )
 
 
@@ -216,27 +137,26 @@ LOWER_EDGE, UPPER_EDGE, NO_SLIP, PREVIOUS_BRANCH, NEXT_BRANCH = range(5)
 
 
 def _beyond(
-    law: Law, par: Parameters, segment: int, branch: int, side: int, q: float, x: float
+    law: CompactLaw, par: Parameters, segment: int, branch: int, side: int, q: float, x: float
 ) -> float:
     """How far a state with slip magnitude x is beyond one side of a piece; negative inside."""
-    kind, edges, c, slips = law
-    last = len(edges) - 1
+    last = len(law.edges) - 1
     if side == LOWER_EDGE:
-        return log(edges[segment] / par[P1]) - q if segment >= 0 else -1.0
+        return log(law.edges[segment] / par.entry_pressure) - q if segment >= 0 else -1.0
     if side == UPPER_EDGE:
-        return q - log(edges[segment + 1] / par[P1]) if segment < last else -1.0
+        return q - log(law.edges[segment + 1] / par.entry_pressure) if segment < last else -1.0
     if side == NO_SLIP:
         return -x
-    p = par[P1] * exp(q)
+    p = par.entry_pressure * exp(q)
     if side == PREVIOUS_BRANCH:
-        return -branch_gap(kind, edges, c, slips, segment, branch - 1, x, p) if branch > 0 else -1.0
+        return -branch_gap(law, segment, branch - 1, x, p) if branch > 0 else -1.0
     if not _has_next(law, branch):
         return -1.0
-    return branch_gap(kind, edges, c, slips, segment, branch, x, p)
+    return branch_gap(law, segment, branch, x, p)
 
 
 def _first_crossing(
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     segment: int,
     branch: int,
@@ -277,20 +197,19 @@ def _first_crossing(
     return first, crossed
 
 
-def _has_next(law: Law, branch: int) -> bool:
+def _has_next(law: CompactLaw, branch: int) -> bool:
     """Whether a branch ends at larger slips."""
-    kind = law[0]
-    if kind == LIMIT:
+    if law.kind == LIMIT:
         return branch == ELASTIC
-    if kind == TABLE:
-        return branch < len(law[3]) - 1
+    if law.kind == TABLE:
+        return branch < len(law.slips) - 1
     return branch < 2
 
 
-def _cut_tolerance(law: Law, segment: int, side: int) -> float:
+def _cut_tolerance(law: CompactLaw, segment: int, side: int) -> float:
     """How near a cut must land: inner knots of pressure only bend the law's slope."""
-    last = len(law[1]) - 1
-    smooth = law[0] == KNOTS and (
+    last = len(law.edges) - 1
+    smooth = law.kind == KNOTS and (
         (side == LOWER_EDGE and segment > 0) or (side == UPPER_EDGE and 0 <= segment < last - 1)
     )
     if side in (LOWER_EDGE, UPPER_EDGE):
@@ -298,28 +217,26 @@ def _cut_tolerance(law: Law, segment: int, side: int) -> float:
     return SLIP_CUT_TOLERANCE
 
 
-def _within(law: Law, par: Parameters, segment: int, branch: int, q: float, x: float) -> bool:
+def _within(
+    law: CompactLaw, par: Parameters, segment: int, branch: int, q: float, x: float
+) -> bool:
     """Whether a state with slip magnitude x lies in a piece of the law."""
-    kind, edges, c, _ = law
-    p = par[P1] * exp(q)
-    last = len(edges) - 1
-    if x < 0.0 or (segment >= 0 and p < edges[segment]):
+    p = par.entry_pressure * exp(q)
+    last = len(law.edges) - 1
+    if x < 0.0 or (segment >= 0 and p < law.edges[segment]):
         return False
-    if segment < last and p >= edges[segment + 1]:
+    if segment < last and p >= law.edges[segment + 1]:
         return False
-    if branch == RISE and kind in (KNOTS, PIECES):
-        return x <= peak(kind, edges, c, segment, p)[0]
+    if branch == RISE and law.kind in (KNOTS, PIECES):
+        return x <= peak(law, segment, p)[0]
     return (
         _beyond(law, par, segment, branch, PREVIOUS_BRANCH, q, x) <= 0.0
         and _beyond(law, par, segment, branch, NEXT_BRANCH, q, x) <= 0.0
     )
 
 
-State = tuple[float, float, float, int, int, float]  # q, slip, work, segment, branch, sign
-
-
 def advance(  # noqa: C901 - one loop over steps and cuts
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     g: float,
     state: State,
@@ -336,7 +253,6 @@ def advance(  # noqa: C901 - one loop over steps and cuts
     Steps are cut where the law changes its piece (if `cut`); such points are recorded in `out` (if
     it has room) behind the `count` points already there. Returns the new state and count.
     """
-    kind, edges, c, slips = law
     q, x, work, segment, branch, sign = state
     switches = 0
     while xi < xi_end:
@@ -348,18 +264,18 @@ def advance(  # noqa: C901 - one loop over steps and cuts
         dq = abs(k[0]) * jacobian
         if dq * h > LARGEST_LOG_STEP:
             h = LARGEST_LOG_STEP / dq
-        if kind == TABLE:
+        if law.kind == TABLE:
             # a cubic is not to be trusted far outside its cell
-            cell = slips[branch + 1] - slips[branch] if branch < len(slips) - 1 else inf
+            cell = law.slips[branch + 1] - law.slips[branch] if branch < len(law.slips) - 1 else inf
             if abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi**MESH_POWER) > cell:
                 reach = xi**MESH_POWER + cell / (abs(k[1]) * span)
                 h = reach ** (1.0 / MESH_POWER) - xi
         q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
         if not cut:
-            p = par[P1] * exp(q1)
+            p = par.entry_pressure * exp(q1)
             sign = sign if sign * x1 >= 0.0 else -sign
-            segment = segment_of(edges, p)
-            branch = branch_of(kind, edges, c, slips, segment, sign * x1, p)
+            segment = segment_of(law, p)
+            branch = branch_of(law, segment, sign * x1, p)
         elif switches < 40 and not _within(law, par, segment, branch, q1, sign * x1):
             switches += 1
             t = xi + h
@@ -404,58 +320,51 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             elif side == NEXT_BRANCH:
                 branch += 1
             if len(out) > 0 and xi < xi_end and f > 0.0:
-                record(
-                    law,
-                    par,
-                    out,
-                    count,
-                    origin + span * xi**MESH_POWER,
-                    (q, x, work, segment, branch, sign),
-                )
+                there = State(q, x, work, segment, branch, sign)
+                record(law, par, out, count, origin + span * xi**MESH_POWER, there)
                 out[RECORD * count + 6] = 1.0
                 count += 1
             continue
         q, x, work = q1, x1, work + w1
         xi = xi_end if h == xi_end - xi else xi + h
-    return (q, x, work, segment, branch, sign), count
+    return State(q, x, work, segment, branch, sign), count
 
 
-def record(law: Law, par: Parameters, out: Buffer, count: int, s: float, state: State) -> None:
+def record(
+    law: CompactLaw, par: Parameters, out: Buffer, count: int, s: float, state: State
+) -> None:
     """Write one point of a profile: s, q, slip, creep, shear stress, friction work."""
-    q, x, work = state[:3]
     tau, creep = stress_and_creep(law, par, state)
     i = RECORD * count
-    out[i], out[i + 1], out[i + 2] = s, q, x
-    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = creep, tau, work, 0.0
+    out[i], out[i + 1], out[i + 2] = s, state.log_tension, state.slip
+    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = creep, tau, state.work, 0.0
 
 
-def stress_and_creep(law: Law, par: Parameters, state: State) -> tuple[float, float]:
+def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[float, float]:
     """Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state."""
-    kind, edges, c, slips = law
     q, x, _, segment, branch, sign = state
-    if x == 0.0 and kind in (KNOTS, PIECES):
+    if x == 0.0 and law.kind in (KNOTS, PIECES):
         return 0.0, 0.0
-    p = par[P1] * exp(q)
-    mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, sign * x, p)
+    p = par.entry_pressure * exp(q)
+    mu, _, _ = friction_at(law, segment, branch, sign * x, p)
     tau = sign * mu * p
-    return tau, x + par[SHEAR] * tau
+    return tau, x + par.shear * tau
 
 
-def slip_at_entry(law: Law, par: Parameters, creep: float, q: float) -> float:
+def slip_at_entry(law: CompactLaw, par: Parameters, creep: float, q: float) -> float:
     """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
-    kind, edges, c, slips = law
-    p = par[P1] * exp(q)
-    shear = par[SHEAR]
-    segment = segment_of(edges, p)
+    p = par.entry_pressure * exp(q)
+    shear = par.shear
+    segment = segment_of(law, p)
     low, high = 0.0, creep
     x = creep
-    if kind in (KNOTS, PIECES):
-        slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment, p)
+    if law.kind in (KNOTS, PIECES):
+        slip_pk, mu_pk, _, _ = peak(law, segment, p)
         r = min(creep / slip_pk, 1.0)
         x = creep / (1.0 + shear * p * mu_pk / slip_pk * (1.0 - log(max(r, SMALLEST))))
     for _ in range(200):
-        branch = branch_of(kind, edges, c, slips, segment, x, p)
-        mu, mu_x, _ = friction_at(kind, edges, c, slips, segment, branch, x, p)
+        branch = branch_of(law, segment, x, p)
+        mu, mu_x, _ = friction_at(law, segment, branch, x, p)
         f = x + shear * mu * p - creep
         if f > 0.0:
             high = x
@@ -471,22 +380,21 @@ def slip_at_entry(law: Law, par: Parameters, creep: float, q: float) -> float:
     return x
 
 
-def _leave(law: Law, par: Parameters, rate: float, q: float, s: float) -> State:
+def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) -> State:
     """State a short way s past a point of no slip, where creep grows at `rate` (no kick)."""
-    kind, edges, c, slips = law
     sign = 1.0 if rate > 0.0 else -1.0
     x = slip_at_entry(law, par, abs(rate) * s, q)
-    p = par[P1] * exp(q)
-    segment = segment_of(edges, p)
-    branch = branch_of(kind, edges, c, slips, segment, x, p)
-    mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, x, p)
+    p = par.entry_pressure * exp(q)
+    segment = segment_of(law, p)
+    branch = branch_of(law, segment, x, p)
+    mu, _, _ = friction_at(law, segment, branch, x, p)
     # friction grows nearly in proportion to s here: its mean is half of its last value
-    dq = 0.5 * mu * s / par[RADIUS]
-    return (q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign)
+    dq = 0.5 * mu * s / par.radius
+    return State(q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign)
 
 
 def _to_zero_slip(
-    law: Law, par: Parameters, g: float, steps: int, out: Buffer, count: int
+    law: CompactLaw, par: Parameters, g: float, steps: int, out: Buffer, count: int
 ) -> tuple[int, float, float, float, int]:
     """March while the creep of the kick is used up, with creep as the independent variable.
 
@@ -494,15 +402,14 @@ def _to_zero_slip(
     construction. Returns a status and s, q, work there and the count of records; status 1 arrived,
     0 the creep rate changes sign before, 2 the end of the arc comes before.
     """
-    kick, length = par[KICK], par[LENGTH]
-    kind, edges, c, slips = law
+    kick, length = par.kick, par.length
     q, s, work = 0.0, 0.0, 0.0
     x = slip_at_entry(law, par, kick, 0.0)
     h = 1.0 / steps
     for i in range(steps - 1):
-        p = par[P1] * exp(q)
-        segment = segment_of(edges, p)
-        branch = branch_of(kind, edges, c, slips, segment, x, p)
+        p = par.entry_pressure * exp(q)
+        segment = segment_of(law, p)
+        branch = branch_of(law, segment, x, p)
         # classical fourth-order step in zeta; the last mesh cell is closed analytically below
         zeta = i * h
         dq1 = dx1 = ds1 = dw1 = 0.0
@@ -511,7 +418,7 @@ def _to_zero_slip(
             a = 0.0 if stage == 0 else (h if stage == 3 else 0.5 * h)
             weight = h / 6.0 if stage in (0, 3) else h / 3.0
             qs, xs = q + a * dq1, max(x + a * dx1, 0.0)
-            rate = g + par[T1] * (1.0 - exp(qs)) * par[COMPLIANCE]
+            rate = g + par.entry_tension * (1.0 - exp(qs)) * par.compliance
             if rate >= 0.0:
                 return 0, 0.0, 0.0, 0.0, count
             r = rates(law, par, g, segment, branch, 1.0, qs, xs)
@@ -528,9 +435,9 @@ def _to_zero_slip(
         if x <= 0.0:
             return 0, 0.0, 0.0, 0.0, count
         if len(out) > 0:
-            record(law, par, out, count, s, (q, x, work, segment, branch, 1.0))
+            record(law, par, out, count, s, State(q, x, work, segment, branch, 1.0))
             count += 1
-    rate = g + par[T1] * (1.0 - exp(q)) * par[COMPLIANCE]
+    rate = g + par.entry_tension * (1.0 - exp(q)) * par.compliance
     if rate >= 0.0:
         return 0, 0.0, 0.0, 0.0, count
     ds = kick * h**4 / -rate
@@ -539,8 +446,8 @@ def _to_zero_slip(
     return 1, s + ds, q + 0.5 * ds * rates(law, par, g, segment, branch, 1.0, q, x)[0], work, count
 
 
-def _mesh(
-    law: Law,
+def carry_to_exit(
+    law: CompactLaw,
     par: Parameters,
     g: float,
     state: State,
@@ -552,10 +459,10 @@ def _mesh(
     count: int,
 ) -> tuple[State, int]:
     """Carry a state from mesh node `first` to the exit, recording `points` parts of the arc."""
-    length = par[LENGTH]
+    length = par.length
     span = length - origin
     h = 1.0 / steps
-    cut = steps >= FEWEST_CUT_STEPS or law[0] in (LIMIT, TABLE)
+    cut = steps >= FEWEST_CUT_STEPS or law.kind in (LIMIT, TABLE)
     if len(out) > 0 and first > 0:
         record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state)
         count += 1
@@ -569,7 +476,7 @@ def _mesh(
                 if t >= xi_end * (1.0 - 1e-12):
                     break
                 if t > xi:
-                    between, _ = advance(law, par, g, state, origin, span, xi, t, cut, out[:0], 0)
+                    between, _ = advance(law, par, g, state, origin, span, xi, t, cut, zeros(0), 0)
                     record(law, par, out, count, j * length / points, between)
                     count += 1
                 j += 1
@@ -581,7 +488,7 @@ def _mesh(
 
 
 def sweep(  # noqa: C901 - the ways an arc begins
-    law: Law, par: Parameters, g: float, steps: int, points: int, out: Buffer
+    law: CompactLaw, par: Parameters, g: float, steps: int, points: int, out: Buffer
 ) -> tuple[State, int]:
     """March the whole arc with a law that starts without a jump.
 
@@ -602,33 +509,39 @@ def sweep(  # noqa: C901 - the ways an arc begins
     state, count
         State at the exit nip and the number of points recorded.
     """
-    kind, edges, c, slips = law
-    kick, length = par[KICK], par[LENGTH]
+    kick, length = par.kick, par.length
     count = 0
     if kick > 0.0:
         x = slip_at_entry(law, par, kick, 0.0)
-        p = par[P1]
-        segment = segment_of(edges, p)
-        state = (0.0, x, 0.0, segment, branch_of(kind, edges, c, slips, segment, x, p), 1.0)
+        p = par.entry_pressure
+        segment = segment_of(law, p)
+        state = State(0.0, x, 0.0, segment, branch_of(law, segment, x, p), 1.0)
         if len(out) > 0:
             record(law, par, out, 0, 0.0, state)
             count = 1
-        if g < 0.0 and kind in (KNOTS, PIECES):
+        if g < 0.0 and law.kind in (KNOTS, PIECES):
             status, s, q, work, n = _to_zero_slip(law, par, g, steps, out, count)
             if status == 1:
-                rate = g + par[T1] * (1.0 - exp(q)) * par[COMPLIANCE]
+                rate = g + par.entry_tension * (1.0 - exp(q)) * par.compliance
                 cell = (length - s) / steps**MESH_POWER
                 gone = _leave(law, par, rate, q, cell)
-                state = (gone[0], gone[1], gone[2] + work, gone[3], gone[4], gone[5])
-                return _mesh(law, par, g, state, s, 1, steps, points, out, n)
-        return _mesh(law, par, g, state, 0.0, 0, steps, points, out, count)
+                state = State(
+                    gone.log_tension,
+                    gone.slip,
+                    gone.work + work,
+                    gone.segment,
+                    gone.branch,
+                    gone.sign,
+                )
+                return carry_to_exit(law, par, g, state, s, 1, steps, points, out, n)
+        return carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count)
     if len(out) > 0:
         for i in range(RECORD):
             out[i] = 0.0
         count = 1
     if g == 0.0:
-        p = par[P1]
-        state = (0.0, 0.0, 0.0, segment_of(edges, p), 0, 1.0)
+        p = par.entry_pressure
+        state = State(0.0, 0.0, 0.0, segment_of(law, p), 0, 1.0)
         if len(out) > 0:
             for j in range(1, points + 1):
                 out[RECORD * count] = j * length / points
@@ -636,8 +549,9 @@ def sweep(  # noqa: C901 - the ways an arc begins
                     out[RECORD * count + i] = 0.0
                 count += 1
         return state, count
-    if kind in (LIMIT, TABLE):
-        state = (0.0, 0.0, 0.0, segment_of(edges, par[P1]), 0, 1.0 if g > 0.0 else -1.0)
-        return _mesh(law, par, g, state, 0.0, 0, steps, points, out, count)
+    if law.kind in (LIMIT, TABLE):
+        sign = 1.0 if g > 0.0 else -1.0
+        state = State(0.0, 0.0, 0.0, segment_of(law, par.entry_pressure), 0, sign)
+        return carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count)
     state = _leave(law, par, g, 0.0, length / steps**MESH_POWER)
-    return _mesh(law, par, g, state, 0.0, 1, steps, points, out, count)
+    return carry_to_exit(law, par, g, state, 0.0, 1, steps, points, out, count)

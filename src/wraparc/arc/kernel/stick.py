@@ -17,112 +17,102 @@ from __future__ import annotations
 
 from math import exp, expm1, log, sqrt, tanh
 
-from wraparc.arc.kernel.march import (
-    COMPLIANCE,
-    KICK,
-    LENGTH,
-    ONSET,
-    P1,
-    RADIUS,
-    RECORD,
-    SHEAR,
-    SIDE,
-    T1,
-    WIDTH,
-    Buffer,
-    Law,
-    Parameters,
-    State,
-    _mesh,
+from wraparc.arc.kernel.march import carry_to_exit
+from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, State
+from wraparc.friction.compact import (
+    LIMIT,
+    PLASTIC,
+    CompactLaw,
+    branch_of,
+    friction_at,
+    segment_of,
 )
-from wraparc.friction.compact import LIMIT, PLASTIC, branch_of, friction_at, segment_of
 
 
-def onset_stress(law: Law, pressure: float) -> tuple[float, float]:
+def onset_stress(law: CompactLaw, pressure: float) -> tuple[float, float]:
     """Shear stress a law holds without slip [Pa] and its derivative by pressure [-]."""
-    kind, edges, c, slips = law
-    segment = segment_of(edges, pressure)
-    branch = PLASTIC if kind == LIMIT else 0
-    mu, _, mu_p = friction_at(kind, edges, c, slips, segment, branch, 0.0, pressure)
+    segment = segment_of(law, pressure)
+    branch = PLASTIC if law.kind == LIMIT else 0
+    mu, _, mu_p = friction_at(law, segment, branch, 0.0, pressure)
     return mu * pressure, mu + pressure * mu_p
 
 
 def shear_lag_length(par: Parameters) -> float:
     """Length l = sqrt(c_e EA' / B), over which a stuck belt hands over its tension [m]."""
-    return sqrt((par[SHEAR] + par[ONSET]) / (par[WIDTH] * par[COMPLIANCE]))
+    return sqrt((par.shear + par.onset) / (par.width * par.compliance))
 
 
-def zone_end(law: Law, par: Parameters, length: float) -> tuple[float, float]:
+def zone_end(law: CompactLaw, par: Parameters, length: float) -> tuple[float, float]:
     """Tension [N] and creep [m] at the end of a stuck zone of a given length, where slip begins."""
-    compliance = par[SHEAR] + par[ONSET]
+    compliance = par.shear + par.onset
     if compliance == 0.0:
-        return par[T1], 0.0
+        return par.entry_tension, 0.0
     lag = shear_lag_length(par)
     e, rise = exp(-length / lag), -expm1(-length / lag)
     half = tanh(0.5 * length / lag)
-    ease = lag * par[COMPLIANCE]
-    area = par[WIDTH] * par[RADIUS]
-    low, high = 0.0, par[T1] * 1e6
-    t = par[T1]
+    ease = lag * par.compliance
+    area = par.width * par.radius
+    low, high = 0.0, par.entry_tension * 1e6
+    t = par.entry_tension
     for _ in range(200):
         tau, tau_p = onset_stress(law, t / area)
-        u = par[SIDE] * compliance * tau
-        f = t - par[T1] + (par[KICK] * rise + (u - par[KICK] * e) * half) / ease
+        u = par.side * compliance * tau
+        f = t - par.entry_tension + (par.kick * rise + (u - par.kick * e) * half) / ease
         if f > 0.0:
             high = t
         else:
             low = t
-        slope = 1.0 + par[SIDE] * compliance * tau_p / area * half / ease
+        slope = 1.0 + par.side * compliance * tau_p / area * half / ease
         new = t - f / slope if slope > 0.0 else 0.5 * (low + high)
         if not low < new < high:
             new = 0.5 * (low + high)
-        if abs(new - t) <= 1e-15 * par[T1]:
+        if abs(new - t) <= 1e-15 * par.entry_tension:
             t = new
             break
         t = new
-    return t, par[SIDE] * compliance * onset_stress(law, t / area)[0]
+    return t, par.side * compliance * onset_stress(law, t / area)[0]
 
 
-def held_exit(law: Law, par: Parameters, exit_tension: float) -> tuple[bool, float]:
+def held_exit(law: CompactLaw, par: Parameters, exit_tension: float) -> tuple[bool, float]:
     """Whether the belt sticks over the whole wrap, and its creep at the exit if it does [m]."""
-    compliance = par[SHEAR] + par[ONSET]
+    compliance = par.shear + par.onset
     if compliance == 0.0:
-        return exit_tension == par[T1], 0.0
-    lag, length = shear_lag_length(par), par[LENGTH]
+        return exit_tension == par.entry_tension, 0.0
+    lag, length = shear_lag_length(par), par.length
     e = exp(-length / lag)
-    pull = (par[T1] - exit_tension) * lag * par[COMPLIANCE]
-    u = par[KICK] * e + (pull + par[KICK] * expm1(-length / lag)) / tanh(0.5 * length / lag)
-    limit = compliance * onset_stress(law, exit_tension / (par[WIDTH] * par[RADIUS]))[0]
+    pull = (par.entry_tension - exit_tension) * lag * par.compliance
+    u = par.kick * e + (pull + par.kick * expm1(-length / lag)) / tanh(0.5 * length / lag)
+    limit = compliance * onset_stress(law, exit_tension / (par.width * par.radius))[0]
     return abs(u) <= limit, u
 
 
 def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tuple[float, float]:
     """Tension [N] and creep [m] at s inside a stuck zone of a given length and end creep."""
-    if par[SHEAR] + par[ONSET] == 0.0:
-        return par[T1], 0.0
+    if par.shear + par.onset == 0.0:
+        return par.entry_tension, 0.0
     lag = shear_lag_length(par)
     e, e_end = exp(-s / lag), exp(-length / lag)
     # a sinh(s/l) and a (cosh(s/l) - 1), written so that nothing overflows or cancels
-    scale = (end_creep - par[KICK] * e_end) * exp((s - length) / lag) / -expm1(-2.0 * length / lag)
+    scale = (end_creep - par.kick * e_end) * exp((s - length) / lag) / -expm1(-2.0 * length / lag)
     rise = -expm1(-s / lag)
-    creep = par[KICK] * e + scale * -expm1(-2.0 * s / lag)
-    pull = par[KICK] * rise + scale * rise * rise
+    creep = par.kick * e + scale * -expm1(-2.0 * s / lag)
+    pull = par.kick * rise + scale * rise * rise
     # a trial far off the solution may ask for more than all of the tension
-    return max(par[T1] - pull / (lag * par[COMPLIANCE]), 1e-6 * par[T1]), creep
+    return max(par.entry_tension - pull / (lag * par.compliance), 1e-6 * par.entry_tension), creep
 
 
 def zone_creep_ratio(par: Parameters, length: float, end_creep: float) -> float:
     """Entry creep ratio g = (a - x_c) / l of a stuck zone [-]; may underflow to 0."""
-    if par[SHEAR] + par[ONSET] == 0.0:
+    if par.shear + par.onset == 0.0:
         return 0.0
     lag = shear_lag_length(par)
     e = exp(-length / lag)
-    a = 2.0 * (end_creep - par[KICK] * e) * e / -expm1(-2.0 * length / lag)
-    return (a - par[KICK]) / lag
+    a = 2.0 * (end_creep - par.kick * e) * e / -expm1(-2.0 * length / lag)
+    return (a - par.kick) / lag
 
 
 def stick_slip(
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     zone: float,
     end_creep: float,
@@ -136,9 +126,8 @@ def stick_slip(
     Arguments and results as :func:`wraparc.arc.kernel.march.sweep`. A zone as long as the wrap is
     stuck throughout.
     """
-    kind, edges, c, slips = law
-    length = par[LENGTH]
-    compliance = par[SHEAR] + par[ONSET]
+    length = par.length
+    compliance = par.shear + par.onset
     count = 0
     if len(out) > 0:
         for j in range(points + 1):
@@ -151,30 +140,32 @@ def stick_slip(
             _record_stuck(par, out, count, zone, zone, end_creep)
             out[RECORD * count + 6] = 1.0
             count += 1
-    tension, creep = zone_point(par, zone, zone, end_creep) if zone > 0.0 else (par[T1], 0.0)
-    q = log(tension / par[T1])
+    tension, creep = (
+        zone_point(par, zone, zone, end_creep) if zone > 0.0 else (par.entry_tension, 0.0)
+    )
+    q = log(tension / par.entry_tension)
     tau = creep / compliance if compliance > 0.0 else 0.0
-    entry_tau = par[KICK] / compliance if compliance > 0.0 else 0.0
-    x = par[ONSET] * tau
-    work = 0.5 * par[ONSET] * (tau * tau - entry_tau * entry_tau)
-    p = par[P1] * exp(q)
-    segment = segment_of(edges, p)
-    branch = branch_of(kind, edges, c, slips, segment, abs(x), p)
-    state = (q, x, work, segment, branch, par[SIDE])
+    entry_tau = par.kick / compliance if compliance > 0.0 else 0.0
+    x = par.onset * tau
+    work = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau)
+    p = par.entry_pressure * exp(q)
+    segment = segment_of(law, p)
+    branch = branch_of(law, segment, abs(x), p)
+    state = State(q, x, work, segment, branch, par.side)
     if zone >= length:
         return state, count
-    return _mesh(law, par, g, state, zone, 0, steps, points, out, count)
+    return carry_to_exit(law, par, g, state, zone, 0, steps, points, out, count)
 
 
 def _record_stuck(
     par: Parameters, out: Buffer, count: int, s: float, zone: float, end_creep: float
 ) -> None:
     tension, creep = zone_point(par, s, zone, end_creep)
-    compliance = par[SHEAR] + par[ONSET]
+    compliance = par.shear + par.onset
     tau = creep / compliance if compliance > 0.0 else 0.0
-    entry_tau = par[KICK] / compliance if compliance > 0.0 else 0.0
+    entry_tau = par.kick / compliance if compliance > 0.0 else 0.0
     i = RECORD * count
-    out[i], out[i + 1], out[i + 2] = s, log(tension / par[T1]), par[ONSET] * tau
+    out[i], out[i + 1], out[i + 2] = s, log(tension / par.entry_tension), par.onset * tau
     out[i + 3], out[i + 4] = creep, tau
-    out[i + 5] = 0.5 * par[ONSET] * (tau * tau - entry_tau * entry_tau)
+    out[i + 5] = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau)
     out[i + 6] = 0.0

@@ -17,21 +17,16 @@ from __future__ import annotations
 
 from math import exp, log
 
-from wraparc.arc.kernel.march import (
-    KICK,
-    LENGTH,
-    P1,
-    RADIUS,
-    RECORD,
-    SHEAR,
-    SIDE,
-    Buffer,
-    Law,
-    Parameters,
-    hermite,
-    rates,
-    slip_at_entry,
+from wraparc.arc.kernel.butcher import (
+    to_end,
+    to_fifth,
+    to_fourth,
+    to_last,
+    to_second,
+    to_sixth,
 )
+from wraparc.arc.kernel.march import hermite, rates, slip_at_entry
+from wraparc.arc.kernel.quantities import LOST, RECORD, SOLVED, Buffer, Parameters
 from wraparc.friction.compact import (
     KNOT_STRIDE,
     KNOTS,
@@ -40,6 +35,7 @@ from wraparc.friction.compact import (
     RESIDUAL,
     RISE,
     SMALLEST,
+    CompactLaw,
     branch_of,
     friction_at,
     peak,
@@ -52,26 +48,25 @@ NODE = 11
 #: a step: its end Q, its segment, then nodes at 0, 1/3, 1/2, 2/3 and 1 of the step
 STEP = 2 + 5 * NODE
 #: a table: number of steps, Q reached, segment there, last Q, graded steps, step, entry pressure,
-#: a spare, weight of the last node; then the steps
-HEAD = 9
+#: a spare, weight of the last node; then nodes for a part of a step; then the steps
+PART = 9
+FIRST = PART + 5 * NODE
 GRADED_END = 0.1  # Q_a
 GRADED_POWER = 10
 LANDING = 1e-12  # relative, of a march that ends within a step
 
-ARRIVED, ASTRAY = 0, 1
 
-
-def applies(law: Law, par: Parameters) -> bool:
+def applies(law: CompactLaw, par: Parameters) -> bool:
     """Whether the march may be tried: integral-log law, no kick against the direction of slip."""
-    return law[0] in (KNOTS, PIECES) and (par[KICK] == 0.0 or par[SIDE] > 0.0)
+    return law.kind in (KNOTS, PIECES) and (par.kick == 0.0 or par.side > 0.0)
 
 
 def table_size(end: float, steps: int) -> int:
     """Numbers that a table needs, see `open_table`; with room for 60 pieces of the law."""
-    return HEAD + STEP * (int(0.75 * steps + end * steps / 1.44) + 64)
+    return FIRST + STEP * (int(0.75 * steps + end * steps / 1.44) + 64)
 
 
-def open_table(law: Law, par: Parameters, end: float, steps: int, table: Buffer) -> None:
+def open_table(law: CompactLaw, par: Parameters, end: float, steps: int, table: Buffer) -> None:
     """Prepare a table; one that is of the same drive, end and fineness is kept.
 
     Parameters
@@ -83,29 +78,27 @@ def open_table(law: Law, par: Parameters, end: float, steps: int, table: Buffer)
     table
         Buffer of `table_size` numbers, zeros at first.
     """
-    if table[3] == end and table[4] == 0.75 * steps and table[6] == par[P1]:
+    if table[3] == end and table[4] == 0.75 * steps and table[6] == par.entry_pressure:
         return  # it is there already
-    edges = law[1]
-    segment = segment_of(edges, par[P1])
-    if par[SIDE] > 0.0 and segment >= 0 and par[P1] <= edges[segment] * (1.0 + 1e-14):
+    segment = segment_of(law, par.entry_pressure)
+    if par.side > 0.0 and segment >= 0 and par.entry_pressure <= law.edges[segment] * (1.0 + 1e-14):
         segment -= 1
     table[0], table[1], table[2], table[3] = 0.0, 0.0, float(segment), end
-    table[4], table[5], table[6] = 0.75 * steps, 1.44 / steps, par[P1]
+    table[4], table[5], table[6] = 0.75 * steps, 1.44 / steps, par.entry_pressure
 
 
 def _node(
-    law: Law, par: Parameters, segment: int, q: float, weight: float, table: Buffer, o: int
+    law: CompactLaw, par: Parameters, segment: int, q: float, weight: float, table: Buffer, o: int
 ) -> None:
     """Numbers of the law at Q in one of its segments, with dQ (times a Jacobian) as weight."""
-    kind, edges, c, _ = law
-    t1, p1, radius, _, compliance, shear, _, _, sigma, _ = par
+    shear, sigma = par.shear, par.side
     fall = exp(-sigma * q)
-    p = p1 * fall
-    last = len(edges) - 1
-    if kind == KNOTS and 0 <= segment < last:
+    p = par.entry_pressure * fall
+    last = len(law.edges) - 1
+    if law.kind == KNOTS and 0 <= segment < last:
         # the common case of `peak`, written out
-        k = segment * KNOT_STRIDE
-        t = p - edges[segment]
+        c, k = law.coefficients, segment * KNOT_STRIDE
+        t = p - law.edges[segment]
         x1, x2, x3 = c[k + 1], c[k + 2], c[k + 3]
         m1, m2, m3 = c[k + 5], c[k + 6], c[k + 7]
         slip_pk = c[k] + t * (x1 + t * (x2 + t * x3))
@@ -114,17 +107,17 @@ def _node(
         mu_pk_p = m1 + t * (2.0 * m2 + 3.0 * t * m3)
         softens = c[k + 8] != 0.0 or c[k + 9] != 0.0 or c[k + 10] != 0.0 or c[k + 11] != 0.0
     else:
-        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(kind, edges, c, segment, p)
+        slip_pk, mu_pk, slip_pk_p, mu_pk_p = peak(law, segment, p)
         softens = True
     held = 1.0
     if segment >= last >= 0:
-        held = edges[last] / p  # traction held: mu falls as 1/p
+        held = law.edges[last] / p  # traction held: mu falls as 1/p
         mu_pk, mu_pk_p, slip_pk_p = mu_pk * held, -mu_pk * held / p, 0.0
     bend = weight * sigma * shear * p
-    r_mu = weight * radius / mu_pk
+    r_mu = weight * par.radius / mu_pk
     table[o] = 1.0 / slip_pk
     table[o + 1] = r_mu
-    table[o + 2] = r_mu * t1 * abs(1.0 - fall) * compliance
+    table[o + 2] = r_mu * par.entry_tension * abs(1.0 - fall) * par.compliance
     table[o + 3] = bend * (mu_pk + p * mu_pk_p)
     table[o + 4] = bend * p * mu_pk * slip_pk_p / slip_pk
     table[o + 5] = shear * p * mu_pk / slip_pk
@@ -133,7 +126,7 @@ def _node(
     table[o + 9] = 1.0
     if not softens:
         return
-    slope, residual, slope_p, residual_p = tail(kind, edges, c, segment, p)
+    slope, residual, slope_p, residual_p = tail(law, segment, p)
     mu_0, mu_0_p = mu_pk / held, (mu_pk_p if held == 1.0 else 0.0)
     if slope < 0.0 and residual < mu_0:
         table[o + 7] = slope * slip_pk / mu_0
@@ -151,7 +144,7 @@ def _weight(graded: bool, top: float, e: float, h: float) -> float:
 
 
 def _fill(
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     segment: int,
     graded: bool,
@@ -181,20 +174,19 @@ def _fill(
         _node(law, par, segment, q, _weight(graded, top, e, h), table, o + NODE * i)
 
 
-def extend(law: Law, par: Parameters, table: Buffer) -> bool:
+def extend(law: CompactLaw, par: Parameters, table: Buffer) -> bool:
     """Add one step to a table; False at its end."""
-    edges = law[1]
     n, q, segment, end = int(table[0]), table[1], int(table[2]), table[3]
-    o = HEAD + n * STEP
+    o = FIRST + n * STEP
     if q >= end * (1.0 - 1e-14) or o + STEP > len(table):
         return False
-    sigma, top = par[SIDE], min(GRADED_END, end)
+    sigma, top = par.side, min(GRADED_END, end)
     # the next boundary between pieces of the law, or the end
     wall = end
     if sigma > 0.0 and segment >= 0:
-        wall = min(end, log(par[P1] / edges[segment]))
-    elif sigma < 0.0 and segment < len(edges) - 1:
-        wall = min(end, log(edges[segment + 1] / par[P1]))
+        wall = min(end, log(par.entry_pressure / law.edges[segment]))
+    elif sigma < 0.0 and segment < len(law.edges) - 1:
+        wall = min(end, log(law.edges[segment + 1] / par.entry_pressure))
     table[o + 1] = table[2]
     known = o - NODE if n > 0 and table[o - STEP + 1] == table[2] else -1
     if q < top * (1.0 - 1e-12):
@@ -248,43 +240,41 @@ def _step(
     """One sixth-order step (Butcher, as in arc.kernel.march) over five nodes: s, a, work."""
     n1, n2, n3, n4 = o + NODE, o + 2 * NODE, o + 3 * NODE, o + 4 * NODE
     s1, b1, w1 = _rates(t, o, branch, gamma, a)
-    _, b2, _ = _rates(t, n1, branch, gamma, a + b1 / 3.0)
+    _, b2, _ = _rates(t, n1, branch, gamma, a + to_second(b1))
     s3, b3, w3 = _rates(t, n3, branch, gamma, a + b2 * (2.0 / 3.0))
-    s4, b4, w4 = _rates(t, n1, branch, gamma, a + (b1 + 4.0 * b2 - b3) / 12.0)
-    s5, b5, w5 = _rates(t, n2, branch, gamma, a + (18.0 * b2 - b1 - 3.0 * b3 - 6.0 * b4) / 16.0)
-    s6, b6, w6 = _rates(t, n2, branch, gamma, a + (9.0 * b2 - 3.0 * b3 - 6.0 * b4 + 4.0 * b5) / 8.0)
-    a7 = a + (9.0 * b1 - 36.0 * b2 + 63.0 * b3 + 72.0 * b4 - 64.0 * b6) / 44.0
-    s7, b7, w7 = _rates(t, n4, branch, gamma, a7)
+    s4, b4, w4 = _rates(t, n1, branch, gamma, a + to_fourth(b1, b2, b3))
+    s5, b5, w5 = _rates(t, n2, branch, gamma, a + to_fifth(b1, b2, b3, b4))
+    s6, b6, w6 = _rates(t, n2, branch, gamma, a + to_sixth(b2, b3, b4, b5))
+    s7, b7, w7 = _rates(t, n4, branch, gamma, a + to_last(b1, b2, b3, b4, b6))
     return (
-        s + (11.0 * (s1 + s7) + 81.0 * (s3 + s4) - 32.0 * (s5 + s6)) / 120.0,
-        a + (11.0 * (b1 + b7) + 81.0 * (b3 + b4) - 32.0 * (b5 + b6)) / 120.0,
-        work + (11.0 * (w1 + w7) + 81.0 * (w3 + w4) - 32.0 * (w5 + w6)) / 120.0,
+        s + to_end(s1, s3, s4, s5, s6, s7),
+        a + to_end(b1, b3, b4, b5, b6, b7),
+        work + to_end(w1, w3, w4, w5, w6, w7),
     )
 
 
 def _start(
-    law: Law, par: Parameters, gamma: float, table: Buffer
+    law: CompactLaw, par: Parameters, gamma: float, table: Buffer
 ) -> tuple[int, int, float, float, float]:
     """State at the first node: status, steps done, s [m], slip [m], friction work [J/m2].
 
     Without a kick the first step is closed analytically: at constant pressure
     Q gamma R = int mu du = mu_pk x_pk r^2 (3/4 - ln(r)/2) + c p mu^2 / 2.
     """
-    if gamma * par[LENGTH] < -0.1 * par[KICK]:
+    if gamma * par.length < -0.1 * par.kick:
         # the mesh expects slip to grow; a kick that is used up is for the march in position
-        return ASTRAY, 0, 0.0, 0.0, 0.0
-    if par[KICK] > 0.0:
-        return ARRIVED, 0, 0.0, slip_at_entry(law, par, par[KICK], 0.0), 0.0
+        return LOST, 0, 0.0, 0.0, 0.0
+    if par.kick > 0.0:
+        return SOLVED, 0, 0.0, slip_at_entry(law, par, par.kick, 0.0), 0.0
     if gamma <= 1e-12:
-        return ASTRAY, 0, 0.0, 0.0, 0.0
-    kind, edges, c, _ = law
-    p = par[P1]
-    slip_pk, mu_pk, _, _ = peak(kind, edges, c, segment_of(edges, p), p)
-    last = len(edges) - 1
-    if last >= 0 and p > edges[last]:
-        mu_pk *= edges[last] / p
-    goal = log(table[HEAD] * gamma * par[RADIUS])
-    shear = par[SHEAR] * p * mu_pk * mu_pk
+        return LOST, 0, 0.0, 0.0, 0.0
+    p = par.entry_pressure
+    slip_pk, mu_pk, _, _ = peak(law, segment_of(law, p), p)
+    last = len(law.edges) - 1
+    if last >= 0 and p > law.edges[last]:
+        mu_pk *= law.edges[last] / p
+    goal = log(table[FIRST] * gamma * par.radius)
+    shear = par.shear * p * mu_pk * mu_pk
     y = -14.0
     for _ in range(60):
         r = exp(y)
@@ -294,13 +284,13 @@ def _start(
         change /= mu_pk * slip_pk * r * r * (1.0 - y) - shear * f * r * y
         y -= change
         if y > -1.0:
-            return ASTRAY, 0, 0.0, 0.0, 0.0
+            return LOST, 0, 0.0, 0.0, 0.0
         if abs(change) < 1e-13:
             break
     r = exp(y)
     mu = mu_pk * r * (1.0 - y)
-    s = (r * slip_pk + par[SHEAR] * p * mu) / gamma
-    return ARRIVED, 1, s, r * slip_pk, mu_pk * p * slip_pk * r * r * (0.75 - 0.5 * y)
+    s = (r * slip_pk + par.shear * p * mu) / gamma
+    return SOLVED, 1, s, r * slip_pk, mu_pk * p * slip_pk * r * r * (0.75 - 0.5 * y)
 
 
 def _next_branch(t: Buffer, o: int, branch: int, a: float) -> int:
@@ -331,12 +321,11 @@ def _gap(t: Buffer, o: int, branch: int, to: int, a: float) -> float:
 
 
 def march(  # noqa: C901 - one loop over steps and cuts
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     gamma: float,
     to_exit: bool,
     table: Buffer,
-    scratch: Buffer,
     points: int,
     out: Buffer,
 ) -> tuple[int, float, float, float, float, int]:
@@ -350,65 +339,63 @@ def march(  # noqa: C901 - one loop over steps and cuts
         Stop at the exit nip, s = L, instead of the last Q.
     table
         See `open_table`; extended as far as needed.
-    scratch
-        Buffer of at least STEP numbers.
     points, out
         Equal parts of the arc to record, as in :func:`wraparc.arc.kernel.march.sweep`.
 
     Returns
     -------
     status, Q, s [m], slip towards the slack side [m], friction work [J/m2], count of records
-        ASTRAY where the march does not apply: slip does not keep its direction, or the table ends
+        LOST where the march does not apply: slip does not keep its direction, or the table ends
         before the arc.
     """
-    length = par[LENGTH]
+    length = par.length
     if table[0] == 0.0:
         extend(law, par, table)
     status, i, s, a, work = _start(law, par, gamma, table)
     count = 0
-    if status == ASTRAY:
-        return ASTRAY, 0.0, 0.0, 0.0, 0.0, count
-    q = table[HEAD] if i == 1 else 0.0
+    if status == LOST:
+        return LOST, 0.0, 0.0, 0.0, 0.0, count
+    q = table[FIRST] if i == 1 else 0.0
     if len(out) > 0:
         for j in range(RECORD):
             out[j] = 0.0
         if i == 0:
             _record(law, par, 0.0, 0.0, a, 0.0, out, 0)
         count = 1
-    segment = segment_of(law[1], par[P1])
-    branch = branch_of(law[0], law[1], law[2], law[3], segment, a, par[P1])
+    segment = segment_of(law, par.entry_pressure)
+    branch = branch_of(law, segment, a, par.entry_pressure)
     least = 0.5 * a if i == 0 else 0.0
     inside = False  # whether q lies within step i
     for _ in range(4000):
         if i >= int(table[0]) and not extend(law, par, table):
             there = not to_exit and q >= table[3] * (1.0 - 1e-13)
-            return (ARRIVED if there else ASTRAY), q, s, a, work, count
-        o = HEAD + i * STEP
+            return (SOLVED if there else LOST), q, s, a, work, count
+        o = FIRST + i * STEP
         q_end, segment = table[o], int(table[o + 1])
-        t, o = table, o + 2
+        o += 2
         if inside:
-            _fill(law, par, segment, False, 1.0, q, q_end - q, scratch, 0, -1)
-            t, o = scratch, 0
-        if branch == RISE and t[o + 4 * NODE + 7] < 0.0 and a * t[o] > 1.0 + 1e-9:
+            _fill(law, par, segment, False, 1.0, q, q_end - q, table, PART, -1)
+            o = PART
+        if branch == RISE and table[o + 4 * NODE + 7] < 0.0 and a * table[o] > 1.0 + 1e-9:
             branch = LINE
-        s1, a1, work1 = _step(t, o, branch, gamma, s, a, work)
+        s1, a1, work1 = _step(table, o, branch, gamma, s, a, work)
         if not (a1 > least and s1 > s and a1 < 1e3 and s1 < 1e6):
-            return ASTRAY, q, s, a, work, count
-        to = _next_branch(t, o + 4 * NODE, branch, a1)
+            return LOST, q, s, a, work, count
+        to = _next_branch(table, o + 4 * NODE, branch, a1)
         q1, kink = q_end, False
         if to != branch:
             kink = True
-            gap_0 = _gap(t, o, branch, to, a)
-            gap_1 = _gap(t, o + 4 * NODE, branch, to, a1)
+            gap_0 = _gap(table, o, branch, to, a)
+            gap_1 = _gap(table, o + 4 * NODE, branch, to, a1)
             part, s1, a1, work1 = _cut(
-                law, par, gamma, branch, to, segment, q, q_end, s, a, work, gap_0, gap_1, scratch
+                law, par, gamma, branch, to, segment, q, q_end, s, a, work, gap_0, gap_1, table
             )
             q1 = q + part * (q_end - q)
         done = to_exit and s1 >= length
         if done:
             part, s1, a1, work1 = _cut(
                 law, par, gamma, branch, -1, segment, q, q1, s, a, work,
-                s / length - 1.0, s1 / length - 1.0, scratch,
+                s / length - 1.0, s1 / length - 1.0, table,
             )  # fmt: skip
             q1, kink = q + part * (q1 - q), False
         if len(out) > 0:
@@ -416,8 +403,8 @@ def march(  # noqa: C901 - one loop over steps and cuts
             if _divided(par, points, s, s1):
                 # halve the step: cubics through its ends and middle are good to 1e-6
                 half = 0.5 * (q1 - q)
-                _fill(law, par, segment, False, 1.0, q, half, scratch, 0, -1)
-                sm, am, work_m = _step(scratch, 0, branch, gamma, s, a, work)
+                _fill(law, par, segment, False, 1.0, q, half, table, PART, -1)
+                sm, am, work_m = _step(table, PART, branch, gamma, s, a, work)
                 middle = (q + half, sm, am, work_m)
                 count = _between(
                     law, par, gamma, segment, branch, start, middle, points, out, count
@@ -429,20 +416,27 @@ def march(  # noqa: C901 - one loop over steps and cuts
             count += 1
         q, s, a, work = q1, s1, a1, work1
         if done:
-            return ARRIVED, q, s, a, work, count
+            return SOLVED, q, s, a, work, count
         inside = kink and q < q_end * (1.0 - 1e-13)
         if kink:
             branch = to
         if not inside:
             i += 1
-    return ASTRAY, q, s, a, work, count
+    return LOST, q, s, a, work, count
 
 
 def _record(
-    law: Law, par: Parameters, q: float, s: float, a: float, work: float, out: Buffer, count: int
+    law: CompactLaw,
+    par: Parameters,
+    q: float,
+    s: float,
+    a: float,
+    work: float,
+    out: Buffer,
+    count: int,
 ) -> None:
     """Write one point of a profile, see wraparc.arc.kernel.march.record."""
-    side = par[SIDE]
+    side = par.side
     tau, creep = exit_state(law, par, q, a)
     i = RECORD * count
     out[i], out[i + 1], out[i + 2] = s, -side * q, side * a
@@ -451,13 +445,13 @@ def _record(
 
 def _divided(par: Parameters, points: int, s: float, s_end: float) -> bool:
     """Whether a point of the equal division of the arc lies inside a step."""
-    part = par[LENGTH] / max(points, 1)
+    part = par.length / max(points, 1)
     j = int(s / part * (1.0 + 1e-12)) + 1
     return j < points and j * part < s_end * (1.0 - 1e-12)
 
 
 def _between(
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     gamma: float,
     segment: int,
@@ -469,7 +463,7 @@ def _between(
     count: int,
 ) -> int:
     """Record the points of the equal division inside a step (Q, s, a, work): cubics in s."""
-    length = par[LENGTH]
+    length = par.length
     s, ds = start[1], end[1] - start[1]
     if not _divided(par, points, s, end[1]):
         return count
@@ -488,21 +482,20 @@ def _between(
 
 
 def _slopes(
-    law: Law, par: Parameters, gamma: float, segment: int, branch: int, q: float, a: float
+    law: CompactLaw, par: Parameters, gamma: float, segment: int, branch: int, q: float, a: float
 ) -> tuple[float, float, float]:
     """Slopes dQ/ds, da/ds and d(friction work)/ds in a piece, past a flat peak too."""
-    kind, edges, c, slips = law
-    side = par[SIDE]
+    side = par.side
     if branch == RISE:
-        p = par[P1] * exp(-side * q)
-        if branch_of(kind, edges, c, slips, segment, a, p) != RISE:
+        p = par.entry_pressure * exp(-side * q)
+        if branch_of(law, segment, a, p) != RISE:
             branch = LINE
     r = rates(law, par, side * gamma, segment, branch, side, -side * q, side * a)
     return -side * r[0], side * r[1], r[2]
 
 
 def _cut(
-    law: Law,
+    law: CompactLaw,
     par: Parameters,
     gamma: float,
     branch: int,
@@ -515,7 +508,7 @@ def _cut(
     work: float,
     gap_0: float,
     gap_1: float,
-    scratch: Buffer,
+    table: Buffer,
 ) -> tuple[float, float, float, float]:
     """The part of a step after which a gap closes, and s, a, work there.
 
@@ -527,13 +520,13 @@ def _cut(
         return part, s1, a1, work1
     part = gap_0 / (gap_0 - gap_1)
     for _ in range(60):
-        _fill(law, par, segment, False, 1.0, q, part * (q_end - q), scratch, 0, -1)
-        s1, a1, work1 = _step(scratch, 0, branch, gamma, s, a, work)
-        ds, _, _ = _rates(scratch, 4 * NODE, branch, gamma, a1)
+        _fill(law, par, segment, False, 1.0, q, part * (q_end - q), table, PART, -1)
+        s1, a1, work1 = _step(table, PART, branch, gamma, s, a, work)
+        ds, _, _ = _rates(table, PART + 4 * NODE, branch, gamma, a1)
         if to < 0:
-            gap, slope = s1 / par[LENGTH] - 1.0, ds / (part * par[LENGTH])
+            gap, slope = s1 / par.length - 1.0, ds / (part * par.length)
         else:
-            gap = _gap(scratch, 4 * NODE, branch, to, a1)
+            gap = _gap(table, PART + 4 * NODE, branch, to, a1)
             slope = (gap - f_low) / (part - low) if low > 0.0 or part < 1.0 else 0.0
         if abs(gap) < LANDING or high - low < 1e-15:
             break
@@ -556,11 +549,10 @@ def _cut(
     return part, s1, a1, work1
 
 
-def exit_state(law: Law, par: Parameters, q: float, a: float) -> tuple[float, float]:
+def exit_state(law: CompactLaw, par: Parameters, q: float, a: float) -> tuple[float, float]:
     """Shear stress [Pa] and creep [m] towards the slack side of a state at Q with slip a."""
-    kind, edges, c, slips = law
-    p = par[P1] * exp(-par[SIDE] * q)
-    segment = segment_of(edges, p)
-    branch = branch_of(kind, edges, c, slips, segment, a, p)
-    mu, _, _ = friction_at(kind, edges, c, slips, segment, branch, a, p)
-    return mu * p, a + par[SHEAR] * mu * p
+    p = par.entry_pressure * exp(-par.side * q)
+    segment = segment_of(law, p)
+    branch = branch_of(law, segment, a, p)
+    mu, _, _ = friction_at(law, segment, branch, a, p)
+    return mu * p, a + par.shear * mu * p

@@ -1,0 +1,226 @@
+"""Solve one arc: the one arrangement, interpreted, compiled and in batches.
+
+`solve_tension` finds the operating point, `answer` judges it, `trace` gives its profile, and
+`find_capacities` what the arc could carry.
+"""
+
+from __future__ import annotations
+
+from math import exp, inf, log, nan
+from typing import NamedTuple
+
+from wraparc.arc.kernel.capacity import carry, least_slack
+from wraparc.arc.kernel.effort import (
+    CREEP,
+    SLIP,
+    TENSION,
+    Aim,
+    first_guess,
+    jumps,
+    largest_effort,
+    mesh_steps,
+    ratio_of,
+    shoot_from,
+)
+from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_capacity
+from wraparc.arc.kernel.quantities import (
+    BREAKAWAY,
+    RECORD,
+    SOLVED,
+    STUCK,
+    UNSOLVED,
+    Buffer,
+    Geometry,
+    Load,
+    Parameters,
+    Shot,
+    parameters_at,
+    zeros,
+)
+from wraparc.arc.kernel.search import NO_PULL, TOLERANCE, refine, tension_shot
+from wraparc.arc.kernel.stick import held_exit, stick_slip, zone_creep_ratio, zone_end
+from wraparc.arc.kernel.tension_march import applies, march, open_table, table_size
+from wraparc.arc.profile import sort
+from wraparc.friction.compact import CompactLaw
+
+BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
+
+# capacities that may be asked for, to be added up
+CREEP_LIMIT, TESTED_SLIP, LEAST, GROSS_SLIP = 2, 4, 8, 16
+CAPACITIES = CREEP_LIMIT + TESTED_SLIP + LEAST + GROSS_SLIP
+
+
+def solve_tension(
+    law: CompactLaw, par: Parameters, exit_tension: float, steps: int
+) -> tuple[int, float, Shot]:
+    """Effort at which the exit tension is met.
+
+    Returns
+    -------
+    outcome, z, shot
+        SOLVED; STUCK: the belt does not slip anywhere (z is good to the precision of a difference
+        only); BREAKAWAY, see `gross_slip`; UNSOLVED.
+    """
+    goal = par.side * log(par.entry_tension / exit_tension)
+    if jumps(law):
+        held, creep = held_exit(law, par, exit_tension)
+        if held:
+            end = zone_end(law, par, par.length)[1]
+            z = creep / end - 1.0 if end != 0.0 else 0.0
+            return STUCK, z, stuck_shot(law, par, exit_tension, creep, 0, zeros(0))[0]
+    if abs(goal) < NO_PULL and par.kick == 0.0:
+        return SOLVED, -inf, Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    tight = max(par.entry_tension, exit_tension) / (par.width * par.radius)
+    if goal < plateau_capacity(law, tight, par.length / par.radius):
+        aim = Aim(TENSION, goal)
+        outcome, z, shot = refine(law, par, aim, first_guess(law, par, aim), steps)
+        if outcome != BREAKAWAY:
+            return outcome, z, shot
+    z = largest_effort(law, par)
+    return BREAKAWAY, z, shoot_from(law, par, z, steps, 0, zeros(0))[0]
+
+
+def stuck_shot(
+    law: CompactLaw, par: Parameters, exit_tension: float, creep: float, points: int, out: Buffer
+) -> tuple[Shot, int]:
+    """Exit quantities and profile of an arc that sticks throughout, with its creep at the exit."""
+    length, compliance = par.length, par.shear + par.onset
+    g = zone_creep_ratio(par, length, creep)
+    state, count = stick_slip(law, par, length, creep, g, 0, points, out)
+    tau = creep / compliance if compliance > 0.0 else 0.0
+    q = log(exit_tension / par.entry_tension)
+    return Shot(q, state.slip, creep, tau, state.work, g, length), count
+
+
+def profile_size(law: CompactLaw, par: Parameters, steps: int, points: int) -> int:
+    """Numbers that the records of `trace` need: points, nodes and kinks."""
+    return RECORD * (points + 4 * mesh_steps(law, par, steps) + 600)
+
+
+def trace(
+    law: CompactLaw,
+    par: Parameters,
+    exit_tension: float,
+    z: float,
+    steps: int,
+    points: int,
+    out: Buffer,
+) -> tuple[Shot, int]:
+    """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
+    goal = par.side * log(par.entry_tension / exit_tension)
+    if jumps(law):
+        held, creep = held_exit(law, par, exit_tension)
+        if held:
+            return stuck_shot(law, par, exit_tension, creep, points, out)
+    if applies(law, par) and goal > NO_PULL:
+        fine = mesh_steps(law, par, steps)
+        table = zeros(table_size(goal, fine))
+        open_table(law, par, goal, fine, table)
+        gamma = par.side * ratio_of(par, z)
+        status, q, s, a, work, _ = march(law, par, gamma, False, table, 0, zeros(0))
+        if status == SOLVED and abs(s / par.length - 1.0) < TOLERANCE * 100.0:
+            count = march(law, par, gamma, False, table, points, out)[5]
+            sort(out, count)
+            return tension_shot(law, par, gamma, q, a, work), count
+    shot, count = shoot_from(law, par, z, steps, points, out)
+    sort(out, count)
+    return shot, count
+
+
+class Answer(NamedTuple):
+    """The operating point of an arc.
+
+    Attributes
+    ----------
+    outcome
+        SOLVED, BREAKAWAY or UNSOLVED.
+    par
+        The numbers it was solved with.
+    z, shot
+        Effort, and the arc at its exit.
+    """
+
+    outcome: int
+    par: Parameters
+    z: float
+    shot: Shot
+
+
+def answer(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
+    """Operating point of an arc, judged by the balance T(phi) = T2."""
+    par = parameters_at(load.entry_tension, geometry)
+    outcome, z, shot = solve_tension(law, par, load.exit_tension, steps)
+    if outcome != BREAKAWAY:
+        miss = load.entry_tension * exp(shot.log_tension) / load.exit_tension - 1.0
+        good = outcome in (SOLVED, STUCK) and abs(miss) <= BALANCE
+        outcome = SOLVED if good else UNSOLVED
+    return Answer(outcome, par, z, shot)
+
+
+def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
+    """The arc of a breakaway with the largest tension ratio that it can carry."""
+    tight = max(load.entry_tension, load.exit_tension)
+    guess = geometry.side * log(load.entry_tension / load.exit_tension)
+    _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, steps)
+    par = parameters_at(entry, geometry)
+    return Answer(BREAKAWAY, par, z, Shot(nan, nan, nan, nan, nan, nan, nan))
+
+
+def profile_of(
+    law: CompactLaw, found: Answer, exit_tension: float, steps: int, points: int, out: Buffer
+) -> tuple[Shot, int]:
+    """Exit quantities of an answer and the number of records of its profile, in `out`.
+
+    `out` has room for `profile_size` zeros; an arc that nothing drives has a profile of them.
+    """
+    if found.z > -inf:
+        return trace(law, found.par, exit_tension, found.z, steps, points, out)
+    for i in range(points + 1):
+        out[RECORD * i] = found.par.length * i / points
+    return found.shot, points + 1
+
+
+class Carried(NamedTuple):
+    """What an arc could carry with its tight side held, nan where it was not asked or not found."""
+
+    creep_limit: float  # ln(tight/slack)
+    tested_slip: float  # ln(tight/slack)
+    gross_slip: float  # ln(tight/slack)
+    gross_creep: float  # exit creep there [m]
+    least_slack: float  # tension [N]
+    most_pull: float  # where no tension carries the pull [N]
+
+
+def find_capacities(
+    law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int
+) -> Carried:
+    """Capacities that are asked for by `parts`."""
+    tight = max(load.entry_tension, load.exit_tension)
+    pull = abs(load.entry_tension - load.exit_tension)
+    by_creep = by_slip = gross = gross_creep = least = most = nan
+    if parts & (CREEP_LIMIT + LEAST):
+        outcome, z, entry, shot = carry(
+            law, geometry, tight, Aim(CREEP, load.creep_limit), nan, steps
+        )
+        if outcome == SOLVED:
+            by_creep = abs(shot.log_tension)
+        if parts & LEAST and outcome == SOLVED and pull > 1e-6 * tight:
+            top = 1e3 * tight
+            if load.pressure_max == load.pressure_max:
+                top = load.pressure_max * geometry.width * geometry.radius
+            least, most = least_slack(
+                law, geometry, pull, load.creep_limit, tight, entry, z, top, steps
+            )
+    if parts & TESTED_SLIP and load.slip_max == load.slip_max:
+        outcome, _, _, shot = carry(law, geometry, tight, Aim(SLIP, load.slip_max), nan, steps)
+        if outcome == SOLVED:
+            by_slip = abs(shot.log_tension)
+    if parts & GROSS_SLIP:
+        softening = load.steepest_fall < 0.0
+        gross, gross_creep = largest_ratio(law, geometry, tight, softening, steps)
+        # past the largest ratio of a softening law creep grows and the ratio falls
+        if gross_creep <= load.creep_limit:
+            by_creep = gross
+        if gross_creep <= load.slip_max:
+            by_slip = gross
+    return Carried(by_creep, by_slip, gross, gross_creep, least, most)

@@ -1,0 +1,211 @@
+"""The one unknown of an arc: how far the whole belt creeps.
+
+The unknown is carried as an *effort* z that grows with creep towards the slack side. For laws that
+rise from zero it is the logarithm of the entry creep ratio (with a kick, where the ratio may have
+either sign, its inverse hyperbolic sine). For laws that start with a jump it is -1 .. 0 while the
+belt sticks over the whole wrap, in proportion to its creep at the exit, and sets the length of the
+stuck zone above that; where that vanishes (no shear of the lagging), the entry creep ratio.
+"""
+
+from __future__ import annotations
+
+from math import asinh, exp, log, sinh, sqrt
+from typing import NamedTuple
+
+from wraparc.arc.kernel.march import stress_and_creep, sweep
+from wraparc.arc.kernel.quantities import Buffer, Parameters, Shot, State
+from wraparc.arc.kernel.stick import (
+    onset_stress,
+    stick_slip,
+    zone_creep_ratio,
+    zone_end,
+    zone_point,
+)
+from wraparc.friction.compact import (
+    KNOTS,
+    LIMIT,
+    PIECES,
+    TABLE,
+    CompactLaw,
+    friction_at,
+    peak,
+    plateau_at,
+    segment_of,
+)
+
+# what is aimed at
+TENSION = 0  # ln(tight / slack)
+CREEP = 1  # creep at the exit towards the slack side [m]
+SLIP = 2  # slip at the exit towards the slack side [m]
+
+#: entry creep ratio where the scale of z turns from logarithmic to linear
+SMALL_RATIO = 1e-7
+LARGEST_RATIO = 1.0
+LAGS_PER_MESH = 2.0  # shear-lag lengths that the given number of mesh steps resolves, fitted
+#: creep over the arc that a unit of effort stands for once a rest arc has vanished [m]; the creep
+#: limit of the paper, decides speed only
+CREEP_SCALE = 6.35e-3
+
+
+class Aim(NamedTuple):
+    """What a search is to meet: TENSION, CREEP or SLIP, and its value."""
+
+    of: int
+    value: float
+
+
+def jumps(law: CompactLaw) -> bool:
+    """Whether a law holds the belt without slip."""
+    return (law.kind == LIMIT and law.coefficients[3] == 0.0) or (
+        law.kind == TABLE and law.coefficients[0] > 0.0
+    )
+
+
+def ratio_of(par: Parameters, z: float) -> float:
+    """Entry creep ratio of an effort, laws without a jump [-]."""
+    if par.kick > 0.0:
+        return par.side * SMALL_RATIO * sinh(z)
+    return par.side * SMALL_RATIO * exp(z)
+
+
+def effort_of(par: Parameters, g: float) -> float:
+    """Effort of an entry creep ratio, laws without a jump; the inverse of :func:`ratio_of`."""
+    r = par.side * g / SMALL_RATIO
+    if par.kick > 0.0:
+        return asinh(r)
+    return log(r) if r > 0.0 else -60.0
+
+
+def largest_effort(law: CompactLaw, par: Parameters) -> float:
+    """Effort at which the entry creep ratio is 1."""
+    if not jumps(law):
+        return effort_of(par, par.side * LARGEST_RATIO)
+    compliance = par.shear + par.onset
+    if compliance == 0.0:
+        return 1.0 + LARGEST_RATIO * par.length / CREEP_SCALE
+    u = compliance * onset_stress(law, par.entry_pressure)[0]
+    return max(par.length / u, 10.0)
+
+
+def lowest_effort(law: CompactLaw, par: Parameters) -> float:
+    """Effort below which nothing is sought: creep well beyond the kick towards the tight side."""
+    if jumps(law):
+        return -3.0
+    if par.kick > 0.0:
+        return effort_of(par, -par.side * 1e3 * par.kick / par.length)
+    return -60.0
+
+
+def mesh_steps(law: CompactLaw, par: Parameters, steps: int) -> int:
+    """Mesh steps for an arc: more where the belt hands over its tension in a short exit part.
+
+    Creep grows like exp(s/l) where friction is nearly proportional to slip; l follows from the
+    shear of the lagging and the slip at small friction, in series.
+    """
+    p = par.entry_pressure
+    segment = segment_of(law, p)
+    if law.kind == LIMIT and law.coefficients[3] == 0.0:
+        return steps
+    if law.kind == LIMIT:
+        slip, mu = law.coefficients[3], 1.0 / p
+    elif law.kind == TABLE:
+        mu, _, _ = friction_at(law, segment, 1, law.slips[1], p)
+        slip = law.slips[1]
+    else:
+        slip_pk, mu_pk, _, _ = peak(law, segment, p)
+        slip, mu = 0.18 * slip_pk, mu_pk
+    lag = sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance))
+    return int(steps * max(1.0, par.length / (LAGS_PER_MESH * lag)))
+
+
+def value_of(par: Parameters, shot: Shot, of: int) -> float:
+    """Value of a shot that a target is compared with; it grows with effort."""
+    if of == TENSION:
+        return -par.side * shot.log_tension
+    if of == CREEP:
+        return par.side * shot.creep
+    return par.side * shot.slip
+
+
+def first_guess(law: CompactLaw, par: Parameters, aim: Aim) -> float:
+    """Effort from the creep that a rigid belt of uniform pressure would need."""
+    if jumps(law):
+        if aim.of != TENSION:
+            return 1.0
+        tau, _ = onset_stress(law, par.entry_pressure)
+        share = min(aim.value * par.radius * par.entry_pressure / (tau * par.length), 0.98)
+        return share if par.shear + par.onset == 0.0 else share / (1.0 - share)
+    length = par.length
+    if aim.of == TENSION:
+        pressure = par.entry_pressure * exp(-0.5 * par.side * aim.value)
+        mean = aim.value * par.radius / length
+        slip = _slip_for(law, pressure, 1.6 * mean)
+        creep = slip + par.shear * 1.4 * mean * pressure
+        pull = par.entry_tension * abs(1.0 - exp(-par.side * aim.value))
+    else:
+        creep = aim.value
+        pull = 0.5 * par.entry_tension
+    shrinkage = 0.35 * par.compliance * pull * length
+    spare = creep - shrinkage - par.side * par.kick
+    spare = max(spare, 0.05 * creep if par.kick == 0.0 else -0.25 * par.kick)
+    return effort_of(par, par.side * spare / length)
+
+
+def _slip_for(law: CompactLaw, pressure: float, friction: float) -> float:
+    """Slip at which a law without a jump gives about this friction, its peak if it cannot [m]."""
+    segment = segment_of(law, pressure)
+    if law.kind in (KNOTS, PIECES):
+        slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
+        m = friction / mu_pk
+        if m >= 0.95:
+            return slip_pk
+        if m < 1e-6:
+            return 0.05 * m * slip_pk
+        r = 0.3 * m
+        for _ in range(4):  # r (1 - ln r) = m
+            r = min(max(r + (m - r * (1.0 - log(r))) / -log(r), 0.3 * r), 0.9)
+        return r * slip_pk
+    if law.kind == LIMIT:
+        return law.coefficients[3] * pressure * min(friction, plateau_at(law, segment, pressure))
+    for i in range(1, len(law.slips)):
+        mu, _, _ = friction_at(law, segment, i, law.slips[i], pressure)
+        if mu >= friction:
+            return law.slips[i]
+    return law.slips[len(law.slips) - 1]
+
+
+def shoot_from(
+    law: CompactLaw, par: Parameters, z: float, steps: int, points: int, out: Buffer
+) -> tuple[Shot, int]:
+    """March one arc at effort z; `points` and `out` as :func:`wraparc.arc.kernel.march.sweep`."""
+    zone = 0.0
+    steps = mesh_steps(law, par, steps)
+    if jumps(law):
+        length = par.length
+        compliance = par.shear + par.onset
+        end = g = 0.0
+        if compliance == 0.0:
+            zone = length * min(max(1.0 - z, 0.0), 1.0)
+            if z > 1.0:
+                g = par.side * (z - 1.0) * CREEP_SCALE / length
+        else:
+            zone = length / (1.0 + max(z, 0.0))
+            end = zone_end(law, par, zone)[1]
+            if z < 0.0:
+                end *= 1.0 + z
+            g = zone_creep_ratio(par, zone, end)
+        state, count = stick_slip(law, par, zone, end, g, steps, points, out)
+        if zone >= length:
+            creep = zone_point(par, length, length, end)[1]
+            tau = creep / compliance if compliance > 0.0 else 0.0
+            return Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone), count
+    else:
+        g = ratio_of(par, z)
+        state, count = sweep(law, par, g, steps, points, out)
+    return shot_of(law, par, state, g, zone), count
+
+
+def shot_of(law: CompactLaw, par: Parameters, state: State, g: float, zone: float) -> Shot:
+    """Exit quantities of a state at the exit."""
+    tau, creep = stress_and_creep(law, par, state)
+    return Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone)

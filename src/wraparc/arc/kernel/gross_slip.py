@@ -1,0 +1,179 @@
+"""Gross slip: the largest tension ratio that friction can carry at any creep.
+
+The tight side is held (T1 driving, T2 braking) and the slack side falls. On a braking pulley the
+held tension is at the exit, so that the entry tension is an unknown too.
+"""
+
+from __future__ import annotations
+
+from math import exp, inf, log
+
+from wraparc.arc.kernel.effort import (
+    TENSION,
+    effort_of,
+    jumps,
+    largest_effort,
+    mesh_steps,
+    value_of,
+)
+from wraparc.arc.kernel.quantities import Buffer, Geometry, Parameters, parameters_at, zeros
+from wraparc.arc.kernel.search import LARGEST_LOG, carried_ratio, climb
+from wraparc.arc.kernel.tension_march import applies, open_table, table_size
+from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
+
+PEAK_STEPS = 12  # mesh steps of a first search of the largest ratio; decides speed only
+
+
+def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
+    """ln(tight/slack) at gross slip with the largest friction of the law everywhere.
+
+    d ln T / d theta = -mu_plateau(p), integrated in ln p from the tight side: exact to rounding,
+    piece by piece (Gauss-Legendre, 5 points, with the last piece closed by Newton's method).
+    """
+    q, angle = 0.0, wrap_angle
+    for _ in range(4 * len(law.edges) + 400):
+        p = tight_pressure * exp(-q)
+        segment = segment_of(law, p * (1.0 - 1e-12))
+        span = 0.25
+        if segment >= 0:
+            span = min(span, log(p / law.edges[segment]))
+        taken = _plateau_angle(law, tight_pressure, segment, q, span)
+        if taken < angle:
+            angle -= taken
+            q += span
+            continue
+        part = span * angle / taken
+        for _ in range(50):
+            f = _plateau_angle(law, tight_pressure, segment, q, part) - angle
+            mu = plateau_at(law, segment, tight_pressure * exp(-q - part))
+            change = f * mu
+            part -= change
+            if abs(change) < 1e-15:
+                break
+        return q + part
+    return q
+
+
+def _plateau_angle(law: CompactLaw, pressure: float, segment: int, q: float, span: float) -> float:
+    """Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece."""
+    total = 0.0
+    for node, weight in (
+        (0.0, 128.0 / 225.0),
+        (-0.5384693101056831, 0.47862867049936647),
+        (0.5384693101056831, 0.47862867049936647),
+        (-0.906179845938664, 0.23692688505618908),
+        (0.906179845938664, 0.23692688505618908),
+    ):
+        p = pressure * exp(-q - 0.5 * span * (1.0 + node))
+        total += weight / plateau_at(law, segment, p)
+    return 0.5 * span * total
+
+
+def largest_ratio(
+    law: CompactLaw,
+    geometry: Geometry,
+    tight: float,
+    softening: bool,
+    steps: int,
+) -> tuple[float, float]:
+    """Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m].
+
+    A law flat past its peak has a supremum, with the friction of its plateau everywhere and no
+    finite creep (inf). A softening law has a largest ratio over entry creep ratios below 1.
+    """
+    radius, wrap, width = geometry.radius, geometry.wrap_angle, geometry.width
+    supremum = plateau_capacity(law, tight / (width * radius), wrap)
+    if not softening:
+        return supremum, inf
+    best, creep, _, _ = gross_slip(law, geometry, tight, supremum, steps)
+    return best, creep
+
+
+def gross_slip(
+    law: CompactLaw, geometry: Geometry, tight: float, guess: float, steps: int
+) -> tuple[float, float, float, float]:
+    """Largest tension ratio of a held tight side over entry creep ratios below 1.
+
+    Parameters
+    ----------
+    tight
+        Tension of the tight side [N].
+    guess
+        A guess of ln(tight/slack).
+
+    Returns
+    -------
+    ratio, creep, entry, z
+        ln(tight/slack), the exit creep towards the slack side [m], the entry tension [N] and the
+        effort there.
+    """
+    side = geometry.side
+    fine = mesh_steps(law, parameters_at(tight, geometry), steps)
+    table = zeros(table_size(LARGEST_LOG, 2 * fine))
+    entry = tight if side > 0.0 else tight * exp(-guess)
+    best, creep, z, last, miss_last, change = guess, 0.0, -inf, 0.0, 0.0, inf
+    for i in range(40):
+        par = parameters_at(entry, geometry)
+        new, creep, z = _peak_of(law, par, z, steps, table)
+        before, change, best = abs(change), new - best, new
+        # a flat peak is found to some 1e-6 only: no use in going on where changes stop falling
+        stalled = i > 7 and before < 1e-5 and abs(change) > 0.5 * before
+        if side > 0.0 or abs(change) < 1e-8 or stalled:
+            break
+        # braking: ln T1 = ln T2 - best(T1), by secants after the first substitution
+        aim = log(tight) - best
+        miss = aim - log(entry)
+        if i > 0 and miss != miss_last:
+            aim = log(entry) - miss * (log(entry) - last) / (miss - miss_last)
+        last, miss_last = log(entry), miss
+        entry = exp(aim)
+    return best, creep, entry, z
+
+
+def _peak_of(
+    law: CompactLaw,
+    par: Parameters,
+    near: float,
+    steps: int,
+    table: Buffer,
+) -> tuple[float, float, float]:
+    """Largest ln(tight/slack) over effort, the creep there [m] and the effort.
+
+    `near` narrows the search to the neighbourhood of an earlier result.
+    """
+    coarse = min(PEAK_STEPS, steps)
+    top = largest_effort(law, par)
+    if jumps(law):
+        low, high = 0.0, top
+    else:
+        low, high = effort_of(par, par.side * 1e-5), top
+    width = 1e-2
+    if near > -inf:
+        low, high, width = max(low, near - 0.2), min(high, near + 0.2), 1e-2
+    buffer = zeros(0)
+    if applies(law, par):
+        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, coarse), table)
+        buffer = table
+    if near == -inf:
+        # static and residual friction may each have a maximum: which is the larger?
+        parts, best, at = 8, -inf, 0
+        for i in range(parts + 1):
+            z = low + (high - low) * i / parts
+            value, _ = carried_ratio(law, par, z, coarse, buffer)
+            if value > best:
+                best, at = value, i
+        span = (high - low) / parts
+        low, high = low + span * max(at - 1, 0), low + span * min(at + 1, parts)
+    z, shot = climb(law, par, low, high, width, coarse, buffer)
+    value, _ = carried_ratio(law, par, high, coarse, buffer)
+    if value > value_of(par, shot, TENSION):
+        z = high
+    # sought on the coarse mesh, told on the fine one; a sharp peak is sought there again
+    if len(buffer) > 0:
+        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+    if z < high:
+        low, high = max(low, z - 0.03), min(high, z + 0.03)
+        z, shot = climb(law, par, low, high, 2e-4, steps, buffer)
+        return value_of(par, shot, TENSION), par.side * shot.creep, z
+    value, shot = carried_ratio(law, par, z, steps, buffer)
+    return value, par.side * shot.creep, z
