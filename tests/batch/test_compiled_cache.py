@@ -45,7 +45,7 @@ def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> 
     """What numba's own cache gets wrong: it looks at the file of the entry alone."""
     package = tmp_path / "source" / "wraparc"
     shutil.copytree(Path(wraparc.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc"))
-    folder = package / "study" / "batch"
+    folder = package / "batch"
     (folder / "probe.py").write_text(ENTRY, "utf-8")
     for factor, body, expected in (
         ("3.0", "x * x", "13.0 13.0"),
