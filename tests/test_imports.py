@@ -7,8 +7,10 @@ imports from its own package and from floors below its own.
 import ast
 import graphlib
 import json
+import re
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -41,12 +43,14 @@ FLOORS: tuple[tuple[str, ...], ...] = (
 FLOOR = {room: number for number, rooms in enumerate(FLOORS) for room in rooms}
 
 # What the base install brings, and what only an extra does (by import name).
-BASE = {"annotated_types", "click", "numpy", "pydantic", "rich", "tomli_w"}
+BASE = {"click", "numpy", "tomli_w"}
 EXTRAS = (
-    "alembic", "calamine", "dask", "distributed", "emcee", "fastapi", "matplotlib", "multipart",
-    "numba", "pandas", "psycopg", "pyarrow", "python_calamine", "scipy", "sqlalchemy",
-    "starlette", "typst", "uvicorn", "xlsxwriter",
+    "alembic", "annotated_types", "calamine", "dask", "distributed", "emcee", "fastapi",
+    "matplotlib", "multipart", "numba", "pandas", "psycopg", "pyarrow", "pydantic",
+    "python_calamine", "rich", "scipy", "sqlalchemy", "starlette", "typst", "uvicorn", "xlsxwriter",
 )  # fmt: skip
+# Libraries that come with one of an extra and are used beside it.
+UNDER_THE_EXTRAS = {"llvmlite"}
 # Rooms that are nothing without their extra and may import it at the top.
 OPTIONAL_ROOMS = {"web"}
 # Modules that exist for their extra alone and are imported only where it is used.
@@ -175,6 +179,26 @@ def test_the_base_import_pulls_no_extra() -> None:
     loaded = loaded_by("import wraparc")
     assert "wraparc" in loaded
     assert loaded.isdisjoint(EXTRAS)
+
+
+def test_the_base_install_is_what_the_rooms_need() -> None:
+    """What is installed without an extra, and nothing a room imports is in neither list."""
+    project = tomllib.loads((ROOT.parents[1] / "pyproject.toml").read_text("utf-8"))["project"]
+    named = {re.split(r"[^\w-]", d)[0].replace("-", "_") for d in project["dependencies"]}
+    assert named == BASE
+    known = {FACADE, *BASE, *EXTRAS, *sys.stdlib_module_names, *UNDER_THE_EXTRAS}
+    assert {
+        target.partition(".")[0]
+        for path in ROOT.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        for target in (
+            [a.name for a in node.names]
+            if isinstance(node, ast.Import)
+            else [node.module or FACADE]
+            if isinstance(node, ast.ImportFrom) and not node.level
+            else []
+        )
+    } <= known
 
 
 def test_every_room_imports_with_every_extra_absent() -> None:

@@ -147,27 +147,10 @@ def _bar(asked: Study) -> Iterator[Progress | None]:
     if not sys.stderr.isatty():
         yield None
         return
-    from rich.console import Console
-    from rich.progress import (
-        BarColumn,
-        MofNCompleteColumn,
-        Progress,
-        TextColumn,
-        TimeRemainingColumn,
-    )
-
-    with Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("designs,"),
-        TimeRemainingColumn(),
-        TextColumn("left"),
-        console=Console(stderr=True),
-        transient=True,
-    ) as progress:
-        task = progress.add_task("Solving", total=len(asked.plan))
-        yield lambda done, total: progress.update(task, completed=done, total=total)
+    with click.progressbar(
+        length=len(asked.plan), label="Solving", show_pos=True, file=sys.stderr
+    ) as bar:
+        yield lambda done, total: bar.update(done - bar.pos)
 
 
 def _tell(
