@@ -156,6 +156,28 @@ def test_breakaway_is_an_answer(law: FrictionLaw, braking: bool) -> None:
             assert max(there, 1 / there) <= ratio * (1 + 1e-6)
 
 
+@pytest.mark.parametrize("ratio", [1.1, 1.5, 2.0, 2.5])
+@pytest.mark.parametrize("braking", [False, True])
+def test_rigid_lagging_with_a_constant_law_carries_what_euler_allows(
+    ratio: float, braking: bool
+) -> None:
+    # exp(mu phi) = 3.5: every ratio below is carried, to within the friction of one segment
+    tensions = (150e3 / ratio, 150e3) if braking else (150e3, 150e3 / ratio)
+    arc = replace(FABRIC, law=Constant(friction_coefficient=0.4), overrun=0.0, thickness=0.0)
+    arc = replace(arc, entry_tension=tensions[0], exit_tension=tensions[1])
+    result = PaperMarch().solve(arc)
+    assert result.status is Status.SOLVED
+    segment = 0.4 * arc.wrap_angle / math.ceil(arc.length / 2.5e-3)
+    carried = abs(math.log(result.tension_ratio))
+    assert carried == pytest.approx(math.log(ratio), abs=1.001 * segment)
+
+
+def test_a_march_that_runs_out_of_iterations_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    # a ratio that goes nowhere with creep and always misses by the same: neither met nor breakaway
+    monkeypatch.setattr("wraparc.arc.paper_march._March.ratio", lambda *_: 2.0 * math.log(2.5))
+    assert PaperMarch().solve(FABRIC).status is Status.UNSOLVED
+
+
 def test_published_pair_of_the_calibrated_example() -> None:
     """2.86 deg of shear and 11.8 mm of creep: the paper's, by its march; the inputs are assumed.
 

@@ -54,12 +54,16 @@ class PaperMarch:
         """
         march = _March(arc, math.ceil(arc.length / self.segment))
         goal = arc.side * math.log(arc.entry_tension / arc.exit_tension)
-        found, share = _search(march, goal)
-        return march.result(self.name, Status.SOLVED if found else Status.BREAKAWAY, share)
+        status, share = _search(march, goal)
+        return march.result(self.name, status, share)
 
 
-def _search(march: _March, goal: float) -> tuple[bool, float]:  # noqa: C901
-    """Global creep towards the slack side that meets the tensions, or of the largest ratio [m]."""
+def _search(march: _March, goal: float) -> tuple[Status, float]:  # noqa: C901
+    """Global creep towards the slack side that meets the tensions, or of the largest ratio [m].
+
+    Friction that sets in with a jump on lagging that does not shear is all there or not at all in
+    each segment: the ratio is a staircase, and a goal within one step of it is met.
+    """
     scale = 1e-3
     low, high = nan, nan
     share, last, f_last = scale, nan, nan
@@ -67,7 +71,7 @@ def _search(march: _March, goal: float) -> tuple[bool, float]:  # noqa: C901
     for _ in range(200):
         f = march.ratio(share) - goal
         if abs(f) < 1e-12:
-            return True, share
+            return Status.SOLVED, share
         if f > f_best:
             best, f_best = share, f
         if f < 0.0:
@@ -79,7 +83,7 @@ def _search(march: _March, goal: float) -> tuple[bool, float]:  # noqa: C901
                 # friction no longer grows with creep: the largest ratio lies near the best so far
                 best, f_best = _climb(march, 0.5 * best, 2.5 * best, goal)
                 if f_best < 0.0:
-                    return False, best
+                    return Status.BREAKAWAY, best
                 high, new = best, 0.5 * (low + best)
             else:
                 new = 2.0 * share if share > 0.0 else share + scale
@@ -90,9 +94,10 @@ def _search(march: _March, goal: float) -> tuple[bool, float]:  # noqa: C901
             if not low < new < high:
                 new = 0.5 * (low + high)
             if new in (low, high):
-                return abs(f) < 1e-8, share
+                met = abs(f) < max(1e-8, march.step_of_ratio(share))
+                return (Status.SOLVED if met else Status.UNSOLVED), share
         last, f_last, share = share, f, new
-    return False, best
+    return Status.UNSOLVED, best
 
 
 def _climb(march: _March, a: float, b: float, goal: float) -> tuple[float, float]:
@@ -118,6 +123,14 @@ class _March:
     def ratio(self, share: float) -> float:
         """ln(tight/slack) carried with a global creep towards the slack side [m]."""
         return self.arc.side * math.log(self.walk(share)[-1][1] / self.arc.exit_tension)
+
+    def step_of_ratio(self, share: float) -> float:
+        """Largest ln(tension) that one segment adds, where it either slips or rests [-]."""
+        arc = self.arc
+        if not jumps(self.law) or arc.shear_compliance + self.onset > 0.0:
+            return 0.0
+        step = arc.width * arc.length / self.segments
+        return max(abs(tau) * step / tension for _, tension, _, _, tau in self.walk(share))
 
     def walk(self, share: float) -> list[tuple[float, float, float, float, float]]:
         """Remaining arc, tension, creep, slip, shear stress at each exit end, then at the entry."""
