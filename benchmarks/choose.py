@@ -53,13 +53,13 @@ def main() -> None:
 def brute_force(search: Search, creep: NDArray[np.float64]) -> float:
     """Largest relative miss of the worst creep of some designs."""
     grid = Grid.of(search)
-    laggings = search.conditioned()
+    laws = [lagging.law for lagging in search.conditioned()]
     rng = np.random.default_rng(1)
     solver = Distributed(capacities=False)
     worst = 0.0
     for i in rng.integers(0, len(grid), 200):
         results = [
-            solver.solve(grid.arcs(case, k).arc(int(i), laggings))
+            solver.solve(grid.arcs(case, k).arc(int(i), laws))
             for k in range(len(search.conditions))
             for case in search.drive.load_cases
         ]

@@ -10,8 +10,9 @@ import pytest
 
 from choose.searches import CERAMIC, CORD, FABRIC, RUBBER, drive, search
 from wraparc import Belt, InputError, Lagging, LoadCase, Tensions, solve
-from wraparc.batch.arc_columns import ANSWERS, ArcColumns, solve_columns
+from wraparc.batch.arcs import Arcs
 from wraparc.choose import selection as selection_module
+from wraparc.choose.answers import ANSWERS, solve_columns
 from wraparc.choose.belt_rating import least_belt
 from wraparc.choose.search import Limits
 from wraparc.choose.selection import Selection, choose, front
@@ -123,7 +124,7 @@ def test_front_of_made_up_numbers() -> None:
     assert front(ranking, np.arange(5.0), other).tolist() == [0, 3]
 
 
-def made_up(arcs: ArcColumns, laggings: Any, *, capacities: bool, precise: bool) -> dict[str, Any]:
+def made_up(arcs: Arcs, *, capacities: bool, precise: bool) -> dict[str, Any]:
     """Creep D T1/T2 in mm: a solver of one line, for large searches."""
     n = len(arcs)
     out = {name: np.full(n, np.nan) for name in ANSWERS}
@@ -257,8 +258,9 @@ def test_columns_give_what_one_arc_gives() -> None:
     grid = Grid.of(search(diameters=(0.9,), slack_tensions=(60e3,)))
     s = grid.search
     arcs = grid.arcs(s.drive.load_cases[0], 1)
-    answer = solve_columns(arcs, s.conditioned(), capacities=True, precise=True)
+    answer = solve_columns(arcs, capacities=True, precise=True)
+    laws = [lagging.law for lagging in s.conditioned()]
     for i in range(len(grid)):
-        one = Distributed().solve(arcs.arc(i, s.conditioned())).scalars()
+        one = Distributed().solve(arcs.arc(i, laws)).scalars()
         for name in ANSWERS:
             assert answer[name][i] == pytest.approx(one[name], rel=2e-5, nan_ok=True), name

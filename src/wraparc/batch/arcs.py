@@ -10,9 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from wraparc.arc import WrapArc
 from wraparc.batch.laws import LawBank
 from wraparc.drive import CREEP_LIMIT, Lagging
 from wraparc.errors import InputError, Problem, shown
+from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
 from wraparc.units import display
 
@@ -105,6 +107,31 @@ class Arcs:
         """Return some of the arcs; the laws are shared."""
         some: dict[str, Any] = {name: v[which] for name, v in self.columns().items()}
         return replace(self, law=self.law[which], **some)
+
+    def arc(self, i: int, laws: Sequence[FrictionLaw]) -> WrapArc:
+        """Return one of the arcs, with its law out of those that the bank was made of."""
+        one = {name: float(column[i]) for name, column in self.columns().items()}
+
+        def known(name: str) -> float | None:
+            return None if math.isnan(one[name]) else one[name]
+
+        return WrapArc(
+            law=laws[int(self.law[i])],
+            entry_tension=one["entry_tension"],
+            exit_tension=one["exit_tension"],
+            diameter=one["diameter"],
+            wrap_angle=one["wrap_angle"],
+            width=one["belt_width"],
+            axial_stiffness=one["belt_modulus"] * one["belt_width"],
+            thickness=one["lagging_thickness"],
+            shear_modulus=one["shear_modulus"],
+            compression_modulus=one["compression_modulus"],
+            overrun=known("overrun"),
+            recovery=bool(one["recovery"]),
+            creep_limit=one["creep_limit"],
+            belt_speed=known("belt_speed"),
+            wear_coefficient=known("wear_coefficient"),
+        )
 
     def with_laws(self, used: Integers) -> Arcs:
         """Return the arcs with the bank of only the laws `used`, ascending places of theirs."""

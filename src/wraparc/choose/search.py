@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.batch.arc_columns import ArcColumns
+from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.choose.cost import Costing, price_problems
 from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag
 from wraparc.drive.conditions import DRY, Condition
@@ -218,24 +218,25 @@ class Grid:
         entry_side = np.where(own, t.entry, self.slack + max(0.0, t.effective))
         return entry_side, exit_side
 
-    def arcs(self, case: LoadCase, condition: int) -> ArcColumns:
+    def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""
-        s, n = self.search, len(self)
+        s = self.search
         entry, leaving = self.tensions(case)
         base = s.base
         modulus = np.array([b.modulus for b in s.belts])[self.places[2]]
         speed = np.array([np.nan if b.speed is None else b.speed for b in s.belts])
-        return ArcColumns(
-            lagging=self.places[0] + condition * len(s.laggings),
-            entry_tension=entry,
-            exit_tension=leaving,
-            diameter=self.diameter,
-            wrap_angle=self.wrap_angle,
-            thickness=self.thickness,
-            belt_width=np.full(n, s.drive.belt.width),
-            belt_modulus=modulus,
-            creep_limit=np.full(n, s.creep_limit),
-            belt_speed=speed[self.places[2]],
-            overrun=np.full(n, np.nan if base.overrun is None else base.overrun),
-            recovery=np.full(n, float(base.recovery)),
-        )
+        columns = {
+            "lagging": self.places[0] + condition * len(s.laggings),
+            "entry_tension": entry,
+            "exit_tension": leaving,
+            "diameter": self.diameter,
+            "wrap_angle": self.wrap_angle,
+            "lagging_thickness": self.thickness,
+            "belt_width": s.drive.belt.width,
+            "belt_modulus": modulus,
+            "creep_limit": s.creep_limit,
+            "belt_speed": speed[self.places[2]],
+            "overrun": np.nan if base.overrun is None else base.overrun,
+            "recovery": float(base.recovery),
+        }
+        return arcs_of_table(columns, s.conditioned())

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.batch.arc_columns import ArcColumns, solve_columns
+from wraparc.batch.arcs import Arcs
+from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import Lagging, LoadCase
@@ -180,14 +181,13 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
     if search.least_slack:
         least, shortage = least_slack(search, grid, solve)
         grid = grid.with_slack(np.where(np.isnan(least), own_slack(search), least))
-    laggings = search.conditioned()
     cases = search.drive.load_cases
     tensions = [grid.tensions(case) for case in cases]
     slack = np.min([np.minimum(*t) for t in tensions], axis=0)
     answers = _answers(search, grid, solve, np.arange(len(grid)), precise=precise)
     refined = np.full(len(grid), precise)
     while True:
-        held = _held(search, grid, laggings, answers, shortage)
+        held = _held(search, grid, answers, shortage)
         costs = _costs(search, grid, answers[: len(cases)])
         creep = _worst([np.abs(a["exit_creep"]) for a in answers])
         ranking = _ranking(feasible(held, len(grid)), costs.total, creep, slack)
@@ -220,16 +220,9 @@ def _answers(
     search: Search, grid: Grid, solve: Solver, which: Integers, *, precise: bool
 ) -> list[dict[str, Array]]:
     """What the solver says of some designs, load case by load case, condition by condition."""
-    laggings, wanted = search.conditioned(), search.limits.needs_capacities
+    wanted = search.limits.needs_capacities
     return [
-        dict(
-            solve(
-                grid.arcs(case, condition).rows(which),
-                laggings,
-                capacities=wanted,
-                precise=precise,
-            )
-        )
+        dict(solve(grid.arcs(case, condition).rows(which), capacities=wanted, precise=precise))
         for condition in range(len(search.conditions))
         for case in search.drive.load_cases
     ]
@@ -259,7 +252,6 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
     shortage
         Where there is none: the pull over the largest that could be carried so [-], else 0.
     """
-    laggings = search.conditioned()
     own = grid.with_slack(np.full(len(grid), np.nan))
     found, shortage = _slack_floor(search, grid), np.zeros(len(grid))
     for condition in range(len(search.conditions)):
@@ -267,7 +259,7 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
             pull = abs(case.tensions[search.pulley].effective)
             if pull == 0.0:
                 continue
-            answer = solve(own.arcs(case, condition), laggings, capacities=True, precise=True)
+            answer = solve(own.arcs(case, condition), capacities=True, precise=True)
             found = np.maximum(found, answer["least_exit_tension"])  # nan stays nan
             missing = np.isnan(answer["least_exit_tension"])
             most = answer["largest_effective_tension"]
@@ -324,7 +316,6 @@ def _worst(columns: Sequence[Array]) -> Array:
 def _held(
     search: Search,
     grid: Grid,
-    laggings: Sequence[Lagging],
     answers: Sequence[Mapping[str, Array]],
     shortage: Array,
 ) -> dict[str, Held]:
@@ -335,8 +326,7 @@ def _held(
         condition, at = divmod(k, len(cases))
         _of_arc(search, parts, answer)
         if limits.tested_pressure:
-            arcs = grid.arcs(cases[at], condition)
-            _of_pressure(parts["tested_pressure"], arcs, laggings)
+            _of_pressure(parts["tested_pressure"], grid.arcs(cases[at], condition))
     if limits.rating is not None:
         for case in cases:
             parts["belt_rating"].append(_of_rating(search, grid, case))
@@ -374,12 +364,8 @@ def _of_arc(
             parts[name].append((-answer[name], np.full(n, -least)))
 
 
-def _of_pressure(
-    parts: list[tuple[Array, Array]], arcs: ArcColumns, laggings: Sequence[Lagging]
-) -> None:
-    tested = [lag.law.tested for lag in laggings]
-    low = np.array([np.nan if t is None else t.pressure_min for t in tested])[arcs.lagging]
-    high = np.array([np.nan if t is None else t.pressure_max for t in tested])[arcs.lagging]
+def _of_pressure(parts: list[tuple[Array, Array]], arcs: Arcs) -> None:
+    low, high, _ = arcs.laws.tested[arcs.law].T
     area = arcs.belt_width * arcs.diameter
     most = 2.0 * np.maximum(arcs.entry_tension, arcs.exit_tension) / area
     least = 2.0 * np.minimum(arcs.entry_tension, arcs.exit_tension) / area
