@@ -96,9 +96,18 @@ def wraparc_process(
     *arguments: object, env: dict[str, str] | None = None, code: str = ""
 ) -> "subprocess.CompletedProcess[bytes]":
     """Run the command line in a process of its own, after some Python code."""
+    return subprocess.run(_command(arguments, code), capture_output=True, check=False, env=env)
+
+
+def wraparc_started(*arguments: object, code: str = "") -> "subprocess.Popen[str]":
+    """Start the command line in a process of its own, after some Python code; go on at once."""
+    pipe = subprocess.PIPE
+    return subprocess.Popen(_command(arguments, code), stdout=pipe, stderr=pipe, text=True)
+
+
+def _command(arguments: tuple[object, ...], code: str) -> list[str]:
     script = f"{code}\nfrom wraparc.cli import main\nmain({[str(a) for a in arguments]!r})"
-    command = [sys.executable, "-W", "error", "-c", script]
-    return subprocess.run(command, capture_output=True, check=False, env=env)
+    return [sys.executable, "-W", "error", "-c", script]
 
 
 def drive_file(folder: Path, text: str = DRIVE, name: str = "drive.toml") -> Path:

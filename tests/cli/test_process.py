@@ -117,6 +117,7 @@ def test_a_fault_is_one_line_and_a_traceback_only_on_request(
         wraparc("--debug", "solve", drive_file(tmp_path))
 
 
+@pytest.mark.processes
 def test_a_reader_that_goes_away_is_no_fault() -> None:
     script = "from wraparc.cli import main; main(['belts'])"
     process = subprocess.Popen(
@@ -161,6 +162,7 @@ def test_the_width_of_a_pipe_can_be_given(tmp_path: Path) -> None:
         assert words in " ".join(text.split())
 
 
+@pytest.mark.processes
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
 def test_a_terminal_gets_colour_unless_it_wants_none(

@@ -6,15 +6,17 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from study.studies import FOLDER
 from study.test_study_run import columns, small
 from wraparc.errors import InputError
-from wraparc.study.executor import DaskCluster, require_distributed
+from wraparc.study.executor import DaskCluster, _check_workers, require_distributed
 from wraparc.study.run import Run, parts_folder, run_study
 
+pytestmark = pytest.mark.processes
 DASK = [sys.executable, "-c", "from dask.__main__ import main; main()"]
 
 
@@ -34,7 +36,17 @@ class Cluster:
             time.sleep(0.05)
         self.address = str(json.loads(told.read_text())["address"])
 
-    def add_worker(self) -> None:
+    def add_workers(self, count: int) -> None:
+        """Start some and wait until they have come."""
+        for _ in range(count):
+            self._add_worker()
+        with self.client() as client:
+            client.wait_for_workers(count)
+
+    def client(self) -> Any:
+        return require_distributed().Client(self.address, set_as_default=False)
+
+    def _add_worker(self) -> None:
         command = [*DASK, "worker", self.address, "--no-nanny", "--nthreads", "1"]
         command += ["--no-dashboard", "--local-directory", str(self.folder)]
         self.workers.append(
@@ -58,13 +70,12 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
 
 def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> None:
     """All rows there, none twice, every bit as on the threads of this process."""
-    with pytest.raises(InputError, match=r"the scheduler has no worker after 0\.2 s"):
-        DaskCluster(cluster.address, timeout=0.2).check()
-    for _ in range(2):
-        cluster.add_worker()
-    distributed = require_distributed()
-    with distributed.Client(cluster.address, set_as_default=False) as client:
-        client.wait_for_workers(2, timeout=120)
+    with (
+        cluster.client() as client,
+        pytest.raises(InputError, match=r"the scheduler has no worker after 0\.2 s"),
+    ):
+        _check_workers(client, cluster.address, 0.2)
+    cluster.add_workers(2)
     study, alive = small(), []
 
     def tell(done: int, total: int) -> None:
@@ -74,7 +85,7 @@ def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> N
             alive.append(total - done)
 
     path = tmp_path / "cluster.parquet"
-    executor = DaskCluster(cluster.address)
+    executor = DaskCluster(cluster.address, timeout=60.0)
     run_study(study, path, Run(executor=executor, part_designs=10, progress=tell))
     assert alive, "the worker was to die in the middle of the work"
     assert alive[0] > 0
@@ -83,7 +94,7 @@ def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> N
 
 
 def test_a_cluster_that_is_lost_keeps_what_is_done(cluster: Cluster, tmp_path: Path) -> None:
-    cluster.add_worker()
+    cluster.add_workers(1)
     study, path = small(), tmp_path / "a.parquet"
 
     def tell(done: int, total: int) -> None:

@@ -1,12 +1,9 @@
 """Runs: the same numbers however they are cut, kept when stopped, refused before they begin."""
 
 import errno
-import json
 import os
 import signal
-import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +11,7 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
+from cli.running import wraparc_process, wraparc_started
 from study.studies import FOLDER, FRICTION, SAMPLING, TAKE_UP, study_of
 from wraparc.errors import InputError
 from wraparc.study import run as run_module
@@ -203,24 +201,47 @@ def test_a_cluster_out_of_reach_is_told_before_any_work(
     assert isinstance(executor_named("tcp://h:1"), DaskCluster)
 
 
+# Plain Python starts sooner. It tells when the first part is kept, and holds the second until
+# the run is given up.
+_PLAIN = "import sys; sys.modules['numba'] = None\n"
+_HELD = (
+    _PLAIN
+    + """
+from wraparc.study import executor, run
+save, solve_part, begun = run._save, executor.solve_part, []
+
+def told(file, content):
+    save(file, content)
+    print("kept", flush=True)
+
+def held(study, start, stop, tell):
+    begun.append(start)
+    while len(begun) > 1:
+        tell(0, stop - start)
+    return solve_part(study, start, stop, tell)
+
+run._save, executor.solve_part = told, held
+"""
+)
+
+
+@pytest.mark.processes
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signal there")
 def test_an_interrupt_keeps_what_is_done(tmp_path: Path) -> None:
-    """Ctrl-C on a real process in the middle of its work, and --resume after it."""
-    text = (Path(FOLDER) / "wet-dry.toml").read_text("utf-8")
-    text = text.replace('"head-drive.toml"', json.dumps(str(Path(FOLDER) / "head-drive.toml")))
-    text = text.replace("samples = 2000", "samples = 40000").replace("count = 5", "count = 2")
-    file = tmp_path / "s.toml"
-    file.write_text(text.replace('load_cases = "all"', ""), "utf-8")
-    command = [sys.executable, "-c", "from wraparc.cli import main; main()", "study", str(file)]
-    command += ["-o", str(tmp_path / "a.parquet"), "--threads", "1"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    folder = tmp_path / "a.parquet.parts"
-    while process.poll() is None and not list(folder.glob("*.parquet")):
-        time.sleep(0.02)
+    """Ctrl-C on a real process that has kept one part and is at work on the next."""
+    path = tmp_path / "a.parquet"
+    arguments = ("study", Path(FOLDER) / "take-up-grid.toml", "-o", path, "--threads", "1")
+    arguments += ("--part", "40", "--set", 'outputs=["exit_creep"]')
+    process = wraparc_started(*arguments, code=_HELD)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "kept\n"
     process.send_signal(signal.SIGINT)
     _, told = process.communicate()
     assert process.returncode == 130, told
     assert "What is solved is kept: go on with --resume." in told
     assert "Traceback" not in told
-    assert list(folder.glob("*.parquet"))
-    assert not (tmp_path / "a.parquet").exists()
+    assert len(list(parts_folder(path).glob("*.parquet"))) == 1
+    assert not path.exists()
+    resumed = wraparc_process(*arguments, "--resume", code=_PLAIN)
+    assert resumed.returncode == 0, resumed.stderr
+    assert len(pq.read_table(path)) == 117

@@ -10,9 +10,13 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
-from web.calculators import Process, serving
+from web.calculators import PATIENCE, Process, serving
 
-expect.set_options(timeout=30_000)  # a busy machine is no fault of the page
+#: After this long [ms] what a page was to show is taken to be missing.
+_LONG = 120e3
+#: Studies may have to compile first.
+STUDY = 1e3 * PATIENCE
+expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
@@ -34,6 +38,9 @@ _NAMES = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome
 #: Answers that a test provokes, and that the browser then reports as errors.
 _REFUSED = ("status of 422", "status of 409")
 
+PAINTED = """() => new Promise((done) => {
+  requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)));
+})"""
 #: Times from a key press to the painted plot [ms], collected in `steps`.
 STEPS = """() => {
   window.steps = [];
@@ -76,7 +83,7 @@ class Visitor:
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
         self.page: Page = self.context.new_page()
-        self.page.set_default_timeout(40_000)
+        self.page.set_default_timeout(_LONG)
         self.address = address
         self.wrong: list[str] = []
         self.elsewhere: list[str] = []
@@ -111,6 +118,10 @@ class Visitor:
     def solved(self) -> None:
         """Wait until everything is solved anew."""
         self.page.wait_for_selector("html:not(.stale) #drive .t-capacity", state="attached")
+
+    def painted(self) -> None:
+        """Wait until what was changed has been laid out and painted."""
+        self.page.evaluate(PAINTED)
 
 
 @contextlib.contextmanager

@@ -5,7 +5,6 @@ import json
 import os
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -23,6 +22,8 @@ from wraparc.web.settings import Settings
 
 ADDRESS = "http://127.0.0.1:8765"
 API = "/api/v1"
+#: After this long [s] what a test waits for is taken to hang; no test counts on it.
+PATIENCE = 600.0
 
 
 def document(name: str = "head-drive-fabric") -> dict[str, Any]:
@@ -53,11 +54,8 @@ class Process:
     """``wraparc serve`` as a process."""
 
     def __init__(self, *arguments: str, cwd: Path | None = None) -> None:
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            self.port = probe.getsockname()[1]
         run = "from wraparc.cli import main; main()"
-        command = [sys.executable, "-c", run, "serve", "--port", str(self.port), *arguments]
+        command = [sys.executable, "-c", run, "serve", "--port", "0", *arguments]
         self.process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd,
             start_new_session=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
@@ -71,9 +69,9 @@ class Process:
         else:
             assert self.process.stderr is not None
             raise AssertionError(self.told + self.process.stderr.read())
-        found = re.search(r"http://\S+", self.told)
-        assert found
-        self.address = found[0]
+        found = re.search(r"http://\S+:(\d+)/\S*", self.told)
+        assert found, self.told
+        self.address, self.port = found[0], int(found[1])
 
     def ask(self, path: str, data: Any = None, method: str | None = None) -> Answer:
         """Ask the server."""
@@ -85,7 +83,7 @@ class Process:
             method=method,
         )
         try:
-            with urllib.request.urlopen(request, timeout=60) as answer:  # noqa: S310
+            with urllib.request.urlopen(request, timeout=PATIENCE) as answer:  # noqa: S310
                 return Answer(answer.status, answer.read(), answer.headers)
         except urllib.error.HTTPError as error:
             return Answer(error.code, error.read(), error.headers)
@@ -101,7 +99,7 @@ class Process:
         """Press Ctrl-C, which goes to all its processes; return exit code and complaints."""
         os.killpg(self.process.pid, signal.SIGINT)
         try:
-            _, complaints = self.process.communicate(timeout=30)
+            _, complaints = self.process.communicate(timeout=PATIENCE)
         finally:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(self.process.pid, signal.SIGKILL)
@@ -118,9 +116,9 @@ def serving(*arguments: str) -> Iterator[Process]:
         process.kill()
 
 
-def wait_for(condition: Any, seconds: float = 60.0) -> None:
-    """Wait until something holds; give up after a while."""
-    end = time.monotonic() + seconds
+def wait_for(condition: Any) -> None:
+    """Wait until something holds."""
+    end = time.monotonic() + PATIENCE
     while not condition():
         assert time.monotonic() < end, "it did not come to pass"
         time.sleep(0.02)

@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from web.calculators import wait_for
+
 _HINT = "the tests need PostgreSQL: run `make system`, or install the package postgresql"
 
 
@@ -56,14 +58,15 @@ def postgresql() -> Iterator[str]:
     finally:
         if server is not None:
             server.send_signal(signal.SIGINT)  # without waiting for its clients
-            server.wait(30)
+            server.wait()
         shutil.rmtree(folder, ignore_errors=True)
 
 
 def _wait(folder: Path, server: "subprocess.Popen[bytes]") -> None:
-    ready = [_program("pg_isready"), "-h", str(folder), "-q", "-t", "1"]
-    for _ in range(120):
+    ready = [_program("pg_isready"), "-h", str(folder), "-q", "-U", "postgres"]
+
+    def answers() -> bool:
         assert server.poll() is None, "the PostgreSQL server has ended"
-        if subprocess.run([*ready, "-U", "postgres"], check=False).returncode == 0:
-            return
-    raise AssertionError("the PostgreSQL server did not become ready")
+        return subprocess.run(ready, check=False).returncode == 0
+
+    wait_for(answers)

@@ -12,7 +12,7 @@ from alembic.autogenerate import compare_metadata
 from alembic.runtime.migration import MigrationContext
 from sqlalchemy import create_engine, text
 
-from web.calculators import API, Process, client, document, serving
+from web.calculators import API, PATIENCE, Process, client, document, serving
 from web.postgres import postgresql
 from wraparc.errors import InputError
 from wraparc.web.database.engine import open_engine
@@ -112,6 +112,7 @@ def test_a_design_is_renamed_and_deleted_with_its_versions(store: Store, url: st
     engine.dispose()
 
 
+@pytest.mark.processes
 def test_of_many_who_save_at_once_one_wins_and_nothing_is_lost(store: Store) -> None:
     made = save(store)
     won, lost = [], []
@@ -144,6 +145,7 @@ def test_migrations_make_the_tables_of_the_program(url: str) -> None:
     again.dispose()
 
 
+@pytest.mark.processes
 def test_servers_that_start_together_migrate_once(url: str) -> None:
     errors: list[BaseException] = []
 
@@ -207,6 +209,7 @@ def test_every_commit_is_written_through(tmp_path: Path) -> None:
     engine.dispose()
 
 
+@pytest.mark.processes
 def test_a_killed_server_has_lost_no_saved_design(tmp_path: Path) -> None:
     # saved by several clients at once; the process is killed (SIGKILL) in the middle
     file = tmp_path / "designs.sqlite"
@@ -230,7 +233,7 @@ def test_a_killed_server_has_lost_no_saved_design(tmp_path: Path) -> None:
     threads = [threading.Thread(target=keep_saving, args=(n,)) for n in range(4)]
     for thread in threads:
         thread.start()
-    assert enough.wait(60)
+    assert enough.wait(PATIENCE)
     server.kill()
     for thread in threads:
         thread.join()

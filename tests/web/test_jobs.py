@@ -1,7 +1,6 @@
 """Long work: studies followed, cancelled and equal to the command line; shear tests in memory."""
 
 import json
-import tempfile
 import threading
 import tomllib
 from collections.abc import Iterator
@@ -12,7 +11,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from cli.running import wraparc
-from web.calculators import API, Process, client, serving, wait_for
+from web.calculators import API, PATIENCE, Process, client, serving, wait_for
 from wraparc.errors import InputError, Problem
 from wraparc.web.errors import ApiError
 from wraparc.web.jobs import MOST_WAITING, Jobs
@@ -23,23 +22,31 @@ STUDIES = Path(__file__).parents[2] / "examples" / "studies"
 
 
 @pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Process]:
-    place = tmp_path_factory.mktemp("designs") / "designs.sqlite"
-    with serving("--database", str(place), "--workers", "1") as found:
-        yield found
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the server keeps its designs and the folders of its tasks."""
+    return tmp_path_factory.mktemp("server")
+
+
+@pytest.fixture(scope="module")
+def server(folder: Path) -> Iterator[Process]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TMPDIR", str(folder))
+        with serving("--database", str(folder / "designs.sqlite"), "--workers", "1") as found:
+            yield found
 
 
 def study(name: str) -> dict[str, Any]:
     return tomllib.loads((STUDIES / f"{name}.toml").read_text("utf-8"))
 
 
+@pytest.mark.processes
 def test_a_study_has_the_numbers_of_the_command_line(server: Process, tmp_path: Path) -> None:
     body = {"study": study("wet-dry"), "document": study("head-drive")}
     body["study"]["sampling"]["samples"] = 400
     job = server.ask(f"{API}/studies", body)
     assert job.status == 202, job.body
     path = f"{API}/studies/{job.json()['id']}"
-    wait_for(lambda: server.ask(path).json()["state"] == "done", 120)
+    wait_for(lambda: server.ask(path).json()["state"] == "done")
     found = server.ask(path).json()
     assert found["done"] == found["total"]
     code, out, error = wraparc(
@@ -62,19 +69,22 @@ def test_a_study_has_the_numbers_of_the_command_line(server: Process, tmp_path: 
     assert server.ask(path).status == 404
 
 
-def test_a_study_is_cancelled_and_others_are_served_meanwhile(server: Process) -> None:
+@pytest.mark.processes
+def test_a_study_is_cancelled_and_others_are_served_meanwhile(
+    server: Process, folder: Path
+) -> None:
     body = {"study": study("sensitivity"), "document": study("head-drive")}
     body["study"]["sampling"]["samples"] = 65536  # minutes of work
-    before = set(Path(tempfile.gettempdir()).glob("wraparc-task-*"))
     job = server.ask(f"{API}/studies", body).json()
     path = f"{API}/studies/{job['id']}"
     wait_for(lambda: server.ask(path).json()["message"] == "solving")
+    assert list(folder.glob("wraparc-task-*"))
     fast = server.ask(f"{API}/solve/fast", {"document": study("head-drive")})
     assert fast.status == 200
     assert server.ask(f"{path}/pictures/x.svg").status == 409
     assert server.ask(path, method="DELETE").status == 204
     assert server.ask(path).json()["state"] == "cancelled"
-    wait_for(lambda: set(Path(tempfile.gettempdir()).glob("wraparc-task-*")) <= before)
+    wait_for(lambda: not list(folder.glob("wraparc-task-*")))
     assert job["id"] in [j["id"] for j in server.ask(f"{API}/studies").json()["jobs"]]
 
 
@@ -107,7 +117,7 @@ class FakeTask:
         self.go, self.killed, self.outcome = threading.Event(), threading.Event(), outcome
 
     def result(self) -> bytes:
-        self.go.wait(30)
+        self.go.wait(PATIENCE)
         if self.killed.is_set():
             raise CancelledTaskError
         if isinstance(self.outcome, Exception):
@@ -119,6 +129,7 @@ class FakeTask:
         self.go.set()
 
 
+@pytest.mark.processes
 def test_jobs_wait_their_turn_and_end_in_every_way() -> None:
     now = [0.0]
     jobs = Jobs(clock=lambda: now[0])
@@ -140,6 +151,7 @@ def test_jobs_wait_their_turn_and_end_in_every_way() -> None:
     assert jobs.listed() == []
 
 
+@pytest.mark.processes
 def test_too_many_jobs_are_refused() -> None:
     jobs = Jobs()
     tasks = [FakeTask() for _ in range(MOST_WAITING + 1)]

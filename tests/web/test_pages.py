@@ -1,15 +1,18 @@
 """The pages in a real browser: what an engineer does with them, and what comes of it."""
 
+import base64
 import json
 import re
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Route, expect
 
 from cli.running import wraparc
-from web.browser import PAGES, STEPS, Visitor, browsing
+from web.browser import PAGES, STEPS, STUDY, Visitor, browsing
 from web.calculators import Process, document, wait_for
 
 Calculator = tuple[Browser, Process]
@@ -36,6 +39,12 @@ def key_figure(visitor: Visitor, name: str) -> str:
     return visitor.page.locator(f"#drive .figures > div:has(dt:text-is('{name}')) b").inner_text()
 
 
+def in_the_address(url: str) -> Any:
+    """Return the design that an address holds: JSON, deflated, in base64 for addresses."""
+    _, _, state = url.partition("#/")[2].partition("/")
+    return json.loads(zlib.decompress(base64.urlsafe_b64decode(state + "=="), wbits=-15))
+
+
 def test_every_page_opens_without_a_word_of_complaint(visitor: Visitor) -> None:
     for name in PAGES:
         page = visitor.open(name)
@@ -50,7 +59,6 @@ def test_drive_page_shows_the_answer_of_the_command_line(visitor: Visitor, tmp_p
     page.fill("#f-pulley-0-exit_tension", "64.5")
     page.press("#f-pulley-0-exit_tension", "Tab")
     page.select_option("#f-pulley-0-lagging", "medium-ceramic")
-    page.wait_for_timeout(300)
     visitor.solved()
     with page.expect_download() as arriving:
         page.keyboard.press("Control+s")
@@ -138,6 +146,7 @@ def test_wrong_value_turns_red_with_the_sentence_of_the_command_line(
     assert page.inner_text("#results [role=alert]") == ""
 
 
+@pytest.mark.processes
 def test_late_answer_never_stands_under_another_drive(visitor: Visitor) -> None:
     page = visitor.open("drive")
     held: list[Route] = []
@@ -151,11 +160,11 @@ def test_late_answer_never_stands_under_another_drive(visitor: Visitor) -> None:
     assert key_figure(visitor, "Creep at exit") != "7.377 mm"
 
 
+@pytest.mark.processes
 def test_undo_redo_and_link(visitor: Visitor, calculator: Calculator) -> None:
     page = visitor.open("drive")
     page.fill("#f-pulley-0-diameter", "1000")
     page.press("#f-pulley-0-diameter", "Tab")
-    page.wait_for_timeout(1100)
     page.select_option("#f-pulley-0-lagging", "full-ceramic")
     page.click("#undo")
     expect(page.locator("#f-pulley-0-lagging")).to_have_value("diamond-rubber")
@@ -164,8 +173,9 @@ def test_undo_redo_and_link(visitor: Visitor, calculator: Calculator) -> None:
     page.click("#redo")
     page.click("#redo")
     expect(page.locator("#f-pulley-0-diameter")).to_have_value("1000")
+    page.wait_for_function("location.hash.split('/').length === 3")
     page.get_by_label("US", exact=True).check(force=True)
-    page.wait_for_timeout(900)
+    wait_for(lambda: in_the_address(page.evaluate("location.href"))["u"] == "us")
     visitor.solved()
     creep = key_figure(visitor, "Creep at exit")
     other = Visitor(calculator[0], page.url)
@@ -272,7 +282,6 @@ def test_tests_are_read_fitted_and_used_at_once(visitor: Visitor, tmp_path: Path
     assert wraparc("lagging", str(file))[0] == 0
     page.get_by_role("button", name="Use it in the drive at once").click()
     expect(page.locator("#f-pulley-0-lagging")).to_have_value("from-the-rig")
-    page.wait_for_timeout(300)
     visitor.solved()
     assert re.fullmatch(r"[\d.]+ mm", key_figure(visitor, "Creep at exit"))
 
@@ -282,7 +291,6 @@ def test_reports_of_the_page_are_those_of_the_drive_on_it(visitor: Visitor, tmp_
     page = visitor.open("drive")
     page.fill("#f-pulley-0-exit_tension", "71.25")
     page.press("#f-pulley-0-exit_tension", "Tab")
-    page.wait_for_timeout(300)
     visitor.solved()
     for label, start in (
         ("Calculation note (PDF)", b"%PDF-"),
@@ -319,6 +327,7 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     page.wait_for_selector("#pick-pulley")
 
 
+@pytest.mark.processes
 def test_study_is_started_followed_shown_and_cancelled(visitor: Visitor) -> None:
     page = visitor.open("study")
     page.get_by_label("Samples").fill("many")
@@ -327,7 +336,7 @@ def test_study_is_started_followed_shown_and_cancelled(visitor: Visitor) -> None
     page.get_by_label("Samples").fill("64")
     page.get_by_role("button", name="Start the study").click()
     done = page.locator("#study .job[data-state=done]")
-    done.locator("table").first.wait_for()
+    done.locator("table").first.wait_for(timeout=STUDY)
     image = done.locator("img").first
     wait_for(lambda: image.evaluate("(e) => e.naturalWidth") > 100)
     assert image.get_attribute("alt")
@@ -339,6 +348,7 @@ def test_study_is_started_followed_shown_and_cancelled(visitor: Visitor) -> None
     expect(done).to_have_count(0)
 
 
+@pytest.mark.processes
 def test_slider_by_keyboard_paints_every_step(
     visitor: Visitor, capsys: pytest.CaptureFixture[str]
 ) -> None:

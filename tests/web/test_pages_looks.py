@@ -17,7 +17,7 @@ from PIL import Image
 from playwright.sync_api import Browser, FloatRect, Page, expect
 
 import wraparc
-from web.browser import DESKTOP, PAGES, PHONE, READY, Visitor, axe, browsing
+from web.browser import DESKTOP, PAGES, PHONE, READY, STUDY, Visitor, axe, browsing
 from web.calculators import Process, wait_for
 
 Calculator = tuple[Browser, Process]
@@ -70,9 +70,9 @@ def used(visitor: Visitor, name: str) -> Page:
         page.get_by_label("Samples").fill("128")
         page.get_by_role("button", name="Start the study").click()
         image = page.locator("#study .job img").first
-        image.wait_for()
+        image.wait_for(timeout=STUDY)
         wait_for(lambda: image.evaluate("(e) => e.naturalWidth") > 100)
-    page.wait_for_timeout(200)
+    visitor.painted()
     return page
 
 
@@ -137,7 +137,7 @@ def test_phone_shows_everything_without_scrolling_sideways(
 ) -> None:
     visitor = Visitor(*_at(calculator), PHONE, has_touch=True, is_mobile=True)
     page = visitor.open(name)
-    page.wait_for_timeout(200)
+    visitor.painted()
     assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
     small = page.evaluate(
         "[...document.querySelectorAll('main button, main select, main input:not([type=range])')]"
@@ -164,7 +164,7 @@ def test_print_fits_the_paper(calculator: Calculator, paper: str, width: int) ->
     assert page.locator("#drive details.t-inputs[open]").count() == 1
     page.emulate_media(media="print")
     page.set_viewport_size({"width": width - 91, "height": 1000})  # less the margins, 12 mm each
-    page.wait_for_timeout(300)
+    visitor.painted()
     assert page.evaluate("document.documentElement.scrollWidth") <= width - 91
     assert not page.locator("header").is_visible()
     assert page.locator("#drive svg.pulley").is_visible()

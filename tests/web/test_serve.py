@@ -10,6 +10,7 @@ from cli.running import drive_file, wraparc
 from web.calculators import API, serving, wait_for
 
 
+@pytest.mark.processes
 def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
     lagging = Path(tmp_path / "mine.toml")
     from wraparc.catalogue import lagging_text
@@ -41,6 +42,7 @@ def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
         assert "Traceback" not in complaints
 
 
+@pytest.mark.processes
 def test_a_worker_that_dies_is_replaced(tmp_path: Path) -> None:
     import json
     import os
@@ -82,6 +84,7 @@ def test_beyond_this_machine_it_needs_a_token() -> None:
     assert "at least 16" in told
 
 
+@pytest.mark.processes
 def test_beyond_this_machine_with_a_token_it_serves(tmp_path: Path) -> None:
     import urllib.error
     import urllib.request
@@ -121,6 +124,7 @@ def test_what_is_wrong_is_told_before_it_starts(
     assert "calculator" not in out
 
 
+@pytest.mark.processes
 def test_a_port_that_is_taken(tmp_path: Path) -> None:
     with socket.socket() as other:
         other.bind(("127.0.0.1", 0))

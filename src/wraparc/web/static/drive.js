@@ -56,6 +56,7 @@ export function update() {
   const known = quickDoc === app.doc && arc && !update.view;
   update.view = false;
   if (!known) {
+    quickDoc = null;
     quick();
     document.documentElement.classList.add("stale");
   }
@@ -81,7 +82,8 @@ async function quick() {
     try {
       const a = await ask("solve/fast", { document: doc, pulley: name ?? null, load_case: app.case || null, points: 120, sequence: ++sequence, tables: false });
       if (doc === app.doc) { mark([]); put(ui.problems); }
-      arc = a; quickDoc = doc;
+      arc = a; quickDoc = wanted ? null : doc;
+      settle();
       ui.result.classList.remove("refused");
       paint();
       if (a.sequence === 1) performance.mark("answered");
@@ -94,6 +96,10 @@ async function quick() {
     if (!wanted && ui.wait.textContent) { ui.result.classList.remove("waiting"); ui.wait.textContent = ""; }
   } while (wanted);
   quickBusy = false;
+}
+/** Both answers are of the design on the page. */
+function settle() {
+  if (quickDoc === app.doc && fullDoc === app.doc) document.documentElement.classList.remove("stale");
 }
 function refused(problems) {
   if (app.case && problems.some((p) => p.path === "load_case")) { app.case = ""; return tell("view"); }
@@ -110,7 +116,7 @@ const complete = later(250, async () => {
     const a = await ask("solve", { document: doc, points: 180, sequence: ++sequence }, { signal: stop.signal });
     if (doc !== app.doc) return;
     full = a; fullDoc = doc;
-    document.documentElement.classList.remove("stale");
+    settle();
     fill();
     ui.spoken.textContent = words(a.verdict.headline);
     document.dispatchEvent(new CustomEvent("complete"));
