@@ -73,7 +73,7 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], dict[str
                 visitor.context.close()
         page.wait_for_selector(READY["drive"])
         # compiled code takes over when it is ready
-        wait_for(lambda: json.loads(server.ask("/api/v1/about").body)["compiled"], 180.0)
+        wait_for(lambda: json.loads(server.ask("/api/v1/about").body)["compiled"])
         page.wait_for_timeout(2000.0)
         frames = page.evaluate(_FRAMES)
         page.get_by_label("Entry tension, slider").focus()

@@ -201,26 +201,27 @@ def test_a_cluster_out_of_reach_is_told_before_any_work(
     assert isinstance(executor_named("tcp://h:1"), DaskCluster)
 
 
-# Plain Python starts sooner. It tells when the first part is kept, and holds the second until
-# the run is given up.
+# Plain Python starts sooner. The second part waits until the first is kept, tells it, and is held
+# until the run is given up.
 _PLAIN = "import sys; sys.modules['numba'] = None\n"
 _HELD = (
     _PLAIN
     + """
-from wraparc.study import executor, run
-save, solve_part, begun = run._save, executor.solve_part, []
-
-def told(file, content):
-    save(file, content)
-    print("kept", flush=True)
+import glob
+from wraparc.study import executor
+solve_part, begun = executor.solve_part, []
 
 def held(study, start, stop, tell):
     begun.append(start)
-    while len(begun) > 1:
+    if len(begun) == 1:
+        return solve_part(study, start, stop, tell)
+    while not glob.glob(glob.escape(FOLDER) + "/*.parquet"):
         tell(0, stop - start)
-    return solve_part(study, start, stop, tell)
+    print("kept", flush=True)
+    while True:
+        tell(0, stop - start)
 
-run._save, executor.solve_part = told, held
+executor.solve_part = held
 """
 )
 
@@ -230,9 +231,10 @@ run._save, executor.solve_part = told, held
 def test_an_interrupt_keeps_what_is_done(tmp_path: Path) -> None:
     """Ctrl-C on a real process that has kept one part and is at work on the next."""
     path = tmp_path / "a.parquet"
-    arguments = ("study", Path(FOLDER) / "take-up-grid.toml", "-o", path, "--threads", "1")
-    arguments += ("--part", "40", "--set", 'outputs=["exit_creep"]')
-    process = wraparc_started(*arguments, code=_HELD)
+    file, outputs = Path(FOLDER) / "take-up-grid.toml", 'outputs=["exit_creep"]'
+    arguments = ("study", file, "-o", path, "--threads", "1", "--part", "40", "--set", outputs)
+    code = f"FOLDER = {str(parts_folder(path))!r}\n{_HELD}"
+    process = wraparc_started(*arguments, code=code)
     assert process.stdout is not None
     assert process.stdout.readline() == "kept\n"
     process.send_signal(signal.SIGINT)
