@@ -200,7 +200,7 @@ def test_tachometers_give_a_creep_ratio() -> None:
         ('number=[{quantity="exit_creep", value="13", sd="1 mm"}]', "no unit"),
         ('number=[{quantity="exit_creep", value="13 mm", sd="0 mm"}]', "must be more than 0"),
         ('prior.overrun={mean="0.1 mm", sd="0.1 mm"}', "is not among the parameters"),
-        ('record=[{file="no.csv"}]', "cannot be read: No such file"),
+        ('record=[{file="no.csv"}]', "there is no such file"),
         ("drive=no.toml", "cannot be read"),
     ],
 )

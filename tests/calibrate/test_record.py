@@ -9,7 +9,8 @@ import pytest
 from calibrate.coverage import DRIVE
 from cli.running import wraparc
 from wraparc import ArcResult, Distributed, InputError, WrapArc
-from wraparc.calibrate.record import RecordChoices, fold, read_record, unwrapped
+from wraparc.calibrate.fold import fold
+from wraparc.calibrate.record import RecordChoices, read_record, unwrapped
 from wraparc.calibrate.virtual_pulley import PulleyRecord, record_text, virtual_record
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

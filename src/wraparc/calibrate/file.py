@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 
 from wraparc.arc import ArcResult, Distributed, Method, PaperMarch, WrapArc
 from wraparc.calibrate.calibration import PARAMETERS, QUANTITIES, Number, Prior, Problemset, Trace
-from wraparc.calibrate.record import ROLES, Folded, RecordChoices, fold, read_record
+from wraparc.calibrate.fold import Folded, fold
+from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.drive import Drive, Limit
 from wraparc.errors import InputError
 from wraparc.files.drive_parts import case_of, drive_of

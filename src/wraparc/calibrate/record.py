@@ -1,37 +1,35 @@
-"""Records of instrumented pulleys: read, cut into revolutions, laid on the contact arc."""
+"""Records of instrumented pulleys, read from text tables."""
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.calibrate.virtual_pulley import PulleyRecord
-from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, shown
-from wraparc.machine_tables.columns import NamedColumn, name_columns, plain_name
-from wraparc.machine_tables.numerals import numbers, style_of
-from wraparc.machine_tables.sniff import decode
-from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable, tables_in_text
+from wraparc.machine_tables import (
+    NamedColumn,
+    RawTable,
+    find_column,
+    find_tables,
+    plain_name,
+    read_bytes,
+)
 from wraparc.units import Dimension, dimension_of, unit_factor
 
 Array = NDArray[np.float64]
 
-LARGEST_FILE = 512 * 1024 * 1024
+_EXPORT = "Export a row for each sample: rotation angle, belt displacement, shear angle."
 #: what a record may hold: column, dimension, words that name it
 ROLES: dict[str, tuple[Dimension, tuple[str, ...]]] = {
     "angle": ("angle", ("rotation", "theta", "pulley", "encoder", "drehwinkel", "position")),
     "displacement": ("length", ("creep", "displacement", "travel", "belt", "schlupf", "weg")),
     "shear_angle": ("angle", ("shear", "gamma", "lagging", "scher", "gleitung")),
 }
-_MOST_BINS = 720
-_ACTIVE = 0.02
-_MOSTLY_ONE_SIGN = 0.5
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,36 +54,6 @@ class RecordChoices:
     delimiter: str | None = None
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Folded:
-    """A record laid on the contact arc, revolutions averaged.
-
-    Attributes
-    ----------
-    position
-        theta from the entry nip, shape (n,) [rad].
-    displacement, shear_angle
-        Means at these positions, shape (n,) [m] and [rad], or None; sign as in the model.
-    revolutions
-        Full contact arcs found.
-    entry, leaving
-        Rotation angle at the entry and exit nip, in [0, 2 pi) [rad].
-    seen
-        Arc over which the signals are seen to differ from their level off the belt [rad].
-    notes
-        What was decided on the way, in sentences.
-    """
-
-    position: Array
-    displacement: Array | None
-    shear_angle: Array | None
-    revolutions: int
-    entry: float
-    leaving: float
-    seen: float
-    notes: tuple[str, ...] = ()
-
-
 def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = None) -> PulleyRecord:
     """Read the record of an instrumented pulley from a text table.
 
@@ -98,9 +66,8 @@ def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = No
         With everything that cannot be told, and what to write to tell it.
     """
     chosen, file = choices or RecordChoices(), os.fspath(path)
-    table = _table(path, file, chosen)
-    filled = [not all(isinstance(c, str) and not c.strip() for c in col) for col in _sample(table)]
-    columns, complaint = name_columns(table.header, len(table.columns), last_empty=not filled[-1])
+    table = _table(file, chosen)
+    columns, complaint = table.named(lambda name: any(_is_named(name, role) for role in ROLES))
     problems: list[Problem] = []
     if complaint and not chosen.columns:
         problems.append(Problem(file=file, message=complaint, remedy="Choose columns by number."))
@@ -116,7 +83,8 @@ def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = No
         problems.append(_missing("displacement or shear_angle", columns, file))
     if problems:
         raise InputError(problems)
-    values = {role: _numbers(table, k, file) * factor for role, (k, factor) in found.items()}
+    style = table.found_style(file)
+    values = {role: table.numbers(k, style) * factor for role, (k, factor) in found.items()}
     good = np.all([np.isfinite(v) for v in values.values()], axis=0)
     values = {role: v[good] for role, v in values.items()}
     return PulleyRecord(
@@ -124,34 +92,16 @@ def read_record(path: str | os.PathLike[str], choices: RecordChoices | None = No
     )
 
 
-def _sample(table: RawTable) -> list[list[object]]:
-    return [list(column[:50]) for column in table.columns]
-
-
-def _table(path: str | os.PathLike[str], file: str, chosen: RecordChoices) -> RawTable:
-    try:
-        place = Path(path)
-        if place.stat().st_size > LARGEST_FILE:
-            raise InputError(Problem(file=file, message="larger than 512 MB"))
-        data = place.read_bytes()
-    except OSError as error:
-        reason = error.strerror or "its name cannot be used"
-        problem = Problem(file=file, message=f"cannot be read: {reason}", remedy="Check the path.")
-        raise InputError(problem) from None
-    decoded = decode(data, file, None)
-    named = {name: sign for sign, name in DELIMITER_NAMES.items()}
-    delimiter = named.get(chosen.delimiter or "")
-    tables = tables_in_text(decoded.text, delimiter=delimiter, ended=decoded.ended)
+def _table(file: str, chosen: RecordChoices) -> RawTable:
+    tables = find_tables(read_bytes(file, _EXPORT), file, delimiter=chosen.delimiter).tables
     if not tables:
-        raise InputError(
-            Problem(
-                file=file,
-                message="holds no table of numbers",
-                remedy="Export a row for each sample: rotation angle, belt displacement, shear "
-                "angle.",
-            )
-        )
+        raise InputError(Problem(file=file, message="holds no table of numbers", remedy=_EXPORT))
     return max(tables, key=lambda table: table.rows)
+
+
+def _is_named(name: str, role: str) -> bool:
+    plain = plain_name(name)
+    return any(word in plain.split() or plain.startswith(word) for word in ROLES[role][1])
 
 
 def _place(
@@ -164,26 +114,24 @@ def _place(
     """Return the place of the column of a role, None if there is none."""
     asked = chosen.columns.get(role)
     if asked is not None:
-        names = [c.label for c in columns]
-        if isinstance(asked, int) and 1 <= asked <= len(columns):
-            return asked - 1
-        if asked in names:
-            return names.index(str(asked))
-        there = ", ".join(map(shown, names))
+        column = find_column(columns, asked)
+        if column is not None:
+            return column.index
+        there = ", ".join(shown(c.label) for c in columns)
         problem = Problem(
             file=file, key=role, value=shown(asked), message="no such column",
             remedy=f"The columns are {there}.",
         )  # fmt: skip
         problems.append(problem)
         return None
-    dimension, words = ROLES[role]
+    dimension = ROLES[role][0]
     taken = set(chosen.columns.values())
     fits = [
         c.index
         for c in columns
         if c.label not in taken
         and c.index + 1 not in taken
-        and any(w in plain_name(c.name).split() or plain_name(c.name).startswith(w) for w in words)
+        and _is_named(c.name, role)
         and (dimension_of(c.unit) in (dimension, None) if c.unit else True)
     ]
     if role == "angle" and not fits:  # a lone column of angles that is not the shear angle
@@ -240,14 +188,6 @@ def _missing(role: str, columns: list[NamedColumn], file: str) -> Problem:
     )
 
 
-def _numbers(table: RawTable, place: int, file: str) -> Array:
-    column = table.columns[place]
-    if isinstance(column, np.ndarray):
-        return np.asarray(column, dtype=float)
-    style = table.style or style_of([list(map(str, c)) for c in table.columns], file)
-    return np.asarray(numbers(column, style), dtype=float)
-
-
 def unwrapped(angle: Array) -> Array:
     """Return a rotation angle that runs on instead of falling back each turn [rad].
 
@@ -260,196 +200,3 @@ def unwrapped(angle: Array) -> Array:
         return angle
     turns = np.concatenate([[0.0], np.cumsum(np.where(jumps, -np.sign(steps), 0.0))])
     return np.asarray(angle + 2.0 * np.pi * turns)
-
-
-def fold(
-    record: PulleyRecord,
-    drive: Drive,
-    pulley: str,
-    load_case: str,
-    *,
-    points: int = 90,
-    choices: RecordChoices | None = None,
-) -> Folded:
-    """Cut a record into revolutions, find the contact arc, and average over the revolutions.
-
-    The exit nip is where the signals fall back to their level off the belt; the entry nip lies
-    the wrap angle before it, since both signals begin there with next to nothing.
-
-    Raises
-    ------
-    InputError
-        If there is no full contact arc in the record, or a sign cannot be told.
-    """
-    signs = (choices or RecordChoices()).signs
-    wrap = drive.pulley(pulley).wrap_angle
-    case = drive.load_case(load_case)
-    side = 1.0 if case.tensions[pulley].effective >= 0.0 else -1.0
-    angle = record.angle if record.angle[-1] >= record.angle[0] else -record.angle
-    signals = {
-        name: value
-        for name, value in (
-            ("displacement", record.displacement),
-            ("shear_angle", record.shear_angle),
-        )
-        if value is not None
-    }
-    _check_span(angle, wrap)
-    bins = _bins(angle)
-    levels, leaving, seen = _contact(angle, signals, wrap, bins)
-    along = np.mod(angle - (leaving - wrap), 2.0 * np.pi)
-    turn = np.floor((angle - (leaving - wrap)) / (2.0 * np.pi)).astype(np.int64)
-    turn -= turn.min()
-    whole = _whole_turns(turn, along, wrap)
-    if not whole.any():
-        raise InputError(_no_full_arc("no contact arc is recorded from its entry to its exit"))
-    guard = 2.0 * np.pi / bins  # the nips are known to a bin: keep off them
-    use = whole[turn] & (along >= guard) & (along <= wrap - guard)
-    place = np.minimum((along[use] / wrap * points).astype(np.int64), points - 1)
-    off = (along > wrap + 2.0 * guard) & (along < 2.0 * np.pi - 2.0 * guard)
-    if np.count_nonzero(off) > 20:  # the mean of all off the belt is surer than a cluster
-        levels = {name: float(value[off].mean()) for name, value in signals.items()}
-    notes = [] if angle is record.angle else ["the rotation angle falls with time: turned round"]
-    means = {}
-    for name, value in signals.items():
-        mean = _binned(value[use] - levels[name], place, points)
-        sign = _sign(name, mean, side, signs.get(name))
-        if sign < 0.0:
-            notes.append(f"the sign of {name.replace('_', ' ')} was turned round")
-        means[name] = sign * mean
-    filled = np.bincount(place, minlength=points) > 0
-    middle = _binned(along[use], place, points)  # where its samples lie, not its middle
-    return Folded(
-        position=middle[filled],
-        displacement=means["displacement"][filled] if "displacement" in means else None,
-        shear_angle=means["shear_angle"][filled] if "shear_angle" in means else None,
-        revolutions=int(whole.sum()),
-        entry=float(np.mod(leaving - wrap, 2.0 * np.pi)),
-        leaving=float(np.mod(leaving, 2.0 * np.pi)),
-        seen=seen,
-        notes=tuple(notes),
-    )
-
-
-def _check_span(angle: Array, wrap: float) -> None:
-    span = float(angle.max() - angle.min())
-    if span < wrap:
-        raise InputError(
-            _no_full_arc(
-                f"it covers {math.degrees(span):.0f} deg of rotation, less than the wrap angle of "
-                f"{math.degrees(wrap):.0f} deg"
-            )
-        )
-
-
-def _no_full_arc(why: str) -> Problem:
-    return Problem(
-        message=f"the record has no full contact arc: {why}",
-        remedy="Record at least one turn of the pulley, with the sensor off the belt before and "
-        "after, and check the unit of the rotation angle.",
-    )
-
-
-def _bins(angle: Array) -> int:
-    """How many equal parts of a turn have at least two samples each."""
-    step = float(np.median(np.abs(np.diff(angle))))
-    return int(np.clip(np.pi / max(step, 1e-9), 60, _MOST_BINS))
-
-
-def _contact(
-    angle: Array, signals: Mapping[str, Array], wrap: float, n: int
-) -> tuple[dict[str, float], float, float]:
-    """Levels of the signals off the belt, angle of the exit nip, and the arc where they differ."""
-    bins = np.minimum((np.mod(angle, 2.0 * np.pi) / (2.0 * np.pi) * n).astype(int), n - 1)
-    count = np.bincount(bins, minlength=n)
-    sampled = count > 0
-    levels, active = {}, np.zeros(n, dtype=bool)
-    total = np.zeros(n)
-    for name, value in signals.items():
-        mean = np.bincount(bins, weights=value, minlength=n) / np.maximum(count, 1)
-        level, noise = _off_belt(mean[sampled], wrap)
-        height = np.abs(mean - level)
-        top = float(height[sampled].max())
-        if top <= 6.0 * noise:
-            message = f"the {name.replace('_', ' ')} does not stand out of its noise"
-            raise InputError(_no_full_arc(message))
-        levels[name] = level
-        total += np.where(sampled, height / top, 0.0)
-        active |= sampled & (height > max(_ACTIVE * top, 5.0 * noise))
-    start, length = _longest_run(active)
-    seen = length / n * 2.0 * np.pi
-    end = (start + length) % n
-    if not sampled[end]:
-        raise InputError(_no_full_arc("where the belt leaves is not in it"))
-    if seen > 1.1 * wrap + 0.1:
-        message = (
-            f"signals differ from their level off the belt over {math.degrees(seen):.0f} deg, and "
-            f"the wrap angle is {math.degrees(wrap):.0f} deg"
-        )
-        remedy = "Check the wrap angle, and which column is which."
-        raise InputError(Problem(message=message, remedy=remedy))
-    # the exit nip cuts the last bin of the run: its mean tells where
-    last, before = total[(end - 1) % n], total[(end - 2) % n]
-    share = min(last / before, 1.0) if before > 0.0 and length > 2 else 1.0
-    return levels, (end - 1 + share) / n * 2.0 * np.pi, seen
-
-
-def _off_belt(means: Array, wrap: float) -> tuple[float, float]:
-    """Level and noise of bin means off the belt: the narrowest cluster of as many as lie there."""
-    ordered = np.sort(means)
-    share = max(0.1, 0.8 * (1.0 - wrap / (2.0 * np.pi)))
-    k = max(2, int(share * len(ordered)))
-    widths = ordered[k - 1 :] - ordered[: len(ordered) - k + 1]
-    first = int(np.argmin(widths))
-    cluster = ordered[first : first + k]
-    level = float(np.median(cluster))
-    steps = np.abs(np.diff(means))  # a narrow cluster is narrower than the noise
-    noise = 1.4826 * max(np.median(np.abs(cluster - level)), np.median(steps) / math.sqrt(2.0))
-    return level, float(noise)
-
-
-def _longest_run(active: NDArray[np.bool_]) -> tuple[int, int]:
-    """Start and length of the longest run round the circle, gaps of three bins closed."""
-    ring = active.copy()
-    for shift in (1, 2, 3):
-        ring |= np.roll(active, shift) & np.roll(active, shift - 4)
-    if ring.all():
-        return 0, len(ring)
-    first = int(np.flatnonzero(~ring)[0])
-    turned = np.roll(ring, -first).astype(np.int8)
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], turned, [0]])))
-    starts, ends = edges[::2], edges[1::2]
-    longest = int(np.argmax(ends - starts))
-    return int((starts[longest] + first) % len(ring)), int(ends[longest] - starts[longest])
-
-
-def _whole_turns(turn: NDArray[np.int64], along: Array, wrap: float) -> NDArray[np.bool_]:
-    """Which turns have samples near both ends of the contact arc."""
-    n = int(turn.max()) + 1
-    near = 0.05 * wrap
-    begins = np.bincount(turn[along < near], minlength=n) > 0
-    ends = np.bincount(turn[(along > wrap - near) & (along < wrap + near)], minlength=n) > 0
-    return np.asarray(begins & ends)
-
-
-def _binned(value: Array, place: NDArray[np.int64], points: int) -> Array:
-    """Mean of each bin."""
-    count = np.maximum(np.bincount(place, minlength=points), 1)
-    return np.bincount(place, weights=value, minlength=points) / count
-
-
-def _sign(name: str, mean: Array, side: float, given: int | None) -> float:
-    """What to multiply by to have the sign of the model, +1 or -1."""
-    if given is not None:
-        return float(given)
-    share = float(mean.sum() / np.abs(mean).sum())
-    if abs(share) < _MOSTLY_ONE_SIGN:
-        raise InputError(
-            Problem(
-                key=f"signs.{name}",
-                message=f"the {name.replace('_', ' ')} is both positive and negative under the "
-                "belt, so its sign cannot be told",
-                remedy=f"Write signs.{name} = 1 if it is positive on a driving pulley, else -1.",
-            )
-        )
-    return 1.0 if share * side > 0.0 else -1.0

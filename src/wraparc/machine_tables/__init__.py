@@ -1,1 +1,29 @@
 """Tables out of the files of machines: numbers, columns, units, spreadsheets."""
+
+from wraparc.machine_tables.columns import (
+    ColumnUnit,
+    NamedColumn,
+    find_column,
+    listed,
+    plain_name,
+    read_unit,
+)
+from wraparc.machine_tables.numerals import Array, NumeralStyle
+from wraparc.machine_tables.read import TableFile, find_tables, read_bytes
+from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable
+
+__all__ = [
+    "DELIMITER_NAMES",
+    "Array",
+    "ColumnUnit",
+    "NamedColumn",
+    "NumeralStyle",
+    "RawTable",
+    "TableFile",
+    "find_column",
+    "find_tables",
+    "listed",
+    "plain_name",
+    "read_bytes",
+    "read_unit",
+]

@@ -1,72 +1,15 @@
-"""What a column measures: names in many languages, and units as machines spell them.
+"""Names and units of columns, as machines spell them.
 
-Names only rank the columns of one dimension and say which is meant by default; a unit is
-never inferred from a name or from the size of the numbers.
+A unit is never inferred from a name or from the size of the numbers.
 """
 
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from functools import lru_cache
 
 from wraparc.units import Dimension, dimension_of, unit_factor
-
-
-class Role(StrEnum):
-    """What a column is for."""
-
-    TRAVEL = "travel"
-    FORCE = "force"
-    NORMAL_FORCE = "normal_force"
-    TIME = "time"
-
-
-ROLE_DIMENSION: dict[Role, Dimension] = {
-    Role.TRAVEL: "length",
-    Role.FORCE: "force",
-    Role.NORMAL_FORCE: "force",
-    Role.TIME: "time",
-}
-
-# Stems of names, accents and case taken off; the longest that fits counts. English, German,
-# French, Spanish, Portuguese, Italian, Polish, Czech, Dutch, Swedish, Turkish, Russian,
-# Japanese, Chinese.
-_STEMS: dict[Role, str] = {
-    Role.TRAVEL: (
-        "extension displacement stroke travel crosshead crshd xhead elongation actuator lvdt"
-        " weg standardweg traversenweg verfahrweg kolbenweg maschinenweg maschine traverse"
-        " wegaufnehmer verschiebung verlangerung course deplacement allongement"
-        " desplazamiento carrera recorrido alargamiento deslocamento curso alongamento"
-        " spostamento corsa allungamento przemieszczenie droga wydluzenie draha posun posuv"
-        " prodlouzeni verplaatsing slag forlangning forskjutning traversposition"
-        " yer degistirme uzama перемещение ход удлинение 変位 ストローク 位移 行程 伸び"
-        " position machine disp ext"
-    ),
-    Role.FORCE: (
-        "force load kraft standardkraft prufkraft zugkraft last charge effort fuerza carga"
-        " forca forza carico sila obciazenie zatizeni kracht belasting belastning kuvvet yuk"
-        " сила усилие нагрузка 荷重 試験力 力 载荷 负荷 fx f_x f"
-    ),
-    Role.NORMAL_FORCE: (
-        "normal force|normal load|normalkraft|clamp force|clamping force|klemmkraft|anpresskraft"
-        "|force normale|force de serrage|fuerza normal|forca normal|forza normale|sila normalna"
-        "|normalova sila|normaalkracht|clamp load|нормальная сила|法向力|垂直荷重|fn|f_n|f n"
-    ),
-    Role.TIME: (
-        "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman elapsed время 時間 时间 t"
-    ),
-}
-# A name with one of these measures something else, whatever stems it has.
-_OTHER = re.compile(
-    r"strain|stress|dehnung|stauchung|spannung|contrainte|deformation|deformacion|\btension\b"
-    r"|tensao|sforzo|naprezenie|odksztalcenie|napeti|spanning|rate|speed|geschwindigkeit"
-    r"|vitesse|velocidad|velocita|predkosc|modulus|modul|energy|energie|work|power|cycle"
-    r"|count|index|nummer|number|temp(erature|eratur)?\b|ひずみ|応力|应变|应力"
-)
-# Of several travel columns the one that starts near 0 is meant, not the absolute place.
-_ABSOLUTE = re.compile(r"absol|position|corrected|extensomet|clip|lvdt|\bext\b")
 
 # Spellings of machines that the unit table does not have: the unit meant, and how many.
 _SPELLINGS: dict[str, tuple[str, float]] = {
@@ -112,24 +55,27 @@ class ColumnUnit:
     note: str = ""
 
 
-def read_unit(text: str, role: Role | None = None) -> ColumnUnit | None:
-    """Return what the unit `text` is, or None if it is no unit of length, force or time."""
+def read_unit(text: str, dimension: Dimension | None = None) -> ColumnUnit | None:
+    """Return what the unit `text` is, or None if it is no unit of length, force or time.
+
+    Of a column that measures a force, the unit of a mass can only be meant as its weight.
+    """
     plain = text.strip().strip("[]()<>").strip().replace("μ", "µ")
     if not plain or plain in _NO_UNITS_HERE:
         return None
-    if role in {Role.FORCE, Role.NORMAL_FORCE} and plain in _MASS_AS_FORCE:
+    if dimension == "force" and plain in _MASS_AS_FORCE:
         unit = _MASS_AS_FORCE[plain]
         note = f"{plain!r} as the unit of a force was read as {unit}"
         return ColumnUnit(plain, "force", unit_factor(unit, "force"), note)
     for spelling in (plain, plain.casefold()):
         if spelling in _SPELLINGS:
             unit, count = _SPELLINGS[spelling]
-            dimension = dimension_of(unit)
-            assert dimension is not None  # noqa: S101 - own table
-            return ColumnUnit(plain, dimension, count * unit_factor(unit, dimension))
-    dimension = dimension_of(plain)
-    if dimension in {"length", "force", "time"}:
-        return ColumnUnit(plain, dimension, unit_factor(plain, dimension))
+            measured = dimension_of(unit)
+            assert measured is not None  # noqa: S101 - own table
+            return ColumnUnit(plain, measured, count * unit_factor(unit, measured))
+    measured = dimension_of(plain)
+    if measured in {"length", "force", "time"}:
+        return ColumnUnit(plain, measured, unit_factor(plain, measured))
     return None
 
 
@@ -162,40 +108,6 @@ def plain_name(name: str) -> str:
     return " ".join(re.sub(r"[^\w]+", " ", letters.replace("_", " ")).split())
 
 
-def suitability(name: str, role: Role) -> float:
-    """How well `name` names a column of `role`: 0 not at all, more is better."""
-    plain = plain_name(name)
-    if not plain or _OTHER.search(plain):
-        return 0.0
-    if role is Role.NORMAL_FORCE:
-        return 3.0 if _has_stem(plain, _STEMS[role].split("|")) else 0.0
-    if role is Role.FORCE and _has_stem(plain, _STEMS[Role.NORMAL_FORCE].split("|")):
-        return 0.0
-    stem = _longest_stem(plain, _STEMS[role].split())
-    if not stem:
-        return 0.0
-    score = 2.0 + (plain.startswith(stem) and role is not Role.TIME)
-    if role is Role.TRAVEL and _ABSOLUTE.search(plain):
-        score -= 1.5
-    return score
-
-
-def _has_stem(plain: str, stems: Iterable[str]) -> bool:
-    return bool(_longest_stem(plain, stems))
-
-
-def _longest_stem(plain: str, stems: Iterable[str]) -> str:
-    """The longest stem that a word of `plain` starts with; short ones must be the whole word."""
-    found = ""
-    for stem in stems:
-        key = plain_name(stem)
-        ascii_short = key.isascii() and len(key) <= 4
-        pattern = rf"\b{re.escape(key)}\b" if ascii_short else re.escape(key)
-        if len(key) > len(found) and re.search(pattern, plain):
-            found = key
-    return found
-
-
 @dataclass(frozen=True)
 class NamedColumn:
     """A column of a table: its place, counted from 0, its name and its unit as written."""
@@ -211,7 +123,11 @@ class NamedColumn:
 
 
 def name_columns(
-    header: Sequence[Sequence[str]], width: int, *, last_empty: bool = False
+    header: Sequence[Sequence[str]],
+    width: int,
+    known: Callable[[str], object],
+    *,
+    last_empty: bool = False,
 ) -> tuple[list[NamedColumn], str]:
     """Find names and units in the lines above a table.
 
@@ -221,6 +137,8 @@ def name_columns(
         Lines above the table, as cells; the nearest is the last.
     width
         Number of columns.
+    known
+        Whether a text is the name of a column that is looked for.
     last_empty
         Whether the last column is empty, as behind a delimiter at the end of each row.
 
@@ -237,7 +155,7 @@ def name_columns(
     for row in reversed(header[-3:]):
         cells = _fitted(row, width, last_empty)
         if cells is None:
-            if sum(any(suitability(c, role) for role in Role) for c in row) >= 2:
+            if sum(bool(known(cell)) for cell in row) >= 2:
                 misfit = f"{_filled(row)} names stand above {width} columns"
             continue
         if not any(units) and _is_unit_row(cells):
@@ -280,3 +198,27 @@ def _is_unit_row(cells: Sequence[str]) -> bool:
 
 def _is_text(cell: str) -> bool:
     return any(c.isalpha() for c in cell)
+
+
+def find_column(named: Sequence[NamedColumn], wanted: str | int) -> NamedColumn | None:
+    """Find the column of a name as written (or but for case and accents), or of a number from 1."""
+    for column in named:
+        if wanted == column.label:
+            return column
+    alike = [
+        c for c in named if isinstance(wanted, str) and plain_name(c.label) == plain_name(wanted)
+    ]
+    if len(alike) == 1:
+        return alike[0]
+    text = str(wanted)
+    if text.isascii() and text.isdecimal() and 1 <= int(text) <= len(named):
+        return named[int(text) - 1]
+    return None
+
+
+def listed(named: Sequence[NamedColumn]) -> str:
+    """Return the columns as a sentence lists them, with numbers and units."""
+    shown_columns = [
+        f"{c.index + 1} {c.label!r}" + (f" [{c.unit}]" if c.unit else "") for c in named[:20]
+    ]
+    return ", ".join(shown_columns) + (" ..." if len(named) > 20 else "")

@@ -77,15 +77,15 @@ _DECIMAL = {sign: _decimal_proof(sign) for sign in ".,"}
 _THOUSANDS = {sign: _thousands_proof(sign) for sign in ".,"}
 
 
-def style_of(columns: Iterable[Sequence[str]], file: str) -> NumeralStyle:
+def style_of(columns: Iterable[Sequence[str]], file: str, remedy: str = "") -> NumeralStyle:
     """Find the decimal sign that the cells of some columns prove.
 
     Parameters
     ----------
     columns
         Cells as written, column by column.
-    file
-        For the error.
+    file, remedy
+        For the error: where the cells stand, and how to name the sign.
 
     Raises
     ------
@@ -107,7 +107,7 @@ def style_of(columns: Iterable[Sequence[str]], file: str) -> NumeralStyle:
         for sign in present:
             if grouped[sign] and not any(grouped[s] for s in present if s != sign):
                 return NumeralStyle("," if sign == "." else ".", grouped[sign])
-    raise InputError(_undecided(present, decimal, texts, file))
+    raise InputError(_undecided(present, decimal, texts, file, remedy))
 
 
 def _found(pattern: re.Pattern[str], texts: Sequence[str]) -> str:
@@ -119,7 +119,7 @@ def _found(pattern: re.Pattern[str], texts: Sequence[str]) -> str:
 
 
 def _undecided(
-    present: Sequence[str], decimal: dict[str, str], texts: Sequence[str], file: str
+    present: Sequence[str], decimal: dict[str, str], texts: Sequence[str], file: str, remedy: str
 ) -> Problem:
     if len(present) == 2 and all(decimal.values()):
         said = f"both a point ({decimal['.']}) and a comma ({decimal[',']}) are decimal signs here"
@@ -129,7 +129,7 @@ def _undecided(
         said = f"{cell} may be {cell.replace(sign, '.')} or {cell.replace(sign, '')}"
     return Problem(
         message=f"the decimal sign cannot be told: {said}",
-        remedy='Name it: --decimal , (or .) on the command line, decimal = "," in a plan.',
+        remedy=remedy or "Export it with decimal points.",
         file=file,
     )
 

@@ -24,7 +24,7 @@ _OTHER_FORMATS = (
     (b"7z\xbc\xaf", "a 7-Zip archive"),
     (b"SQLite format 3", "an SQLite database"),
 )
-_REMEDY = "Export the test from the machine's software as text (CSV) or as an Excel workbook."
+_REMEDY = "Export it from the machine's software as text (CSV) or as an Excel workbook."
 # Letters seen in column names of the languages these code pages serve.
 _CENTRAL_EUROPEAN = set("ąćęłńśźżčďěňřšťůžőűăşţĄĆĘŁŃŚŹŻČĎĚŇŘŠŤŮŽŐŰ")
 _WESTERN = set("äöüßéèêàâçîïôûñáíóúãõåæøÄÖÜÉÈÀÇÑÁÍÓÚÃÕÅÆØ°²µ")

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from wraparc.machine_tables.bulk import Bulk, read_bulk
 from wraparc.machine_tables.columns import NamedColumn, name_columns
-from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric
+from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
 
 Cells = Sequence[object] | Array
 _DELIMITERS = ("\t", ";", "|", ",", " ")
@@ -77,11 +77,29 @@ class RawTable:
         """Number of rows."""
         return len(self.lines)
 
-    def named(self) -> tuple[list[NamedColumn], str]:
+    def named(self, known: Callable[[str], object]) -> tuple[list[NamedColumn], str]:
         """Return the columns with their names and units, and a complaint; see `name_columns`."""
         last = self.columns[-1]
         empty = not isinstance(last, np.ndarray) and not any(str(cell).strip() for cell in last)
-        return name_columns(self.header, len(self.columns), last_empty=empty)
+        return name_columns(self.header, len(self.columns), known, last_empty=empty)
+
+    def found_style(self, file: str, remedy: str = "") -> NumeralStyle:
+        """Return the decimal sign that its cells prove, or raise; see `style_of`."""
+        columns = [] if self.style else [_numeric_text(column) for column in self.columns]
+        return self.style or style_of([column for column in columns if column], file, remedy)
+
+    def numbers(self, place: int, style: NumeralStyle) -> Array:
+        """Return the numbers of a column, NaN where there is none."""
+        return numbers(self.columns[place], style)
+
+
+def _numeric_text(column: Cells) -> Sequence[str]:
+    """Cells of a column that holds numbers as text; of a mixed one, those that are text."""
+    step = max(1, len(column) // 50)
+    sample = [cell for cell in column[::step] if isinstance(cell, str) and cell.strip()]
+    if 2 * sum(map(looks_numeric, sample)) < len(sample) or not sample:
+        return ()
+    return [cell for cell in column if isinstance(cell, str)]
 
 
 def tables_in_text(

@@ -8,7 +8,7 @@ import numpy as np
 
 from wraparc.arc import ArcResult
 from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Problemset
-from wraparc.calibrate.record import Folded
+from wraparc.calibrate.fold import Folded
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.units import Dimension, System

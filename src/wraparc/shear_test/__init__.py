@@ -1,6 +1,6 @@
 """Shear tests to a lagging: machine exports, friction curves, law, pressure dependence."""
 
-from wraparc.machine_tables.tables import DELIMITER_NAMES
+from wraparc.machine_tables import DELIMITER_NAMES
 from wraparc.shear_test.analysis import ConditionResult, LeftOut, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import CurveFit, fit_curve
 from wraparc.shear_test.dialects import DIALECTS, Dialect

@@ -6,16 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.errors import InputError, Problem, shown
-from wraparc.machine_tables.columns import (
-    ROLE_DIMENSION,
-    ColumnUnit,
-    NamedColumn,
-    Role,
-    plain_name,
-    read_unit,
-    suitability,
-)
-from wraparc.shear_test.record import Array, Choices
+from wraparc.machine_tables import Array, ColumnUnit, NamedColumn, find_column, listed, read_unit
+from wraparc.shear_test.record import Choices
+from wraparc.shear_test.roles import ROLE_DIMENSION, Role, is_known, suitability
 from wraparc.units import DIMENSION_TEXT
 
 _NEEDED = (Role.TRAVEL, Role.FORCE)
@@ -74,22 +67,6 @@ def choose_columns(
     return Chosen(columns, tuple(notes))
 
 
-def find_column(named: Sequence[NamedColumn], wanted: str | int) -> NamedColumn | None:
-    """Find the column of a name as written (or but for case and accents), or of a number from 1."""
-    for column in named:
-        if wanted == column.label:
-            return column
-    alike = [
-        c for c in named if isinstance(wanted, str) and plain_name(c.label) == plain_name(wanted)
-    ]
-    if len(alike) == 1:
-        return alike[0]
-    text = str(wanted)
-    if text.isascii() and text.isdecimal() and 1 <= int(text) <= len(named):
-        return named[int(text) - 1]
-    return None
-
-
 def _given_units(
     named: Sequence[NamedColumn], choices: Choices, file: str, problems: list[Problem]
 ) -> dict[int, str]:
@@ -134,23 +111,18 @@ def _candidates(
         values = data[column.index]
         if column.index in used or not _holds_data(values, constant=role is Role.NORMAL_FORCE):
             continue
-        unit = read_unit(given.get(column.index, column.unit), role)
+        unit = read_unit(given.get(column.index, column.unit), ROLE_DIMENSION[role])
         stated = given.get(column.index, column.unit).strip()
         if unit is not None and unit.dimension != ROLE_DIMENSION[role]:
             continue
         if unit is None and stated:
             continue
         score = suitability(column.name, role)
-        if score == 0.0 and unit is not None and role in _NEEDED and _free(column):
+        if score == 0.0 and unit is not None and role in _NEEDED and not is_known(column.name):
             score = 0.5
         if score > 0.0:
             scored.append((-(score + (unit is not None)), column.index, column))
     return [column for _, _, column in sorted(scored, key=lambda item: item[:2])]
-
-
-def _free(column: NamedColumn) -> bool:
-    """Whether the name does not say that the column is something else."""
-    return not any(suitability(column.name, role) > 0 for role in Role)
 
 
 def _holds_data(values: Array, *, constant: bool) -> bool:
@@ -170,8 +142,8 @@ def _unit_of(
 ) -> ColumnUnit | None:
     dimension = ROLE_DIMENSION[role]
     text = given.get(column.index, column.unit)
-    unit = read_unit(text, role)
-    stated = read_unit(column.unit, role)
+    unit = read_unit(text, dimension)
+    stated = read_unit(column.unit, dimension)
     if unit is not None and unit.dimension == dimension:
         if stated is not None and not np.isclose(stated.factor, unit.factor, rtol=1e-9):
             message = f"the file says {column.unit!r} for this column"
@@ -202,18 +174,11 @@ def _choice_note(role: Role, candidates: Sequence[NamedColumn]) -> str:
     )
 
 
-def _listed(named: Sequence[NamedColumn]) -> str:
-    shown_columns = [
-        f"{c.index + 1} {c.label!r}" + (f" [{c.unit}]" if c.unit else "") for c in named[:20]
-    ]
-    return ", ".join(shown_columns) + (" ..." if len(named) > 20 else "")
-
-
 def _unknown_column(
     named: Sequence[NamedColumn], key: str, wanted: str | int, file: str
 ) -> Problem:
     return Problem(
-        message=f"there is no such column; the table has {_listed(named)}",
+        message=f"there is no such column; the table has {listed(named)}",
         remedy="Write one of these names, or its number.",
         file=file,
         key=key,
@@ -224,7 +189,7 @@ def _unknown_column(
 def _no_column(named: Sequence[NamedColumn], role: Role, file: str) -> Problem:
     return Problem(
         message=f"it cannot be told which column is the {role.value}; "
-        f"the table has {_listed(named)}",
+        f"the table has {listed(named)}",
         remedy=f'Name it: --{role.value} NAME on the command line, {role.value} = "NAME" '
         "in a plan (or its number).",
         file=file,

@@ -1,7 +1,6 @@
 """Machine files to records: find the table, its columns and units; ask for what is missing."""
 
 import hashlib
-import stat
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,17 +8,21 @@ from pathlib import Path
 import numpy as np
 
 from wraparc.errors import InputError, Problem, shown
-from wraparc.machine_tables.columns import Role, suitability
-from wraparc.machine_tables.numerals import NumeralStyle, looks_numeric, numbers, style_of
-from wraparc.machine_tables.sentinels import last_row, off_trend, sentinel_rows
-from wraparc.machine_tables.sniff import decode, is_workbook
-from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable, tables_in_text
-from wraparc.machine_tables.workbook import tables_in_workbook
+from wraparc.machine_tables import (
+    DELIMITER_NAMES,
+    Array,
+    NumeralStyle,
+    RawTable,
+    find_tables,
+    read_bytes,
+)
 from wraparc.shear_test.choose import Chosen, choose_columns
-from wraparc.shear_test.record import Array, Choices, ColumnInfo, Dropped, MachineRecord
+from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
+from wraparc.shear_test.roles import Role, is_known, suitability
+from wraparc.shear_test.sentinels import last_row, off_trend, sentinel_rows
 
-LARGEST_FILE = 512 * 1024 * 1024
 _EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
+_NAME_DECIMAL = 'Name it: --decimal , (or .) on the command line, decimal = "," in a plan.'
 
 
 def read_machine_file(path: str | Path, choices: Choices | None = None) -> MachineRecord:
@@ -33,32 +36,7 @@ def read_machine_file(path: str | Path, choices: Choices | None = None) -> Machi
     InputError
         If the file is missing or too large (512 MB), and as `read_machine_bytes`.
     """
-    name = str(path)
-    place = Path(path)
-    try:
-        status = place.stat()
-        if stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST_FILE:
-            return read_machine_bytes(place.read_bytes(), name, choices)
-    except InputError:
-        raise
-    except FileNotFoundError:
-        raise InputError(
-            Problem(message="there is no such file", remedy="Correct the name.", file=name)
-        ) from None
-    except (OSError, ValueError) as error:
-        said = getattr(error, "strerror", None) or "its name cannot be used"
-        raise InputError(
-            Problem(
-                message=f"the file cannot be read ({said})", remedy="See its rights.", file=name
-            )
-        ) from None
-    if stat.S_ISDIR(status.st_mode):
-        raise InputError(
-            Problem(message="this is a folder", remedy="Name a file in it.", file=name)
-        )
-    large = stat.S_ISREG(status.st_mode)
-    message = "the file is larger than 512 MB" if large else "this is not a plain file"
-    raise InputError(Problem(message=message, remedy=_EXPORT, file=name))
+    return read_machine_bytes(read_bytes(path, _EXPORT), str(path), choices)
 
 
 def read_machine_bytes(data: bytes, file: str, choices: Choices | None = None) -> MachineRecord:
@@ -84,18 +62,12 @@ def read_machine_bytes(data: bytes, file: str, choices: Choices | None = None) -
         add, and all that must be added stands in one error.
     """
     chosen = choices or Choices()
-    notes: tuple[str, ...] = ()
-    if is_workbook(data):
-        tables = tables_in_workbook(data, file, chosen.sheet)
-        encoding = "workbook"
-    else:
-        decoded = decode(data, file, chosen.encoding)
-        delimiter = _delimiter(chosen, file)
-        tables = tables_in_text(decoded.text, delimiter=delimiter, ended=decoded.ended)
-        encoding, notes = decoded.encoding, decoded.notes
-    table, said = _pick_table(tables, chosen, file)
-    source = _Source(file, encoding, hashlib.sha256(data).hexdigest())
-    return _record(table, chosen, source, (*notes, *said))
+    found = find_tables(
+        data, file, encoding=chosen.encoding, delimiter=chosen.delimiter, sheet=chosen.sheet
+    )
+    table, said = _pick_table(found.tables, chosen, file)
+    source = _Source(file, found.encoding, hashlib.sha256(data).hexdigest())
+    return _record(table, chosen, source, (*found.notes, *said))
 
 
 @dataclass(frozen=True)
@@ -103,24 +75,6 @@ class _Source:
     file: str
     encoding: str
     digest: str
-
-
-def _delimiter(choices: Choices, file: str) -> str | None:
-    if choices.delimiter is None:
-        return None
-    named = {name: sign for sign, name in DELIMITER_NAMES.items()}
-    sign = named.get(choices.delimiter, choices.delimiter)
-    if sign not in DELIMITER_NAMES:
-        raise InputError(
-            Problem(
-                message="no delimiter that is known",
-                remedy=f"Write one of {', '.join(named)}.",
-                file=file,
-                key="delimiter",
-                value=shown(choices.delimiter),
-            )
-        )
-    return sign
 
 
 def _pick_table(
@@ -162,7 +116,7 @@ def _pick_table(
 
 def _merit(table: RawTable) -> tuple[bool, int]:
     """Tables with a travel and a force by name come first, then the longest."""
-    columns, _ = table.named()
+    columns, _ = table.named(is_known)
     known = all(
         any(suitability(c.name, role) > 0 for c in columns) for role in (Role.TRAVEL, Role.FORCE)
     )
@@ -188,7 +142,7 @@ def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> Non
 def _record(
     table: RawTable, choices: Choices, source: _Source, notes: tuple[str, ...]
 ) -> MachineRecord:
-    named, complaint = table.named()
+    named, complaint = table.named(is_known)
     if complaint and choices.travel is None:
         raise InputError(
             Problem(
@@ -200,7 +154,7 @@ def _record(
             )
         )
     style, texts = _style(table, choices, source.file)
-    data = {c.index: numbers(table.columns[c.index], style) for c in named}
+    data = {c.index: table.numbers(c.index, style) for c in named}
     chosen = choose_columns(named, data, choices, source.file)
     keep, dropped = _kept_rows(table, data, chosen)
     picked = {role: data[c.index][keep] * u.factor for role, (c, u) in chosen.columns.items()}
@@ -255,20 +209,10 @@ def _style(table: RawTable, choices: Choices, file: str) -> tuple[NumeralStyle, 
                 value=shown(choices.decimal),
             )
         )
-    columns = [] if table.style else [_numeric_text(column) for column in table.columns]
-    style = table.style or style_of([column for column in columns if column], file)
+    style = table.found_style(file, _NAME_DECIMAL)
     if style.decimal == ",":
         return style, (f"the comma is the decimal sign, as {style.proof} shows",)
     return style, ()
-
-
-def _numeric_text(column: Sequence[object] | Array) -> Sequence[str]:
-    """Cells of a column that holds numbers as text; of a mixed one, those that are text."""
-    step = max(1, len(column) // 50)
-    sample = [cell for cell in column[::step] if isinstance(cell, str) and cell.strip()]
-    if 2 * sum(map(looks_numeric, sample)) < len(sample) or not sample:
-        return ()
-    return [cell for cell in column if isinstance(cell, str)]
 
 
 def _kept_rows(

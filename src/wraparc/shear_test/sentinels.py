@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.machine_tables.numerals import Array
+from wraparc.machine_tables import Array
 
 Mask = NDArray[np.bool_]
 _MARKS = (9999.0, 99999.0, 999999.0, 9999999.0, 32767.0, 32768.0, 1e30)

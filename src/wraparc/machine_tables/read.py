@@ -1,0 +1,107 @@
+"""Files of machines to raw tables: text with any delimiter and encoding, Excel workbooks."""
+
+import stat
+from dataclasses import dataclass
+from pathlib import Path
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.machine_tables.sniff import decode, is_workbook
+from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable, tables_in_text
+from wraparc.machine_tables.workbook import tables_in_workbook
+
+LARGEST_FILE = 512 * 1024 * 1024
+
+
+@dataclass(frozen=True, eq=False)
+class TableFile:
+    """The tables of a file, and how it is written.
+
+    Parameters
+    ----------
+    tables
+        In the order of the file.
+    encoding
+        Python's name of it, ``"workbook"`` for Excel.
+    notes
+        What had to be passed over, as sentences.
+    """
+
+    tables: list[RawTable]
+    encoding: str
+    notes: tuple[str, ...] = ()
+
+
+def read_bytes(path: str | Path, remedy: str = "") -> bytes:
+    """Return what a plain file of at most 512 MB holds.
+
+    Raises
+    ------
+    InputError
+        If there is none, or it is something else; `remedy` says what to give instead.
+    """
+    name, place = str(path), Path(path)
+    try:
+        status = place.stat()
+        if stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST_FILE:
+            return place.read_bytes()
+    except FileNotFoundError:
+        raise _refused(name, "there is no such file", "Correct the name.") from None
+    except (OSError, ValueError) as error:
+        said = getattr(error, "strerror", None) or "its name cannot be used"
+        raise _refused(name, f"the file cannot be read ({said})", "See its rights.") from None
+    if stat.S_ISDIR(status.st_mode):
+        raise _refused(name, "this is a folder", "Name a file in it.")
+    large = stat.S_ISREG(status.st_mode)
+    message = "the file is larger than 512 MB" if large else "this is not a plain file"
+    raise _refused(name, message, remedy)
+
+
+def find_tables(
+    data: bytes,
+    file: str,
+    *,
+    encoding: str | None = None,
+    delimiter: str | None = None,
+    sheet: str | None = None,
+) -> TableFile:
+    """Find every table in the bytes of a file.
+
+    Parameters
+    ----------
+    data, file
+        The file, and its name for errors.
+    encoding, delimiter, sheet
+        What the user says of it: Python's name of the encoding, a delimiter by its name or as it
+        is, the sheet of a workbook. Found by content if left out.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be understood, or what is said of it is unknown.
+    """
+    if is_workbook(data):
+        return TableFile(tables_in_workbook(data, file, sheet), "workbook")
+    decoded = decode(data, file, encoding)
+    sign = None if delimiter is None else _delimiter(delimiter, file)
+    tables = tables_in_text(decoded.text, delimiter=sign, ended=decoded.ended)
+    return TableFile(tables, decoded.encoding, decoded.notes)
+
+
+def _delimiter(given: str, file: str) -> str:
+    named = {name: sign for sign, name in DELIMITER_NAMES.items()}
+    sign = named.get(given, given)
+    if sign in DELIMITER_NAMES:
+        return sign
+    raise InputError(
+        Problem(
+            message="no delimiter that is known",
+            remedy=f"Write one of {', '.join(named)}.",
+            file=file,
+            key="delimiter",
+            value=shown(given),
+        )
+    )
+
+
+def _refused(file: str, message: str, remedy: str) -> InputError:
+    return InputError(Problem(message=message, remedy=remedy, file=file))

@@ -1,0 +1,105 @@
+"""What a column of a shear test is for, by its name in many languages.
+
+Names only rank the columns of one dimension and say which is meant by default.
+"""
+
+import re
+from collections.abc import Iterable
+from enum import StrEnum
+
+from wraparc.machine_tables import plain_name
+from wraparc.units import Dimension
+
+
+class Role(StrEnum):
+    """What a column is for."""
+
+    TRAVEL = "travel"
+    FORCE = "force"
+    NORMAL_FORCE = "normal_force"
+    TIME = "time"
+
+
+ROLE_DIMENSION: dict[Role, Dimension] = {
+    Role.TRAVEL: "length",
+    Role.FORCE: "force",
+    Role.NORMAL_FORCE: "force",
+    Role.TIME: "time",
+}
+
+# Stems of names, accents and case taken off; the longest that fits counts. English, German,
+# French, Spanish, Portuguese, Italian, Polish, Czech, Dutch, Swedish, Turkish, Russian,
+# Japanese, Chinese.
+_STEMS: dict[Role, str] = {
+    Role.TRAVEL: (
+        "extension displacement stroke travel crosshead crshd xhead elongation actuator lvdt"
+        " weg standardweg traversenweg verfahrweg kolbenweg maschinenweg maschine traverse"
+        " wegaufnehmer verschiebung verlangerung course deplacement allongement"
+        " desplazamiento carrera recorrido alargamiento deslocamento curso alongamento"
+        " spostamento corsa allungamento przemieszczenie droga wydluzenie draha posun posuv"
+        " prodlouzeni verplaatsing slag forlangning forskjutning traversposition"
+        " yer degistirme uzama перемещение ход удлинение 変位 ストローク 位移 行程 伸び"
+        " position machine disp ext"
+    ),
+    Role.FORCE: (
+        "force load kraft standardkraft prufkraft zugkraft last charge effort fuerza carga"
+        " forca forza carico sila obciazenie zatizeni kracht belasting belastning kuvvet yuk"
+        " сила усилие нагрузка 荷重 試験力 力 载荷 负荷 fx f_x f"
+    ),
+    Role.NORMAL_FORCE: (
+        "normal force|normal load|normalkraft|clamp force|clamping force|klemmkraft|anpresskraft"
+        "|force normale|force de serrage|fuerza normal|forca normal|forza normale|sila normalna"
+        "|normalova sila|normaalkracht|clamp load|нормальная сила|法向力|垂直荷重|fn|f_n|f n"
+    ),
+    Role.TIME: (
+        "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman elapsed время 時間 时间 t"
+    ),
+}
+# A name with one of these measures something else, whatever stems it has.
+_OTHER = re.compile(
+    r"strain|stress|dehnung|stauchung|spannung|contrainte|deformation|deformacion|\btension\b"
+    r"|tensao|sforzo|naprezenie|odksztalcenie|napeti|spanning|rate|speed|geschwindigkeit"
+    r"|vitesse|velocidad|velocita|predkosc|modulus|modul|energy|energie|work|power|cycle"
+    r"|count|index|nummer|number|temp(erature|eratur)?\b|ひずみ|応力|应变|应力"
+)
+# Of several travel columns the one that starts near 0 is meant, not the absolute place.
+_ABSOLUTE = re.compile(r"absol|position|corrected|extensomet|clip|lvdt|\bext\b")
+
+
+def suitability(name: str, role: Role) -> float:
+    """How well `name` names a column of `role`: 0 not at all, more is better."""
+    plain = plain_name(name)
+    if not plain or _OTHER.search(plain):
+        return 0.0
+    if role is Role.NORMAL_FORCE:
+        return 3.0 if _has_stem(plain, _STEMS[role].split("|")) else 0.0
+    if role is Role.FORCE and _has_stem(plain, _STEMS[Role.NORMAL_FORCE].split("|")):
+        return 0.0
+    stem = _longest_stem(plain, _STEMS[role].split())
+    if not stem:
+        return 0.0
+    score = 2.0 + (plain.startswith(stem) and role is not Role.TIME)
+    if role is Role.TRAVEL and _ABSOLUTE.search(plain):
+        score -= 1.5
+    return score
+
+
+def _has_stem(plain: str, stems: Iterable[str]) -> bool:
+    return bool(_longest_stem(plain, stems))
+
+
+def _longest_stem(plain: str, stems: Iterable[str]) -> str:
+    """The longest stem that a word of `plain` starts with; short ones must be the whole word."""
+    found = ""
+    for stem in stems:
+        key = plain_name(stem)
+        ascii_short = key.isascii() and len(key) <= 4
+        pattern = rf"\b{re.escape(key)}\b" if ascii_short else re.escape(key)
+        if len(key) > len(found) and re.search(pattern, plain):
+            found = key
+    return found
+
+
+def is_known(name: str) -> bool:
+    """Whether `name` names a column of any role."""
+    return any(suitability(name, role) for role in Role)
