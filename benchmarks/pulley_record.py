@@ -15,7 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from wraparc.arc import Distributed, PaperMarch, WrapArc
-from wraparc.calibrate.record import fold, read_record
+from wraparc.calibrate.fold import fold
+from wraparc.calibrate.record import read_record
 from wraparc.calibrate.virtual_pulley import record_text, virtual_record
 from wraparc.files import load_drive
 
