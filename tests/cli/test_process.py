@@ -67,6 +67,8 @@ def test_help_lists_every_command_and_the_exit_codes() -> None:
 
 def test_version() -> None:
     assert wraparc("--version") == (0, f"wraparc {__version__}\n", "")
+    module = [sys.executable, "-m", "wraparc", "--version"]
+    assert subprocess.check_output(module, text=True) == f"wraparc {__version__}\n"
 
 
 @pytest.mark.parametrize(
