@@ -7,7 +7,10 @@ import pytest
 from starlette.testclient import TestClient
 
 from web.calculators import API, client, document
-from wraparc.web import answer_models as told
+from wraparc.web.answers import catalogue, compare, drives, form, texts, trains
+from wraparc.web.database import store
+from wraparc.web.errors import PROBLEM_JSON, Problems
+from wraparc.web.routes import pages, studies
 
 
 @pytest.fixture(scope="module")
@@ -29,18 +32,19 @@ def beyond() -> dict[str, Any]:
 
 
 ASKED: list[tuple[str, Any, dict[str, Any]]] = [
-    ("/solve/fast", told.FastAnswer, {"document": document(), "tables": True}),
-    ("/solve/fast", told.FastAnswer, {"document": idle()}),
-    ("/solve", told.SolveAnswer, {"document": document()}),
-    ("/solve", told.SolveAnswer, {"document": beyond()}),
-    ("/solve", told.SolveAnswer, {"document": document("tandem-fabric"), "load_case": "empty"}),
-    ("/check", told.SheetAnswer, {"document": document("tandem-fabric")}),
-    ("/toml/read", told.ReadAnswer, {"toml": "format = 1"}),
-    ("/toml/write", told.WriteAnswer, {"document": {}}),
-    ("/quantities", told.QuantitiesAnswer, {"items": [{"text": "1 m", "dimension": "length"}]}),
-    ("/quantities", told.QuantitiesAnswer, {"items": [{"text": "?", "dimension": "length"}]}),
-    ("/compare", told.CompareAnswer, {"document": document(), "names": ["x", "full-ceramic"]}),
-    ("/compare", told.CompareAnswer, {"document": beyond(), "names": [], "what": "belts"}),
+    ("/solve/fast", drives.FastAnswer, {"document": document(), "tables": True}),
+    ("/solve/fast", drives.FastAnswer, {"document": idle()}),
+    ("/solve", drives.SolveAnswer, {"document": document()}),
+    ("/solve", drives.SolveAnswer, {"document": beyond()}),
+    ("/solve", drives.SolveAnswer, {"document": document("tandem-fabric"), "load_case": "empty"}),
+    ("/train", trains.TrainAnswer, {"document": document("tandem-fabric")}),
+    ("/check", drives.SheetAnswer, {"document": document("tandem-fabric")}),
+    ("/toml/read", texts.ReadAnswer, {"toml": "format = 1"}),
+    ("/toml/write", texts.WriteAnswer, {"document": {}}),
+    ("/quantities", texts.QuantitiesAnswer, {"items": [{"text": "1 m", "dimension": "length"}]}),
+    ("/quantities", texts.QuantitiesAnswer, {"items": [{"text": "?", "dimension": "length"}]}),
+    ("/compare", compare.CompareAnswer, {"document": document(), "names": ["x", "full-ceramic"]}),
+    ("/compare", compare.CompareAnswer, {"document": beyond(), "names": [], "what": "belts"}),
 ]
 
 
@@ -55,13 +59,15 @@ def test_an_answer_has_its_form(
 
 def test_designs_about_and_refusals_have_their_form(api: TestClient) -> None:
     made = api.post(f"{API}/designs", json={"name": "a", "document": document()})
-    told.VersionAnswer.model_validate_json(made.content)
+    store.VersionAnswer.model_validate_json(made.content)
     path = f"{API}/designs/{made.json()['id']}"
-    told.DesignAnswer.model_validate_json(api.get(path).content)
-    told.VersionAnswer.model_validate_json(api.get(f"{path}/versions/1").content)
-    told.Designs.model_validate_json(api.get(f"{API}/designs").content)
-    told.About.model_validate_json(api.get(f"{API}/about").content)
-    told.Jobs.model_validate_json(api.get(f"{API}/studies").content)
+    store.DesignAnswer.model_validate_json(api.get(path).content)
+    store.VersionAnswer.model_validate_json(api.get(f"{path}/versions/1").content)
+    store.Designs.model_validate_json(api.get(f"{API}/designs").content)
+    form.Form.model_validate_json(api.get(f"{API}/schema").content)
+    catalogue.Catalogue.model_validate_json(api.get(f"{API}/catalogue").content)
+    pages.About.model_validate_json(api.get(f"{API}/about").content)
+    studies.JobsAnswer.model_validate_json(api.get(f"{API}/studies").content)
     for refusal in (
         api.get(f"{API}/designs/99"),
         api.post(f"{API}/solve", json={"document": {}}),
@@ -69,4 +75,7 @@ def test_designs_about_and_refusals_have_their_form(api: TestClient) -> None:
         api.get("/none"),
         api.get("/", headers={"host": "evil.example"}),
     ):
-        told.Problems.model_validate_json(refusal.content)
+        told = Problems.model_validate_json(refusal.content)
+        assert refusal.headers["content-type"] == PROBLEM_JSON
+        assert told.status == refusal.status_code
+        assert told.detail == " ".join(problem.sentence for problem in told.problems)

@@ -17,7 +17,7 @@ from web.postgres import postgresql
 from wraparc.errors import InputError
 from wraparc.web.database.engine import open_engine
 from wraparc.web.database.place import database_url, user_folder
-from wraparc.web.database.store import NewerVersionError, NoSuchDesignError, Store
+from wraparc.web.database.store import NewerVersionError, NoSuchDesignError, Store, VersionAnswer
 from wraparc.web.database.tables import Base
 
 
@@ -48,34 +48,34 @@ def store(url: str) -> Iterator[Store]:
     found.close()
 
 
-def save(store: Store, name: str = "Kopfantrieb ä 世界", **more: Any) -> dict[str, Any]:
+def save(store: Store, name: str = "Kopfantrieb ä 世界", **more: Any) -> VersionAnswer:
     return store.create(name, "drive", document(), note=more.get("note", ""), who="somebody")
 
 
 def test_a_design_comes_back_as_it_was_saved(store: Store) -> None:
     made = save(store, note='zero "quotes"; DROP TABLE designs; -- 100 %')
-    found = store.version(made["id"], 1)
-    assert found["document"] == document()
-    assert found["note"] == 'zero "quotes"; DROP TABLE designs; -- 100 %'
-    assert found["name"] == "Kopfantrieb ä 世界"
-    assert found["created"] == made["created"]
-    assert found["created"].endswith("Z")
+    found = store.version(made.id, 1)
+    assert found.document == document()
+    assert found.note == 'zero "quotes"; DROP TABLE designs; -- 100 %'
+    assert found.name == "Kopfantrieb ä 世界"
+    assert found.created == made.created
+    assert found.model_dump()["created"].endswith("Z")
 
 
 def test_versions_follow_each_other_and_stay(store: Store) -> None:
     made = save(store)
     changed = document()
     changed["belt"]["width"] = "1400 mm"
-    second = store.add(made["id"], 1, "drive", changed, note="wider", who="b")
-    assert second["version"] == 2
-    assert store.version(made["id"], 1)["document"] == document()
-    assert store.version(made["id"], 2)["document"] == changed
+    second = store.add(made.id, 1, "drive", changed, note="wider", who="b")
+    assert second.version == 2
+    assert store.version(made.id, 1).document == document()
+    assert store.version(made.id, 2).document == changed
     with pytest.raises(NewerVersionError) as raised:
-        store.add(made["id"], 1, "drive", document(), note="", who="c")
+        store.add(made.id, 1, "drive", document(), note="", who="c")
     assert raised.value.newest == 2
-    listed = store.design(made["id"])
-    assert [v["version"] for v in listed["versions"]] == [1, 2]
-    assert (listed["note"], listed["newest"]) == ("wider", 2)
+    listed = store.design(made.id)
+    assert [v.version for v in listed.versions] == [1, 2]
+    assert (listed.note, listed.newest) == ("wider", 2)
 
 
 def test_lists_are_searched_and_cut(store: Store) -> None:
@@ -83,26 +83,26 @@ def test_lists_are_searched_and_cut(store: Store) -> None:
         save(store, f"Drive {number} 50%_x")
     save(store, "other")
     found = store.listed("drive", 0, 5)
-    assert (found["total"], len(found["designs"])) == (7, 5)
-    assert found["designs"][0]["name"] == "Drive 6 50%_x"
-    assert len(store.listed("drive", 5, 5)["designs"]) == 2
-    assert store.listed("50%_")["total"] == 7
-    assert store.listed("%")["total"] == 7  # a sign of the name, no wildcard
-    assert store.listed("_o")["total"] == 0
+    assert (found.total, len(found.designs)) == (7, 5)
+    assert found.designs[0].name == "Drive 6 50%_x"
+    assert len(store.listed("drive", 5, 5).designs) == 2
+    assert store.listed("50%_").total == 7
+    assert store.listed("%").total == 7  # a sign of the name, no wildcard
+    assert store.listed("_o").total == 0
 
 
 def test_a_design_is_renamed_and_deleted_with_its_versions(store: Store, url: str) -> None:
     made = save(store)
-    store.add(made["id"], 1, "drive", document(), note="", who="")
-    store.rename(made["id"], "new")
-    assert store.design(made["id"])["name"] == "new"
-    store.delete(made["id"])
+    store.add(made.id, 1, "drive", document(), note="", who="")
+    store.rename(made.id, "new")
+    assert store.design(made.id).name == "new"
+    store.delete(made.id)
     for missing in (
-        lambda: store.design(made["id"]),
-        lambda: store.version(made["id"], 1),
-        lambda: store.rename(made["id"], "x"),
-        lambda: store.delete(made["id"]),
-        lambda: store.add(made["id"], 2, "drive", document(), note="", who=""),
+        lambda: store.design(made.id),
+        lambda: store.version(made.id, 1),
+        lambda: store.rename(made.id, "x"),
+        lambda: store.delete(made.id),
+        lambda: store.add(made.id, 2, "drive", document(), note="", who=""),
     ):
         with pytest.raises(NoSuchDesignError):
             missing()
@@ -122,7 +122,7 @@ def test_of_many_who_save_at_once_one_wins_and_nothing_is_lost(store: Store) -> 
         start.wait()
         save(store, f"own {number}")
         try:
-            won.append(store.add(made["id"], 1, "drive", document(), note=str(number), who=""))
+            won.append(store.add(made.id, 1, "drive", document(), note=str(number), who=""))
         except NewerVersionError:
             lost.append(number)
 
@@ -132,8 +132,8 @@ def test_of_many_who_save_at_once_one_wins_and_nothing_is_lost(store: Store) -> 
     for thread in threads:
         thread.join()
     assert (len(won), len(lost)) == (1, 5)
-    assert store.listed("own")["total"] == 6
-    assert store.design(made["id"])["newest"] == 2
+    assert store.listed("own").total == 6
+    assert store.design(made.id).newest == 2
 
 
 def test_migrations_make_the_tables_of_the_program(url: str) -> None:

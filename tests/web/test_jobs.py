@@ -1,9 +1,9 @@
 """Long work: studies followed, cancelled and equal to the command line; shear tests in memory."""
 
+import asyncio
 import json
-import threading
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +15,8 @@ from web.calculators import API, PATIENCE, Process, client, serving, wait_for
 from wraparc.errors import InputError, Problem
 from wraparc.web.errors import ApiError
 from wraparc.web.jobs import MOST_WAITING, Jobs
+from wraparc.web.progress import Tell
 from wraparc.web.sessions import LIFE, MOST_FILE, MOST_FILES, Sessions, shown_name
-from wraparc.web.work import CancelledTaskError
 
 STUDIES = Path(__file__).parents[2] / "examples" / "studies"
 
@@ -110,57 +110,83 @@ def numbers(data: Any) -> list[float]:
     return [float(data)] if isinstance(data, int | float) else []
 
 
-class FakeTask:
-    """A task that ends when it is told to."""
+class FakeWork:
+    """Work that ends when it is told to."""
 
-    def __init__(self, outcome: bytes | Exception = b"{}") -> None:
-        self.go, self.killed, self.outcome = threading.Event(), threading.Event(), outcome
+    def __init__(self, outcome: object = b"{}") -> None:
+        self.go, self.outcome = asyncio.Event(), outcome
 
-    def result(self) -> bytes:
-        self.go.wait(PATIENCE)
-        if self.killed.is_set():
-            raise CancelledTaskError
+    async def __call__(self, tell: Tell) -> object:
+        tell(1, 2, "working")
+        await self.go.wait()
         if isinstance(self.outcome, Exception):
             raise self.outcome
         return self.outcome
 
-    def cancel(self) -> None:
-        self.killed.set()
-        self.go.set()
-
 
 @pytest.mark.processes
 def test_jobs_wait_their_turn_and_end_in_every_way() -> None:
-    now = [0.0]
-    jobs = Jobs(clock=lambda: now[0])
-    problem = InputError(Problem(message="wrong"))
-    tasks = [FakeTask(b"1"), FakeTask(problem), FakeTask(CancelledTaskError()), FakeTask()]
-    started = [jobs.start(str(i), lambda _, t=t: t) for i, t in enumerate(tasks)]  # type: ignore[misc]
-    wait_for(lambda: started[0].state == "running")
-    assert [job.state for job in started[1:]] == ["queued"] * 3
-    jobs.end(started[3].id)
-    assert started[3].state == "cancelled"
-    for task in tasks[:3]:
-        task.go.set()
-    wait_for(lambda: not any(job.busy for job in started))
-    assert [job.state for job in started] == ["done", "failed", "failed", "cancelled"]
-    assert started[0].result == b"1"
-    assert started[1].problems[0]["message"] == "wrong"
-    assert "memory" in started[2].problems[0]["message"]
-    now[0] = 1e6  # much later
-    assert jobs.listed() == []
+    async def scenario() -> None:
+        now = [0.0]
+        jobs = Jobs(clock=lambda: now[0])
+        # a fault of the program is an end too: it left the job running for ever
+        wrong = InputError(Problem(message="wrong"))
+        outcomes = [b"1", wrong, RuntimeError("secret"), b"not reached"]
+        works = [FakeWork(outcome) for outcome in outcomes]
+        started = [jobs.start("me", str(i), 2, work) for i, work in enumerate(works)]
+        await until(lambda: started[0].state == "running")
+        assert (started[0].done, started[0].message) == (1, "working")
+        assert [job.state for job in started[1:]] == ["queued"] * 3
+        jobs.end(started[3].id)
+        assert started[3].state == "cancelled"
+        for work in works[:3]:
+            work.go.set()
+        await until(lambda: not any(job.busy for job in started))
+        assert [job.state for job in started] == ["done", "failed", "failed", "cancelled"]
+        assert started[0].result == b"1"
+        assert started[1].problems[0].message == "wrong"
+        assert "RuntimeError" in started[2].problems[0].message
+        assert "secret" not in started[2].problems[0].message
+        now[0] = 1e6  # much later
+        assert jobs.listed() == []
+
+    asyncio.run(scenario())
+
+
+def test_a_running_job_is_cancelled_and_the_next_one_runs() -> None:
+    async def scenario() -> None:
+        jobs = Jobs()
+        works = [FakeWork(), FakeWork()]
+        first, second = [jobs.start("me", "", 1, work) for work in works]
+        await until(lambda: first.state == "running")
+        jobs.end(first.id)
+        await until(lambda: second.state == "running")
+        assert first.state == "cancelled"
+        jobs.stop()
+
+    asyncio.run(scenario())
 
 
 @pytest.mark.processes
 def test_too_many_jobs_are_refused() -> None:
-    jobs = Jobs()
-    tasks = [FakeTask() for _ in range(MOST_WAITING + 1)]
-    for task in tasks:
-        jobs.start("", lambda _, t=task: t)  # type: ignore[misc]
-    with pytest.raises(ApiError) as raised:
-        jobs.start("", lambda _: FakeTask())  # type: ignore[arg-type, return-value]
-    assert raised.value.status == 429
-    jobs.stop()
+    async def scenario() -> None:
+        jobs = Jobs()
+        for _ in range(MOST_WAITING + 1):
+            jobs.start("me", "", 1, FakeWork())
+        with pytest.raises(ApiError) as raised:
+            jobs.start("me", "", 1, FakeWork())
+        assert raised.value.status_code == 429
+        assert int(raised.value.headers["retry-after"]) > 0
+        jobs.stop()
+
+    asyncio.run(scenario())
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    """Wait until something holds."""
+    async with asyncio.timeout(PATIENCE):
+        while not condition():
+            await asyncio.sleep(0)
 
 
 @pytest.fixture(scope="module")

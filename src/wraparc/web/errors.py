@@ -1,16 +1,42 @@
-"""Errors as the API answers them: problems as data, with the sentence of the command line."""
+"""Errors as the API answers them: RFC 9457, with every problem as the command line tells it."""
 
 import json
 from collections.abc import Iterable, Sequence
+from http import HTTPStatus
 from typing import Any
 
-from wraparc.errors import Problem, shown
+from starlette.exceptions import HTTPException
 
-Data = dict[str, Any]
+from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.version import __version__
+from wraparc.web.answers.shown import Answer
+
+PROBLEM_JSON = "application/problem+json"
 _MOST = 60
 
 
-class ApiError(Exception):
+class ToldProblem(Answer):
+    """One thing wrong, with the sentence of the command line."""
+
+    path: str
+    message: str
+    value: str
+    remedy: str
+    line: int | None
+    sentence: str
+
+
+class Problems(Answer):
+    """Everything that is wrong, as RFC 9457 tells it."""
+
+    type: str = "about:blank"
+    title: str
+    status: int
+    detail: str
+    problems: list[ToldProblem]
+
+
+class ApiError(HTTPException):
     """A request that is refused.
 
     Parameters
@@ -29,42 +55,56 @@ class ApiError(Exception):
         problems: Problem | Iterable[Problem],
         headers: dict[str, str] | None = None,
     ) -> None:
-        self.status = status
         self.problems = (problems,) if isinstance(problems, Problem) else tuple(problems)
-        self.headers = headers or {}
-        super().__init__(status, self.problems, self.headers)
+        super().__init__(status, " ".join(map(str, self.problems)), headers or {})
+
+    def body(self) -> bytes:
+        """Return the body of the answer, in ASCII: what was sent may hold anything."""
+        title = HTTPStatus(self.status_code).phrase
+        found = Problems(
+            title=title,
+            status=self.status_code,
+            detail=self.detail,
+            problems=told(self.problems),
+        )
+        return json.dumps(found.model_dump(), separators=(",", ":")).encode("ascii")
 
 
-def refused(status: int, message: str, remedy: str = "", key: str = "") -> ApiError:
+def refused(
+    status: int, message: str, remedy: str = "", key: str = "", value: str = ""
+) -> ApiError:
     """Return the error of one problem."""
-    return ApiError(status, Problem(message=message, remedy=remedy, key=key))
+    return ApiError(status, Problem(message=message, remedy=remedy, key=key, value=value))
 
 
-def problem_data(problem: Problem) -> Data:
-    """Return a problem as the API tells it."""
-    return {
-        "path": problem.key,
-        "message": problem.message,
-        "value": problem.value,
-        "remedy": problem.remedy,
-        "line": problem.line,
-        "sentence": str(problem),
-    }
-
-
-def problems_data(problems: Iterable[Problem]) -> list[Data]:
+def told(problems: Iterable[Problem]) -> list[ToldProblem]:
     """Return problems as the API tells them."""
-    return [problem_data(problem) for problem in problems]
+    return [
+        ToldProblem(
+            path=problem.key,
+            message=problem.message,
+            value=problem.value,
+            remedy=problem.remedy,
+            line=problem.line,
+            sentence=str(problem),
+        )
+        for problem in problems
+    ]
 
 
-def problems_body(problems: Iterable[Problem]) -> bytes:
-    """Return the body of an answer that refuses."""
-    return json_bytes({"problems": problems_data(problems)})
-
-
-def json_bytes(data: object) -> bytes:
-    """Return plain data as JSON in ASCII: lone surrogates of a hostile request pass as escapes."""
-    return json.dumps(data, allow_nan=False, separators=(",", ":")).encode("ascii")
+def refusal_of(error: BaseException) -> ApiError:
+    """Return how any error is answered; of a fault the server's own output has the traceback."""
+    if isinstance(error, ApiError):
+        return error
+    if isinstance(error, InputError):
+        return ApiError(422, error.problems)
+    if isinstance(error, MissingExtraError):
+        return refused(501, f"this server {error}")
+    if isinstance(error, HTTPException):
+        problem = Problem(message=str(error.detail).lower())
+        return ApiError(error.status_code, problem, dict(error.headers or {}))
+    message = f"a fault in wraparc {__version__} ({type(error).__name__})"
+    return refused(500, message, "Please report it with the drive file.")
 
 
 def request_problems(errors: Sequence[Any]) -> list[Problem]:

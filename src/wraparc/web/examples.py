@@ -6,6 +6,8 @@ from pathlib import Path
 
 from wraparc.errors import InputError
 from wraparc.schema.source import Document, parse
+from wraparc.web.answers.documents import kind_of
+from wraparc.web.answers.shown import DriveKind
 
 _FIRST = "head-drive-fabric"
 
@@ -29,10 +31,9 @@ class Example:
     document: Document
 
     @property
-    def kind(self) -> str:
+    def kind(self) -> DriveKind:
         """``drive``, or ``train`` for several pulleys on one belt."""
-        several = len(self.document.get("pulley", ())) > 1
-        return "train" if several or "train" in self.document else "drive"
+        return kind_of(self.document)
 
 
 @cache

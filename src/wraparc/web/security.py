@@ -10,8 +10,7 @@ from http.cookies import CookieError, SimpleCookie
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
-from wraparc.errors import Problem
-from wraparc.web.errors import problems_body
+from wraparc.web.errors import PROBLEM_JSON, refused
 from wraparc.web.settings import Settings, is_address, is_loopback
 
 Scope = MutableMapping[str, Any]
@@ -153,7 +152,7 @@ def _cookie(text: str) -> str:
 
 def _counted(receive: Receive, send: Send, limit: int) -> tuple[Receive, Send]:
     """Return what counts a request as it comes in, and refuses it once it is too large."""
-    left, refused = limit, False
+    left, answered = limit, False
 
     async def receiving() -> Message:
         nonlocal left
@@ -165,11 +164,11 @@ def _counted(receive: Receive, send: Send, limit: int) -> tuple[Receive, Send]:
         return message
 
     async def sending(message: Message) -> None:
-        nonlocal refused
+        nonlocal answered
         if left >= 0:
             await send(message)
-        elif not refused:
-            refused = True
+        elif not answered:
+            answered = True
             await _refuse(send, *_too_large(limit))
 
     return receiving, sending
@@ -195,8 +194,8 @@ def _with_headers(send: Send) -> Send:
 
 
 async def _refuse(send: Send, status: int, message: str, remedy: str) -> None:
-    body = problems_body([Problem(message=message, remedy=remedy)])
-    kind = [(b"content-type", b"application/json")]
+    body = refused(status, message, remedy).body()
+    kind = [(b"content-type", PROBLEM_JSON.encode())]
     if status == 401:
         kind.append((b"www-authenticate", b"Bearer"))
     await _answer(send, status, body, kind)

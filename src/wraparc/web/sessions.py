@@ -1,12 +1,13 @@
 """Uploaded files, in memory only, for a while, limited in size and number."""
 
 import secrets
-import threading
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
 
-from wraparc.web.errors import Data, refused
+from wraparc.web.answers.shear_tests import MachineFile, ReadFile
+from wraparc.web.asked import TestFileRequest
+from wraparc.web.errors import refused
 
 LIFE = 1800.0
 MOST_SESSIONS, MOST_FILES = 8, 60
@@ -34,8 +35,13 @@ class Upload:
     id: str
     name: str
     data: bytes
-    said: Data = field(default_factory=dict)
-    read: Data = field(default_factory=dict)
+    said: TestFileRequest = field(default_factory=TestFileRequest)
+    read: ReadFile = field(default_factory=ReadFile)
+
+    @property
+    def file(self) -> MachineFile:
+        """The file, to be read."""
+        return MachineFile(self.id, self.name, self.data, self.said)
 
 
 @dataclass
@@ -56,71 +62,57 @@ class Session:
 class Sessions:
     """All sessions of a server."""
 
-    def __init__(self, clock: Any = time.monotonic) -> None:
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._lock = threading.Lock()
         self._sessions: dict[str, Session] = {}
 
     def create(self) -> Session:
         """Return a new session; the one longest unused gives way if there are too many."""
-        with self._lock:
-            self._sweep()
-            if len(self._sessions) >= MOST_SESSIONS:
-                oldest = min(self._sessions.values(), key=lambda s: s.used)
-                if self._clock() - oldest.used < 60.0:
-                    message = "too many people are working on shear tests"
-                    raise refused(429, message, "Try again in some minutes.")
-                del self._sessions[oldest.id]
-            session = Session(secrets.token_urlsafe(16), self._clock())
-            self._sessions[session.id] = session
-            return session
+        self._sweep()
+        if len(self._sessions) >= MOST_SESSIONS:
+            oldest = min(self._sessions.values(), key=lambda s: s.used)
+            if self._clock() - oldest.used < 60.0:
+                message = "too many people are working on shear tests"
+                raise refused(429, message, "Try again in some minutes.")
+            del self._sessions[oldest.id]
+        session = Session(secrets.token_urlsafe(16), self._clock())
+        self._sessions[session.id] = session
+        return session
 
     def get(self, name: str) -> Session:
         """Return a session, which lives on from now."""
-        with self._lock:
-            self._sweep()
-            found = self._sessions.get(name)
-            if found is None:
-                message = "these files are not kept any more"
-                raise refused(404, message, "Drop them again.")
-            found.used = self._clock()
-            return found
+        self._sweep()
+        if name not in self._sessions:
+            raise refused(404, "these files are not kept any more", "Drop them again.")
+        found = self._sessions[name]
+        found.used = self._clock()
+        return found
 
     def add(self, session: Session, name: str, data: bytes) -> Upload:
         """Keep a file."""
-        with self._lock:
-            if len(session.uploads) >= MOST_FILES:
-                raise refused(413, f"more than {MOST_FILES} files", "Take some away.", name)
-            if len(data) > MOST_FILE:
-                limit = f"{MOST_FILE / 1e6:g} MB"
-                raise refused(413, f"the file is larger than {limit}", "Send a part.", name)
-            in_all = sum(s.size for s in self._sessions.values())
-            if session.size + len(data) > MOST_SESSION or in_all + len(data) > MOST_IN_ALL:
-                message = "the files together are too large"
-                raise refused(413, message, "Take some away.", name)
-            upload = Upload(str(session.next), name, data)
-            session.next += 1
-            session.uploads[upload.id] = upload
-            return upload
+        if len(session.uploads) >= MOST_FILES:
+            raise refused(413, f"more than {MOST_FILES} files", "Take some away.", name)
+        if len(data) > MOST_FILE:
+            limit = f"{MOST_FILE / 1e6:g} MB"
+            raise refused(413, f"the file is larger than {limit}", "Send a part.", name)
+        in_all = sum(s.size for s in self._sessions.values())
+        if session.size + len(data) > MOST_SESSION or in_all + len(data) > MOST_IN_ALL:
+            raise refused(413, "the files together are too large", "Take some away.", name)
+        upload = Upload(str(session.next), name, data)
+        session.next += 1
+        session.uploads[upload.id] = upload
+        return upload
 
     def upload(self, session: Session, number: str) -> Upload:
         """Return a file of a session."""
-        found = session.uploads.get(number)
-        if found is None:
+        if number not in session.uploads:
             raise refused(404, "there is no such file", "Drop it again.")
-        return found
-
-    def remove(self, session: Session, number: str) -> None:
-        """Forget a file."""
-        with self._lock:
-            if session.uploads.pop(number, None) is None:
-                raise refused(404, "there is no such file")
+        return session.uploads[number]
 
     def forget(self, name: str) -> None:
         """Forget a session with its files."""
-        with self._lock:
-            if self._sessions.pop(name, None) is None:
-                raise refused(404, "there is no such session")
+        if self._sessions.pop(name, None) is None:
+            raise refused(404, "there is no such session")
 
     def _sweep(self) -> None:
         now = self._clock()

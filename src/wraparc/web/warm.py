@@ -1,8 +1,9 @@
 """What a worker does before its first answer: import and solve once, so that nobody waits."""
 
-from typing import Any
+import os
 
 from wraparc.web.answers import solving
+from wraparc.web.asked import FastRequest, SolveRequest
 from wraparc.web.examples import examples
 
 
@@ -13,16 +14,12 @@ def warm(*, compiled: bool = False) -> None:
     if compiled:
         solving.use_compiled()
     for example in examples()[:1]:
-        request: dict[str, Any] = {"document": example.document, "pulley": None}
-        request |= {"load_case": None, "points": 60, "sequence": 0, "tables": False}
-        solve_fast(request)
-        solve_all(request)
+        solve_fast(FastRequest(document=example.document, points=60))
+        solve_all(SolveRequest(document=example.document, points=60))
 
 
-def compile_kernel(_: object) -> bool:
+def compile_kernel() -> bool:
     """Compile, so that others find it on the disk; False where nothing can be compiled."""
-    import os
-
     if hasattr(os, "nice"):
         os.nice(10)
     return solving.use_compiled()

@@ -1,32 +1,33 @@
-"""Where the work runs: worker processes for short answers, one process each for long tasks.
+"""Where the work runs: processes that stay warm for short answers, one each for long tasks.
 
-Short answers (a solve) go to a pool that stays warm. A long task (a fit, a study) gets a process
-of its own, so that it can be followed, cancelled and limited in time, and never stands in the way
-of anybody else.
+Every process has a pipe of its own: one that dies, or is ended because its answer comes too late
+or nobody waits for it any more, costs nobody else anything.
 """
 
 import asyncio
 import multiprocessing
+import pickle
 import shutil
 import signal
 import sys
 import tempfile
 import threading
-import time
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, ThreadPoolExecutor
-from importlib import import_module
+from concurrent.futures import ThreadPoolExecutor
 from multiprocessing.connection import Connection
 from typing import Any
 
-from wraparc.errors import InputError, MissingExtraError, Problem
-from wraparc.web.errors import ApiError, Data, json_bytes, refused
+from wraparc.errors import InputError, MissingExtraError
+from wraparc.web.answers.shown import Answer
+from wraparc.web.errors import ApiError, refused
+from wraparc.web.progress import Tell, tell_to, unheard
+from wraparc.web.turns import Turns, busy
 
-#: Queues of short answers, with processes of their own.
+#: Queues of short answers, with processes of their own: sliders do not wait for whole answers.
 QUICK, WHOLE = "quick", "whole"
-#: Most seconds for a short answer, and for a long one.
-SHORT_LIMIT, LONG_LIMIT = 90.0, 600.0
-_MOST_WAITING, _MOST_LONG_WAITING = 200, 40
+#: Most seconds for a short answer, for a long one, and for one that nobody waits for any more.
+SHORT_LIMIT, LONG_LIMIT, LEFT_LIMIT = 90.0, 600.0, 0.5
+_LONG_TASKS, _MOST_WAITING = 2, 200
 #: Most memory of a long task [bytes]: a file made to fill it all fills no more than this.
 _MEMORY = 6 * 1024**3
 _PRELOADED = (
@@ -34,6 +35,11 @@ _PRELOADED = (
     "wraparc.web.answers.compare",
     "wraparc.web.answers.trains",
 )
+Function = Callable[..., Any]
+
+
+class EndedError(Exception):
+    """The process that worked on an answer was ended, or died."""
 
 
 def context() -> Any:
@@ -46,46 +52,73 @@ def context() -> Any:
     return found
 
 
-def answer(where: str, request: Data) -> bytes:
-    """Return the answer of ``module:function`` to a request, as JSON unless it is bytes."""
-    module, _, function = where.partition(":")
-    found = getattr(import_module(module), function)(request)
-    return found if isinstance(found, bytes) else json_bytes(found)
+def answer(function: Function, *asked: Any) -> bytes:
+    """Return what a function gives, as JSON unless it is bytes or to be pickled."""
+    found = function(*asked)
+    if isinstance(found, Answer):
+        return found.model_dump_json().encode()
+    return found if isinstance(found, bytes) else pickle.dumps(found)
 
 
-def _here(where: str, request: Data) -> bytes:
-    """Do a long task in this process."""
-    with tempfile.TemporaryDirectory(prefix="wraparc-task-") as folder:
-        return answer(where, {**request, "folder": folder, "progress": _ignored})
+class Worker:
+    """A process that answers one question after the other.
 
+    Parameters
+    ----------
+    start
+        How processes are started.
+    prepare
+        What it does before the first question.
+    """
 
-def _warm(compiled: bool = False) -> None:
-    from wraparc.web.warm import warm
+    def __init__(self, start: Any, prepare: Callable[[], None]) -> None:
+        self._pipe, theirs = start.Pipe()
+        self._process = start.Process(target=_serve, args=(theirs, prepare), daemon=True)
+        self._process.start()
+        self._ended = False
+        theirs.close()
 
-    _leave_interrupts()
-    warm(compiled=compiled)
+    @property
+    def alive(self) -> bool:
+        """Whether it can be asked."""
+        return not self._ended and bool(self._process.is_alive())
 
+    def ask(self, question: bytes, tell: Tell) -> bytes:
+        """Wait for the answer to a pickled question.
 
-def _leave_interrupts() -> None:
-    """Ctrl-C goes to every process of a terminal; the server ends the others itself."""
-    if threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        Raises
+        ------
+        InputError, MissingExtraError, ApiError
+            As the function raises them; 500 for a fault.
+        EndedError
+            If the process ends before it has answered.
+        """
+        try:
+            self._pipe.send_bytes(question)
+            kind, content = self._pipe.recv()
+            while kind == "progress":
+                tell(*content)
+                kind, content = self._pipe.recv()
+        except (EOFError, OSError):
+            raise EndedError from None
+        if kind == "error":
+            raise content
+        return bytes(content)
 
-
-def _nothing() -> None:
-    time.sleep(0.05)  # long enough for every process to be started for one of these
+    def end(self) -> None:
+        """End the process."""
+        self._ended = True
+        self._process.kill()
 
 
 class Workers:
-    """The pool for short answers, and the count of long tasks.
+    """Everything that computes.
 
     Parameters
     ----------
     count
-        Processes for short answers; 0 to do everything in threads of this process, where nothing
+        Processes for quick answers; 0 to do everything in threads of this process, where nothing
         can be ended.
-    long_tasks
-        Long tasks that may run at the same time.
 
     Attributes
     ----------
@@ -93,77 +126,80 @@ class Workers:
         Whether the processes solve by compiled code by now.
     """
 
-    def __init__(self, count: int, long_tasks: int = 2) -> None:
-        self._count = count
-        self._context = context()
-        self._pools: dict[str, Executor] = {}
-        self._compiled = self._stopped = False
-        self.compiled = False
-        self._lock = threading.Lock()
-        self._waiting = 0
-        self._long = asyncio.Semaphore(long_tasks)
-        self._long_waiting = 0
-
-    def _executor(self, queue: str) -> Executor:
-        with self._lock:
-            if queue not in self._pools:
-                self._pools[queue] = self._made(queue)
-            return self._pools[queue]
-
-    def _made(self, queue: str) -> Executor:
-        if not self._count:
-            return ThreadPoolExecutor(4, thread_name_prefix=queue)
-        count = self._count if queue == QUICK else max(1, self._count // 2)
-        return ProcessPoolExecutor(
-            count, mp_context=self._context, initializer=_warm, initargs=(self._compiled,)
-        )
+    def __init__(self, count: int) -> None:
+        self._count, self._context = count, context()
+        self.compiled = self._stopped = False
+        self._sizes = {QUICK: max(1, count), WHOLE: max(2, count // 2)}
+        self._turns = {
+            QUICK: Turns(self._sizes[QUICK], self._sizes[QUICK], _MOST_WAITING),
+            WHOLE: Turns(self._sizes[WHOLE], self._sizes[WHOLE] - 1, _MOST_WAITING),
+        }
+        self._long = Turns(_LONG_TASKS, _LONG_TASKS - 1, _MOST_WAITING)
+        self._idle: dict[str, list[Worker]] = {QUICK: [], WHOLE: []}
+        self._all: set[Worker] = set()
+        self._threads = ThreadPoolExecutor(64, thread_name_prefix="wraparc")
+        self._shared: dict[bytes, tuple[asyncio.Task[bytes], list[object]]] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
 
     def start(self) -> None:
         """Start the processes, and others with compiled code that take their place later."""
         if self._count:
-            for queue in (QUICK, WHOLE):
-                self._filled(self._executor(queue))
-            threading.Thread(target=self._compile, daemon=True).start()
+            self._tasks = {asyncio.create_task(self._fill()), asyncio.create_task(self._compile())}
 
-    def _filled(self, pool: Executor) -> list[Any]:
-        return [pool.submit(_nothing) for _ in range(self._count)]
+    async def _fill(self) -> None:
+        for queue, size in self._sizes.items():
+            self._idle[queue] += [await self._started() for _ in range(size)]
 
-    def _compile(self) -> None:
+    async def _started(self, prepare: Callable[[], None] | None = None) -> Worker:
+        ready = prepare or (_warm_compiled if self.compiled else _warm)
+        worker: Worker = await self._in_thread(Worker, self._context, ready)
+        self._all = {one for one in self._all if one.alive} | {worker}
+        if self._stopped:
+            worker.end()
+        return worker
+
+    async def _in_thread(self, function: Callable[..., Any], *given: Any) -> Any:
+        return await asyncio.get_running_loop().run_in_executor(self._threads, function, *given)
+
+    async def _compile(self) -> None:
         """Compile once on this machine; then put processes that have loaded it in the place."""
+        from wraparc.web.warm import compile_kernel
+
         try:
-            task = Task(self._context, "wraparc.web.warm:compile_kernel", {}, _ignored)
-            if task.result() != b"true":
+            if not pickle.loads(await self.apart("", compile_kernel)):  # noqa: S301 - our own
                 return
-            self._compiled = True
-            pools = {queue: self._made(queue) for queue in (QUICK, WHOLE)}
-            for ready in [future for pool in pools.values() for future in self._filled(pool)]:
-                ready.result()
-        except (CancelledTaskError, ApiError, BrokenExecutor, OSError, RuntimeError):
+            new = {
+                q: [await self._started(_warm_compiled) for _ in range(n)]
+                for q, n in self._sizes.items()
+            }
+            for worker in [worker for workers in new.values() for worker in workers]:
+                await self._asked(worker, pickle.dumps((bytes, ())), None)  # until it is ready
+        except (ApiError, OSError):
             return  # the interpreter does it too
-        with self._lock:
-            old = pools if self._stopped else self._pools
-            self._pools = {} if self._stopped else pools
-            self.compiled = True
-        for pool in old.values():
-            pool.shutdown(wait=False)
+        old, self._idle, self.compiled = self._idle, new, True
+        for worker in [worker for workers in old.values() for worker in workers]:
+            worker.end()
 
     def stop(self) -> None:
         """End the processes."""
-        with self._lock:
-            self._stopped = True
-            pools, self._pools = list(self._pools.values()), {}
-        for pool in pools:
-            pool.shutdown(wait=False, cancel_futures=True)
+        self._stopped = True
+        while self._tasks:
+            self._tasks.pop().cancel()
+        for worker in self._all:
+            worker.end()
+        self._threads.shutdown(wait=False, cancel_futures=True)
 
-    async def short(self, where: str, request: Data, queue: str = WHOLE) -> bytes:
-        """Return the answer to a request, computed apart from this thread.
+    async def short(
+        self, client: str, function: Function, *asked: Any, queue: str = WHOLE
+    ) -> bytes:
+        """Return the answer to a question; who asks the same at the same time shares it.
 
         Parameters
         ----------
-        where
-            ``module:function``.
-        request
-            What the function gets.
+        client
+            Who asks: clients take turns.
+        function, asked
+            What is called with what.
         queue
             `QUICK` for what must not wait behind larger work.
 
@@ -172,157 +208,137 @@ class Workers:
         InputError
             As the function raises it.
         ApiError
-            503 if too many wait, if it takes too long, or a worker died.
+            503 if too many wait, if it takes too long, or its process died.
         """
-        if self._waiting >= _MOST_WAITING:
-            raise refused(503, "too many requests are waiting", "Try again in a moment.")
-        self._waiting += 1
-        pool = self._executor(queue)
+        if not self._count:
+            return await asyncio.to_thread(answer, function, *asked)
+        question = pickle.dumps((function, asked))
+        if question not in self._shared:
+            task = asyncio.create_task(self._short(client, question, queue))
+            self._shared[question] = task, []
+            task.add_done_callback(lambda done: self._forget(question, done))
+        task, waiting = self._shared[question]
+        me = object()
+        waiting.append(me)
         try:
-            future = asyncio.get_running_loop().run_in_executor(pool, answer, where, request)
-            return await asyncio.wait_for(future, SHORT_LIMIT)
-        except BrokenExecutor:
-            self._forget(pool)
-            raise refused(503, "the process that worked on this has ended", "Try again.") from None
-        except TimeoutError:
-            self._replace(pool)
-            message = f"no answer within {SHORT_LIMIT:g} s"
-            raise refused(503, message, "Change a value, and report the drive file.") from None
+            return await asyncio.shield(task)
         finally:
-            self._waiting -= 1
+            waiting.remove(me)
+            if not waiting and not task.done():
+                loop = asyncio.get_running_loop()
+                loop.call_later(LEFT_LIMIT, lambda: None if waiting else task.cancel())
 
-    def _forget(self, pool: Executor) -> None:
-        with self._lock:
-            self._pools = {name: one for name, one in self._pools.items() if one is not pool}
+    def _forget(self, question: bytes, task: asyncio.Task[bytes]) -> None:
+        self._shared.pop(question, None)
+        if not task.cancelled():
+            task.exception()  # told to whoever still waits
 
-    def _replace(self, pool: Executor) -> None:
-        """Give up a pool with a process that does not come back."""
-        self._forget(pool)
-        for process in list((getattr(pool, "_processes", None) or {}).values()):
-            process.kill()
-        pool.shutdown(wait=False, cancel_futures=True)
-
-    async def long(self, where: str, request: Data, limit: float = LONG_LIMIT) -> bytes:
-        """Return the answer to a request that may take long, from a process of its own."""
-        if self._long_waiting >= _MOST_LONG_WAITING:
-            message = "too many long tasks are waiting"
-            raise refused(503, message, "Try again when they are done.")
-        self._long_waiting += 1
-        try:
-            async with self._long:
-                if not self._count:
-                    return await asyncio.to_thread(_here, where, request)
-                return await self._apart(where, request, limit)
-        finally:
-            self._long_waiting -= 1
-
-    async def _apart(self, where: str, request: Data, limit: float) -> bytes:
-        task = await asyncio.to_thread(self.task, where, request, _ignored)
-        try:
-            return await asyncio.wait_for(asyncio.to_thread(task.result), limit)
-        except TimeoutError:
-            raise refused(503, f"no answer within {limit:g} s", "Ask for less.") from None
-        except CancelledTaskError:
-            message = "the process that worked on this has ended; it may have lacked memory"
-            raise refused(503, message, "Ask for less.") from None
-        finally:
-            task.cancel()
-
-    def task(self, where: str, request: Data, progress: Callable[[int, int, str], None]) -> "Task":
-        """Start a task that tells of its progress; the function gets a callback for it."""
-        return Task(self._context, where, request, progress)
-
-
-def _ignored(done: int, total: int, message: str = "") -> None:
-    """Progress that nobody asks for."""
-
-
-class CancelledTaskError(Exception):
-    """The process of a task was ended."""
-
-
-class Task:
-    """A function that runs in a process of its own.
-
-    Its request gets a ``folder`` that goes when it ends, however it does, and a function
-    ``progress`` to tell (done, in all, message).
-    """
-
-    def __init__(
-        self,
-        start: Any,
-        where: str,
-        request: Data,
-        progress: Callable[[int, int, str], None],
-    ) -> None:
-        self._progress = progress
-        self._folder = tempfile.mkdtemp(prefix="wraparc-task-")
-        request = {**request, "folder": self._folder}
-        self._receiver, sender = start.Pipe(duplex=False)
-        self._process = start.Process(
-            target=_run_task, args=(where, request, sender), daemon=True, name="wraparc task"
-        )
-        self._process.start()
-        sender.close()
-
-    def result(self) -> bytes:
-        """Wait for the answer.
-
-        Raises
-        ------
-        InputError
-            As the function raises it.
-        CancelledTaskError
-            If the process was ended.
-        """
-        try:
-            while True:
-                kind, *content = self._receiver.recv()
-                if kind == "progress":
-                    self._progress(*content)
-                elif kind == "done":
-                    return bytes(content[0])
-                elif kind == "fault":
-                    raise ApiError(500, Problem(message=content[0]))
+    async def _short(self, client: str, question: bytes, queue: str) -> bytes:
+        async with self._turns[queue].turn(client):
+            compiled, idle = self.compiled, self._idle[queue]
+            worker = idle.pop() if idle else await self._started()
+            if not worker.alive:  # it died while it had nothing to do
+                worker = await self._started()
+            try:
+                return await self._asked(worker, question, SHORT_LIMIT)
+            finally:
+                if worker.alive and compiled == self.compiled:
+                    self._idle[queue].append(worker)
                 else:
-                    raise content[0]
-        except (EOFError, OSError):
-            raise CancelledTaskError from None
+                    worker.end()
+
+    async def _asked(
+        self, worker: Worker, question: bytes, limit: float | None, tell: Tell = unheard
+    ) -> bytes:
+        """Ask a process; it is ended if the answer is late or nobody waits for it."""
+        answering = asyncio.ensure_future(self._in_thread(worker.ask, question, tell))
+        try:
+            async with asyncio.timeout(limit):
+                found: bytes = await asyncio.shield(answering)
+                return found
+        except TimeoutError:
+            raise busy(f"no answer within {limit:g} s", "Ask for less.", 60) from None
+        except EndedError:
+            message = "the process that worked on this has ended, perhaps for want of memory"
+            raise busy(message, "Try again, or ask for less.") from None
         finally:
-            self._process.join(timeout=5.0)
-            self._receiver.close()
-            shutil.rmtree(self._folder, ignore_errors=True)
+            if not answering.done():
+                worker.end()
+                answering.add_done_callback(lambda done: done.cancelled() or done.exception())
 
-    def cancel(self) -> None:
-        """End the process."""
-        if self._process.is_alive():
-            self._process.kill()
+    async def long(
+        self, client: str, function: Function, *asked: Any, limit: float | None = LONG_LIMIT
+    ) -> bytes:
+        """Return an answer that may take long, from a process of its own."""
+        async with self._long.turn(client):
+            return await self.apart(client, function, *asked, limit=limit)
+
+    async def apart(
+        self,
+        client: str,
+        function: Function,
+        *asked: Any,
+        limit: float | None = None,
+        tell: Tell = unheard,
+    ) -> bytes:
+        """Return an answer from a process of its own, with a folder that goes when it ends."""
+        if not self._count:
+            return await asyncio.to_thread(answer, function, *asked)
+        folder = tempfile.mkdtemp(prefix="wraparc-task-")
+        try:
+            worker = await self._started(_Alone(folder))
+            try:
+                return await self._asked(worker, pickle.dumps((function, asked)), limit, tell)
+            finally:
+                worker.end()
+        finally:
+            await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
 
 
-def _limit_memory() -> None:
-    try:
-        import resource
-    except ImportError:  # Windows
-        return
-    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-    if soft == resource.RLIM_INFINITY or soft > _MEMORY:
-        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, hard))
+def _warm() -> None:
+    from wraparc.web.warm import warm
+
+    warm()
 
 
-def _run_task(where: str, request: Data, sender: Connection) -> None:
-    module, _, function = where.partition(":")
-    _leave_interrupts()
-    _limit_memory()
+def _warm_compiled() -> None:
+    from wraparc.web.warm import warm
 
-    def progress(done: int, total: int, message: str = "") -> None:
-        sender.send(("progress", done, total, message))
+    warm(compiled=True)
 
-    try:
-        data = getattr(import_module(module), function)({**request, "progress": progress})
-        sender.send(("done", json_bytes(data)))
-    except (InputError, MissingExtraError, ApiError) as error:
-        sender.send(("error", error))
-    except Exception as error:  # noqa: BLE001 - told to whoever waits
-        sender.send(("fault", f"a fault in the program ({type(error).__name__})"))
-    finally:
-        sender.close()
+
+class _Alone:
+    """What the process of a long task does first: it gets a folder, and limits."""
+
+    def __init__(self, folder: str) -> None:
+        self._folder = folder
+
+    def __call__(self) -> None:
+        tempfile.tempdir = self._folder
+        try:
+            import resource
+        except ImportError:  # Windows
+            return
+        soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+        if soft == resource.RLIM_INFINITY or soft > _MEMORY:
+            resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, hard))
+
+
+def _serve(pipe: Connection, prepare: Callable[[], None]) -> None:
+    """Answer until nobody asks any more."""
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server ends its processes itself
+    prepare()
+    tell_to(lambda *content: pipe.send(("progress", content)))
+    while True:
+        try:
+            function, asked = pickle.loads(pipe.recv_bytes())  # noqa: S301 - from the server itself
+        except (EOFError, OSError):
+            return
+        try:
+            told = "done", answer(function, *asked)
+        except (InputError, MissingExtraError, ApiError) as error:
+            told = "error", error  # type: ignore[assignment]
+        except Exception as error:  # noqa: BLE001 - told to whoever waits
+            told = "error", refused(500, f"a fault in the program ({type(error).__name__})")  # type: ignore[assignment]
+        pipe.send(told)

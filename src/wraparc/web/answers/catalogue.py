@@ -1,7 +1,6 @@
 """The catalogue as plain data."""
 
 from functools import cache
-from typing import Any
 
 import numpy as np
 
@@ -9,108 +8,197 @@ from wraparc import catalogue
 from wraparc.drive import Lagging
 from wraparc.files.lagging_file import load_lagging_conditions, pick_condition
 from wraparc.present.catalogue_sheets import lagging_sheet
+from wraparc.provenance import Kind
 from wraparc.schema.source import parse
-from wraparc.web.answers.shown import Data, quantity_both, rounded, sheet_data
+from wraparc.units import Dimension
+from wraparc.web.answers.shown import (
+    Answer,
+    Both,
+    Data,
+    DriveKind,
+    Numbers,
+    Sheet,
+    quantity,
+    rounded,
+    sheet,
+)
 from wraparc.web.examples import examples
 
 _PRESSURES = 5
 _POINTS = 80
 
 
+class CatalogueBelt(Answer):
+    """A belt to choose."""
+
+    name: str
+    kind: str
+    rating: Both
+    modulus: Both
+    least_pulley_diameter: Both | None
+    source: str
+
+
+class TestedTexts(Answer):
+    """Range that a lagging was tested in."""
+
+    __test__ = False  # not a test class, whatever its name suggests to a test collector
+
+    pressure: Both
+    slip: Both
+
+
+class CatalogueLagging(Answer):
+    """A lagging to choose."""
+
+    name: str
+    title: str
+    surface: str
+    conditions: list[str]
+    thickness: Both
+    shear_modulus: Both
+    compression_modulus: Both
+    kind: Kind
+    source: str
+    tested: TestedTexts | None
+    notes: list[str]
+
+
+class DesignFriction(Answer):
+    """Friction that a standard designs with."""
+
+    standard: str
+    surface: str
+    condition: str
+    friction: list[float]
+    source: str
+
+
+class CatalogueExample(Answer):
+    """An example to open."""
+
+    name: str
+    title: str
+    kind: DriveKind
+    pulleys: int
+
+
+class Catalogue(Answer):
+    """Everything there is to choose from."""
+
+    belts: list[CatalogueBelt]
+    laggings: list[CatalogueLagging]
+    design_friction: list[DesignFriction]
+    examples: list[CatalogueExample]
+
+
+class Curves(Answer):
+    """Friction over slip [m] at pressures [Pa]."""
+
+    slip: Numbers
+    pressures: Numbers
+    friction: list[Numbers]
+    tested_slip: float | None
+
+
+class LaggingAnswer(Sheet):
+    """One lagging, its table of a drive document, and its friction."""
+
+    name: str
+    condition: str
+    document: Data
+    law: Curves
+
+
 @cache
-def whole() -> Data:
+def whole() -> Catalogue:
     """Return belts, laggings, design values of friction and examples."""
-    return {
-        "belts": [_belt(belt) for belt in catalogue.belts()],
-        "laggings": [_lagging(name) for name in catalogue.lagging_names()],
-        "design_friction": [
-            {
-                "standard": value.standard,
-                "surface": value.surface,
-                "condition": value.condition,
-                "friction": list(value.friction),
-                "source": str(value.provenance),
-            }
+    return Catalogue(
+        belts=[_belt(belt) for belt in catalogue.belts()],
+        laggings=[_lagging(name) for name in catalogue.lagging_names()],
+        design_friction=[
+            DesignFriction(
+                standard=value.standard,
+                surface=value.surface,
+                condition=value.condition,
+                friction=list(value.friction),
+                source=str(value.provenance),
+            )
             for value in catalogue.design_friction()
         ],
-        "examples": [
-            {
-                "name": example.name,
-                "title": str(example.document.get("title", example.name)),
-                "kind": example.kind,
-                "pulleys": len(example.document["pulley"]),
-            }
+        examples=[
+            CatalogueExample(
+                name=example.name,
+                title=str(example.document.get("title", example.name)),
+                kind=example.kind,
+                pulleys=len(example.document["pulley"]),
+            )
             for example in examples()
         ],
-    }
+    )
 
 
-def _belt(belt: catalogue.CatalogueBelt) -> Data:
+def _belt(belt: catalogue.CatalogueBelt) -> CatalogueBelt:
     least = belt.least_pulley_diameter
-    return {
-        "name": belt.name,
-        "kind": belt.kind,
-        "rating": quantity_both(belt.rating, "force_per_width"),
-        "modulus": quantity_both(belt.modulus, "force_per_width"),
-        "least_pulley_diameter": None if least is None else quantity_both(least, "length"),
-        "source": str(belt.provenance),
-    }
+    return CatalogueBelt(
+        name=belt.name,
+        kind=belt.kind,
+        rating=quantity(belt.rating, "force_per_width"),
+        modulus=quantity(belt.modulus, "force_per_width"),
+        least_pulley_diameter=None if least is None else quantity(least, "length"),
+        source=str(belt.provenance),
+    )
 
 
-def _lagging(name: str) -> Data:
+def _lagging(name: str) -> CatalogueLagging:
     conditions = load_lagging_conditions(name, allow_paths=False)
     first = conditions[0]
     origin = first.source_of("law")
-    tested = first.law.tested
-    return {
-        "name": name,
-        "title": first.title,
-        "surface": first.surface,
-        "conditions": [lagging.condition for lagging in conditions],
-        "thickness": _modulus(first.thickness, "length"),
-        "shear_modulus": _modulus(first.shear_modulus, "pressure"),
-        "compression_modulus": _modulus(first.compression_modulus, "pressure"),
-        "kind": origin.kind.value,
-        "source": str(origin),
-        "tested": None
-        if tested is None
-        else {
-            "pressure": {
-                s: f"{low} to {high}"
-                for (s, low), high in zip(
-                    quantity_both(tested.pressure_min, "pressure").items(),
-                    quantity_both(tested.pressure_max, "pressure").values(),
-                    strict=True,
-                )
-            },
-            "slip": quantity_both(tested.slip_max, "length"),
-        },
-        "notes": list(first.notes),
-    }
+    return CatalogueLagging(
+        name=name,
+        title=first.title,
+        surface=first.surface,
+        conditions=[lagging.condition for lagging in conditions],
+        thickness=_or_rigid(first.thickness, "length"),
+        shear_modulus=_or_rigid(first.shear_modulus, "pressure"),
+        compression_modulus=_or_rigid(first.compression_modulus, "pressure"),
+        kind=origin.kind,
+        source=str(origin),
+        tested=_tested(first),
+        notes=list(first.notes),
+    )
 
 
-def _modulus(value: float, dimension: Any) -> Data:
-    if value == float("inf"):
-        return {"si": "rigid", "us": "rigid"}
-    return quantity_both(value, dimension)
+def _tested(lagging: Lagging) -> TestedTexts | None:
+    tested = lagging.law.tested
+    if tested is None:
+        return None
+    low, high = (quantity(p, "pressure") for p in (tested.pressure_min, tested.pressure_max))
+    pressure = Both(si=f"{low.si} to {high.si}", us=f"{low.us} to {high.us}")
+    return TestedTexts(pressure=pressure, slip=quantity(tested.slip_max, "length"))
 
 
-def lagging(request: Data) -> Data:
+def _or_rigid(value: float, dimension: Dimension) -> Both:
+    rigid = value == float("inf")
+    return Both(si="rigid", us="rigid") if rigid else quantity(value, dimension)
+
+
+def lagging(name: str, condition: str | None) -> LaggingAnswer:
     """Return one lagging with its friction curves."""
-    conditions = load_lagging_conditions(request["name"], allow_paths=False)
-    one = pick_condition(conditions, request["condition"])
-    table = parse(catalogue.lagging_text(request["name"]))
+    conditions = load_lagging_conditions(name, allow_paths=False)
+    one = pick_condition(conditions, condition)
+    table = parse(catalogue.lagging_text(name))
     table.pop("format", None)
-    return {
-        "name": one.name,
-        "condition": one.condition,
-        "document": table,
-        **sheet_data(lambda system: lagging_sheet(conditions, system)),
-        **law_data(one),
-    }
+    return LaggingAnswer(
+        name=one.name,
+        condition=one.condition,
+        document=table,
+        law=_curves(one),
+        **sheet(lambda system: lagging_sheet(conditions, system)),
+    )
 
 
-def law_data(one: Lagging) -> Data:
+def _curves(one: Lagging) -> Curves:
     """Return friction curves over slip at pressures of the tested range."""
     tested = one.law.tested
     low, high, most = 7e4, 7e5, 1.5e-2
@@ -119,11 +207,9 @@ def law_data(one: Lagging) -> Data:
     pressures = np.geomspace(max(low, 1e3), high, _PRESSURES)
     slip = 1.5 * most * np.linspace(0.0, 1.0, _POINTS) ** 1.5
     friction = np.array([one.law.friction(slip, np.full_like(slip, p)) for p in pressures])
-    return {
-        "law": {
-            "slip": rounded(slip),
-            "pressures": rounded(pressures),
-            "friction": rounded(friction),
-            "tested_slip": None if tested is None else tested.slip_max,
-        }
-    }
+    return Curves(
+        slip=rounded(slip),
+        pressures=rounded(pressures),
+        friction=rounded(friction),
+        tested_slip=None if tested is None else tested.slip_max,
+    )

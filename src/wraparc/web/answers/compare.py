@@ -2,26 +2,26 @@
 
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import Literal
 
 from wraparc import catalogue
-from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc
+from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.changes import with_belt, with_lagging
 from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import named, percent
+from wraparc.present.sheet import NONE, Level, named, percent
 from wraparc.present.words import level_of, short
 from wraparc.schema.problems import place_text
-from wraparc.train import Train, solve_train
+from wraparc.train import Train
 from wraparc.units import display
-from wraparc.web.answers.documents import read
-from wraparc.web.answers.drives import asked_for
-from wraparc.web.answers.shown import Data, both, texts_data
+from wraparc.web.answers.documents import asked_for, divided, read
+from wraparc.web.answers.shown import Answer, Both, finite, texts
 from wraparc.web.answers.solving import main_solver
-from wraparc.web.errors import problems_data
+from wraparc.web.asked import CompareRequest
+from wraparc.web.errors import ToldProblem, told
 
 _NEIGHBOURS = 4
 #: Columns: key, title, which is better.
@@ -40,67 +40,118 @@ _COLUMNS = (
 )
 
 
-def compare(request: Data) -> Data:
-    """Solve the same pulley and load case with each lagging or belt."""
-    drive = _drive(request["document"])
-    pulley, case = asked_for(drive, request)
-    rows, impossible = [], []
-    candidates = list(_candidates(request, drive, pulley.name))
-    for name, changed, change in candidates:
-        if isinstance(changed, InputError):
-            impossible.append({"name": name, "problems": problems_data(changed.problems)})
-            continue
-        try:
-            result = main_solver().solve(WrapArc.of(changed, changed.pulley(pulley.name), case))
-        except InputError as error:
-            impossible.append({"name": name, "problems": problems_data(error.problems)})
-            continue
-        rows.append(_row(name, changed, result, change, request))
-    present = pulley.lagging.name if request["what"] == "laggings" else drive.belt.name
-    for row in rows:
-        row["present"] = row["name"] == present
-    return {
-        "pulley": pulley.name,
-        "load_case": case.name,
-        "what": request["what"],
-        "currency": request["currency"],
-        "years": request["years"],
-        "present": present,
-        "columns": [
-            {"key": key, "title": title, "better": better, "meaning": _meaning(key)}
-            for key, title, better in _COLUMNS
-        ],
-        "rows": rows,
-        "remarks": texts_data(*(_remarks(request, case),) * 2),
-        "not_possible": impossible,
-    }
+class Cell(Answer):
+    """A number of a comparison."""
+
+    value: float | None
+    si: str
+    us: str
 
 
-def _drive(document: dict[str, Any]) -> Drive:
-    """Return the drive; of a train, with the tensions its division of the load makes."""
-    thing = read(document)
-    if isinstance(thing, Train):
-        method = Distributed(capacities=False)
-        return solve_train(thing, method=method, raise_on_failure=False).drive_result().drive
-    return thing
+class Change(Answer):
+    """What to put into the document; None takes the key out."""
+
+    path: str
+    value: str | None
 
 
-Changes = list[Data]
+class Candidate(Answer):
+    """The drive with one lagging or belt."""
+
+    name: str
+    title: str
+    condition: str
+    level: Level
+    short: str
+    status_text: str
+    cells: dict[str, Cell]
+    cost_note: str
+    kind: str
+    source: str
+    change: list[Change]
+    present: bool
+
+
+class Column(Answer):
+    """A column of a comparison, and which is better."""
+
+    key: str
+    title: str
+    better: str
+    meaning: str
+
+
+class Impossible(Answer):
+    """What cannot be had, and why."""
+
+    name: str
+    problems: list[ToldProblem]
+
+
+class CompareAnswer(Answer):
+    """The same drive with each of them."""
+
+    pulley: str
+    load_case: str
+    what: Literal["laggings", "belts"]
+    currency: str
+    years: float
+    present: str
+    columns: list[Column]
+    rows: list[Candidate]
+    remarks: list[Both]
+    not_possible: list[Impossible]
+
+
+Changes = list[Change]
 _Candidate = tuple[str, Drive | InputError, Changes]
 _OF_BELT = ("name", "kind", "modulus", "rating", "least_pulley_diameter", "sources", "provenance")
 
 
-def _candidates(request: Data, drive: Drive, pulley: str) -> Iterable[_Candidate]:
-    if request["what"] == "belts":
-        yield from _belts(request["names"], drive)
+def compare(asked: CompareRequest) -> CompareAnswer:
+    """The same drive with other laggings or belts, solved and priced."""
+    thing = read(asked.document)
+    drive = divided(thing) if isinstance(thing, Train) else thing
+    pulley, case = asked_for(drive, asked.pulley, asked.load_case)
+    present = pulley.lagging.name if asked.what == "laggings" else drive.belt.name
+    rows, impossible = [], []
+    for name, changed, change in _candidates(asked, drive, pulley.name):
+        try:
+            if isinstance(changed, InputError):
+                raise changed
+            result = main_solver().solve(WrapArc.of(changed, changed.pulley(pulley.name), case))
+        except InputError as error:
+            impossible.append(Impossible(name=name, problems=told(error.problems)))
+            continue
+        rows.append(_row(name, changed, result, change, asked, present=name == present))
+    return CompareAnswer(
+        pulley=pulley.name,
+        load_case=case.name,
+        what=asked.what,
+        currency=asked.currency,
+        years=asked.years,
+        present=present,
+        columns=[
+            Column(key=key, title=title, better=better, meaning=_meaning(key))
+            for key, title, better in _COLUMNS
+        ],
+        rows=rows,
+        remarks=texts(lambda _: _remarks(asked, case)),
+        not_possible=impossible,
+    )
+
+
+def _candidates(asked: CompareRequest, drive: Drive, pulley: str) -> Iterable[_Candidate]:
+    if asked.what == "belts":
+        yield from _belts(asked.names, drive)
         return
     own = drive.pulley(pulley).lagging
-    names = request["names"]
+    names = asked.names
     wanted = catalogue.lagging_names() if names is None else names
     if own.name not in wanted and names is None:
         yield own.name, drive, []
     for name in wanted:
-        change = [{"path": place_text(("pulley", pulley, "lagging")), "value": name}]
+        change = [Change(path=place_text(("pulley", pulley, "lagging")), value=name)]
         if name == own.name:
             yield name, drive, []
             continue
@@ -109,7 +160,7 @@ def _candidates(request: Data, drive: Drive, pulley: str) -> Iterable[_Candidate
             lagging = _like(conditions, own)
             first = lagging is conditions[0]
             condition = None if first else lagging.condition
-            change.append({"path": place_text(("pulley", pulley, "condition")), "value": condition})
+            change.append(Change(path=place_text(("pulley", pulley, "condition")), value=condition))
             yield name, with_lagging(drive, pulley, lagging), change
         except InputError as error:
             yield name, error, change
@@ -127,8 +178,8 @@ def _belts(names: list[str] | None, drive: Drive) -> Iterable[_Candidate]:
         if own.name not in names:
             yield own.name, drive, []
     for name in names:
-        change: Changes = [{"path": "belt.preset", "value": name}]
-        change += [{"path": f"belt.{key}", "value": None} for key in _OF_BELT]
+        change = [Change(path="belt.preset", value=name)]
+        change += [Change(path=f"belt.{key}", value=None) for key in _OF_BELT]
         if name == own.name:
             yield name, drive, []
             continue
@@ -152,62 +203,71 @@ def _neighbours(drive: Drive) -> list[str]:
     return [b.name for b in found]
 
 
-def _row(name: str, drive: Drive, result: ArcResult, change: Changes, request: Data) -> Data:
+def _row(
+    name: str,
+    drive: Drive,
+    result: ArcResult,
+    change: Changes,
+    asked: CompareRequest,
+    *,
+    present: bool,
+) -> Candidate:
     lagging = drive.pulley(result.arc.pulley).lagging
-    what = lagging if request["what"] == "laggings" else drive.belt
+    what = lagging if asked.what == "laggings" else drive.belt
     origin = lagging.source_of("law") if isinstance(what, Lagging) else what.provenance
-    cost, note = _cost(drive, lagging, result, request)
-    return {
-        "name": name,
-        "title": lagging.title if isinstance(what, Lagging) else what.kind,
-        "condition": lagging.condition,
-        "level": level_of(result).value,
-        "short": short(result),
-        "status_text": str(DriveResult(drive, (result,)).governing.status),
-        "cells": {**_cells(result), **cost},
-        "cost_note": note,
-        "kind": origin.kind.value,
-        "source": str(origin),
-        "change": change,
-    }
+    cost, note = _cost(drive, lagging, result, asked)
+    return Candidate(
+        name=name,
+        title=lagging.title if isinstance(what, Lagging) else what.kind,
+        condition=lagging.condition,
+        level=level_of(result),
+        short=short(result),
+        status_text=str(DriveResult(drive, (result,)).governing.status),
+        cells={**_cells(result), **cost},
+        cost_note=note,
+        kind=origin.kind.value,
+        source=str(origin),
+        change=change,
+        present=present,
+    )
 
 
-def _cells(result: ArcResult) -> Data:
+def _cells(result: ArcResult) -> dict[str, Cell]:
     solved, c = result.status.solved, result.capacities
-    nan = math.nan
-
-    def cell(name: str, value: float) -> Data:
-        text = both(lambda system: named(name, value, system))
-        return {"value": value if math.isfinite(value) else None, **text}
-
-    creep = abs(result.exit_creep) if solved else nan
-    share = creep / result.arc.creep_limit
-    outside = result.outside_tested_share if solved else nan
-    return {
-        "creep": cell("exit_creep", creep),
-        "of_limit": _share(share),
-        "peak_shear_stress": cell("peak_shear_stress", result.peak_shear_stress if solved else nan),
-        "peak_shear_angle": cell("peak_shear_angle", result.peak_shear_angle if solved else nan),
-        "margin": cell("creep_limit_margin", c.creep_limit_margin),
-        "least_slack": cell("least_exit_tension", c.least_exit_tension),
-        "power_loss": cell("power_loss", result.energy.power_loss if solved else nan),
-        "outside": _share(outside),
+    numbers = {
+        "creep": ("exit_creep", abs(result.exit_creep), solved),
+        "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress, solved),
+        "peak_shear_angle": ("peak_shear_angle", result.peak_shear_angle, solved),
+        "margin": ("creep_limit_margin", c.creep_limit_margin, True),
+        "least_slack": ("least_exit_tension", c.least_exit_tension, True),
+        "power_loss": ("power_loss", result.energy.power_loss, solved),
     }
+    cells = {
+        key: _cell(name, v if known else math.nan) for key, (name, v, known) in numbers.items()
+    }
+    share = abs(result.exit_creep) / result.arc.creep_limit if solved else math.nan
+    outside = result.outside_tested_share if solved else math.nan
+    return {**cells, "of_limit": _share(share), "outside": _share(outside)}
 
 
-def _share(value: float) -> Data:
-    text = percent(value)
-    return {"value": value if math.isfinite(value) else None, "si": text, "us": text}
+def _cell(name: str, value: float) -> Cell:
+    return Cell(value=finite(value), si=named(name, value, "si"), us=named(name, value, "us"))
 
 
-def _cost(drive: Drive, lagging: Lagging, result: ArcResult, request: Data) -> tuple[Data, str]:
+def _share(value: float) -> Cell:
+    return Cell(value=finite(value), si=percent(value), us=percent(value))
+
+
+def _cost(
+    drive: Drive, lagging: Lagging, result: ArcResult, asked: CompareRequest
+) -> tuple[dict[str, Cell], str]:
     """Return what the lagging and the energy cost over the years, and what to know about it."""
-    price = _price(lagging, request["currency"])
+    price = _price(lagging, asked.currency)
     area = math.pi * result.arc.diameter * drive.belt.width
-    years, notes = request["years"], []
+    years, notes = asked.years, []
     bought = energy = math.nan
     if price is None:
-        notes.append(f"no price in {request['currency']} is known")
+        notes.append(f"no price in {asked.currency} is known")
     else:
         middle, least, most = lagging_cost(price.cost, area, years)
         bought = float(middle)
@@ -216,9 +276,9 @@ def _cost(drive: Drive, lagging: Lagging, result: ArcResult, request: Data) -> t
             f"{_money(float(least))} to {_money(float(most))} for a life of {high:g} to {low:g} "
             f"years; {price.source}"
         )
-    tariff, loss = request["tariff"], result.energy.power_loss
+    tariff, loss = asked.tariff, result.energy.power_loss
     if tariff is not None and result.status.solved and math.isfinite(loss):
-        energy = float(energy_cost(loss, request["hours"], tariff, years))
+        energy = float(energy_cost(loss, asked.hours, tariff, years))
     elif tariff is not None:
         notes.append("energy needs the belt speed")
     total = bought if tariff is None else bought + energy
@@ -235,10 +295,9 @@ def _money(value: float) -> str:
     return display(value, "number", digits=3)
 
 
-def _cost_cell(value: float) -> Data:
-    if not math.isfinite(value):
-        return {"value": None, "si": "-", "us": "-"}
-    return {"value": value, "si": _money(value), "us": _money(value)}
+def _cost_cell(value: float) -> Cell:
+    text = _money(value) if math.isfinite(value) else NONE
+    return Cell(value=finite(value), si=text, us=text)
 
 
 def _meaning(key: str) -> str:
@@ -248,17 +307,16 @@ def _meaning(key: str) -> str:
     return entry.meaning if entry else ""
 
 
-def _remarks(request: Data, case: LoadCase) -> list[str]:
+def _remarks(asked: CompareRequest, case: LoadCase) -> list[str]:
     remarks = [
         "Width, speed, pulley and tensions stay as they are; only what is compared changes.",
     ]
-    if request["what"] == "laggings":
+    if asked.what == "laggings":
         remarks.append("The thickness is that of each lagging, and the diameter stays over it.")
     else:
         remarks.append("The price of the belts is not known here and not counted.")
-    if request["tariff"] is not None:
+    if asked.tariff is not None:
         remarks.append(
-            f"Energy is that lost to creep in load case {case.name}, {request['hours']:g} hours a "
-            "year."
+            f"Energy is that lost to creep in load case {case.name}, {asked.hours:g} hours a year."
         )
     return remarks

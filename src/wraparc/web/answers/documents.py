@@ -1,11 +1,15 @@
 """Documents as they come from a page, to drives and trains."""
 
+from dataclasses import replace
 from typing import Any
 
-from wraparc.drive import Drive
+from wraparc.arc import Distributed
+from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.errors import placed
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
-from wraparc.train import Train
+from wraparc.train import Train, solve_train
+from wraparc.web.answers.shown import DriveKind
 
 
 def without_none(value: Any) -> Any:
@@ -15,6 +19,25 @@ def without_none(value: Any) -> Any:
     if isinstance(value, list):
         return [without_none(item) for item in value if item is not None]
     return value
+
+
+def kind_of(document: Document) -> DriveKind:
+    """Return ``train`` for several pulleys on one belt, else ``drive``."""
+    pulleys = document.get("pulley")
+    several = isinstance(pulleys, list) and len(pulleys) > 1
+    return "train" if several or "train" in document else "drive"
+
+
+def json_like(value: Any) -> Any:
+    """Return a document with dates and times as text: JSON has none."""
+    if isinstance(value, dict):
+        return {key: json_like(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [json_like(item) for item in value]
+    if isinstance(value, bool | int | float | str):
+        finite = not isinstance(value, float) or abs(value) < float("inf")
+        return value if finite else str(value)
+    return str(value)
 
 
 def read(document: Document) -> Drive | Train:
@@ -32,3 +55,25 @@ def read(document: Document) -> Drive | Train:
         return train_from_document(document)
     drive = drive_from_document(document)
     return drive if len(drive.pulleys) == 1 else Train.of(drive)
+
+
+def divided(train: Train, points: int = 180) -> Drive:
+    """Return the drive of a train with the tensions that its division of the load makes."""
+    method = Distributed(points=points, capacities=False)
+    return solve_train(train, method=method, raise_on_failure=False).drive_result().drive
+
+
+def case_only(train: Train, name: str | None) -> Train:
+    """Return a train with one of its load cases, with all for None."""
+    if name is None:
+        return train
+    with placed("load_case"):
+        return replace(train, cases=(train.case(name),))
+
+
+def asked_for(drive: Drive, pulley: str | None, case: str | None) -> tuple[Pulley, LoadCase]:
+    """Return a pulley and a load case by name, the first for None."""
+    with placed("pulley"):
+        found = drive.pulley(pulley)
+    with placed("load_case"):
+        return found, drive.load_case(case)

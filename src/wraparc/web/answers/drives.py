@@ -3,164 +3,242 @@
 import math
 from dataclasses import replace
 
-from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.drive import Drive, LoadCase, Pulley, design_remarks
-from wraparc.errors import placed
+from wraparc.arc import ArcResult, DriveResult, PaperMarch, WrapArc, solve
+from wraparc.drive import Drive, design_remarks
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
-from wraparc.present.drive_sheet import summary_table
+from wraparc.present.drive_sheet import input_sheet, summary_table
 from wraparc.present.inputs import input_table
-from wraparc.present.sheet import Table
+from wraparc.present.sheet import Level
+from wraparc.present.sheet import Table as SheetTable
 from wraparc.present.sources import Sources
+from wraparc.present.train_sheet import train_input_sheet
 from wraparc.present.words import level_of, short, verdict
+from wraparc.schema.source import parse
 from wraparc.train import Train, solve_train
 from wraparc.units import System
-from wraparc.web.answers.documents import read
+from wraparc.web.answers.documents import asked_for, case_only, divided, read
 from wraparc.web.answers.shown import (
+    Answer,
+    Both,
     Data,
-    numbers_data,
-    outside_data,
-    profile_data,
-    table_data,
-    tables_data,
-    tested_data,
-    texts_data,
-    verdict_data,
+    DriveKind,
+    Profile,
+    Sheet,
+    Source,
+    StatusName,
+    Table,
+    Tested,
+    Verdict,
+    numbers,
+    outside,
+    sheet,
+    status_of,
+    tables,
+    texts,
 )
 from wraparc.web.answers.solving import main_solver
+from wraparc.web.answers.trains import TrainPart, train_part
+from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
 TABLES = ("answer", "creep", "capacity", "comparison", "energy", "inputs")
 
 
-def solve_fast(request: Data) -> Data:
-    """Solve one arc without capacities: what a slider needs."""
-    thing = read(request["document"])
-    points = request["points"]
-    method = main_solver(points, capacities=False)
-    drive = thing if isinstance(thing, Drive) else _divided(thing, request["load_case"], points)
-    pulley, case = asked_for(drive, request)
-    result = method.solve(WrapArc.of(drive, pulley, case))
-    answered = DriveResult(drive, (result,))
-    return {
-        "sequence": request["sequence"],
-        "kind": "drive" if isinstance(thing, Drive) else "train",
-        "pulley": pulley.name,
-        "load_case": case.name,
-        "verdict": verdict_data(lambda system: verdict(answered, system)),
-        "tables": tables_data(_first_tables(result, "si"), _first_tables(result, "us"), TABLES[:2])
-        if request["tables"] and result.status.solved
-        else [],
-        "remarks": _remarks(drive),
-        **_arc_numbers(result),
-    }
+class Arc(Answer):
+    """One pulley in one load case."""
+
+    pulley: str
+    load_case: str
+    status: StatusName
+    level: Level
+    creep_limit: float
+    numbers: dict[str, float | None]
+    profile: Profile
+    tested: Tested | None
+    outside: list[tuple[float, float]]
+    tables: list[Table]
 
 
-def _first_tables(result: ArcResult, system: System) -> list[Table | None]:
-    return [answer_table((result,), system), creep_table((result,), system)]
+class FastAnswer(Arc):
+    """One arc without capacities."""
+
+    sequence: int
+    kind: DriveKind
+    verdict: Verdict
+    remarks: list[Both]
 
 
-def _divided(train: Train, load_case: str | None, points: int) -> Drive:
-    """Return the drive of a train with the tensions that its division of the load makes."""
-    train = _case_only(train, load_case or train.cases[0].name)
-    method = Distributed(points=points, capacities=False)
-    return solve_train(train, method=method, raise_on_failure=False).drive_result().drive
+class Paper(Answer):
+    """The same arc by the paper's march."""
+
+    status: StatusName
+    numbers: dict[str, float | None]
+    profile: Profile
 
 
-def solve_all(request: Data) -> Data:
-    """Solve everything by both methods, as ``wraparc solve --method both`` does."""
-    thing = read(request["document"])
-    train_part = None
+class WholeArc(Arc):
+    """One arc with everything there is to say."""
+
+    status_text: str
+    short: str
+    unbounded: list[str]
+    table_sources: list[str]
+    paper: Paper
+
+
+class Place(Answer):
+    """Which arc."""
+
+    pulley: str
+    load_case: str
+
+
+class Marks(Answer):
+    """What of the numbers must be known."""
+
+    illustrative: bool
+    calibrated: bool
+    outside_tested: bool
+
+
+class SolveAnswer(Answer):
+    """A solved drive."""
+
+    sequence: int
+    kind: DriveKind
+    title: str
+    description: str
+    solved: bool
+    within_creep_limit: bool
+    governing: Place
+    verdict: Verdict
+    remarks: list[Both]
+    summary: Table | None
+    sources: list[Source]
+    has: Marks
+    arcs: list[WholeArc]
+    train: TrainPart | None
+
+
+class SheetAnswer(Sheet):
+    """What was read of a drive."""
+
+    kind: DriveKind
+
+
+def solve_fast(asked: FastRequest) -> FastAnswer:
+    """One arc without capacities, for sliders."""
+    thing = read(asked.document)
     if isinstance(thing, Train):
-        from wraparc.web.answers.trains import train_data
-
-        thing = _case_only(thing, request["load_case"])
-        solved_train = solve_train(thing, raise_on_failure=False)
-        first = solved_train.drive_result()
-        train_part = train_data(solved_train)
+        case = thing.cases[0].name if asked.load_case is None else asked.load_case
+        drive = divided(case_only(thing, case), asked.points)
     else:
-        if request["load_case"] is not None:
-            with placed("load_case"):
-                case = thing.load_case(request["load_case"])
+        drive = thing
+    pulley, load = asked_for(drive, asked.pulley, asked.load_case)
+    method = main_solver(asked.points, capacities=False)
+    result = method.solve(WrapArc.of(drive, pulley, load))
+    answered = DriveResult(drive, (result,))
+
+    def first_tables(system: System) -> list[SheetTable]:
+        return [answer_table((result,), system), creep_table((result,), system)]
+
+    return FastAnswer(
+        sequence=asked.sequence,
+        kind="train" if isinstance(thing, Train) else "drive",
+        verdict=Verdict.both(lambda system: verdict(answered, system)),
+        tables=tables(first_tables, TABLES[:2]) if asked.tables and result.status.solved else [],
+        remarks=texts(lambda system: design_remarks(drive, system)),
+        **_arc(result),
+    )
+
+
+def solve_all(asked: SolveRequest) -> SolveAnswer:
+    """Every arc by both methods, with capacities, as ``wraparc solve --method both`` gives it."""
+    thing = read(asked.document)
+    train = None
+    if isinstance(thing, Train):
+        solved_train = solve_train(case_only(thing, asked.load_case), raise_on_failure=False)
+        first, train = solved_train.drive_result(), train_part(solved_train)
+    else:
+        if asked.load_case is not None:
+            case = asked_for(thing, None, asked.load_case)[1]
             thing = replace(thing, load_cases=(case,))
-        first = solve(thing, method=main_solver(request["points"]), raise_on_failure=False)
-    drive = first.drive
+        first = solve(thing, method=main_solver(asked.points), raise_on_failure=False)
+    drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
-    results = (first, second)
-    summary = None
-    if len(first) > 1:
-        summary = table_data("summary", summary_table(results, "si"), summary_table(results, "us"))
-    sources = sources_of(drive)
-    return {
-        "sequence": request["sequence"],
-        "kind": "drive" if train_part is None else "train",
-        "title": drive.title,
-        "description": drive.description,
-        "solved": first.solved,
-        "within_creep_limit": first.within_creep_limit,
-        "governing": {
-            "pulley": first.governing.arc.pulley,
-            "load_case": first.governing.arc.load_case,
-        },
-        "verdict": train_part["verdict"]
-        if train_part
-        else verdict_data(lambda system: verdict(first, system)),
-        "remarks": _remarks(drive),
-        "summary": summary,
-        "sources": sources,
-        "has": {
-            "illustrative": any(s["kind"] == "illustrative" for s in sources),
-            "calibrated": any(s["kind"] == "calibrated" for s in sources),
-            "outside_tested": any(a.outside_tested_share > 0.0 for a in first),
-        },
-        "arcs": [_arc_data(drive, a, b) for a, b in zip(first, second, strict=True)],
-        "train": train_part,
-    }
+    sources = [Source(**source) for source in sources_of(drive)]
+    summary = tables(lambda system: [summary_table((first, second), system)], ["summary"])
+    return SolveAnswer(
+        sequence=asked.sequence,
+        kind="drive" if train is None else "train",
+        title=drive.title,
+        description=drive.description,
+        solved=first.solved,
+        within_creep_limit=first.within_creep_limit,
+        governing=Place(pulley=governing.pulley, load_case=governing.load_case),
+        verdict=(train and train.verdict) or Verdict.both(lambda system: verdict(first, system)),
+        remarks=texts(lambda system: design_remarks(drive, system)),
+        summary=summary[0] if len(first) > 1 else None,
+        sources=sources,
+        has=Marks(
+            illustrative=any(s.kind == "illustrative" for s in sources),
+            calibrated=any(s.kind == "calibrated" for s in sources),
+            outside_tested=any(a.outside_tested_share > 0.0 for a in first),
+        ),
+        arcs=[_whole_arc(drive, a, b) for a, b in zip(first, second, strict=True)],
+        train=train,
+    )
 
 
-def _case_only(train: Train, load_case: str | None) -> Train:
-    if load_case is None:
-        return train
-    with placed("load_case"):
-        return replace(train, cases=(train.case(load_case),))
+def check(asked: CheckRequest) -> SheetAnswer:
+    """What is read of a drive; solves nothing."""
+    thing = read(parse(asked.toml) if asked.toml is not None else asked.document or {})
+    if isinstance(thing, Drive):
+        return SheetAnswer(kind="drive", **sheet(lambda system: input_sheet(thing, system)))
+    return SheetAnswer(kind="train", **sheet(lambda system: train_input_sheet(thing, system)))
 
 
-def _arc_data(drive: Drive, result: ArcResult, paper: ArcResult) -> Data:
+def _whole_arc(drive: Drive, result: ArcResult, paper: ArcResult) -> WholeArc:
     of = Sources()
-    si = _tables(drive, result, paper, "si", of)
+    return WholeArc(
+        status_text=str(result.status),
+        short=short(result),
+        unbounded=[n for n, value in result.scalars().items() if math.isinf(value)],
+        tables=tables(
+            lambda system: _tables(
+                drive, result, paper, system, Sources() if system == "us" else of
+            ),
+            TABLES,
+        ),
+        table_sources=list(of.listed()),
+        paper=Paper(
+            status=status_of(paper),
+            numbers=numbers(paper.scalars()),
+            profile=Profile.of(paper.profile, _PAPER_POINTS),
+        ),
+        **_arc(result),
+    )
+
+
+def _arc(result: ArcResult) -> Data:
     return {
         "pulley": result.arc.pulley,
         "load_case": result.arc.load_case,
-        "status_text": str(result.status),
-        "short": short(result),
-        "unbounded": [n for n, value in result.scalars().items() if math.isinf(value)],
-        "tables": tables_data(si, _tables(drive, result, paper, "us", Sources()), TABLES),
-        "table_sources": list(of.listed()),
-        "paper": {
-            "status": paper.status.name.lower(),
-            "numbers": numbers_data(paper.scalars()),
-            "profile": profile_data(paper.profile, _PAPER_POINTS),
-        },
-        **_arc_numbers(result),
-    }
-
-
-def _arc_numbers(result: ArcResult) -> Data:
-    return {
-        "status": result.status.name.lower(),
-        "level": level_of(result).value,
+        "status": status_of(result),
+        "level": level_of(result),
         "creep_limit": result.arc.creep_limit,
-        "numbers": numbers_data(result.scalars()),
-        "profile": profile_data(result.profile),
-        "tested": tested_data(result),
-        "outside": outside_data(result),
+        "numbers": numbers(result.scalars()),
+        "profile": Profile.of(result.profile),
+        "tested": result.arc.law.tested,
+        "outside": outside(result),
     }
 
 
 def _tables(
     drive: Drive, result: ArcResult, paper: ArcResult, system: System, of: Sources
-) -> list[Table | None]:
+) -> list[SheetTable | None]:
     pulley = drive.pulley(result.arc.pulley)
     solved = tuple(r for r in (result, paper) if r.status.solved)
     carried = result.status.solved
@@ -172,29 +250,3 @@ def _tables(
         energy_table(result, system) if carried else None,
         input_table(drive, pulley, result.arc, system, of),
     ]
-
-
-def _remarks(drive: Drive) -> list[Data]:
-    return texts_data(design_remarks(drive, "si"), design_remarks(drive, "us"))
-
-
-def check(request: Data) -> Data:
-    """Say what was read of a drive, and solve nothing."""
-    from wraparc.present.drive_sheet import input_sheet
-    from wraparc.present.train_sheet import train_input_sheet
-    from wraparc.schema.source import parse
-    from wraparc.web.answers.shown import sheet_data
-
-    document = request.get("document")
-    thing = read(parse(request["toml"]) if document is None else document)
-    if isinstance(thing, Drive):
-        return {"kind": "drive", **sheet_data(lambda system: input_sheet(thing, system))}
-    return {"kind": "train", **sheet_data(lambda system: train_input_sheet(thing, system))}
-
-
-def asked_for(drive: Drive, request: Data) -> tuple[Pulley, LoadCase]:
-    """Return the pulley and the load case of a request, the first where it names none."""
-    with placed("pulley"):
-        pulley = drive.pulley(request["pulley"])
-    with placed("load_case"):
-        return pulley, drive.load_case(request["load_case"])

@@ -1,18 +1,27 @@
 """The form of a drive, made from the keys of the drive file and the words of the glossary."""
 
+from collections.abc import Iterable
 from functools import cache
-from typing import Any
 
 from wraparc.drive import CREEP_LIMIT
 from wraparc.files.drive_keys import BELT, LOAD_CASE, PULLEY, TENSIONS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.glossary import GLOSSARY
+from wraparc.glossary import Quantity as GlossaryQuantity
 from wraparc.schema.kinds import Choice, Flag, Kind, Name, Quantity, TextOr, WordOr
 from wraparc.schema.tables import Entry, Table
 from wraparc.train.keys import TRAIN, TRAIN_FILE
-from wraparc.units import DIMENSION_TEXT, DIMENSIONS, Dimension, display, display_unit, unit_factor
+from wraparc.units import (
+    DIMENSION_TEXT,
+    DIMENSIONS,
+    Dimension,
+    System,
+    display,
+    display_unit,
+    unit_factor,
+)
 from wraparc.version import __version__
-from wraparc.web.answers.shown import Data, both
+from wraparc.web.answers.shown import Answer, Data
 
 _IN_GLOSSARY = {"width": "belt_width", "modulus": "belt_modulus", "speed": "belt_speed"}
 _IN_LAGGING = {"thickness": "lagging_thickness"}
@@ -39,27 +48,101 @@ _SLIDERS: dict[str, tuple[float, float, bool]] = {
 _STEPS = 200
 
 
+class Slider(Answer):
+    """Ends of a slider [SI], and whether it goes by factors."""
+
+    least: float
+    most: float
+    step: float
+    log: bool
+
+
+class Range(Answer):
+    """Ends of what is allowed, in both systems of units."""
+
+    si: list[str | None]
+    us: list[str | None]
+
+
+class Field(Answer):
+    """One field of the form, and what may stand in it."""
+
+    key: str
+    path: str
+    title: str
+    symbol: str
+    help: str
+    kind: str
+    required: bool
+    advanced: bool
+    options: list[str]
+    word: str | None
+    default: str | bool | None
+    slider: Slider | None
+    dimension: str | None = None
+    allowed: str = ""
+    least: float | None = None
+    most: float | None = None
+    range: Range | None = None
+
+
+class Section(Answer):
+    """Fields under one heading."""
+
+    key: str
+    title: str
+    repeated: bool
+    fields: list[Field]
+
+
+class Unit(Answer):
+    """A unit, and its size [SI]."""
+
+    unit: str
+    factor: float
+
+
+class Units(Answer):
+    """The units of a dimension."""
+
+    si: Unit
+    us: Unit
+    choices: list[str]
+    factors: dict[str, float]
+    example: str
+
+
+class Term(Answer):
+    """A quantity of the glossary."""
+
+    symbol: str
+    dimension: str
+    title: str
+    meaning: str
+
+
+class Form(Answer):
+    """The form of a drive, the units and the glossary."""
+
+    version: str
+    units: dict[str, Units]
+    glossary: dict[str, Term]
+    sections: list[Section]
+
+
 @cache
-def form() -> Data:
+def form() -> Form:
     """Return sections with fields, units and glossary."""
     tensions = {entry.key for entry in TENSIONS}
     pulley = [entry for entry in PULLEY.entries if entry.key not in tensions]
     top = [e for e in TRAIN_FILE.entries if not isinstance(e.kind, Table) and _is_field(e)]
     lagging = [e for e in LAGGING_GIVEN.entries if e.key in _OF_LAGGING]
     case = [e for e in LOAD_CASE.entries if e.key in ("name", "description")]
-    return {
-        "version": __version__,
-        "units": {dimension: _units(dimension) for dimension in DIMENSIONS},
-        "glossary": {
-            name: {
-                "symbol": q.symbol,
-                "dimension": q.dimension,
-                "title": q.title,
-                "meaning": q.meaning,
-            }
-            for name, q in GLOSSARY.items()
-        },
-        "sections": [
+    return Form(
+        version=__version__,
+        units={dimension: _units(dimension) for dimension in DIMENSIONS},
+        glossary={name: _term(quantity) for name, quantity in GLOSSARY.items()},
+        sections=[
             _section("drive", "Drive", "", top),
             _section("belt", "Belt", "belt.", BELT.entries),
             _section("pulley", "Pulleys", "pulley[].", pulley, repeated=True),
@@ -68,111 +151,15 @@ def form() -> Data:
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
             _section("train", "Train", "train.", TRAIN.entries),
         ],
-    }
+    )
+
+
+def _term(quantity: GlossaryQuantity) -> Term:
+    return Term(**{name: getattr(quantity, name) for name in Term.model_fields})
 
 
 def _is_field(entry: Entry) -> bool:
     return entry.key not in ("format", "belt", "pulley", "lagging", "load_case", "train")
-
-
-def _section(key: str, title: str, prefix: str, entries: Any, *, repeated: bool = False) -> Data:
-    names = _IN_GLOSSARY if key == "belt" else _IN_LAGGING if key == "lagging" else {}
-    fields = [_field(entry, prefix, names.get(entry.key, entry.key)) for entry in entries]
-    return {"key": key, "title": title, "repeated": repeated, "fields": fields}
-
-
-def _field(entry: Entry, prefix: str, name: str) -> Data:
-    path = prefix + entry.key
-    worded = entry.kind if isinstance(entry.kind, WordOr) else None
-    kind = worded.kind if worded else entry.kind
-    quantity = GLOSSARY.get(name)
-    return {
-        "key": entry.key,
-        "path": path,
-        "title": entry.title or entry.key.replace("_", " ").capitalize(),
-        "symbol": quantity.symbol if quantity else "",
-        "help": entry.meaning,
-        "kind": _kind_name(path, kind),
-        "required": entry.required,
-        "advanced": entry.key in _ADVANCED or path.startswith("load_case"),
-        "options": list(kind.options) if isinstance(kind, Choice) else [],
-        "word": worded.word if worded else None,
-        "default": _default(path),
-        "slider": _slider(path),
-        **_limits(kind),
-    }
-
-
-def _kind_name(path: str, kind: Kind) -> str:
-    if path == "belt.preset":
-        return "belt"
-    if path == "pulley[].lagging":
-        return "lagging"
-    if isinstance(kind, Quantity):
-        return "number" if kind.dimension == "number" else "quantity"
-    if isinstance(kind, Choice):
-        return "choice"
-    if isinstance(kind, Flag):
-        return "flag"
-    if isinstance(kind, Name):
-        return "name"
-    if type(kind).__name__ == "Text":
-        return "text"
-    if isinstance(kind, TextOr):
-        return "lagging"
-    return "table"
-
-
-def _limits(kind: Kind) -> Data:
-    empty: Data = {"dimension": None, "allowed": "", "least": None, "most": None, "range": None}
-    if not isinstance(kind, Quantity):
-        return empty
-    limit, dimension = kind.limit, kind.dimension
-    if limit is None:
-        return {**empty, "dimension": dimension}
-    ends = [end if abs(end) < float("inf") else None for end in (limit.least, limit.most)]
-    return {
-        "dimension": dimension,
-        "allowed": str(limit),
-        "least": ends[0],
-        "most": ends[1],
-        "range": both(
-            lambda system: [
-                None if end is None else display(end, dimension, system) for end in ends
-            ]
-        ),
-    }
-
-
-def _default(path: str) -> str | bool | None:
-    if path == "creep_limit":
-        return display(CREEP_LIMIT, "length")
-    defaults: dict[str, str | bool] = {"pulley[].overrun": "formula", "pulley[].recovery": True}
-    return defaults.get(path)
-
-
-def _slider(path: str) -> Data | None:
-    if path not in _SLIDERS:
-        return None
-    least, most, log = _SLIDERS[path]
-    return {"least": least, "most": most, "step": (most - least) / _STEPS, "log": log}
-
-
-def _units(dimension: Dimension) -> Data:
-    def unit(system: Any) -> Data:
-        text, factor = display_unit(dimension, system)
-        return {"unit": text, "factor": factor}
-
-    return {
-        **both(unit),
-        "choices": _choices(dimension),
-        "factors": {
-            unit: unit_factor(unit, dimension)
-            for unit in (*_choices(dimension), *(("%",) if dimension == "number" else ()))
-            if unit not in ("degC", "degF")
-        },
-        "example": DIMENSION_TEXT[dimension].example,
-    }
 
 
 _CHOICES: dict[str, tuple[str, ...]] = {
@@ -191,5 +178,99 @@ _CHOICES: dict[str, tuple[str, ...]] = {
 }
 
 
-def _choices(dimension: Dimension) -> list[str]:
-    return list(_CHOICES.get(dimension, tuple(display_unit(dimension)[:1])))
+def _section(
+    key: str, title: str, prefix: str, entries: Iterable[Entry], *, repeated: bool = False
+) -> Section:
+    names = _IN_GLOSSARY if key == "belt" else _IN_LAGGING if key == "lagging" else {}
+    fields = [_field(entry, prefix, names.get(entry.key, entry.key)) for entry in entries]
+    return Section(key=key, title=title, repeated=repeated, fields=fields)
+
+
+def _field(entry: Entry, prefix: str, name: str) -> Field:
+    path = prefix + entry.key
+    worded = entry.kind if isinstance(entry.kind, WordOr) else None
+    kind = worded.kind if worded else entry.kind
+    quantity = GLOSSARY.get(name)
+    return Field(
+        key=entry.key,
+        path=path,
+        title=entry.title or entry.key.replace("_", " ").capitalize(),
+        symbol=quantity.symbol if quantity else "",
+        help=entry.meaning,
+        kind=_kind_name(path, kind),
+        required=entry.required,
+        advanced=entry.key in _ADVANCED or path.startswith("load_case"),
+        options=list(kind.options) if isinstance(kind, Choice) else [],
+        word=worded.word if worded else None,
+        default=_default(path),
+        slider=_slider(path),
+        **_limits(kind),
+    )
+
+
+def _kind_name(path: str, kind: Kind) -> str:
+    if path == "belt.preset":
+        return "belt"
+    if path == "pulley[].lagging":
+        return "lagging"
+    if isinstance(kind, Quantity):
+        return "number" if kind.dimension == "number" else "quantity"
+    if isinstance(kind, Choice):
+        return "choice"
+    if isinstance(kind, Flag):
+        return "flag"
+    if isinstance(kind, Name):
+        return "name"
+    if type(kind).__name__ == "Text":
+        return "text"
+    return "lagging" if isinstance(kind, TextOr) else "table"
+
+
+def _limits(kind: Kind) -> Data:
+    if not isinstance(kind, Quantity):
+        return {}
+    limit, dimension = kind.limit, kind.dimension
+    if limit is None:
+        return {"dimension": dimension}
+    least, most = (end if abs(end) < float("inf") else None for end in (limit.least, limit.most))
+
+    def ends(system: System) -> list[str | None]:
+        return [None if e is None else display(e, dimension, system) for e in (least, most)]
+
+    return {
+        "dimension": dimension,
+        "allowed": str(limit),
+        "least": least,
+        "most": most,
+        "range": Range(si=ends("si"), us=ends("us")),
+    }
+
+
+def _default(path: str) -> str | bool | None:
+    if path == "creep_limit":
+        return display(CREEP_LIMIT, "length")
+    defaults: dict[str, str | bool] = {"pulley[].overrun": "formula", "pulley[].recovery": True}
+    return defaults.get(path)
+
+
+def _slider(path: str) -> Slider | None:
+    if path not in _SLIDERS:
+        return None
+    least, most, log = _SLIDERS[path]
+    return Slider(least=least, most=most, step=(most - least) / _STEPS, log=log)
+
+
+def _units(dimension: Dimension) -> Units:
+    def unit(system: System) -> Unit:
+        text, factor = display_unit(dimension, system)
+        return Unit(unit=text, factor=factor)
+
+    choices = list(_CHOICES.get(dimension, tuple(display_unit(dimension)[:1])))
+    sized = [*choices, "%"] if dimension == "number" else choices
+    return Units(
+        si=unit("si"),
+        us=unit("us"),
+        choices=choices,
+        factors={u: unit_factor(u, dimension) for u in sized if u not in ("degC", "degF")},
+        example=DIMENSION_TEXT[dimension].example,
+    )

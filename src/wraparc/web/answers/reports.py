@@ -8,18 +8,18 @@ from wraparc.drive import Drive
 from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.train import solve_train
 from wraparc.web.answers.documents import read
-from wraparc.web.answers.shown import Data
 from wraparc.web.answers.solving import main_solver
+from wraparc.web.asked import ReportRequest
 
 _KINDS: dict[str, Any] = {"pdf": pdf, "xlsx": workbook, "md": markdown}
 
 
-def report(request: Data) -> bytes:
+def report(asked: ReportRequest, kind: str) -> bytes:
     """Return the note as a file: ``pdf``, ``xlsx`` or ``md``."""
-    thing = read(request["document"])
-    given = {key: text for key, text in request["head"].items() if text}
+    thing = read(asked.document)
+    given = {key: text for key, text in asked.head.model_dump().items() if text}
     date = datetime.now(UTC).date().isoformat()
-    head = NoteHead(**{"date": date, "file": f"{request['name']}.toml", **given})
+    head = NoteHead(**{"date": date, "file": f"{asked.name}.toml", **given})
     train = None
     if isinstance(thing, Drive):
         first = solve(thing, method=main_solver(), raise_on_failure=False)
@@ -27,5 +27,5 @@ def report(request: Data) -> bytes:
         train = solve_train(thing, raise_on_failure=False)
         first = train.drive_result()
     second = solve(first.drive, method=PaperMarch(), raise_on_failure=False)
-    made = _KINDS[request["kind"]]([first, second], head, system=request["units"], train=train)
+    made = _KINDS[kind]([first, second], head, system=asked.units, train=train)
     return made.encode("utf-8") if isinstance(made, str) else bytes(made)

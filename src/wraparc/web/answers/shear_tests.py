@@ -1,8 +1,11 @@
 """Machine files read and fitted; runs in a process of its own for every file."""
 
 import re
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from pydantic import Field
 
 from wraparc.errors import InputError
 from wraparc.files.write import lagging_text
@@ -19,8 +22,19 @@ from wraparc.shear_test import (
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
 from wraparc.shear_test.plan_file import plan_from_document
-from wraparc.web.answers.shown import Data, rounded, sheet_data, tables_data
-from wraparc.web.errors import problems_data
+from wraparc.web.answers.shown import (
+    Answer,
+    Data,
+    Numbers,
+    Sheet,
+    Table,
+    finite,
+    rounded,
+    sheet,
+    tables,
+)
+from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
+from wraparc.web.errors import ToldProblem, told
 
 _PREVIEW, _CURVE, _PRESSURES = 240, 200, 60
 _PRESSURE = re.compile(r"(?<![\d.])0*(\d{1,5}(?:[.]\d{1,3})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE)
@@ -28,60 +42,157 @@ _UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
 _TEST_KEYS = ("pressure", "normal_force", "condition", "repeat", "sample")
 
 
-def read_files(request: Data) -> Data:
+@dataclass(frozen=True)
+class MachineFile:
+    """A file of a test machine, and what is said of it."""
+
+    id: str
+    name: str
+    data: bytes
+    said: TestFileRequest
+
+
+class FileColumn(Answer):
+    """A column of a machine file."""
+
+    name: str
+    unit: str
+    role: str
+
+
+class Preview(Answer):
+    """Travel [m] and force [N] of a test."""
+
+    travel: Numbers
+    force: Numbers
+
+
+class ReadFile(Answer):
+    """What was understood of a file, or what has to be said about it."""
+
+    read: bool = False
+    problems: list[ToldProblem] = Field(default_factory=list)
+    tables: list[Table] = Field(default_factory=list)
+    columns: list[FileColumn] = Field(default_factory=list)
+    notes: list[str] = Field(default_factory=list)
+    preview: Preview | None = None
+    pressure_guess: str | None = None
+    place: str = ""
+
+
+class ReadFiles(Answer):
+    """What was understood of several files."""
+
+    files: list[ReadFile]
+
+
+class FittedCurve(Answer):
+    """Friction of one test over slip [m], and the fit through it."""
+
+    file: str
+    pressure: float
+    slip: Numbers
+    friction: Numbers
+    fitted: Numbers
+    peak_friction: float | None
+    peak_slip: float | None
+    lash: float | None
+    noise: float | None
+    flagged: bool
+    misfit: list[str]
+
+
+class PressurePoint(Answer):
+    """Peak of one test."""
+
+    file: str
+    pressure: float
+    peak_slip: float | None
+    peak_friction: float | None
+
+
+class PressureFunctions(Answer):
+    """Peaks over pressure [Pa]: of the tests, and of the law."""
+
+    points: list[PressurePoint]
+    pressure: Numbers = Field(default_factory=list)
+    peak_slip: Numbers = Field(default_factory=list)
+    peak_friction: Numbers = Field(default_factory=list)
+
+
+class Transition(Answer):
+    """Pressure from which the friction falls [Pa]."""
+
+    pressure: float | None
+    interval: Numbers
+    given: bool
+    in_law: bool
+
+
+class FittedCondition(Answer):
+    """What was found in one condition."""
+
+    condition: str
+    misfit: list[str]
+    remarks: list[str]
+    curves: list[FittedCurve]
+    pressure_functions: PressureFunctions
+    transition: Transition | None
+
+
+class FitAnswer(Answer):
+    """A fitted lagging, as a table for a drive document and as a file."""
+
+    name: str
+    lagging: Data
+    toml: str
+    sheet: Sheet
+    conditions: list[FittedCondition]
+    left_out: list[ToldProblem]
+    removes_shear: bool
+
+
+def read_files(files: list[MachineFile]) -> ReadFiles:
     """Return what was understood of several files."""
-    return {"files": [read_file(file) for file in request["files"]]}
+    return ReadFiles(files=[_read_file(file) for file in files])
 
 
-def read_file(request: Data) -> Data:
-    """Return what was understood of a file, or what has to be said about it."""
-    name, said = request["name"], request["said"]
-    found: Data = {
-        "read": False,
-        "problems": [],
-        "tables": [],
-        "columns": [],
-        "notes": [],
-        "preview": None,
-        "pressure_guess": guessed_pressure(name),
-        "place": "",
-    }
+def _read_file(file: MachineFile) -> ReadFile:
+    guess = guessed_pressure(file.name)
     try:
-        test = _one_test(name, said)
-        record = read_machine_bytes(request["data"], name, test.choices)
+        test = _one_test(file)
+        record = read_machine_bytes(file.data, file.name, test.choices)
     except InputError as error:
-        return {**found, "problems": problems_data(error.problems)}
-    sheet = record_sheet(record)
-    return {
-        **found,
-        "read": True,
-        "place": sheet.subtitle,
-        "tables": tables_data(sheet.tables, sheet.tables, ("columns", "rows")),
-        "columns": [{"name": c.name, "unit": c.unit, "role": c.role} for c in record.columns],
-        "notes": list(sheet.remarks),
-        "preview": _preview(record),
-    }
+        return ReadFile(problems=told(error.problems), pressure_guess=guess)
+    shown = record_sheet(record)
+    step = max(1, len(record.travel) // _PREVIEW)
+    return ReadFile(
+        read=True,
+        place=shown.subtitle,
+        tables=tables(lambda _: shown.tables, ("columns", "rows")),
+        columns=[FileColumn(name=c.name, unit=c.unit, role=c.role) for c in record.columns],
+        notes=list(shown.remarks),
+        preview=Preview(travel=rounded(record.travel[::step]), force=rounded(record.force[::step])),
+        pressure_guess=guess,
+    )
 
 
-def _one_test(name: str, said: Data) -> PlannedTest:
+def _one_test(file: MachineFile) -> PlannedTest:
     document = {
         "format": 1,
         "lagging": {"name": "lagging"},
         "rig": {"sample_area": "1 m2"},
-        "test": [_test_table(name, said)],
+        "test": [_test_table(file.name, file.said)],
     }
     return plan_from_document(document).tests[0]
 
 
-def _test_table(file: str, said: Data) -> Document:
+def _test_table(file: str, said: TestFileRequest) -> Document:
     """Return the table of a test plan for what the user says of a file."""
-    table: Document = {"file": file}
-    table |= {key: said[key] for key in _TEST_KEYS if said.get(key)}
-    choices = dict(said.get("choices") or {})
-    if choices.get("normal_force") is not None:
-        choices["normal_force_column"] = choices.pop("normal_force")
-    table |= {key: value for key, value in choices.items() if value not in (None, "", {})}
-    return table
+    choices = said.choices.model_dump()
+    choices["normal_force_column"] = choices.pop("normal_force")
+    given = {**said.model_dump(include=set(_TEST_KEYS)), **choices}
+    return {"file": file, **{k: v for k, v in given.items() if v not in (None, "", {})}}
 
 
 def guessed_pressure(name: str) -> str | None:
@@ -90,132 +201,117 @@ def guessed_pressure(name: str) -> str | None:
     return f"{found[1]} {_UNITS[found[2].lower()]}" if found else None
 
 
-def _preview(record: MachineRecord) -> Data:
-    step = max(1, len(record.travel) // _PREVIEW)
-    return {"travel": rounded(record.travel[::step]), "force": rounded(record.force[::step])}
-
-
-def fit(request: Data) -> Data:
-    """Fit the lagging to all files of a session."""
-    files = {f"{upload['id']}: {upload['name']}": upload for upload in request["files"]}
-    document = {
+def fit(asked: FitRequest, uploads: list[MachineFile]) -> FitAnswer:
+    """Fit the friction law; tests that cannot be used are named, the others go on."""
+    files = {f"{upload.id}: {upload.name}": upload for upload in uploads}
+    document: Data = {
         "format": 1,
-        "lagging": _without_empty(request["lagging"]),
-        "rig": _without_empty(request["rig"]),
-        "test": [_test_table(file, upload["said"]) for file, upload in files.items()],
+        "lagging": _without_empty(asked.lagging),
+        "rig": _without_empty(asked.rig),
+        "test": [_test_table(file, upload.said) for file, upload in files.items()],
     }
-    options = _without_empty(request["fit"])
+    options = _without_empty(asked.fit)
     document |= {"fit": options} if options else {}
-    if request.get("illustrative"):
+    if any(upload.said.illustrative for upload in uploads):
         note = "virtual tests of a known law, no real product"
         origin = {"kind": "illustrative", "source": "virtual rig", "note": note}
         document["provenance"] = origin
     plan = plan_from_document(document)
 
     def read(test: PlannedTest) -> MachineRecord:
-        return read_machine_bytes(files[test.file]["data"], test.file, test.choices)
+        return read_machine_bytes(files[test.file].data, test.file, test.choices)
 
-    result = fit_plan(plan, read=read)
-    return {**_lagging(result), **_result_data(plan, result)}
+    return _fitted(plan, fit_plan(plan, read=read))
 
 
 def _without_empty(table: Data) -> Data:
     return {key: value for key, value in table.items() if value not in (None, "")}
 
 
-def _lagging(result: PlanResult) -> Data:
+def _fitted(plan: TestPlan, result: PlanResult) -> FitAnswer:
     text = lagging_text(result.laggings)
     table = parse(text)
     table.pop("format")
-    name = table.pop("name")
-    return {"name": name, "lagging": table, "toml": text}
+    return FitAnswer(
+        name=table.pop("name"),
+        lagging=table,
+        toml=text,
+        sheet=Sheet(**sheet(lambda system: plan_sheet(result, system))),
+        conditions=[_condition(condition) for condition in result.conditions],
+        left_out=told(result.left_out),
+        removes_shear=plan.removes_shear,
+    )
 
 
-def _result_data(plan: TestPlan, result: PlanResult) -> Data:
-    return {
-        "sheet": sheet_data(lambda system: plan_sheet(result, system)),
-        "conditions": [_condition(condition) for condition in result.conditions],
-        "left_out": problems_data(result.left_out),
-        "removes_shear": plan.removes_shear,
-    }
-
-
-def _condition(condition: ConditionResult) -> Data:
-    found = condition.found
-    return {
-        "condition": condition.condition,
-        "misfit": list(condition.misfit),
-        "remarks": list(condition.remarks),
-        "curves": [
+def _condition(condition: ConditionResult) -> FittedCondition:
+    found, transition = condition.found, condition.found.transition
+    return FittedCondition(
+        condition=condition.condition,
+        misfit=list(condition.misfit),
+        remarks=list(condition.remarks),
+        curves=[
             _curve(test, bool(flagged))
             for test, flagged in zip(condition.tests, found.flagged, strict=True)
         ],
-        "pressure_functions": _pressure_functions(condition),
-        "transition": None
-        if found.transition is None
-        else {
-            "pressure": found.transition.pressure,
-            "interval": [v if np.isfinite(v) else None for v in found.transition.interval],
-            "given": found.transition.given,
-            "in_law": found.transition.in_law,
-        },
-    }
+        pressure_functions=_pressure_functions(condition),
+        transition=None
+        if transition is None
+        else Transition(
+            pressure=finite(transition.pressure),
+            interval=[finite(v) for v in transition.interval],
+            given=transition.given,
+            in_law=transition.in_law,
+        ),
+    )
 
 
-def _curve(test: OneTest, flagged: bool) -> Data:
+def _curve(test: OneTest, flagged: bool) -> FittedCurve:
     fit, p = test.fit, test.fit.parameters
     step = max(1, len(fit.slip) // _CURVE)
-    return {
-        "file": test.test.file,
-        "pressure": test.curve.pressure,
-        "slip": rounded(fit.slip[::step]),
-        "friction": rounded(fit.friction[::step]),
-        "fitted": rounded(fit.fitted[::step]),
-        "peak_friction": p.peak_friction,
-        "peak_slip": p.peak_slip,
-        "lash": p.lash,
-        "noise": fit.noise,
-        "flagged": flagged,
-        "misfit": [sentence.text for sentence in test.judged.misfit],
-    }
+    return FittedCurve(
+        file=test.test.file,
+        pressure=test.curve.pressure,
+        slip=rounded(fit.slip[::step]),
+        friction=rounded(fit.friction[::step]),
+        fitted=rounded(fit.fitted[::step]),
+        peak_friction=finite(p.peak_friction),
+        peak_slip=finite(p.peak_slip),
+        lash=finite(p.lash),
+        noise=finite(fit.noise),
+        flagged=flagged,
+        misfit=[sentence.text for sentence in test.judged.misfit],
+    )
 
 
-def _pressure_functions(condition: ConditionResult) -> Data:
-    points = condition.found.points
-    data: Data = {
-        "points": [
-            {
-                "file": test.test.file,
-                "pressure": float(pressure),
-                "peak_slip": float(np.exp(value[0])),
-                "peak_friction": float(np.exp(value[1])),
-            }
-            for test, pressure, value in zip(
-                condition.tests, points.pressure, points.value, strict=True
-            )
-        ],
-        "pressure": [],
-        "peak_slip": [],
-        "peak_friction": [],
-    }
-    fit = condition.fit
+def _pressure_functions(condition: ConditionResult) -> PressureFunctions:
+    points, fit = condition.found.points, condition.fit
+    law: Any = {}
     if fit is not None:
-        low, high = fit.ends
-        pressure = np.geomspace(low, high, _PRESSURES)
+        pressure = np.geomspace(*fit.ends, _PRESSURES)
         peaks = np.exp(fit.peaks(pressure))
-        data |= {
+        law = {
             "pressure": rounded(pressure),
             "peak_slip": rounded(peaks[:, 0]),
             "peak_friction": rounded(peaks[:, 1]),
         }
-    return data
+    return PressureFunctions(
+        points=[
+            PressurePoint(
+                file=test.test.file,
+                pressure=float(pressure),
+                peak_slip=float(np.exp(value[0])),
+                peak_friction=float(np.exp(value[1])),
+            )
+            for test, pressure, value in zip(
+                condition.tests, points.pressure, points.value, strict=True
+            )
+        ],
+        **law,
+    )
 
 
-def virtual_files(_: Data) -> Data:
+def virtual_files() -> list[MachineFile]:
     """Return virtual tests of a catalogue lagging as machines write them, for trying."""
-    from base64 import b64encode
-    from dataclasses import replace
-
     from wraparc.files import load_lagging
     from wraparc.shear_test import DIALECTS, VirtualRig, run_virtual_test
 
@@ -229,14 +325,9 @@ def virtual_files(_: Data) -> Data:
     for number, kpa in enumerate((34, 69, 138, 207, 414, 690)):
         dialect = dialects[number % len(dialects)]
         test = run_virtual_test(replace(rig), 1e3 * kpa, 100 + number)
+        choices = FileChoices(units=dict(dialect.units) or None)
+        said = TestFileRequest(pressure=f"{kpa} kPa", choices=choices, illustrative=True)
         files.append(
-            {
-                "name": f"virtual-{kpa}kPa{dialect.suffix}",
-                "data": b64encode(dialect.write(test)).decode("ascii"),
-                "said": {
-                    "pressure": f"{kpa} kPa",
-                    "choices": {"units": dict(dialect.units)} if dialect.units else {},
-                },
-            }
+            MachineFile("", f"virtual-{kpa}kPa{dialect.suffix}", dialect.write(test), said)
         )
-    return {"files": files}
+    return files

@@ -1,102 +1,206 @@
-"""Sheets of :mod:`wraparc.present` as plain data, in both systems of units at once."""
+"""What answers are made of: texts in both systems of units, tables, sheets, numbers of a picture.
+
+An answer states its form once: the framework reads it, checks it and writes the OpenAPI document.
+"""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
+from types import UnionType
+from typing import Any, Literal, Self, cast, get_args, get_origin
 
 import numpy as np
+from pydantic import BaseModel, ConfigDict
 
-from wraparc.arc import ArcResult, Profile
-from wraparc.present.sheet import Row, Sheet, Table, Verdict
+from wraparc.arc import ArcResult
+from wraparc.arc import Profile as ArcProfile
+from wraparc.present import sheet as present
+from wraparc.present.sheet import Level
+from wraparc.provenance import Kind
 from wraparc.units import Dimension, System, display
 
 Data = dict[str, Any]
+Numbers = list[float | None]
+StatusName = Literal["solved", "breakaway", "unsolved"]
+DriveKind = Literal["drive", "train"]
 
 
-def both(make: Callable[[System], Any]) -> Data:
-    """Return what a function gives for each system of units."""
-    return {"si": make("si"), "us": make("us")}
+class Answer(BaseModel):
+    """Part of an answer."""
+
+    model_config = ConfigDict(
+        extra="forbid", from_attributes=True, ser_json_bytes="base64", val_json_bytes="base64"
+    )
+
+    @classmethod
+    def both(cls, make: Callable[[System], Any]) -> Self:
+        """Return what a function gives for each system of units, side by side."""
+        return cls.model_validate(_paired(cls, make("si"), make("us")))
 
 
-def quantity_both(value: float, dimension: Dimension) -> Data:
+class Both(Answer):
+    """Text in both systems of units."""
+
+    si: str
+    us: str
+
+
+class BothLists(Answer):
+    """Texts in both systems of units."""
+
+    si: list[str]
+    us: list[str]
+
+
+class Verdict(Answer):
+    """The answer in words."""
+
+    level: Level
+    headline: Both
+    sentences: list[Both]
+
+
+class Row(Answer):
+    """One line of a table."""
+
+    name: str
+    title: str
+    symbol: str
+    values: BothLists
+    note: Both
+    level: Level | None
+
+
+class Table(Answer):
+    """Rows under one heading."""
+
+    key: str = ""
+    title: str
+    heads: BothLists
+    note: Both
+    rows: list[Row]
+
+
+class Sheet(Answer):
+    """Everything to show of one thing."""
+
+    title: str
+    subtitle: str
+    verdict: Verdict | None
+    tables: list[Table]
+    remarks: list[Both]
+    table_sources: list[str]
+
+
+class Source(Answer):
+    """Where a number came from."""
+
+    of: str
+    part: str
+    kind: Kind
+    source: str
+    date: str
+    note: str
+
+
+class Profile(Answer):
+    """Quantities along the arc [SI]; the glossary of the schema names them."""
+
+    position: Numbers
+    tension: Numbers
+    wrap_pressure: Numbers
+    friction: Numbers
+    friction_used: Numbers
+    slip: Numbers
+    creep: Numbers
+    shear_stress: Numbers
+    shear_angle: Numbers
+    sliding: Numbers
+
+    @classmethod
+    def of(cls, profile: ArcProfile, most: int = 0) -> Self:
+        """Return a profile, of at most so many points if said, both ends included."""
+        kept: Any = slice(None)
+        if 0 < most < len(profile):
+            kept = np.unique(np.linspace(0, len(profile) - 1, most).round().astype(int))
+        return cls(**{name: rounded(column[kept]) for name, column in profile.columns()})
+
+
+class Tested(Answer):
+    """Range that the lagging was tested in [Pa, Pa, m]."""
+
+    pressure_min: float
+    pressure_max: float
+    slip_max: float
+
+
+def _paired(kind: Any, si: Any, us: Any) -> Any:
+    """Return plain data for a type from the same thing made in both systems of units."""
+    if kind in (Both, BothLists):
+        return {"si": si, "us": us}
+    if isinstance(kind, UnionType) and si is not None:
+        return _paired(get_args(kind)[0], si, us)
+    if get_origin(kind) is list:
+        of = get_args(kind)[0]
+        return [_paired(of, a, b) for a, b in zip(si, us, strict=True)]
+    if isinstance(kind, type) and issubclass(kind, Answer):
+        return {
+            name: _paired(field.annotation, getattr(si, name), getattr(us, name))
+            for name, field in kind.model_fields.items()
+            if hasattr(si, name)
+        }
+    return si
+
+
+def both(make: Callable[[System], str]) -> Both:
+    """Return the text that a function gives for each system of units."""
+    return Both(si=make("si"), us=make("us"))
+
+
+def quantity(value: float, dimension: Dimension) -> Both:
     """Return a value [SI] as text in both systems."""
     return both(lambda system: display(value, dimension, system))
 
 
-def verdict_data(make: Callable[[System], Verdict]) -> Data:
-    """Return a verdict."""
-    si, us = make("si"), make("us")
-    return {
-        "level": si.level.value,
-        "headline": {"si": si.headline, "us": us.headline},
-        "sentences": texts_data(si.sentences, us.sentences),
-    }
-
-
-def texts_data(si: Iterable[str], us: Iterable[str]) -> list[Data]:
+def texts(make: Callable[[System], Iterable[str]]) -> list[Both]:
     """Return sentences."""
-    return [{"si": a, "us": b} for a, b in zip(si, us, strict=True)]
+    return [Both(si=a, us=b) for a, b in zip(make("si"), make("us"), strict=True)]
 
 
-def table_data(key: str, si: Table, us: Table) -> Data:
-    """Return a table made in both systems."""
-    return {
-        "key": key,
-        "title": si.title,
-        "heads": {"si": list(si.heads), "us": list(us.heads)},
-        "note": {"si": si.note, "us": us.note},
-        "rows": [_row_data(a, b) for a, b in zip(si.rows, us.rows, strict=True)],
-    }
-
-
-def _row_data(si: Row, us: Row) -> Data:
-    return {
-        "name": si.name,
-        "title": si.title,
-        "symbol": si.symbol,
-        "values": {"si": list(si.values), "us": list(us.values)},
-        "note": {"si": si.note, "us": us.note},
-        "level": si.level.value if si.level else None,
-    }
-
-
-def tables_data(
-    si: Sequence[Table | None], us: Sequence[Table | None], keys: Iterable[str] = ()
-) -> list[Data]:
+def tables(
+    make: Callable[[System], Sequence[present.Table | None]], keys: Iterable[str] = ()
+) -> list[Table]:
     """Return tables made in both systems, those that are there; keys by position."""
-    names = [*keys] or [f"table{i}" for i in range(1, len(si) + 1)]
+    si, us = make("si"), make("us")
+    names = [*keys] or [f"table{number}" for number in range(1, len(si) + 1)]
     return [
-        table_data(key, a, b)
+        Table.model_validate({**_paired(Table, a, b), "key": key})
         for key, a, b in zip(names, si, us, strict=True)
-        if a is not None and b is not None
+        if a is not None
     ]
 
 
-def sheet_data(make: Callable[[System], Sheet]) -> Data:
-    """Return a whole sheet."""
+def sheet(make: Callable[[System], present.Sheet]) -> Data:
+    """Return the fields of a whole sheet."""
     si, us = make("si"), make("us")
-    told = None
-    if si.verdict is not None and us.verdict is not None:
-        verdicts = {"si": si.verdict, "us": us.verdict}
-        told = verdict_data(lambda system: verdicts[system])
-    return {
-        "title": si.title,
-        "subtitle": si.subtitle,
-        "verdict": told,
-        "tables": tables_data(si.tables, us.tables),
-        "remarks": texts_data(si.remarks, us.remarks),
-        "table_sources": list(si.sources),
-    }
+    fields: Data = _paired(Sheet, si, us)
+    for number, table in enumerate(fields["tables"], start=1):
+        table["key"] = f"table{number}"
+    return {**fields, "table_sources": list(si.sources)}
 
 
-def numbers_data(scalars: Mapping[str, float]) -> Data:
+def status_of(result: ArcResult) -> StatusName:
+    """Return how the solve of an arc ended."""
+    return cast(StatusName, result.status.name.lower())
+
+
+def numbers(scalars: Mapping[str, float]) -> dict[str, float | None]:
     """Return numbers by name, None where there is none or no bound."""
-    return {name: value if math.isfinite(value) else None for name, value in scalars.items()}
+    return {name: finite(value) for name, value in scalars.items()}
 
 
-def arrays_data(columns: Iterable[tuple[str, Any]], digits: int = 6) -> dict[str, list[Any]]:
-    """Return arrays by name, rounded to significant digits for a picture."""
-    return {name: rounded(column, digits) for name, column in columns}
+def finite(value: float) -> float | None:
+    """Return a number, None where there is none or no bound."""
+    return value if math.isfinite(value) else None
 
 
 def rounded(values: Any, digits: int = 6) -> list[Any]:
@@ -111,22 +215,21 @@ def rounded(values: Any, digits: int = 6) -> list[Any]:
     shift = np.clip(digits - 1 - power, -300, 300)
     up = 10.0 ** np.maximum(shift, 0.0)
     down = 10.0 ** np.maximum(-shift, 0.0)
-    result = np.round(array * up / down) / up * down
-    if np.all(np.isfinite(result)):
-        return list(result.tolist())
-    return [v if math.isfinite(v) else None for v in result.tolist()]
+    return [finite(v) for v in (np.round(array * up / down) / up * down).tolist()]
 
 
-def profile_data(profile: Profile, most: int = 0) -> dict[str, list[Any]]:
-    """Return a profile, of at most so many points if said, both ends included."""
-    columns = profile.columns()
-    if 0 < most < len(profile):
-        kept = np.unique(np.linspace(0, len(profile) - 1, most).round().astype(int))
-        return arrays_data((name, column[kept]) for name, column in columns)
-    return arrays_data(columns)
+def plain(value: Any) -> Any:
+    """Return plain data with None for what is not finite and arrays rounded."""
+    if isinstance(value, dict):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        if value and all(isinstance(item, float) for item in value):
+            return rounded(value, 7)
+        return [plain(item) for item in value]
+    return finite(value) if isinstance(value, float) else value
 
 
-def outside_data(result: ArcResult) -> list[list[float]]:
+def outside(result: ArcResult) -> list[tuple[float, float]]:
     """Return the stretches of the arc outside the tested range [rad]."""
     tested = result.arc.law.tested
     if tested is None:
@@ -137,15 +240,6 @@ def outside_data(result: ArcResult) -> list[list[float]]:
     at = result.profile.position
     last = len(at) - 1
     return [
-        [float(at[max(a - 1, 0)]), float(at[min(b, last)])]
+        (float(at[max(a - 1, 0)]), float(at[min(b, last)]))
         for a, b in zip(edges[::2], edges[1::2], strict=True)
     ]
-
-
-def tested_data(result: ArcResult) -> Data | None:
-    """Return the tested range of the law, None without one."""
-    tested = result.arc.law.tested
-    if tested is None:
-        return None
-    names = ("pressure_min", "pressure_max", "slip_max")
-    return {name: getattr(tested, name) for name in names}

@@ -1,9 +1,9 @@
 """Studies: many variants of a drive, in a process of its own and a folder that goes with it."""
 
 import os
-from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
@@ -18,8 +18,9 @@ from wraparc.study.run import Run, part_designs, run_problems, run_study
 from wraparc.study.sensitivity import sensitivities
 from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 from wraparc.web.answers.documents import read, without_none
-from wraparc.web.answers.shown import Data, sheet_data
-from wraparc.web.answers.trains import clean
+from wraparc.web.answers.shown import Answer, Data, Sheet, plain, sheet
+from wraparc.web.asked import StudyRequest
+from wraparc.web.progress import tell
 
 _DRIVE = "drive.toml"
 _WORDS = ("title", "description", "provenance", "source", "note")
@@ -27,39 +28,53 @@ _LEAST_PART, _STEPS = 64, 20  # designs of a part, and parts that progress is to
 _MOST_BYTES = 30_000_000  # of results that are kept for download
 
 
-def check(request: Data) -> Data:
+class Size(Answer):
+    """What a study is called, and how many designs it has."""
+
+    title: str
+    rows: int
+
+
+class StudyResult(Sheet):
+    """What came out of a study."""
+
+    summary: Data
+    pictures: dict[str, str]
+    html: str
+    parquet: bytes
+
+
+def check(asked: StudyRequest) -> Size:
     """Say how large a study is, or everything that is wrong with it."""
-    asked = _asked(request)
-    problems = run_problems(asked.study, Path(request["folder"]) / "study.parquet", Run())
+    with TemporaryDirectory() as folder:
+        file = _study(asked, folder)
+        problems = run_problems(file.study, Path(folder) / "study.parquet", Run())
     if problems:
         raise InputError(problems)
-    return {"title": asked.study.title, "rows": asked.study.rows}
+    return Size(title=file.study.title, rows=file.study.rows)
 
 
-def run(request: Data) -> Data:
+def run(asked: StudyRequest) -> StudyResult:
     """Solve a study; tells of its progress."""
-    _yield_to_others()
-    progress = request["progress"]
-    asked = _asked(request)
-    path, total = str(Path(request["folder"]) / "study.parquet"), len(asked.study.plan)
-    progress(0, total, "preparing")
-
-    def tell(done: int, total: int) -> None:
-        progress(done, total, "solving")
-
-    how = Run(
-        executor=Threads(max(1, (os.cpu_count() or 2) - 1)),
-        part_designs=max(_LEAST_PART, min(part_designs(asked.study), total // _STEPS)),
-        progress=tell,
-    )
-    run_study(asked.study, path, how)
-    progress(total, total, "summing up")
-    return _told(asked, path)
+    if hasattr(os, "nice"):
+        os.nice(10)  # others are served meanwhile
+    with TemporaryDirectory() as folder:
+        file = _study(asked, folder)
+        path, total = str(Path(folder) / "study.parquet"), len(file.study.plan)
+        tell(0, total, "preparing")
+        how = Run(
+            executor=Threads(max(1, (os.cpu_count() or 2) - 1)),
+            part_designs=max(_LEAST_PART, min(part_designs(file.study), total // _STEPS)),
+            progress=lambda done, total: tell(done, total, "solving"),
+        )
+        run_study(file.study, path, how)
+        tell(total, total, "summing up")
+        return _result(file, path)
 
 
-def _asked(request: Data) -> StudyFile:
+def _study(asked: StudyRequest, folder: str) -> StudyFile:
     """Return the study; its drive is the document, and nothing in it names another file."""
-    study, drive = without_none(request["study"]), without_none(request["document"])
+    study, drive = without_none(asked.study), without_none(asked.document)
     problems = list(_paths(study, ()))
     try:
         read(drive)
@@ -67,7 +82,6 @@ def _asked(request: Data) -> StudyFile:
         problems += error.problems
     if problems:
         raise InputError(problems)
-    folder = request["folder"]
     Path(folder, _DRIVE).write_text(document_text(drive), "utf-8")
     return study_from_document({"format": 1, **study, "drive": _DRIVE}, folder=folder)
 
@@ -100,7 +114,7 @@ def _is_quantity(text: str) -> bool:
     return False
 
 
-def _told(asked: StudyFile, path: str) -> Data:
+def _result(asked: StudyFile, path: str) -> StudyResult:
     summary = summarise(path)
     local, indices = sensitivities(path, asked.study, asked.sensitivity)
     dimensions = asked.study.plan.quantities
@@ -112,15 +126,13 @@ def _told(asked: StudyFile, path: str) -> Data:
         for system in ("si", "us")
     }  # fmt: skip
     pictures = _pictures(asked, summary, local, indices, dimensions)
-    content = Path(path).read_bytes() if os.path.getsize(path) <= _MOST_BYTES else b""
-    html = study_page(sheets["si"], list(pictures.values()), summary)
-    return {
-        **sheet_data(lambda system: sheets[system]),
-        "summary": clean(study_document(summary, local=local, indices=indices)),
-        "pictures": pictures,
-        "html": html,
-        "parquet": b64encode(content).decode("ascii"),
-    }
+    return StudyResult(
+        summary=plain(study_document(summary, local=local, indices=indices)),
+        pictures=pictures,
+        html=study_page(sheets["si"], list(pictures.values()), summary),
+        parquet=Path(path).read_bytes() if os.path.getsize(path) <= _MOST_BYTES else b"",
+        **sheet(lambda system: sheets[system]),
+    )
 
 
 def _pictures(
@@ -145,8 +157,3 @@ def _pictures(
             for name, found in of_case.items()
         }
     return {f"{n}.svg": picture.to_bytes("svg").decode("utf-8") for n, picture in drawn.items()}
-
-
-def _yield_to_others() -> None:
-    if hasattr(os, "nice"):
-        os.nice(10)

@@ -2,7 +2,7 @@
 
 import re
 from dataclasses import replace
-from typing import Any, get_args
+from typing import get_args
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import lagging_from_document
@@ -11,22 +11,67 @@ from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.shared_keys import FORMAT
 from wraparc.schema.source import Document, parse
 from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
-from wraparc.web.answers.documents import read, without_none
-from wraparc.web.answers.shown import Data, both
-from wraparc.web.errors import problem_data, problems_data
+from wraparc.web.answers.documents import json_like, kind_of, read, without_none
+from wraparc.web.answers.shown import Answer, Both, Data, DriveKind, both
+from wraparc.web.asked import DocumentRequest, LaggingRequest, QuantitiesRequest, TomlRequest
+from wraparc.web.errors import ToldProblem, told
 
 _NAME = re.compile(r"[^A-Za-z0-9]+")
 
 
-def read_toml(request: Data) -> Data:
-    """Return the document of a text, with what is wrong in it."""
-    document = json_like(parse(request["toml"], request["name"]))
-    return {"document": document, **_state(document)}
+class State(Answer):
+    """Whether a document describes a drive, and what is wrong in it."""
+
+    kind: DriveKind
+    valid: bool
+    problems: list[ToldProblem]
 
 
-def write_toml(request: Data) -> Data:
-    """Return the text of a document, with what is wrong in it."""
-    document = request["document"]
+class ReadAnswer(State):
+    """The document of a text."""
+
+    document: Data
+
+
+class WriteAnswer(State):
+    """The text of a document."""
+
+    toml: str
+    name: str
+
+
+class ReadLaggingAnswer(Answer):
+    """A lagging as a table for a drive document."""
+
+    name: str
+    title: str
+    lagging: Data
+
+
+class Quantity(Answer):
+    """A quantity as read [SI]; `exact` reads back to the same number."""
+
+    value: float | None = None
+    text: Both | None = None
+    exact: Both | None = None
+    problem: ToldProblem | None = None
+
+
+class QuantitiesAnswer(Answer):
+    """Quantities as read."""
+
+    items: list[Quantity]
+
+
+def read_toml(asked: TomlRequest) -> ReadAnswer:
+    """Text of a drive file to its document."""
+    document = json_like(parse(asked.toml, asked.name))
+    return ReadAnswer(document=document, **_state(document))
+
+
+def write_toml(asked: DocumentRequest) -> WriteAnswer:
+    """Document to the text of a drive file."""
+    document = asked.document
     state = _state(document)
     try:
         text = document_text({"format": FORMAT, **without_none(document)})
@@ -36,20 +81,16 @@ def write_toml(request: Data) -> Data:
             raise
         message = "holds what a drive file cannot hold"
         raise InputError(Problem(message=message, remedy="Use text, numbers, tables.")) from None
-    title = document.get("title")
-    return {"toml": text, "name": f"{file_stem(title)}.toml", **state}
+    return WriteAnswer(toml=text, name=f"{file_stem(document.get('title'))}.toml", **state)
 
 
 def _state(document: Document) -> Data:
-    kind = "train" if "train" in document else "drive"
-    pulleys = document.get("pulley")
-    if isinstance(pulleys, list) and len(pulleys) > 1:
-        kind = "train"
+    problems: tuple[Problem, ...] = ()
     try:
         read(document)
     except InputError as error:
-        return {"kind": kind, "valid": False, "problems": problems_data(error.problems)}
-    return {"kind": kind, "valid": True, "problems": []}
+        problems = error.problems
+    return {"kind": kind_of(document), "valid": not problems, "problems": told(problems)}
 
 
 def file_stem(title: object) -> str:
@@ -58,51 +99,35 @@ def file_stem(title: object) -> str:
     return stem[:60].strip("-") or "drive"
 
 
-def json_like(value: Any) -> Any:
-    """Return a document with dates and times as text: JSON has none."""
-    if isinstance(value, dict):
-        return {key: json_like(item) for key, item in value.items()}
-    if isinstance(value, list):
-        return [json_like(item) for item in value]
-    if isinstance(value, bool | int | float | str):
-        finite = not isinstance(value, float) or abs(value) < float("inf")
-        return value if finite else str(value)
-    return str(value)
-
-
-def read_lagging(request: Data) -> Data:
-    """Return the lagging of the text of a lagging file, as a table for a drive document."""
-    document = parse(request["toml"])
+def read_lagging(asked: LaggingRequest) -> ReadLaggingAnswer:
+    """Text of a lagging file to a table for a drive document."""
+    document = parse(asked.toml)
     first = lagging_from_document(document)[0]
     table = {k: v for k, v in json_like(document).items() if k not in ("format", "name")}
-    return {"name": first.name, "title": first.title, "lagging": table}
+    return ReadLaggingAnswer(name=first.name, title=first.title, lagging=table)
 
 
-def quantities(request: Data) -> Data:
-    """Return typed quantities as values and as texts in both systems."""
-    return {"items": [_quantity(item["text"], item["dimension"]) for item in request["items"]]}
+def quantities(asked: QuantitiesRequest) -> QuantitiesAnswer:
+    """Quantities as typed, read as strictly as in files, and converted."""
+    return QuantitiesAnswer(items=[_quantity(item.text, item.dimension) for item in asked.items])
 
 
-def _quantity(text: str, dimension: str) -> Data:
-    empty: Data = {"value": None, "text": None, "exact": None, "problem": None}
-    if dimension not in DIMENSIONS:
-        known = ", ".join(DIMENSIONS)
-        problem = Problem(
-            message="no such dimension", remedy=f"Known are {known}.", value=shown(dimension)
-        )
-        return {**empty, "problem": problem_data(problem)}
-    of: Dimension = next(d for d in get_args(Dimension) if d == dimension)
+def _quantity(text: str, dimension: str) -> Quantity:
+    of: Dimension | None = next((d for d in get_args(Dimension) if d == dimension), None)
     try:
+        if of is None:
+            known = f"Known are {', '.join(DIMENSIONS)}."
+            problem = Problem(message="no such dimension", remedy=known, value=shown(dimension))
+            raise InputError(problem)
         value = parse_quantity(text, of)
     except InputError as error:
         problem = replace(error.problems[0], value=error.problems[0].value or shown(text))
-        return {**empty, "problem": problem_data(problem)}
-    return {
-        "value": value,
-        "text": both(lambda system: display(value, of, system)),
-        "exact": both(lambda system: exact_text(value, of, system)),
-        "problem": None,
-    }
+        return Quantity(problem=told([problem])[0])
+    return Quantity(
+        value=value,
+        text=both(lambda system: display(value, of, system)),
+        exact=both(lambda system: exact_text(value, of, system)),
+    )
 
 
 def exact_text(value: float, dimension: Dimension, system: System) -> str:

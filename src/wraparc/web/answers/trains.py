@@ -1,57 +1,113 @@
 """Trains: how several drives share the load, and how exactly they must be matched."""
 
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 
 from wraparc.arc import Distributed
 from wraparc.drive import Lagging
 from wraparc.drive.conditions import Condition
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.errors import InputError, Problem, shown
 from wraparc.present.document import sources_of
 from wraparc.present.train_document import matching_document, train_document
 from wraparc.present.train_sheet import matching_sheet, train_sheet
-from wraparc.train import Train, TrainResult, match_drives, share_map, solve_train
+from wraparc.train import Matching, Train, TrainResult, match_drives, share_map, solve_train
 from wraparc.train.file import train_from_document
-from wraparc.units import parse_quantity
-from wraparc.web.answers.documents import without_none
-from wraparc.web.answers.shown import Data, rounded, sheet_data
+from wraparc.units import Dimension, parse_quantity
+from wraparc.web.answers.documents import case_only, without_none
+from wraparc.web.answers.shown import Answer, Data, Numbers, Sheet, Source, plain, sheet
+from wraparc.web.asked import TrainRequest
 
 _MAP_POINTS = 61
 
 
-def train_data(result: TrainResult) -> Data:
-    """Return what a solved train has to say beside its arcs."""
-    sheet = sheet_data(lambda system: train_sheet(result, system))
-    drive = result.drive_result().drive
-    return {**clean(train_document(result)), **sheet, "sources": sources_of(drive)}
+class Mark(Answer):
+    """A point of a curve that has a name."""
+
+    what: str
+    pulley: str
+    at: float | None
+    shares: Numbers
+    loss_ratio: float | None
 
 
-def train(request: Data) -> Data:
-    """Divide the load; with ``match``, also show how it moves with speed, diameter and load."""
-    thing = train_from_document(without_none(request["document"]))
-    name = request["load_case"] or ""
-    _known_case(thing, name)
+class Curve(Answer):
+    """Shares and creeps [m] over a difference between the drives, by pulley."""
+
+    axis: str
+    values: Numbers
+    shares: dict[str, Numbers]
+    exit_creep: dict[str, Numbers]
+    loss_ratio: Numbers
+    marks: list[Mark]
+
+
+class Map(Answer):
+    """Shares over two differences at once, by pulley."""
+
+    across: str
+    down: str
+    x: Numbers
+    y: Numbers
+    shares: dict[str, list[Numbers]]
+
+
+class MatchingPart(Sheet):
+    """How exactly the drives must be matched."""
+
+    format: int
+    program: dict[str, str]
+    file: str
+    drive: str
+    load_case: Data
+    equal_shares: Data
+    curves: list[Curve]
+    changes: list[Data]
+    map: Map | None = None
+
+
+class TrainPart(Sheet):
+    """How the drives share the load, by load case [SI]."""
+
+    solved: bool
+    load_cases: list[Data]
+    sources: list[Source]
+
+
+class TrainAnswer(TrainPart):
+    """A train with its load divided."""
+
+    matching: MatchingPart | None
+
+
+def train(asked: TrainRequest) -> TrainAnswer:
+    """Several drives on one belt; with ``match``, how the load moves with speed and diameter."""
+    thing = train_from_document(without_none(asked.document))
+    case_only(thing, asked.load_case or None)  # which is refused if there is none of this name
     result = solve_train(thing, method=Distributed(capacities=False), raise_on_failure=False)
-    found = train_data(result)
-    found["matching"] = _matching(thing, result, request) if request["match"] else None
-    return found
+    matching = _matching(thing, result, asked) if asked.match else None
+    return TrainAnswer(matching=matching, **train_part(result).model_dump())
 
 
-def _matching(thing: Train, result: TrainResult, request: Data) -> Data:
-    case, drive = request["load_case"] or "", _drive(thing, request["drive"])
-    span = request["span"]
+def train_part(result: TrainResult) -> TrainPart:
+    """Return what a solved train has to say beside its arcs."""
+    told = {**plain(train_document(result)), **sheet(lambda system: train_sheet(result, system))}
+    return TrainPart(**told, sources=[Source(**s) for s in sources_of(result.drive_result().drive)])
+
+
+def _matching(thing: Train, result: TrainResult, asked: TrainRequest) -> MatchingPart:
+    case, drive, span = asked.load_case or "", _drive(thing, asked.drive), asked.span
     matching = match_drives(
         result,
         case,
         drive=drive,
-        wear=_quantity("wear", request["wear"], "length"),
+        wear=_quantity("wear", asked.wear, "length"),
         laggings=wet_laggings(thing),
         span=None if span is None else (_trim(span[0]), _trim(span[1])),
-        points=request["points"],
+        points=asked.points,
     )
     over = None
-    if request["map"]:
+    if asked.map:
         values = matching.trim.values
         over = share_map(
             result,
@@ -60,21 +116,12 @@ def _matching(thing: Train, result: TrainResult, request: Data) -> Data:
             x=np.linspace(values[0], values[-1], _MAP_POINTS),
             y=np.linspace(0.1, 1.25, _MAP_POINTS),
         )
-    data = clean(matching_document(matching, over))
-    return {"map": None, **data, **sheet_data(lambda s: matching_sheet(result, matching, s))}
+    told = plain(matching_document(matching, over))
+    return MatchingPart(**{**told, **_sheet(result, matching)})
 
 
-def clean(value: Any) -> Any:
-    """Return plain data with None for what is not finite and arrays rounded."""
-    if isinstance(value, dict):
-        return {key: clean(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        if value and all(isinstance(item, float) for item in value):
-            return rounded(value, 7)
-        return [clean(item) for item in value]
-    if isinstance(value, float):
-        return value if np.isfinite(value) else None
-    return value
+def _sheet(result: TrainResult, matching: Matching) -> Data:
+    return sheet(lambda system: matching_sheet(result, matching, system))
 
 
 def wet_laggings(thing: Train) -> dict[str, Lagging]:
@@ -104,18 +151,11 @@ def _drive(thing: Train, name: str | None) -> int:
     raise InputError(Problem(message=message, remedy=remedy, key="drive", value=shown(name)))
 
 
-def _known_case(thing: Train, name: str) -> None:
-    with placed("load_case"):
-        thing.case(name)
-
-
 def _trim(text: str) -> float:
     return _quantity("span", text, "number")
 
 
-def _quantity(key: str, text: str, dimension: Any) -> float:
-    from dataclasses import replace
-
+def _quantity(key: str, text: str, dimension: Dimension) -> float:
     try:
         return parse_quantity(text, dimension)
     except InputError as error:

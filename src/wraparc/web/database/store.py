@@ -4,28 +4,96 @@ import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime
-from typing import Any
+from typing import Annotated, cast
 
+from pydantic import PlainSerializer
 from sqlalchemy import Engine, func, select
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
+from wraparc.errors import Problem
 from wraparc.version import __version__
+from wraparc.web.answers.shown import Answer, Data, DriveKind
 from wraparc.web.database.engine import WRITES, open_engine
 from wraparc.web.database.tables import Design, Version
+from wraparc.web.errors import ApiError
 
-Data = dict[str, Any]
+
+def _text(moment: datetime) -> str:
+    return moment.astimezone(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
-class NoSuchDesignError(LookupError):
+Moment = Annotated[datetime, PlainSerializer(_text, return_type=str)]
+
+
+class VersionRow(Answer):
+    """A version without its document."""
+
+    version: int
+    created: Moment
+    who: str
+    note: str
+    program: str
+
+
+class VersionAnswer(VersionRow):
+    """A version with its document."""
+
+    id: int
+    name: str
+    kind: DriveKind
+    document: Data
+
+
+class DesignRow(Answer):
+    """A design in the list."""
+
+    id: int
+    name: str
+    kind: DriveKind
+    versions: int
+    created: Moment
+    changed: Moment
+    who: str
+    note: str
+
+
+class DesignAnswer(Answer):
+    """A design and its versions."""
+
+    id: int
+    name: str
+    kind: DriveKind
+    versions: list[VersionRow]
+    newest: int
+    created: Moment
+    changed: Moment
+    who: str
+    note: str
+
+
+class Designs(Answer):
+    """A part of the list."""
+
+    total: int
+    designs: list[DesignRow]
+
+
+class NoSuchDesignError(ApiError):
     """There is no such design, or version of it."""
 
+    def __init__(self) -> None:
+        problem = Problem(message="there is no such design", remedy="Choose one of the list.")
+        super().__init__(404, problem)
 
-class NewerVersionError(Exception):
+
+class NewerVersionError(ApiError):
     """Somebody has saved another version meanwhile."""
 
     def __init__(self, newest: int) -> None:
-        super().__init__(newest)
+        message = f"version {newest} of this design was saved meanwhile"
+        remedy = "Open it and look, or save this one under another name."
+        super().__init__(409, Problem(message=message, remedy=remedy, key="base"))
         self.newest = newest
 
 
@@ -56,7 +124,7 @@ class Store:
         with Session(self._engine.execution_options(**options)) as session, session.begin():
             yield session
 
-    def listed(self, query: str = "", offset: int = 0, limit: int = 50) -> Data:
+    def listed(self, query: str = "", offset: int = 0, limit: int = 50) -> Designs:
         """Return designs, last changed first, whose name contains a text."""
         chosen = select(Design)
         if query:
@@ -71,10 +139,10 @@ class Store:
                 .offset(offset)
                 .limit(limit)
             )
-            found = [_summary(design, who, note) for design, who, note in rows]
-        return {"total": total, "designs": found}
+            found = [DesignRow(**_summary(design, who, note)) for design, who, note in rows]
+        return Designs(total=total, designs=found)
 
-    def create(self, name: str, kind: str, document: Data, *, note: str, who: str) -> Data:
+    def create(self, name: str, kind: str, document: Data, *, note: str, who: str) -> VersionAnswer:
         """Save a new design; return its first version."""
         now = datetime.now(UTC)
         with self._session(writes=True) as session:
@@ -85,16 +153,16 @@ class Store:
             session.flush()
             return _opened(design, version)
 
-    def design(self, number: int) -> Data:
+    def design(self, number: int) -> DesignAnswer:
         """Return a design with all its versions, without their documents."""
         with self._session() as session:
             found = _get(session, number)
             newest = found.versions[-1]
-            versions = [_version_data(version) for version in found.versions]
+            versions = [VersionRow(**_version_data(version)) for version in found.versions]
             summary = _summary(found, newest.who, newest.note)
-        return {**summary, "newest": summary["versions"], "versions": versions}
+        return DesignAnswer(**{**summary, "newest": summary["versions"], "versions": versions})
 
-    def version(self, design: int, number: int) -> Data:
+    def version(self, design: int, number: int) -> VersionAnswer:
         """Return one version with its document."""
         with self._session() as session:
             found = _get(session, design)
@@ -106,7 +174,7 @@ class Store:
 
     def add(
         self, design: int, base: int, kind: str, document: Data, *, note: str, who: str
-    ) -> Data:
+    ) -> VersionAnswer:
         """Save a new version made from version `base`; return it.
 
         Raises
@@ -159,8 +227,8 @@ def _summary(design: Design, who: str, note: str) -> Data:
         "name": design.name,
         "kind": design.kind,
         "versions": design.newest,
-        "created": _text(design.created),
-        "changed": _text(design.changed),
+        "created": design.created,
+        "changed": design.changed,
         "who": who,
         "note": note,
     }
@@ -169,22 +237,18 @@ def _summary(design: Design, who: str, note: str) -> Data:
 def _version_data(version: Version) -> Data:
     return {
         "version": version.number,
-        "created": _text(version.created),
+        "created": version.created,
         "who": version.who,
         "note": version.note,
         "program": version.program,
     }
 
 
-def _opened(design: Design, version: Version) -> Data:
-    return {
-        "id": design.id,
-        "name": design.name,
-        "kind": design.kind,
+def _opened(design: Design, version: Version) -> VersionAnswer:
+    return VersionAnswer(
+        id=design.id,
+        name=design.name,
+        kind=cast(DriveKind, design.kind),
+        document=json.loads(version.document),
         **_version_data(version),
-        "document": json.loads(version.document),
-    }
-
-
-def _text(moment: datetime) -> str:
-    return moment.astimezone(UTC).isoformat(timespec="milliseconds").replace("+00:00", "Z")
+    )

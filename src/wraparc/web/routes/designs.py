@@ -3,120 +3,75 @@
 import getpass
 from typing import Annotated
 
-from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi import Path, Query, Request
 
-from wraparc.web import answer_models as told
-from wraparc.web import models
-from wraparc.web.answers.documents import read
-from wraparc.web.database.store import NewerVersionError, NoSuchDesignError
-from wraparc.web.errors import ApiError, Data, json_bytes, refused
-from wraparc.web.routes.parts import json_answer, state_of
+from wraparc.web.answers.documents import kind_of, read
+from wraparc.web.answers.shown import Data, DriveKind
+from wraparc.web.asked import DesignRequest, RenameRequest, VersionRequest
+from wraparc.web.database.store import DesignAnswer, Designs, VersionAnswer
+from wraparc.web.routes.parts import refuses, router, state_of
 from wraparc.web.settings import Settings
 
-router = APIRouter(prefix="/api/v1/designs", tags=["designs"])
+api = router("/designs", "designs")
 Number = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
-@router.get("", summary="Saved designs, last changed first", responses=told.answers(told.Designs))
+@api.get("")
 def listed(
     request: Request,
     query: Annotated[str, Query(max_length=200)] = "",
     offset: Annotated[int, Query(ge=0, le=10**6)] = 0,
     limit: Annotated[int, Query(ge=1, le=200)] = 50,
-) -> Response:
-    """List designs whose name contains a text."""
-    found = state_of(request).store.listed(_storable(query), offset, limit)
-    return json_answer(json_bytes(found))
+) -> Designs:
+    """Saved designs whose name contains a text, last changed first."""
+    return state_of(request).store.listed(_storable(query), offset, limit)
 
 
-@router.post(
-    "",
-    status_code=201,
-    summary="Save a new design",
-    responses=told.answers(told.VersionAnswer, 201),
-)
-def create(request: Request, body: models.DesignRequest) -> Response:
-    """Save a design that can be read; its first version."""
+@api.post("", status_code=201)
+def create(request: Request, asked: DesignRequest) -> VersionAnswer:
+    """Save a new design that can be read; its first version."""
     state = state_of(request)
-    kind = _checked(body.document)
-    who = _who(body.who, state.settings)
-    found = state.store.create(body.name, kind, body.document, note=body.note, who=who)
-    return json_answer(json_bytes(found), 201)
+    kind, who = _checked(asked.document), _who(asked.who, state.settings)
+    return state.store.create(asked.name, kind, asked.document, note=asked.note, who=who)
 
 
-@router.get(
-    "/{design}",
-    summary="A design and its versions",
-    responses=told.answers(told.DesignAnswer, 200, 404),
-)
-def one(request: Request, design: Number) -> Response:
-    """Return a design without documents."""
-    try:
-        return json_answer(json_bytes(state_of(request).store.design(design)))
-    except NoSuchDesignError:
-        raise _unknown() from None
+@api.get("/{design}")
+def one(request: Request, design: Number) -> DesignAnswer:
+    """A design and its versions, without documents."""
+    return state_of(request).store.design(design)
 
 
-@router.get(
-    "/{design}/versions/{version}",
-    summary="One version with its document",
-    responses=told.answers(told.VersionAnswer, 200, 404),
-)
-def one_version(request: Request, design: Number, version: Number) -> Response:
-    """Open a version."""
-    try:
-        return json_answer(json_bytes(state_of(request).store.version(design, version)))
-    except NoSuchDesignError:
-        raise _unknown() from None
+@api.get("/{design}/versions/{version}")
+def one_version(request: Request, design: Number, version: Number) -> VersionAnswer:
+    """One version with its document."""
+    return state_of(request).store.version(design, version)
 
 
-@router.post(
-    "/{design}/versions",
-    status_code=201,
-    summary="Save a new version",
-    responses=told.answers(told.VersionAnswer, 201, 404, 409),
-)
-def add(request: Request, design: Number, body: models.VersionRequest) -> Response:
-    """Save a version made from the newest one; refused if somebody was faster."""
+@api.post("/{design}/versions", status_code=201, responses=refuses(409))
+def add(request: Request, design: Number, asked: VersionRequest) -> VersionAnswer:
+    """Save a new version, made from the newest one; refused if somebody was faster."""
     state = state_of(request)
-    kind = _checked(body.document)
-    who = _who(body.who, state.settings)
-    try:
-        found = state.store.add(design, body.base, kind, body.document, note=body.note, who=who)
-    except NoSuchDesignError:
-        raise _unknown() from None
-    except NewerVersionError as error:
-        message = f"version {error.newest} of this design was saved meanwhile"
-        remedy = "Open it and look, or save this one under another name."
-        raise refused(409, message, remedy, "base") from None
-    return json_answer(json_bytes(found), 201)
+    kind, who = _checked(asked.document), _who(asked.who, state.settings)
+    store = state.store
+    return store.add(design, asked.base, kind, asked.document, note=asked.note, who=who)
 
 
-@router.patch("/{design}", status_code=204, summary="Give a design another name")
-def rename(request: Request, design: Number, body: models.RenameRequest) -> Response:
-    """Rename a design."""
-    try:
-        state_of(request).store.rename(design, body.name)
-    except NoSuchDesignError:
-        raise _unknown() from None
-    return Response(status_code=204)
+@api.patch("/{design}", status_code=204)
+def rename(request: Request, design: Number, asked: RenameRequest) -> None:
+    """Give a design another name."""
+    state_of(request).store.rename(design, asked.name)
 
 
-@router.delete("/{design}", status_code=204, summary="Delete a design and its versions")
-def delete(request: Request, design: Number) -> Response:
-    """Delete a design."""
-    try:
-        state_of(request).store.delete(design)
-    except NoSuchDesignError:
-        raise _unknown() from None
-    return Response(status_code=204)
+@api.delete("/{design}", status_code=204)
+def delete(request: Request, design: Number) -> None:
+    """Delete a design and its versions."""
+    state_of(request).store.delete(design)
 
 
-def _checked(document: Data) -> str:
+def _checked(document: Data) -> DriveKind:
     """Return the kind of a document that can be read; what is saved can be opened and solved."""
     read(document)
-    several = len(document["pulley"]) > 1
-    return "train" if several or "train" in document else "drive"
+    return kind_of(document)
 
 
 def _who(given: str, settings: Settings) -> str:
@@ -131,7 +86,3 @@ def _who(given: str, settings: Settings) -> str:
 def _storable(text: str) -> str:
     """Return a text without what databases do not take."""
     return "".join(c for c in text if c.isprintable())
-
-
-def _unknown() -> ApiError:
-    return refused(404, "there is no such design", "Choose one of the list.")

@@ -7,17 +7,17 @@ from fastapi import APIRouter, Request, Response
 from fastapi.responses import HTMLResponse
 
 from wraparc.version import __version__
-from wraparc.web import answer_models as told
+from wraparc.web.answers.shown import Answer
 from wraparc.web.docs_page import docs_page
-from wraparc.web.errors import json_bytes, refused
-from wraparc.web.routes.parts import json_answer, state_of
+from wraparc.web.errors import refused
+from wraparc.web.routes.parts import router, state_of
 from wraparc.web.static_files import Static
 
 FOLDER = Path(__file__).parents[1] / "static"
 #: Addresses that all show the one page; the page itself tells them apart.
 PAGES = ("/", "/compare", "/tests", "/train", "/study", "/designs", "/about")
-router = APIRouter(include_in_schema=False)
-api = APIRouter(prefix="/api/v1", tags=["server"])
+pages = APIRouter(include_in_schema=False)
+api = router("", "server")
 _static = Static(FOLDER)
 _EXTRAS = {"fit": "scipy", "report": "typst", "study": "scipy", "fast": "numba"}
 
@@ -42,41 +42,50 @@ async def _index(request: Request) -> Response:
 
 
 for _page in PAGES:
-    router.add_api_route(_page, _index, methods=["GET", "HEAD"])
+    pages.add_api_route(_page, _index, methods=["GET", "HEAD"])
 
 
-@router.get("/static/{name}")
-@router.head("/static/{name}")
+@pages.get("/static/{name}")
+@pages.head("/static/{name}")
 async def static_file(request: Request, name: str) -> Response:
     """Return a file of the pages."""
     return send_file(request, name)
 
 
-@router.get("/favicon.ico")
+@pages.get("/favicon.ico")
 async def favicon(request: Request) -> Response:
     """Return the icon."""
     return send_file(request, "icon.svg")
 
 
-@router.get("/docs")
+@pages.get("/docs")
 async def docs(request: Request) -> Response:
     """Return the page about the API."""
     return HTMLResponse(docs_page(request.app.openapi()))
 
 
-@api.get(
-    "/about", summary="Version and abilities of the server", responses=told.answers(told.About)
-)
-def about(request: Request) -> Response:
-    """Say what this server is and can do."""
+class About(Answer):
+    """What the server is and can do."""
+
+    name: str
+    version: str
+    fast: bool
+    compiled: bool
+    database: str
+    extras: dict[str, bool]
+    token: bool
+
+
+@api.get("/about")
+async def about(request: Request) -> About:
+    """Version and abilities of the server."""
     settings = state_of(request).settings
-    data = {
-        "name": "wraparc",
-        "version": __version__,
-        "fast": find_spec("numba") is not None,
-        "compiled": state_of(request).workers.compiled,
-        "database": settings.database.partition(":")[0].partition("+")[0],
-        "extras": {name: find_spec(library) is not None for name, library in _EXTRAS.items()},
-        "token": bool(settings.token),
-    }
-    return json_answer(json_bytes(data))
+    return About(
+        name="wraparc",
+        version=__version__,
+        fast=find_spec("numba") is not None,
+        compiled=state_of(request).workers.compiled,
+        database=settings.database.partition(":")[0].partition("+")[0],
+        extras={name: find_spec(library) is not None for name, library in _EXTRAS.items()},
+        token=bool(settings.token),
+    )

@@ -1,14 +1,20 @@
 """What every part of the API uses."""
 
-from typing import Any
+import asyncio
+import inspect
+from collections.abc import Awaitable, Callable, Coroutine
+from typing import Any, get_type_hints
 
-from fastapi import Request, Response
+from fastapi import APIRouter, Request, Response
+from fastapi.routing import APIRoute
 
 from wraparc.web.database.store import Store
+from wraparc.web.errors import Problems, refused
 from wraparc.web.jobs import Jobs
+from wraparc.web.routes.bodies import Body
 from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
-from wraparc.web.work import WHOLE, Workers
+from wraparc.web.work import WHOLE, Function, Workers
 
 JSON = "application/json"
 
@@ -30,22 +36,92 @@ class State:
         self.store.close()
 
 
+class Route(APIRoute):
+    """A route that is described by the words of its function, and says how it can refuse."""
+
+    def __init__(self, path: str, endpoint: Callable[..., Any], **more: Any) -> None:
+        summary, _, rest = (inspect.getdoc(endpoint) or "").partition("\n")
+        more["summary"], more["description"] = summary.rstrip("."), rest.strip()
+        known = {422: "Wrong.", 503: "Busy."} | ({404: "Not there."} if "{" in path else {})
+        refusals: dict[int | str, dict[str, Any]] = {
+            code: {"model": Problems, "description": text} for code, text in known.items()
+        }
+        more["responses"] = refusals | (more.get("responses") or {})
+        super().__init__(path, endpoint, **more)
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Return what serves a request, whatever the type of its body."""
+        serve = super().get_route_handler()
+
+        async def handler(request: Request) -> Response:
+            return await serve(Body(request))
+
+        return handler
+
+
+def router(prefix: str, tag: str) -> APIRouter:
+    """Return a part of the API."""
+    return APIRouter(prefix=f"/api/v1{prefix}", tags=[tag], route_class=Route)
+
+
+def refuses(*codes: int) -> dict[int | str, dict[str, Any]]:
+    """Return what a route says of further refusals."""
+    return {code: {"model": Problems} for code in codes}
+
+
 def state_of(request: Request) -> State:
     """Return the state of the server."""
     found: State = request.app.state.wraparc
     return found
 
 
-def json_answer(body: bytes, status: int = 200, **headers: str) -> Response:
+def client_of(request: Request) -> str:
+    """Return who asks: clients take turns."""
+    return request.client.host if request.client else ""
+
+
+def offer(
+    part: APIRouter,
+    path: str,
+    function: Function,
+    *,
+    queue: str = WHOLE,
+    long: Callable[[Any], bool] = lambda asked: False,
+) -> None:
+    """Offer what a function gives to a request: its types are the form of both."""
+    hints = get_type_hints(function)
+
+    async def endpoint(request: Request, asked: Any) -> Response:
+        workers, client = state_of(request).workers, client_of(request)
+        if long(asked):
+            return json_answer(await waited(request, workers.long(client, function, asked)))
+        short = workers.short(client, function, asked, queue=queue)
+        return json_answer(await waited(request, short))
+
+    endpoint.__annotations__["asked"] = hints["asked"]
+    endpoint.__name__, endpoint.__doc__ = function.__name__, function.__doc__
+    part.add_api_route(path, endpoint, methods=["POST"], response_model=hints["return"])
+
+
+async def waited(request: Request, work: Awaitable[bytes]) -> bytes:
+    """Return an answer, and give it up when nobody waits for it any more."""
+    working = asyncio.ensure_future(work)
+    leaving = asyncio.ensure_future(_left(request))
+    try:
+        await asyncio.wait((working, leaving), return_when=asyncio.FIRST_COMPLETED)
+        if not working.done():
+            raise refused(503, "nobody waits for the answer any more")
+        return working.result()
+    finally:
+        leaving.cancel()
+        working.cancel()
+
+
+async def _left(request: Request) -> None:
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
+
+
+def json_answer(body: bytes) -> Response:
     """Return an answer that is JSON already."""
-    return Response(body, status, headers=headers or None, media_type=JSON)
-
-
-async def short(request: Request, where: str, body: Any, queue: str = WHOLE) -> Response:
-    """Return the answer of a worker."""
-    return json_answer(await state_of(request).workers.short(where, body.model_dump(), queue))
-
-
-async def long(request: Request, where: str, body: Any) -> Response:
-    """Return the answer of a process of its own."""
-    return json_answer(await state_of(request).workers.long(where, body.model_dump()))
+    return Response(body, media_type=JSON)

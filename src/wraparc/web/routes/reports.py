@@ -2,33 +2,29 @@
 
 from typing import Literal
 
-from fastapi import APIRouter, Request, Response
+from fastapi import Request, Response
 
-from wraparc.web import models
+from wraparc.web.answers.reports import report
+from wraparc.web.answers.shown import Data
 from wraparc.web.answers.texts import file_stem
-from wraparc.web.routes.parts import state_of
+from wraparc.web.asked import ReportRequest
+from wraparc.web.routes.parts import client_of, refuses, router, state_of, waited
 
-router = APIRouter(prefix="/api/v1/report", tags=["report"])
+api = router("/report", "report")
 _MEDIA = {
     "pdf": "application/pdf",
     "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
     "md": "text/markdown; charset=utf-8",
 }
+_CONTENT: Data = {"content": {media.partition(";")[0]: {} for media in _MEDIA.values()}}
 
 
-@router.post(
-    "/{kind}",
-    summary="The calculation note as PDF, Excel workbook or Markdown",
-    response_class=Response,
-    responses={200: {"content": {media.partition(";")[0]: {} for media in _MEDIA.values()}}},
-)
-async def report(
-    request: Request, kind: Literal["pdf", "xlsx", "md"], body: models.ReportRequest
+@api.post("/{kind}", response_class=Response, responses={200: _CONTENT, **refuses(501)})
+async def note(
+    request: Request, kind: Literal["pdf", "xlsx", "md"], asked: ReportRequest
 ) -> Response:
-    """Solve the drive and return its note."""
-    stem = file_stem(body.name)
-    task = {**body.model_dump(), "kind": kind, "name": stem}
-    workers = state_of(request).workers
-    content = await workers.short("wraparc.web.answers.reports:report", task)
-    headers = {"content-disposition": f'attachment; filename="{stem}.{kind}"'}
-    return Response(content, headers=headers, media_type=_MEDIA[kind])
+    """The calculation note as PDF, Excel workbook or Markdown."""
+    asked = asked.model_copy(update={"name": file_stem(asked.name)})
+    work = state_of(request).workers.short(client_of(request), report, asked, kind)
+    headers = {"content-disposition": f'attachment; filename="{asked.name}.{kind}"'}
+    return Response(await waited(request, work), headers=headers, media_type=_MEDIA[kind])

@@ -1,149 +1,174 @@
 """Shear tests: machine files dropped, described, fitted. Nothing is kept on the disk."""
 
-import base64
-import json
-from typing import Annotated, Any
+import pickle
+from typing import Annotated
 
-from fastapi import APIRouter, File, Request, Response, UploadFile
+from fastapi import File, Request, Response, UploadFile
 
-from wraparc.web import models
-from wraparc.web.errors import ApiError, Data, json_bytes, problems_data
-from wraparc.web.routes.parts import State, json_answer, state_of
+from wraparc.web.answers import shear_tests
+from wraparc.web.answers.shear_tests import MachineFile, ReadFile, ReadFiles
+from wraparc.web.answers.shown import Answer
+from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
+from wraparc.web.errors import ApiError, told
+from wraparc.web.routes.parts import (
+    State,
+    client_of,
+    json_answer,
+    refuses,
+    router,
+    state_of,
+    waited,
+)
 from wraparc.web.sessions import (
     LIFE,
     MOST_FILE,
     MOST_FILES,
     MOST_SESSION,
-    Session,
     Upload,
     shown_name,
 )
 
-router = APIRouter(prefix="/api/v1/tests", tags=["shear tests"])
-_ANSWERS = "wraparc.web.answers.shear_tests"
+api = router("/tests", "shear tests")
 _READ_LIMIT, _FIT_LIMIT = 60.0, 300.0
 
 
-@router.post("", status_code=201, summary="Begin: a place for files, in memory, for a while")
-def create(request: Request) -> Response:
-    """Return the name of a new session."""
+class SessionAnswer(Answer):
+    """A place for files, how long it is kept [s], and its limits."""
+
+    session: str
+    expires_in: float
+    limits: dict[str, int]
+
+
+class FileAnswer(ReadFile):
+    """A file, what is said of it and what was understood."""
+
+    id: str
+    name: str
+    bytes: int
+    pressure: str | None
+    normal_force: str | None
+    condition: str
+    repeat: str
+    sample: str
+    choices: FileChoices
+    illustrative: bool
+
+    @classmethod
+    def of(cls, upload: Upload) -> "FileAnswer":
+        """Return what is known of an upload."""
+        known = {"id": upload.id, "name": upload.name, "bytes": len(upload.data)}
+        said = upload.said.model_dump()
+        said["condition"] = said["condition"] or "dry"
+        return cls(**upload.read.model_dump(), **known, **said)
+
+
+class FilesAnswer(Answer):
+    """Files just taken."""
+
+    files: list[FileAnswer]
+
+
+class SessionFiles(FilesAnswer):
+    """All files of a session."""
+
+    expires_in: float
+
+
+@api.post("", status_code=201, responses=refuses(429))
+async def create(request: Request) -> SessionAnswer:
+    """Begin: a place for files, in memory, for a while."""
     session = state_of(request).sessions.create()
     limits = {"files": MOST_FILES, "file_bytes": MOST_FILE, "session_bytes": MOST_SESSION}
-    data = {"session": session.id, "expires_in": LIFE, "limits": limits}
-    return json_answer(json_bytes(data), 201)
+    return SessionAnswer(session=session.id, expires_in=LIFE, limits=limits)
 
 
-@router.get("/{session}", summary="The files and what was read of them")
-def listed(request: Request, session: str) -> Response:
-    """Return everything known of the files of a session."""
-    return json_answer(json_bytes(_all(state_of(request).sessions.get(session))))
+@api.get("/{session}")
+async def listed(request: Request, session: str) -> SessionFiles:
+    """The files and what was read of them."""
+    uploads = state_of(request).sessions.get(session).uploads.values()
+    return SessionFiles(files=[FileAnswer.of(upload) for upload in uploads], expires_in=LIFE)
 
 
-@router.post("/{session}/files", summary="Drop files")
+@api.post("/{session}/files", responses=refuses(413))
 async def add(
     request: Request,
     session: str,
     files: Annotated[list[UploadFile], File(max_length=MOST_FILES, description="Machine files.")],
-) -> Response:
-    """Take files and say what was understood of each."""
+) -> FilesAnswer:
+    """Drop files; what was understood of each is answered."""
     state = state_of(request)
     place = state.sessions.get(session)
     uploads = [
         state.sessions.add(place, shown_name(file.filename), await file.read()) for file in files
     ]
-    await _read(state, uploads)
-    return json_answer(json_bytes({"files": [_data(upload) for upload in uploads]}))
+    return await _read(request, uploads)
 
 
-@router.put("/{session}/files/{number}", summary="Say what a file does not: pressure, columns")
+@api.put("/{session}/files/{number}")
 async def describe(
-    request: Request, session: str, number: str, body: models.TestFileRequest
-) -> Response:
-    """Take what the user says about a file, and read it again."""
-    state = state_of(request)
-    upload = state.sessions.upload(state.sessions.get(session), number)
-    upload.said = body.model_dump()
-    await _read(state, [upload])
-    return json_answer(json_bytes(_data(upload)))
-
-
-@router.delete("/{session}/files/{number}", status_code=204, summary="Take a file away")
-def remove(request: Request, session: str, number: str) -> Response:
-    """Forget a file."""
+    request: Request, session: str, number: str, asked: TestFileRequest
+) -> FileAnswer:
+    """Say what a file does not: pressure, columns."""
     sessions = state_of(request).sessions
-    sessions.remove(sessions.get(session), number)
-    return Response(status_code=204)
+    upload = sessions.upload(sessions.get(session), number)
+    upload.said = asked
+    return (await _read(request, [upload])).files[0]
 
 
-@router.delete("/{session}", status_code=204, summary="Forget all files")
-def forget(request: Request, session: str) -> Response:
-    """Forget a session."""
+@api.delete("/{session}/files/{number}", status_code=204)
+async def remove(request: Request, session: str, number: str) -> None:
+    """Take a file away."""
+    sessions = state_of(request).sessions
+    place = sessions.get(session)
+    del place.uploads[sessions.upload(place, number).id]
+
+
+@api.delete("/{session}", status_code=204)
+async def forget(request: Request, session: str) -> None:
+    """Forget all files."""
     state_of(request).sessions.forget(session)
-    return Response(status_code=204)
 
 
-@router.post("/{session}/example", summary="Fill in virtual tests, for trying")
-async def example(request: Request, session: str) -> Response:
-    """Add virtual tests of a known law."""
+@api.post("/{session}/example", responses=refuses(413))
+async def example(request: Request, session: str) -> FilesAnswer:
+    """Fill in virtual tests of a known law, for trying."""
     state = state_of(request)
     place = state.sessions.get(session)
-    made = json.loads(await state.workers.short(f"{_ANSWERS}:virtual_files", {}))
-    uploads = []
-    for file in made["files"]:
-        upload = state.sessions.add(place, file["name"], base64.b64decode(file["data"]))
-        upload.said = {**file["said"], "illustrative": True}
-        uploads.append(upload)
-    await _read(state, uploads)
-    return json_answer(json_bytes({"files": [_data(upload) for upload in uploads]}))
+    answer = await state.workers.short(client_of(request), shear_tests.virtual_files)
+    made: list[MachineFile] = pickle.loads(answer)  # noqa: S301 - of our own process
+    uploads = [state.sessions.add(place, file.name, file.data) for file in made]
+    for upload, file in zip(uploads, made, strict=True):
+        upload.said = file.said
+    return await _read(request, uploads)
 
 
-@router.post("/{session}/fit", summary="Fit the lagging")
-async def fit(request: Request, session: str, body: models.FitRequest) -> Response:
+@api.post("/{session}/fit", response_model=shear_tests.FitAnswer, responses=refuses(501))
+async def fit(request: Request, session: str, asked: FitRequest) -> Response:
     """Fit the friction law; tests that cannot be used are named, the others go on."""
     state = state_of(request)
-    place = state.sessions.get(session)
-    uploads = list(place.uploads.values())
-    files = [{"id": u.id, "name": u.name, "data": u.data, "said": u.said} for u in uploads]
-    illustrative = bool(uploads) and any(u.said.get("illustrative") for u in uploads)
-    task = {**body.model_dump(), "files": files, "illustrative": illustrative}
-    return json_answer(await state.workers.long(f"{_ANSWERS}:fit", task, _FIT_LIMIT))
+    files = [upload.file for upload in state.sessions.get(session).uploads.values()]
+    client = client_of(request)
+    work = state.workers.long(client, shear_tests.fit, asked, files, limit=_FIT_LIMIT)
+    return json_answer(await waited(request, work))
 
 
-async def _read(state: State, uploads: list[Upload]) -> None:
+async def _read(request: Request, uploads: list[Upload]) -> FilesAnswer:
     """Read files in a process of their own; if one file ends it, each in its own."""
-    files = [{"name": u.name, "data": u.data, "said": u.said} for u in uploads]
+    await _read_in(state_of(request), client_of(request), uploads)
+    return FilesAnswer(files=[FileAnswer.of(upload) for upload in uploads])
+
+
+async def _read_in(state: State, client: str, uploads: list[Upload]) -> None:
+    files = [upload.file for upload in uploads]
     try:
-        answer = await state.workers.long(f"{_ANSWERS}:read_files", {"files": files}, _READ_LIMIT)
-        for upload, found in zip(uploads, json.loads(answer)["files"], strict=True):
-            upload.read = found
+        answer = await state.workers.long(client, shear_tests.read_files, files, limit=_READ_LIMIT)
+        found = ReadFiles.model_validate_json(answer).files
+        for upload, read in zip(uploads, found, strict=True):
+            upload.read = read
     except ApiError as error:
         if len(uploads) == 1:
-            uploads[0].read = {"read": False, "problems": problems_data(error.problems)}
+            uploads[0].read = ReadFile(problems=told(error.problems))
             return
         for upload in uploads:
-            await _read(state, [upload])
-
-
-def _all(session: Session) -> Data:
-    return {"files": [_data(u) for u in session.uploads.values()], "expires_in": LIFE}
-
-
-def _data(upload: Upload) -> Data:
-    said: dict[str, Any] = {key: upload.said.get(key) for key in ("pressure", "normal_force")}
-    said |= {key: upload.said.get(key, "") for key in ("repeat", "sample")}
-    return {
-        "id": upload.id,
-        "name": upload.name,
-        "bytes": len(upload.data),
-        "tables": [],
-        "columns": [],
-        "notes": [],
-        "preview": None,
-        "pressure_guess": None,
-        "place": "",
-        **said,
-        "condition": upload.said.get("condition") or "dry",
-        "choices": upload.said.get("choices") or {},
-        "illustrative": bool(upload.said.get("illustrative")),
-        **upload.read,
-    }
+            await _read_in(state, client, [upload])
