@@ -61,7 +61,7 @@ class Calculator:
         """Return a study once it is done."""
         for _ in range(_OFTEN):
             found = self.get(path)
-            if found["state"] not in ("waiting", "running"):
+            if found["state"] not in ("queued", "running"):
                 return found
             time.sleep(_SHORT)
         raise AssertionError(f"{path} is not done")

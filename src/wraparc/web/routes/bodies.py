@@ -71,9 +71,12 @@ def _json(content: bytes) -> Any:
 
 def _depth(value: Any) -> int:
     """Return how deep lists and tables lie in each other, at most a little beyond the limit."""
-    level, depth = [[value]], 0
+    level: list[Any] = [value]
+    depth = 0
     while level and depth <= _DEEPEST:
-        tables = [item.values() if isinstance(item, dict) else item for item in level]
-        level = [v for table in tables for v in table if isinstance(v, dict | list)]
+        inner = [
+            t.values() if isinstance(t, dict) else t for t in level if isinstance(t, dict | list)
+        ]
+        level = [value for values in inner for value in values]
         depth += 1
     return depth
