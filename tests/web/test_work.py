@@ -12,16 +12,19 @@ from typing import Any
 
 import pytest
 
+from web.calculators import PATIENCE
 from wraparc.errors import InputError, Problem
 from wraparc.web import work
 from wraparc.web.errors import ApiError
 from wraparc.web.turns import Turns
 from wraparc.web.work import Workers
 
+pytestmark = pytest.mark.processes
+
 
 async def until(condition: Callable[[], bool]) -> None:
     """Wait until something holds."""
-    async with asyncio.timeout(60):
+    async with asyncio.timeout(PATIENCE):
         while not condition():
             await asyncio.sleep(0.001)
 
