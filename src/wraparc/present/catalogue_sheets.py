@@ -8,7 +8,8 @@ from wraparc import catalogue
 from wraparc.drive import Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
-from wraparc.present.inputs import lagging_rows
+from wraparc.present.input_tables import input_rows
+from wraparc.present.inputs import lagging_inputs
 from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, quantity
 from wraparc.present.sources import Sources
 from wraparc.provenance import Kind
@@ -58,7 +59,8 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
     tables = []
     for lagging in laggings:
         of_condition = f" ({lagging.condition})" if len(laggings) > 1 else ""
-        tables.append(Table(f"Lagging{of_condition}", lagging_rows(lagging, system, of)))
+        rows = input_rows(lagging_inputs(lagging), system, of)
+        tables.append(Table(f"Lagging{of_condition}", rows))
         tables.append(_friction_table(lagging, system, of_condition))
         if isinstance(lagging.law, IntegralLog):
             tables.append(_coefficient_table(lagging.law, system, of_condition))

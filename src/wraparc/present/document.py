@@ -13,6 +13,7 @@ import numpy as np
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
 from wraparc.drive import Belt, Drive, Lagging, design_remarks
 from wraparc.glossary import GLOSSARY
+from wraparc.present.inputs import arc_inputs
 from wraparc.present.words import verdict
 from wraparc.provenance import Provenance
 from wraparc.units import DIMENSION_TEXT
@@ -95,7 +96,7 @@ def _arc_data(result: ArcResult, drive: Drive) -> Data:
         "status": result.status.name.lower(),
         "status_text": str(result.status),
         "within_creep_limit": result.within_creep_limit,
-        "inputs": _inputs(result.arc),
+        "inputs": _inputs(drive, result.arc),
         **scalars,
         "unbounded": [name for name, value in scalars.items() if math.isinf(value)],
         "classical": [_classical_data(c) for c in classical_drives(result.arc, lagging)],
@@ -103,24 +104,9 @@ def _arc_data(result: ArcResult, drive: Drive) -> Data:
     }
 
 
-def _inputs(arc: WrapArc) -> Data:
-    return {
-        "entry_tension": arc.entry_tension,
-        "exit_tension": arc.exit_tension,
-        "diameter": arc.diameter,
-        "wrap_angle": arc.wrap_angle,
-        "belt_width": arc.width,
-        "axial_stiffness": arc.axial_stiffness,
-        "lagging_thickness": arc.thickness,
-        "shear_modulus": arc.shear_modulus,
-        "compression_modulus": arc.compression_modulus,
-        "overrun": arc.entry_overrun,
-        "overrun_by_formula": arc.overrun is None,
-        "recovery": arc.recovery,
-        "creep_limit": arc.creep_limit,
-        "belt_speed": arc.belt_speed,
-        "wear_coefficient": arc.wear_coefficient,
-    }
+def _inputs(drive: Drive, arc: WrapArc) -> Data:
+    numbers = {entry.name: entry.value for entry in arc_inputs(drive, arc) if entry.name}
+    return {**numbers, "overrun_by_formula": arc.overrun is None, "recovery": arc.recovery}
 
 
 def _classical_data(classical: ClassicalDrive) -> Data:

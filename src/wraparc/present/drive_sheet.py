@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Drive, design_remarks
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
@@ -15,7 +15,8 @@ from wraparc.present.arc_tables import (
     energy_table,
 )
 from wraparc.present.design_values import comparison_table
-from wraparc.present.inputs import input_table
+from wraparc.present.input_tables import input_table, input_tables
+from wraparc.present.inputs import drive_inputs
 from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, number, percent
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
@@ -56,16 +57,12 @@ def drive_sheet(
 def input_sheet(drive: Drive, system: System = "si") -> Sheet:
     """Return what was read of a drive, and what there is to remark on it before it is solved."""
     of = Sources()
-    tables = [
-        input_table(drive, pulley, WrapArc.of(drive, pulley, case), system, of)
-        for case in drive.load_cases[:1]
-        for pulley in drive.pulleys
-    ]
+    tables = input_tables(drive_inputs(drive), system, of)
     counted = f"{len(drive.pulleys)} {'pulley' if len(drive.pulleys) == 1 else 'pulleys'}, "
     counted += f"load cases: {', '.join(case.name for case in drive.load_cases)}."
     told = Verdict(Level.GOOD, f"The drive file is in order: {counted}")
     remarks = design_remarks(drive, system)
-    return Sheet(drive.title or "Drive", "", told, tuple(tables), remarks, of.listed())
+    return Sheet(drive.title or "Drive", "", told, tables, remarks, of.listed())
 
 
 def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
@@ -92,7 +89,7 @@ def _arc(drive: Drive, results: Results, system: System, of: Sources) -> list[Ta
     tables.append(comparison_table(first, pulley.lagging, system, of))
     if first.status.solved:
         tables.append(energy_table(first, system))
-    tables.append(input_table(drive, pulley, first.arc, system, of))
+    tables.append(input_table(drive, first.arc, system, of))
     return tables
 
 

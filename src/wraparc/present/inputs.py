@@ -1,104 +1,200 @@
-"""What a solve was given: belt, pulley, lagging and tensions, each with its source."""
+"""What an answer rests on: every input once, with what it measures and where it came from.
+
+Sheets, notes, workbooks and JSON show this one list.
+"""
 
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from wraparc.arc import WrapArc
-from wraparc.drive import Belt, Drive, Lagging, Pulley
-from wraparc.present.sheet import Row, Table, between, named, percent, quantity, row_of
+from wraparc.drive import CREEP_LIMIT, Belt, Drive, Lagging, Pulley
+from wraparc.glossary import GLOSSARY
+from wraparc.present.sheet import percent, quantity
 from wraparc.present.sources import Sources
-from wraparc.units import System
+from wraparc.provenance import Kind, Provenance
+from wraparc.units import Dimension, System
+
+if TYPE_CHECKING:
+    from wraparc.train import Train
+
+_GIVEN = Provenance()
+_CUSTOMARY = Provenance(
+    Kind.PUBLISHED,
+    "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure",
+    note="the conservative customary limit",
+)
+_FORMULA = "from the compression of the lagging, 1.25 delta sqrt(delta/R)"
 
 
-def input_table(drive: Drive, pulley: Pulley, arc: WrapArc, system: System, of: Sources) -> Table:
-    """Return what was given for one arc."""
-    rows = (
-        *belt_rows(drive.belt, system, of),
-        *_pulley_rows(pulley, arc, system, of),
-        *lagging_rows(pulley.lagging, system, of),
-        *_tension_rows(drive.belt, pulley, arc, system, of),
-    )
-    return Table(f"Inputs: pulley {pulley.name}, load case {arc.load_case}", rows)
+@dataclass(frozen=True)
+class Input:
+    """One input.
+
+    Attributes
+    ----------
+    group
+        What it belongs to: the belt, a pulley, a lagging, a load case.
+    title
+        What it is.
+    value
+        Number [SI], words, or None for what is not given and shown nowhere but in JSON.
+    dimension
+        What a number measures.
+    symbol
+        Letter of the equations.
+    origin
+        Where it came from, or None where `remark` says how it was computed.
+    remark
+        What else to know about it.
+    name
+        Name in the glossary, or empty.
+    """
+
+    group: str
+    title: str
+    value: float | str | None
+    dimension: Dimension = "number"
+    symbol: str = ""
+    origin: Provenance | None = _GIVEN
+    remark: str = ""
+    name: str = ""
+
+    def text(self, system: System) -> str:
+        """Return the value with its unit."""
+        if isinstance(self.value, float):
+            known = not math.isinf(self.value)
+            return quantity(self.value, self.dimension, system) if known else "rigid"
+        return str(self.value)
+
+    def note(self, of: Sources) -> str:
+        """Return where it came from, with the number of its source, and its remark."""
+        origin = "" if self.origin is None else of.note(self.origin)
+        return "; ".join(part for part in (origin, self.remark) if part)
 
 
-def belt_rows(belt: Belt, system: System, of: Sources) -> tuple[Row, ...]:
-    """Return the rows of a belt."""
+def drive_inputs(drive: "Drive | Train", *, divided: bool = False) -> tuple[Input, ...]:
+    """Return the inputs of a drive: belt, pulleys, laggings, load cases.
 
-    def source(field: str) -> str:
-        return of.note(belt.sources.get(field, belt.provenance))
-
-    rows = [
-        Row("Belt", (belt.name,), note=belt.kind),
-        row_of("belt_width", belt.width, system=system),
-        row_of("belt_modulus", belt.modulus, system=system, note=source("modulus")),
-        row_of("axial_stiffness", belt.axial_stiffness, system=system, note="M B"),
-    ]
-    if belt.rating is not None:
-        rating = quantity(belt.rating, "force_per_width", system)
-        rows.append(Row("Rating of the belt", (rating,), note=source("rating")))
-    if belt.speed is not None:
-        rows.append(row_of("belt_speed", belt.speed, system=system))
-    return tuple(rows)
-
-
-def _pulley_rows(pulley: Pulley, arc: WrapArc, system: System, of: Sources) -> tuple[Row, ...]:
-    def source(field: str) -> str:
-        return of.note(pulley.sources[field]) if field in pulley.sources else ""
-
-    overrun = source("overrun") if pulley.overrun is not None else "1.25 delta sqrt(delta/R)"
+    Parameters
+    ----------
+    drive
+        The drive, or a train.
+    divided
+        Whether the tensions come from dividing the load of a train, and are no inputs.
+    """
+    laggings = {pulley.lagging.name: pulley.lagging for pulley in drive.pulleys}
+    arcs = []
+    if isinstance(drive, Drive) and not divided:
+        arcs = [WrapArc.of(drive, p, case) for case in drive.load_cases for p in drive.pulleys]
     return (
-        row_of("diameter", pulley.diameter, system=system, note=source("diameter")),
-        row_of("wrap_angle", pulley.wrap_angle, system=system, note=source("wrap_angle")),
-        row_of("overrun", arc.entry_overrun, system=system, note=overrun),
-        *(() if pulley.recovery else (Row("Recovery of the lagging", ("not counted",)),)),
-        row_of("creep_limit", arc.creep_limit, system=system, note=source("creep_limit")),
+        *belt_inputs(drive.belt),
+        *(entry for pulley in drive.pulleys for entry in _pulley(drive, pulley)),
+        *(entry for lagging in laggings.values() for entry in lagging_inputs(lagging)),
+        *(entry for arc in arcs for entry in _tensions(drive, arc)),
     )
 
 
-def lagging_rows(lagging: Lagging, system: System, of: Sources) -> tuple[Row, ...]:
-    """Return the rows of a lagging."""
-    rows = [
-        Row("Lagging", (lagging.name,), note=lagging.title),
-        Row("Condition", (lagging.condition,)),
-        Row("Friction law", (lagging.law.title,), note=of.note(lagging.source_of("law"))),
-    ]
-    for name, field in (
+def arc_inputs(drive: Drive, arc: WrapArc) -> tuple[Input, ...]:
+    """Return the inputs of one arc of a drive, with what follows from them at once."""
+    pulley = drive.pulley(arc.pulley)
+    pull, ratio = arc.effective_tension, arc.entry_tension / arc.exit_tension
+    group = f"Load case {arc.load_case}"
+    return (
+        *belt_inputs(drive.belt),
+        *_pulley(drive, pulley, arc.entry_overrun),
+        *lagging_inputs(pulley.lagging),
+        *_tensions(drive, arc),
+        _named(group, "effective_tension", pull, None, arc.duty),
+        _named(group, "tension_ratio", ratio, None),
+    )
+
+
+def _named(
+    group: str, name: str, value: float | None, origin: Provenance | None, remark: str = ""
+) -> Input:
+    entry = GLOSSARY[name]
+    return Input(group, entry.title, value, entry.dimension, entry.symbol, origin, remark, name)
+
+
+def belt_inputs(belt: Belt) -> Iterator[Input]:
+    """Yield the inputs of a belt."""
+    group = "Belt"
+
+    def origin(key: str) -> Provenance:
+        return belt.sources.get(key, belt.provenance)
+
+    def own(title: str, value: float | None, dimension: Dimension, key: str) -> Input:
+        return Input(group, title, value, dimension, "", origin(key))
+
+    name = f"{belt.name} ({belt.kind})" if belt.kind else belt.name
+    yield Input(group, "Belt", name, origin=belt.provenance)
+    yield _named(group, "belt_width", belt.width, origin("width"))
+    yield _named(group, "belt_modulus", belt.modulus, origin("modulus"))
+    yield _named(group, "axial_stiffness", belt.axial_stiffness, None, "M B")
+    yield own("Rating of the belt", belt.rating, "force_per_width", "rating")
+    least, most = belt.least_pulley_diameter, belt.largest_wrap_pressure
+    yield own("Least drive pulley", least, "length", "least_pulley_diameter")
+    yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure")
+    yield own("Momentary tension over rating", belt.momentary_factor, "number", "momentary_factor")
+    yield _named(group, "belt_speed", belt.speed, origin("speed"))
+
+
+def _pulley(
+    drive: "Drive | Train", pulley: Pulley, overrun: float | None = None
+) -> Iterator[Input]:
+    """Yield the inputs of a pulley; an overrun by formula has a value on one arc alone."""
+    group = f"Pulley {pulley.name}"
+
+    def origin(key: str) -> Provenance:
+        return pulley.sources.get(key, _GIVEN)
+
+    yield _named(group, "diameter", pulley.diameter, origin("diameter"))
+    yield _named(group, "wrap_angle", pulley.wrap_angle, origin("wrap_angle"))
+    if pulley.overrun is not None:
+        yield _named(group, "overrun", pulley.overrun, origin("overrun"))
+    else:
+        by_formula = _named(group, "overrun", overrun, None, _FORMULA)
+        yield by_formula if overrun is not None else replace(by_formula, value="by formula")
+    if not pulley.recovery:
+        yield Input(group, "Recovery of the lagging", "not counted", origin=origin("recovery"))
+    limit = drive.creep_limit_of(pulley)
+    known = _CUSTOMARY if limit == CREEP_LIMIT else _GIVEN
+    yield _named(group, "creep_limit", limit, pulley.sources.get("creep_limit", known))
+    lagging = f"{pulley.lagging.name} ({pulley.lagging.condition})"
+    yield Input(group, "Lagging", lagging, origin=origin("lagging"))
+
+
+def lagging_inputs(lagging: Lagging) -> Iterator[Input]:
+    """Yield the inputs of a lagging in its condition."""
+    group = f"Lagging {lagging.name}"
+    by_law = lagging.source_of("law")
+    yield Input(group, "Friction law", lagging.law.title, symbol="mu(x, p)", origin=by_law)
+    for name, key in (
         ("lagging_thickness", "thickness"),
         ("shear_modulus", "shear_modulus"),
         ("compression_modulus", "compression_modulus"),
+        ("wear_coefficient", "wear_coefficient"),
     ):
-        value, note = getattr(lagging, field), of.note(lagging.source_of(field))
-        if math.isinf(value):
-            title = row_of(name, value).title
-            rows.append(Row(title, ("rigid",), row_of(name, value).symbol, name=name))
-        else:
-            rows.append(row_of(name, value, system=system, note=note))
-    if lagging.wear_coefficient is not None:
-        note = of.note(lagging.source_of("wear_coefficient"))
-        rows.append(row_of("wear_coefficient", lagging.wear_coefficient, system=system, note=note))
+        yield _named(group, name, getattr(lagging, key), lagging.source_of(key))
     tested = lagging.law.tested
     if tested is not None:
-        ends = between("wrap_pressure", tested.pressure_min, tested.pressure_max, system)
-        slip = named("slip", tested.slip_max, system)
-        rows.append(Row("Tested range", (ends,), "p", f"slip up to {slip}"))
-    return tuple(rows)
+        least, most = tested.pressure_min, tested.pressure_max
+        yield Input(group, "Tested from a pressure of", least, "pressure", "p", by_law)
+        yield Input(group, "Tested to a pressure of", most, "pressure", "p", by_law)
+        yield Input(group, "Tested to a slip of", tested.slip_max, "length", "x", by_law)
+        yield Input(group, "Tested at a slip speed of", tested.slip_speed, "speed", "", by_law)
 
 
-def _tension_rows(
-    belt: Belt, pulley: Pulley, arc: WrapArc, system: System, of: Sources
-) -> tuple[Row, ...]:
-    entry, leaving = arc.entry_tension, arc.exit_tension
-    used = ""
-    if belt.rating is not None:
-        used = f"{percent(max(entry, leaving) / (belt.rating * belt.width))} of the belt's rating"
-    tight = "entry_tension" if entry >= leaving else "exit_tension"
-
-    def note(field: str) -> str:
-        source = of.note(pulley.sources[field]) if field in pulley.sources else ""
-        return "; ".join(part for part in (source, used if field == tight else "") if part)
-
-    return (
-        row_of("entry_tension", entry, system=system, note=note("entry_tension")),
-        row_of("exit_tension", leaving, system=system, note=note("exit_tension")),
-        row_of("effective_tension", arc.effective_tension, system=system, note=arc.duty),
-        row_of("tension_ratio", entry / leaving, system=system),
-    )
+def _tensions(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
+    pulley = next(p for p in drive.pulleys if p.name == arc.pulley)
+    several = len(drive.pulleys) > 1
+    group = f"Load case {arc.load_case}" + (f", pulley {pulley.name}" if several else "")
+    tight = "entry_tension" if arc.entry_tension >= arc.exit_tension else "exit_tension"
+    for name in ("entry_tension", "exit_tension"):
+        value, used = getattr(arc, name), ""
+        if name == tight and drive.belt.rating is not None:
+            share = percent(value / (drive.belt.rating * drive.belt.width))
+            used = f"{share} of the belt's rating"
+        yield _named(group, name, value, pulley.sources.get(name, _GIVEN), used)

@@ -6,7 +6,8 @@ from math import isnan
 from wraparc.arc import DriveResult
 from wraparc.glossary import GLOSSARY
 from wraparc.present.drive_sheet import drive_sheet
-from wraparc.present.inputs import belt_rows, lagging_rows
+from wraparc.present.input_tables import input_tables
+from wraparc.present.inputs import drive_inputs
 from wraparc.present.sheet import (
     NONE,
     Level,
@@ -16,9 +17,9 @@ from wraparc.present.sheet import (
     Verdict,
     named,
     percent,
-    row_of,
 )
 from wraparc.present.sources import Sources
+from wraparc.present.train_inputs import train_inputs
 from wraparc.present.train_words import matching_verdict, train_verdict
 from wraparc.present.words import level_of
 from wraparc.train import (
@@ -26,11 +27,7 @@ from wraparc.train import (
     Mark,
     Matching,
     MemberResult,
-    Motors,
-    Pulls,
     ShareCurve,
-    Shares,
-    Speeds,
     Train,
     TrainResult,
 )
@@ -67,45 +64,12 @@ def train_sheet(
 def train_input_sheet(train: Train, system: System = "si") -> Sheet:
     """Return what was read of a train, before it is solved."""
     of = Sources()
-    tables = [Table("Belt", belt_rows(train.belt, system, of))]
-    for pulley, nominal in zip(train.pulleys, train.nominal, strict=True):
-        note = "" if nominal == pulley.diameter else f"nominal {named('diameter', nominal, system)}"
-        rows = (
-            row_of("diameter", pulley.diameter, system=system, note=note),
-            row_of("wrap_angle", pulley.wrap_angle, system=system),
-            *lagging_rows(pulley.lagging, system, of),
-        )
-        tables.append(Table(f"Pulley {pulley.name}", rows))
-    tables.append(_cases_table(train, system))
+    inputs = (*drive_inputs(train, divided=True), *train_inputs(train))
+    tables = input_tables(inputs, system, of)
     count = f"{len(train.pulleys)} pulleys, {len(train.cases)} load cases"
     told = Verdict(Level.GOOD, f"The drive file of the train is in order: {count}.")
     title = train.title or "Train"
-    return Sheet(title, train.description, told, tuple(tables), (), of.listed())
-
-
-_DIVIDED = {
-    Shares: "shares given, speeds computed",
-    Pulls: "pulls given, speeds computed",
-    Speeds: "speeds given, shares computed",
-    Motors: "by the motors, shares and speeds computed",
-}
-
-
-def _cases_table(train: Train, system: System) -> Table:
-    rows = tuple(
-        Row(
-            case.name,
-            (
-                named("entry_tension", case.entry_tension, system),
-                named("exit_tension", case.exit_tension, system),
-                named("effective_tension", case.effective_tension, system),
-                _DIVIDED[type(case.division)],
-            ),
-        )
-        for case in train.cases
-    )
-    heads = ("first entry", "last exit", "all together", "load divided")
-    return Table("Load cases", rows, heads)
+    return Sheet(title, train.description, told, tables, (), of.listed())
 
 
 def train_tables(result: TrainResult, system: System = "si") -> tuple[Table, ...]:

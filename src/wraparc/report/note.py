@@ -16,13 +16,14 @@ from wraparc.present.arc_tables import answer_table, belongs, capacity_table, cr
 from wraparc.present.catalogue_sheets import law_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.drive_sheet import method_remarks
+from wraparc.present.input_tables import input_tables
+from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent, started
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
 from wraparc.report.checks import Check, Outcome, check_table, checks
 from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
 from wraparc.report.equations import equations
-from wraparc.report.inputs import Input, drive_inputs, input_tables
 from wraparc.units import System, display_unit
 from wraparc.version import __version__
 
@@ -207,16 +208,16 @@ def _inputs(
     laggings = {p.lagging.name: p.lagging for p in result.drive.pulleys}
     laws = (law_table(lagging, system) for lagging in laggings.values())
     inputs = note_inputs(result, train)
-    return (*input_tables(inputs, system, of), *laws)
+    return (*input_tables(inputs, system, of, stated=True), *laws)
 
 
 def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input, ...]:
     """Return every input of a note."""
     if train is None:
-        return drive_inputs(result)
-    from wraparc.report.train_inputs import train_inputs
+        return drive_inputs(result.drive)
+    from wraparc.present.train_inputs import train_inputs
 
-    return (*drive_inputs(result, divided=True), *train_inputs(train.train))
+    return (*drive_inputs(result.drive, divided=True), *train_inputs(train.train))
 
 
 def _results_section(

@@ -10,11 +10,11 @@ from wraparc.arc import ArcResult, DriveResult
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import METHOD_TITLES
+from wraparc.present.inputs import Input
 from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
 from wraparc.report.checks import Check, checks
-from wraparc.report.inputs import Input
 from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
 from wraparc.units import Dimension, System, display_unit
 
@@ -92,7 +92,7 @@ class _Workbook:
         """Write every sheet, in the order of `SHEETS`."""
         self._summary()
         inputs = note_inputs(self.results[0], self.train)
-        self._table("Inputs", _INPUT_HEADS, (self._input(entry) for entry in inputs))
+        self._table("Inputs", _INPUT_HEADS, (self._input(e) for e in inputs if e.value is not None))
         self._results()
         self._profile()
         self._all_profiles()
@@ -178,13 +178,13 @@ class _Workbook:
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:
-        value: Cell = entry.value
+        value: Cell = entry.text(self.system)
         unit = ""
-        if not isinstance(value, str):
+        if isinstance(entry.value, float) and math.isfinite(entry.value):
             unit, size = self._unit(entry.dimension)
-            value = value / size if math.isfinite(value) else "rigid"
+            value = entry.value / size
         origin = entry.origin
-        told = ("computed", "", entry.computed) if origin is None else _told(origin)
+        told = ("computed", "", entry.remark) if origin is None else _told(origin)
         return entry.group, entry.title, entry.symbol, value, unit, *told
 
     def _results(self) -> None:

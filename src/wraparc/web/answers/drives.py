@@ -9,7 +9,7 @@ from wraparc.present.arc_tables import answer_table, capacity_table, creep_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
 from wraparc.present.drive_sheet import input_sheet, summary_table
-from wraparc.present.inputs import input_table
+from wraparc.present.input_tables import input_table
 from wraparc.present.sheet import Level
 from wraparc.present.sheet import Table as SheetTable
 from wraparc.present.sources import Sources
@@ -248,5 +248,5 @@ def _tables(
         capacity_table(result, system),
         comparison_table(result, pulley.lagging, system, of),
         energy_table(result, system) if carried else None,
-        input_table(drive, pulley, result.arc, system, of),
+        input_table(drive, result.arc, system, of),
     ]

@@ -5,8 +5,9 @@ from pathlib import Path
 
 from present.drives import drive, solved
 from wraparc import Kind, PaperMarch, Provenance, load_drive, solve
+from wraparc.present.input_tables import input_tables
+from wraparc.present.inputs import drive_inputs
 from wraparc.present.sources import Sources
-from wraparc.report.inputs import drive_inputs, input_tables
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -16,7 +17,7 @@ def test_every_input_says_where_it_came_from() -> None:
         drive = load_drive(EXAMPLES / f"{name}.toml")
         result = solve(drive, method=PaperMarch(), raise_on_failure=False)
         of = Sources()
-        for table in input_tables(drive_inputs(result), "si", of):
+        for table in input_tables(drive_inputs(result.drive), "si", of, stated=True):
             for row in table.rows:
                 assert row.note, (name, table.title, row.title)
 
@@ -24,17 +25,17 @@ def test_every_input_says_where_it_came_from() -> None:
 def test_the_assumed_inputs_of_the_test_pulley_say_so() -> None:
     """Its file marks the geometry illustrative and the tensions calibrated."""
     result = solve(load_drive(EXAMPLES / "test-pulley-calibrated.toml"), raise_on_failure=False)
-    kinds = {(e.group, e.title): e.origin.kind for e in drive_inputs(result) if e.origin}
+    kinds = {(e.group, e.title): e.origin.kind for e in drive_inputs(result.drive) if e.origin}
     assert kinds["Pulley test", "Diameter over lagging"] is Kind.ILLUSTRATIVE
     assert kinds["Load case design", "Entry tension"] is Kind.CALIBRATED
     assert kinds["Belt", "Belt width"] is Kind.ILLUSTRATIVE
-    assert kinds["Belt", "Rating"] is Kind.PUBLISHED
+    assert kinds["Belt", "Rating of the belt"] is Kind.PUBLISHED
 
 
 def test_the_customary_limit_names_its_source_and_another_does_not() -> None:
     def origin(limit: float) -> Provenance | None:
         result = solve(replace(drive(), creep_limit=limit), raise_on_failure=False)
-        return next(e.origin for e in drive_inputs(result) if e.title == "Creep limit")
+        return next(e.origin for e in drive_inputs(result.drive) if e.title == "Creep limit")
 
     customary, own = origin(6.35e-3), origin(10e-3)
     assert customary is not None
@@ -45,10 +46,10 @@ def test_the_customary_limit_names_its_source_and_another_does_not() -> None:
 
 
 def test_an_overrun_by_formula_is_called_computed() -> None:
-    entries = {e.title: e for e in drive_inputs(solved())}
+    entries = {e.title: e for e in drive_inputs(solved().drive)}
     assert entries["Entry overrun"].origin is None
-    assert "1.25 delta sqrt(delta/R)" in entries["Entry overrun"].computed
-    given = {e.title: e for e in drive_inputs(solve(drive(overrun=2e-5)))}
+    assert "1.25 delta sqrt(delta/R)" in entries["Entry overrun"].remark
+    given = {e.title: e for e in drive_inputs(drive(overrun=2e-5))}
     assert given["Entry overrun"].text("si") == "0.02000 mm"
 
 
@@ -60,10 +61,7 @@ def test_pulleys_alike_stand_side_by_side() -> None:
         tensions=dict.fromkeys(("head", "second"), base.load_cases[0].tensions["head"]),
     )
     two = replace(base, pulleys=(base.pulleys[0], second), load_cases=(case,))
-    tables = {
-        t.title: t
-        for t in input_tables(drive_inputs(solve(two, raise_on_failure=False)), "si", Sources())
-    }
+    tables = {t.title: t for t in input_tables(drive_inputs(two), "si", Sources())}
     assert tables["Pulleys"].heads == ("head", "second")
     assert tables["Pulleys"].rows[0].values == ("800.0 mm", "900.0 mm")
     assert [row.title for row in tables["Tensions"].rows] == [
