@@ -102,7 +102,8 @@ def arc_inputs(drive: Drive, arc: WrapArc) -> tuple[Input, ...]:
     pull, ratio = arc.effective_tension, arc.entry_tension / arc.exit_tension
     group = f"Load case {arc.load_case}"
     return (
-        *belt_inputs(drive.belt),
+        # on a train each drum meets the belt at a speed of its own
+        *belt_inputs(replace(drive.belt, speed=arc.belt_speed)),
         *_pulley(drive, pulley, arc.entry_overrun),
         *lagging_inputs(pulley.lagging),
         *_tensions(drive, arc),

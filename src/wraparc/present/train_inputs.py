@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from wraparc.present.inputs import Input
-from wraparc.present.sheet import percent
 from wraparc.train import Motor, Motors, Pulls, Shares, Speeds, TorqueFollower, Train, TrainCase
 from wraparc.units import Dimension
 
@@ -49,7 +48,7 @@ def _case(train: Train, case: TrainCase) -> Iterator[Input]:
 def _division(case: TrainCase) -> str:
     match case.division:
         case Shares(fractions):
-            return "shares " + ", ".join(percent(share, 4) for share in fractions)
+            return "shares " + ", ".join(f"{100.0 * share:.4g} %" for share in fractions)
         case Pulls():
             return "by given pulls"
         case Speeds(speeds):

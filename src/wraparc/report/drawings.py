@@ -7,7 +7,7 @@ from wraparc.arc import ArcResult
 from wraparc.plot.drive import plot_budget, plot_profiles, plot_pulley
 from wraparc.plot.picture import Picture
 from wraparc.present.arc_tables import METHOD_TITLES, belongs, creep_part
-from wraparc.present.sheet import between, named, started
+from wraparc.present.sheet import named, started
 from wraparc.units import System
 
 
@@ -36,10 +36,11 @@ class Drawing:
 def pulley_drawing(result: ArcResult, system: System) -> Drawing:
     """Return the pulley of an arc, its wrap coloured by shear stress."""
     arc = result.arc
+    tensions = (named("tension", t, system) for t in (arc.entry_tension, arc.exit_tension))
     alt = (
         f"Pulley {arc.pulley}, {arc.duty}: belt wrapped over "
         f"{named('wrap_angle', arc.wrap_angle, system)}, tension "
-        f"{between('tension', result.entry_tension, result.exit_tension, system)}. The lagging is "
+        f"{' to '.join(tensions)}. The lagging is "
         f"coloured by shear stress, which peaks at "
         f"{named('peak_shear_stress', result.peak_shear_stress, system)}, "
         f"{named('peak_shear_position', result.peak_shear_position, system)} from the entry nip."
