@@ -163,8 +163,8 @@ def _pulley(
     limit = drive.creep_limit_of(pulley)
     known = _CUSTOMARY if limit == CREEP_LIMIT else _GIVEN
     yield _named(group, "creep_limit", limit, pulley.sources.get("creep_limit", known))
-    lagging = f"{pulley.lagging.name} ({pulley.lagging.condition})"
-    yield Input(group, "Lagging", lagging, origin=origin("lagging"))
+    lagging, title = f"{pulley.lagging.name} ({pulley.lagging.condition})", pulley.lagging.title
+    yield Input(group, "Lagging", lagging, origin=origin("lagging"), remark=title)
 
 
 def lagging_inputs(lagging: Lagging) -> Iterator[Input]:
