@@ -14,11 +14,11 @@ from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text
 from wraparc.schema.origins import own_provenance
-from wraparc.schema.overrides import Overrides, read_document
+from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
-from wraparc.schema.source import Document, check_format
-from wraparc.schema.tables import Entry, Record, Table
+from wraparc.schema.source import Document, read_whole
+from wraparc.schema.tables import Entry, Record, Table, need
 from wraparc.shear_test import DELIMITER_NAMES
 from wraparc.shear_test.plan_keys import Column
 from wraparc.units import Dimension, parse_quantity
@@ -36,50 +36,42 @@ _SPEED = Quantity("speed", Limit("speed", open=True))
 _SIGN = Choice(("+", "-"))
 
 PRIOR = Table(
-    (
-        Entry("mean", Text(60), "Mean", "With its unit.", required=True, example='mean = "1"'),
-        Entry("sd", Text(60), "Standard deviation", required=True, example='sd = "0.1"'),
-    ),
     "What is known beforehand",
+    need("mean", "With its unit.", Text(60), example='mean = "1"'),
+    need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1"'),
 )
 NUMBER = Table(
-    (
-        Entry("quantity", Choice(QUANTITIES), "Quantity", required=True),
-        Entry("value", Text(60), "Value", "With its unit."),
-        Entry("sd", Text(60), "Standard deviation", required=True, example='sd = "0.1 mm"'),
-        Entry("drum_speed", _SPEED, "Drum speed", "Of the unloaded lagging surface."),
-        Entry("belt_speed", _SPEED, "Belt speed", "At the nip that the quantity is of."),
-        Entry("load_case", Name(), "Load case", "The first if left out."),
-        Entry("provenance", PROVENANCE, "Provenance"),
-    ),
     "A measured number",
+    need("quantity", kind=Choice(QUANTITIES)),
+    Entry("value", "With its unit.", Text(60)),
+    need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1 mm"'),
+    Entry("drum_speed", "Of the unloaded lagging surface.", _SPEED),
+    Entry("belt_speed", "At the nip that the quantity is of.", _SPEED),
+    Entry("load_case", "The first if left out.", Name()),
+    Entry("provenance", kind=PROVENANCE),
 )
 RECORD = Table(
-    (
-        Entry("file", Name(1000), "File", "Relative to this one.", required=True),
-        Entry("load_case", Name(), "Load case", "The first if left out."),
-        Entry("columns", ByName(Column()), "Columns", f"By role: {', '.join(ROLES)}."),
-        Entry("units", ByName(Text(40)), "Units", "By role, where the file has none."),
-        Entry("signs", ByName(_SIGN), "Signs", "By role: what a driving pulley shows."),
-        Entry("delimiter", Choice(tuple(DELIMITER_NAMES.values())), "Delimiter"),
-        Entry("provenance", PROVENANCE, "Provenance"),
-    ),
     "A record of an instrumented pulley",
+    need("file", "Relative to this one.", Name(1000)),
+    Entry("load_case", "The first if left out.", Name()),
+    Entry("columns", f"By role: {', '.join(ROLES)}.", ByName(Column())),
+    Entry("units", "By role, where the file has none.", ByName(Text(40))),
+    Entry("signs", "By role: what a driving pulley shows.", ByName(_SIGN)),
+    Entry("delimiter", kind=Choice(tuple(DELIMITER_NAMES.values()))),
+    Entry("provenance", kind=PROVENANCE),
 )
 CALIBRATE = Table(
-    (
-        FORMAT_ENTRY,
-        Entry("title", Text(), "Title"),
-        Entry("description", Text(5000, lines=True), "Description"),
-        Entry("drive", Name(1000), "Drive", "Drive file, relative to this one.", required=True),
-        Entry("pulley", Name(), "Pulley", "The first if left out."),
-        Entry("method", Choice(tuple(METHODS)), "Method", "distributed if left out."),
-        Entry("parameters", Rows(Choice(PARAMETERS), 0, 5), "Parameters", "What is to be found."),
-        Entry("prior", ByName(PRIOR), "Priors", "By parameter."),
-        Entry("number", Rows(NUMBER, 0, 100), "Measured numbers"),
-        Entry("record", Rows(RECORD, 0, 50), "Records"),
-    ),
     "Calibrate file",
+    FORMAT_ENTRY,
+    Entry("title", kind=Text()),
+    Entry("description", kind=Text(5000, lines=True)),
+    need("drive", "Drive file, relative to this one.", Name(1000)),
+    Entry("pulley", "The first if left out.", Name()),
+    Entry("method", "distributed if left out.", Choice(tuple(METHODS))),
+    Entry("parameters", "What is to be found.", Rows(Choice(PARAMETERS), 0, 5)),
+    Entry("prior", "By parameter.", ByName(PRIOR), title="Priors"),
+    Entry("number", kind=Rows(NUMBER, 0, 100), title="Measured numbers"),
+    Entry("record", kind=Rows(RECORD, 0, 50), title="Records"),
 )
 
 
@@ -114,17 +106,12 @@ def load_measured(path: str | os.PathLike[str], *, overrides: Overrides = ()) ->
     InputError
         With everything that is wrong.
     """
-    name = os.fspath(path)
-    document = read_document(path, overrides)
-    return measured_from_document(document, file=name, folder=os.path.dirname(name))
+    return load(path, measured_from_document, overrides)
 
 
 def measured_from_document(document: Document, *, file: str = "", folder: str = "") -> Measured:
     """Return what a calibrate file says that is already parsed."""
-    check_format(document, file)
-    report = Report(file)
-    record: Record = CALIBRATE.read(document, (), report)
-    report.raise_all()
+    record, report = read_whole(CALIBRATE, document, file)
     drive = drive_of(record, folder, report)
     report.raise_all()
     assert drive is not None  # noqa: S101 - else it was reported

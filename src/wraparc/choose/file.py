@@ -5,21 +5,21 @@ from collections.abc import Sequence
 from typing import Any, TypeVar
 
 from wraparc import catalogue
-from wraparc.choose.cost import BeltPrice, Costing, Price, catalogue_price
-from wraparc.choose.keys import CHOOSE
+from wraparc.choose.cost import Costing, Price, catalogue_price
+from wraparc.choose.keys import BELT_COST, CHOOSE, CONDITION, COST, LAGGING_COST, LIMITS
 from wraparc.choose.search import Limits, Search
-from wraparc.drive import Belt, Cost, Drive, Lagging, Sag
+from wraparc.drive import Belt, Cost, Drive, Lagging
 from wraparc.drive.changes import belt_of
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import InputError, nearest, shown
-from wraparc.files.drive_build import SAG_KEYS
+from wraparc.files.drive_keys import SAG
 from wraparc.files.drive_parts import check_cases, drive_of, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
-from wraparc.schema.overrides import Overrides, read_document
+from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Place, Report
-from wraparc.schema.source import Document, check_format
+from wraparc.schema.source import Document, read_whole
 from wraparc.schema.tables import Record
 
 _T = TypeVar("_T")
@@ -34,17 +34,12 @@ def load_search(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> S
     InputError
         With everything that is wrong.
     """
-    name = os.fspath(path)
-    document = read_document(path, overrides)
-    return search_from_document(document, file=name, folder=os.path.dirname(name))
+    return load(path, search_from_document, overrides)
 
 
 def search_from_document(document: Document, *, file: str = "", folder: str = "") -> Search:
     """Return the search of a choose file that is already parsed."""
-    check_format(document, file)
-    report = Report(file)
-    record: Record = CHOOSE.read(document, (), report)
-    report.raise_all()
+    record, report = read_whole(CHOOSE, document, file)
     drive = drive_of(record, folder, report)
     report.raise_all()
     assert drive is not None  # noqa: S101 - else it was reported
@@ -124,13 +119,10 @@ def _unlike(found: Sequence[_Named], place: Place, report: Report) -> tuple[_Nam
 
 
 def _condition(record: Record, report: Report) -> Condition:
-    return Condition(
-        name=record["name"],
-        factor=record.get("friction_factor"),
-        factors=record.get("friction_factors", {}),
-        standard=record.get("standard", ""),
-        source=own_provenance(record, report) or Provenance(),
-    )
+    factors = record.get("friction_factors", {})
+    source = own_provenance(record, report) or Provenance()
+    made: Condition = CONDITION.built(record, report, factors=factors, source=source)
+    return made
 
 
 def _limits(record: Any, drive: Drive, report: Report) -> Limits:
@@ -138,26 +130,9 @@ def _limits(record: Any, drive: Drive, report: Report) -> Limits:
         return Limits()
     share = record.get("rating_share", {})
     check_cases(((name, (*record.place, "rating_share", name)) for name in share), drive, report)
-    keys = (
-        "creep",
-        "bond_stress",
-        "creep_limit_margin",
-        "tested_slip_margin",
-        "gross_slip_margin",
-        "tested_pressure",
-        "least_pulley_diameter",
-    )
-    return Limits(
-        rating=share if record.get("belt_rating", True) else None,
-        sag=_sag(record.get("sag")),
-        **{key: record[key] for key in keys if key in record},
-    )
-
-
-def _sag(record: Any) -> Sag | None:
-    if not isinstance(record, Record) or not record.sound():
-        return None
-    return Sag(**{SAG_KEYS.get(key, key): value for key, value in record.items()})
+    rating = share if record.get("belt_rating", True) else None
+    sag = SAG.built(record.get("sag"), report)
+    return LIMITS.built(record, report, rating=rating, sag=sag) or Limits()
 
 
 def _costing(record: Record, laggings: Sequence[Lagging], drive: Drive, report: Report) -> Costing:
@@ -174,16 +149,9 @@ def _costing(record: Record, laggings: Sequence[Lagging], drive: Drive, report: 
         price = _price(lagging, given.get(lagging.name), record["currency"], report)
         if price is not None:
             prices[lagging.name] = price
-    return Costing(
-        currency=record["currency"],
-        laggings=prices,
-        belts={
-            name: BeltPrice(price=r["price"], life_years=r["life_years"])
-            for name, r in record.get("belt", {}).items()
-        },
-        hours=hours,
-        **{key: record[key] for key in ("years", "tariff", "face_width") if key in record},
-    )
+    belts = {name: BELT_COST.built(r, report) for name, r in record.get("belt", {}).items()}
+    made: Costing = COST.built(record, report, laggings=prices, belts=belts, hours=hours)
+    return made
 
 
 def _price(lagging: Lagging, record: Any, currency: str, report: Report) -> Price | None:
@@ -196,10 +164,6 @@ def _price(lagging: Lagging, record: Any, currency: str, report: Report) -> Pric
         remedy = f"Add {', '.join(missing)}, or write preset."
         report.add(record.place, "the cost is not complete", remedy)
         return None
-    values = {key: record[key] for key in _COST_KEYS} | {"currency": currency}
-    values["life_years"] = tuple(values["life_years"])
-    try:
-        return Price(cost=Cost(**values), source=own_provenance(record, report) or Provenance())
-    except InputError as error:
-        report.take(error, record.place, record.raw)
-        return None
+    cost: Cost | None = LAGGING_COST.built(record, report, currency=currency)
+    source = own_provenance(record, report) or Provenance()
+    return None if cost is None else Price(cost=cost, source=source)

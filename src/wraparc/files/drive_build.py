@@ -6,15 +6,11 @@ from wraparc import catalogue
 from wraparc.drive import (
     Belt,
     Criteria,
-    DesignStandard,
     Lagging,
     Pulley,
-    SafetyFactors,
-    Sag,
-    TakeUp,
 )
 from wraparc.errors import InputError, Problem
-from wraparc.files.drive_keys import BELT, PULLEY
+from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_file import is_path, lagging_record, pick_condition
 from wraparc.files.lagging_keys import LAGGING_GIVEN
@@ -23,14 +19,7 @@ from wraparc.schema.origins import own_provenance, read_sources
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
 
-_BELT_KEYS = (
-    "name", "kind", "width", "modulus", "rating", "speed", "momentary_factor",
-    "least_pulley_diameter", "largest_wrap_pressure",
-)  # fmt: skip
 _PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter")
-_PULLEY_KEYS = ("name", "diameter", "wrap_angle", "overrun", "recovery", "creep_limit")
-# Keys of a sag table by what they are called in the code.
-SAG_KEYS = {"idler_spacing": "spacing"}
 # Keys of a lagging that hold numbers.
 _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
     "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
@@ -41,30 +30,23 @@ _EITHER = (("compression_modulus", "block"),)
 
 def build_belt(record: Record, report: Report) -> Belt | None:
     """Return the belt of a ``[belt]`` table, or None after reporting."""
-    values: dict[str, Any] = {key: record[key] for key in _BELT_KEYS if key in record}
     sources = read_sources(record, (e.key for e in BELT.entries), report)
     own = own_provenance(record, report) or Provenance()
-    provenance = own
+    more: dict[str, Any] = {"name": "belt", "provenance": own}
     if "preset" in record:
-        try:
-            preset = catalogue.belt(record["preset"])
-        except InputError as error:
-            report.take(error, (*record.place, "preset"), record["preset"])
+        place = (*record.place, "preset")
+        preset = report.tried(lambda: catalogue.belt(record["preset"]), place, record["preset"])
+        if preset is None:
             return None
-        sources = {key: own for key in values if key not in ("name", "kind")} | sources
-        provenance = preset.provenance
-        values = {key: getattr(preset, key) for key in _PRESET_KEYS} | values
+        sources = {key: own for key in Belt.LIMITS if key in record} | sources
+        more = {key: getattr(preset, key) for key in (*_PRESET_KEYS, "provenance")}
     elif "modulus" not in record and record.sound("modulus"):
         remedy = 'Write modulus = "12960 kN/m", or choose a belt by preset.'
         report.add((*record.place, "modulus"), "missing", remedy)
         return None
-    if not record.sound():
-        return None
-    try:
-        return Belt(**{"name": "belt", **values}, provenance=provenance, sources=sources)
-    except InputError as error:
-        report.take(error, record.place, record.raw)
-        return None
+    more = {key: v for key, v in more.items() if key == "provenance" or key not in record}
+    built: Belt | None = BELT.built(record, report, sources=sources, **more)
+    return built
 
 
 class Laggings:
@@ -173,37 +155,16 @@ def build_pulley(record: Record, laggings: Laggings, report: Report) -> Pulley |
         conditions = laggings.of(record["lagging"], (*record.place, "lagging"))
     if not conditions:
         return None
-    try:
-        lagging = pick_condition(conditions, record.get("condition"))
-    except InputError as error:
-        report.take(error, record.place, record.raw)
+    lagging = report.tried(
+        lambda: pick_condition(conditions, record.get("condition")), record.place, record.raw
+    )
+    if lagging is None:
         return None
-    if not record.sound("lagging", *_PULLEY_KEYS):
-        return None
-    values = {key: record[key] for key in _PULLEY_KEYS if key in record}
-    try:
-        return Pulley(**values, lagging=lagging, sources=sources)
-    except InputError as error:
-        report.take(error, record.place, record.raw)
-        return None
-
-
-_PARTS: dict[str, tuple[str, type]] = {
-    "take_up": ("take_up", TakeUp),
-    "design_standard": ("standard", DesignStandard),
-    "safety_factor": ("safety", SafetyFactors),
-    "sag": ("sag", Sag),
-}
+    built: Pulley | None = PULLEY.built(record, report, lagging=lagging, sources=sources)
+    return built
 
 
 def build_criteria(record: Record, report: Report) -> Criteria:
     """Return what a drive is held against; what is wrong is reported."""
-    parts: dict[str, Any] = {}
-    for key, (name, make) in _PARTS.items():
-        table = record.get(key)
-        if isinstance(table, Record) and table.sound():
-            try:
-                parts[name] = make(**{SAG_KEYS.get(k, k): value for k, value in table.items()})
-            except InputError as error:
-                report.take(error, table.place, table.raw)
-    return Criteria(**parts)
+    parts = {e.attribute: e.kind.built(record.get(e.key), report) for e in CRITERIA}
+    return Criteria(**{name: part for name, part in parts.items() if part is not None})

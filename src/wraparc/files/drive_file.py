@@ -8,9 +8,9 @@ from wraparc.errors import InputError, nearest, shown
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.tensions import KEYS, Given, complete, resolve
-from wraparc.schema.overrides import Overrides, overridden
+from wraparc.schema.overrides import Overrides, load, overridden
 from wraparc.schema.problems import Report
-from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.source import Document, check_format, parse, read_tables
 from wraparc.schema.tables import Record
 
 
@@ -34,14 +34,7 @@ def load_drive(
     InputError
         With everything that is wrong.
     """
-    name = os.fspath(path)
-    return drive_from_text(
-        read_text(path),
-        file=name,
-        folder=os.path.dirname(name),
-        overrides=overrides,
-        allow_paths=allow_paths,
-    )
+    return load(path, drive_from_document, overrides, allow_paths=allow_paths)
 
 
 def drive_from_text(
@@ -80,13 +73,13 @@ def drive_from_document(
 ) -> Drive:
     """Return the drive of a drive file that is already parsed; the document is not changed."""
     document = overridden(document, overrides, file=file)
-    check_format(document, file)
-    report = Report(file)
     if "train" in document:
+        check_format(document, file)
+        report = Report(file)
         message = "a train of drives on one belt, which is no plain drive"
         report.add(("train",), message, "Read the file with load_train.")
         report.raise_all()
-    record: Record = DRIVE.read(document, (), report)
+    record, report = read_tables(DRIVE, document, file)
     belt_record = record.get("belt")
     belt = build_belt(belt_record, report) if isinstance(belt_record, Record) else None
     own = record.get("lagging")

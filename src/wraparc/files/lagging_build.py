@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from wraparc.drive import Block, Cost, Lagging, compression_modulus
+from wraparc.drive import Block, Lagging, compression_modulus
 from wraparc.errors import InputError
-from wraparc.files.lagging_keys import LAGGING_FILE
-from wraparc.files.laws import read_fit, read_law
+from wraparc.files.lagging_keys import BLOCK, COST, FIT, LAGGING_FILE
+from wraparc.files.laws import read_law
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_sources
 from wraparc.schema.problems import Report
@@ -26,7 +26,7 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
     sources = read_sources(record, _KEYS, report)
     common: dict[str, Any] = {key: record[key] for key in _SAME if key in record}
     common["provenance"] = own_provenance(record, report) or Provenance()
-    common["cost"] = _cost(record, report)
+    common["cost"] = COST.built(record.get("cost"), report)
     common |= _elasticity(record, sources, common["provenance"], report)
     laws = [law for law in record.get("law", ()) if isinstance(law, Record)]
     notes = tuple(record.get("notes", ()))
@@ -48,11 +48,10 @@ def _law_parts(
 ) -> dict[str, Any]:
     """Return what a law gives to its lagging: the law, its condition, fit, notes and sources."""
     own = own_provenance(law, report)
-    fit = law.get("fit")
     return {
         "law": read_law(law, report),
         "condition": law.get("condition", "dry"),
-        "fit": read_fit(fit, report) if isinstance(fit, Record) else None,
+        "fit": FIT.built(law.get("fit"), report),
         "notes": (*notes, *law.get("notes", ())),
         "sources": sources | ({"law": own} if own else {}),
     }
@@ -67,18 +66,6 @@ def _check_conditions(laws: list[Record], report: Report) -> None:
             place = (*law.place, "condition")
             report.add(place, message, "Give each law its own condition.", condition)
         seen.add(condition)
-
-
-def _cost(record: Record, report: Report) -> Cost | None:
-    table = record.get("cost")
-    if not isinstance(table, Record) or not table.sound():
-        return None
-    years = table["life_years"]
-    try:
-        return Cost(**{**table, "life_years": (years[0], years[1])})
-    except InputError as error:
-        report.take(error, table.place, table.raw)
-        return None
 
 
 def _elasticity(
@@ -127,22 +114,13 @@ def _estimated(
     if "compression_modulus" not in record:
         basis = "elastic_modulus" if "elastic_modulus" in record else "shear_modulus"
         young = record[basis] * (1.0 if basis == "elastic_modulus" else 3.0)
-        block = _block(record, report)
+        shape = record.get("block", {})
+        height = {} if "height" in shape else {"height": record["thickness"]}
+        block: Block | None = BLOCK.built(shape, report, **height)
         moduli["compression_modulus"] = compression_modulus(young, block) if block else young
         text = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
         note("compression_modulus", "block" if "block" in sources else basis, text)
     return moduli
-
-
-def _block(record: Record, report: Report) -> Block | None:
-    table = record.get("block")
-    if not isinstance(table, Record):
-        return None
-    try:
-        return Block(**{"height": record["thickness"], **table})
-    except InputError as error:
-        report.take(error, table.place, table.raw)
-        return None
 
 
 def _compression_note(block: Block | None, modulus: str) -> str:

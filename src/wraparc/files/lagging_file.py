@@ -10,7 +10,7 @@ from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_keys import LAGGING_FILE
 from wraparc.schema.problems import Report
-from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.source import Document, parse, read_tables, read_text
 from wraparc.schema.tables import Record
 
 _SUFFIX = ".toml"
@@ -124,9 +124,8 @@ def _record(text: str, file: str) -> Record:
 
 
 def _checked_record(document: Document, file: str) -> Record:
-    check_format(document, file)
-    report = Report(file)
-    record: Record = LAGGING_FILE.read(document, (), report)
+    record: Record
+    record, report = read_tables(LAGGING_FILE, document, file)
     if report.problems:
         build_laggings(record, report)
         report.raise_all()

@@ -1,21 +1,18 @@
 """Friction laws to the tables of a lagging file: the way back of `laws`."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
-from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem
+from wraparc.files.lagging_keys import LAW
 from wraparc.files.trends import trend_text
 from wraparc.friction import (
     CoefficientPieces,
-    Constant,
-    ElasticPlastic,
     FrictionLaw,
     IntegralLog,
     MeasuredTable,
     Piece,
     PressureKnots,
-    PressurePower,
 )
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.units import unit_factor
@@ -32,24 +29,15 @@ def law_table(law: FrictionLaw) -> Tables:
     InputError
         If the file format has no word for such a law.
     """
-    writer = _WRITERS.get(type(law))
-    if writer is None:
-        message = f"a law of the class {type(law).__name__} cannot be written to a file"
-        raise InputError(Problem(message=message))
-    return writer(law)
-
-
-def fit_table(fit: Fit) -> Tables:
-    """Return the table of the statistics of a fit."""
-    table: Tables = {
-        "parameters": list(fit.parameters),
-        "values": list(fit.values),
-        "covariance": [list(row) for row in fit.covariance],
-    }
-    if fit.residual_noise is not None:
-        table["residual_noise"] = fit.residual_noise
-    texts = {"date": fit.date, "method": fit.method, "misfit": list(fit.misfit)}
-    return table | {key: text for key, text in texts.items() if text}
+    if isinstance(law, IntegralLog):
+        return _integral_log(law)
+    if isinstance(law, MeasuredTable):
+        return _measured(law)
+    for kind, table in LAW.tables.items():
+        if table.of is type(law):
+            return {"kind": kind, **table.written(law), **_tested(law)}
+    message = f"a law of the class {type(law).__name__} cannot be written to a file"
+    raise InputError(Problem(message=message))
 
 
 def _tested(law: FrictionLaw, own_pressures: bool = False) -> Tables:
@@ -65,29 +53,6 @@ def _tested(law: FrictionLaw, own_pressures: bool = False) -> Tables:
 
 def _quantities(values: Sequence[float], dimension: Any) -> list[str]:
     return [quantity_text(value, dimension) for value in values]
-
-
-def _constant(law: Constant) -> Tables:
-    return {"kind": "constant", "friction": law.friction_coefficient, **_tested(law)}
-
-
-def _elastic_plastic(law: ElasticPlastic) -> Tables:
-    return {
-        "kind": "elastic-plastic",
-        "stiffness": quantity_text(law.stiffness, "pressure_per_length"),
-        "friction": law.friction_coefficient,
-        **_tested(law),
-    }
-
-
-def _power(law: PressurePower) -> Tables:
-    return {
-        "kind": "power",
-        "friction": law.friction_coefficient,
-        "reference_pressure": quantity_text(law.reference_pressure, "pressure"),
-        "exponent": law.exponent,
-        **_tested(law),
-    }
 
 
 def _measured(law: MeasuredTable) -> Tables:
@@ -148,12 +113,3 @@ def _piece(piece: Piece, slip_unit: float) -> Tables:
     if "post_peak_slope" in table or piece.residual_friction != default.residual_friction:
         table["residual_friction"] = trend_text(piece.residual_friction)
     return table
-
-
-_WRITERS: dict[type[FrictionLaw], Callable[[Any], Tables]] = {
-    Constant: _constant,
-    ElasticPlastic: _elastic_plastic,
-    PressurePower: _power,
-    MeasuredTable: _measured,
-    IntegralLog: _integral_log,
-}

@@ -3,19 +3,16 @@
 from collections.abc import Iterable
 from itertools import pairwise
 
-from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem, shown
+from wraparc.files.lagging_keys import LAW
 from wraparc.files.trends import read_trend
 from wraparc.friction import (
     CoefficientPieces,
-    Constant,
-    ElasticPlastic,
     FrictionLaw,
     IntegralLog,
     MeasuredTable,
     Piece,
     PressureKnots,
-    PressurePower,
     TestedRange,
     Trend,
 )
@@ -45,42 +42,10 @@ def read_law(record: Record, report: Report) -> FrictionLaw | None:
             return _integral_log(record)
         if kind == "table":
             return _table(record)
-        tested = _tested(record)
-        if kind == "constant":
-            return Constant(friction_coefficient=record["friction"], tested=tested)
-        if kind == "elastic-plastic":
-            return ElasticPlastic(
-                stiffness=record["stiffness"],
-                friction_coefficient=record["friction"],
-                tested=tested,
-            )
-        return PressurePower(
-            friction_coefficient=record["friction"],
-            reference_pressure=record["reference_pressure"],
-            exponent=record["exponent"],
-            tested=tested,
-        )
+        law: FrictionLaw | None = LAW.built(record, report, tested=_tested(record))
+        return law
     except InputError as error:
         report.take(error, record.place, record.raw, names)
-        return None
-
-
-def read_fit(record: Record, report: Report) -> Fit | None:
-    """Return the statistics of a ``fit`` table, or None after reporting why there are none."""
-    if not record.sound():
-        return None
-    try:
-        return Fit(
-            parameters=tuple(record["parameters"]),
-            values=tuple(record["values"]),
-            covariance=tuple(tuple(row) for row in record["covariance"]),
-            residual_noise=record.get("residual_noise"),
-            date=record.get("date", ""),
-            method=record.get("method", ""),
-            misfit=tuple(record.get("misfit", ())),
-        )
-    except InputError as error:
-        report.take(error, record.place, record.raw)
         return None
 
 

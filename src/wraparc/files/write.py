@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from itertools import takewhile
 from typing import Any
 
@@ -11,29 +11,26 @@ from wraparc.drive import (
     DESIGN,
     Belt,
     Criteria,
-    DesignStandard,
     Drive,
     Lagging,
     Limit,
     LoadCase,
     Pulley,
-    SafetyFactors,
-    TakeUp,
 )
 from wraparc.errors import InputError, Problem
-from wraparc.files.drive_build import SAG_KEYS, Laggings, build_belt
+from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
-from wraparc.files.drive_keys import BELT, DRIVE
+from wraparc.files.drive_keys import BELT, CRITERIA, DRIVE
 from wraparc.files.lagging_file import load_lagging_conditions
-from wraparc.files.lagging_keys import LAGGING_GIVEN
-from wraparc.files.law_tables import fit_table, law_table
+from wraparc.files.lagging_keys import COST, FIT, LAGGING_GIVEN
+from wraparc.files.law_tables import law_table
 from wraparc.provenance import Provenance
 from wraparc.saving import save_file
 from wraparc.schema.emit import document_text
 from wraparc.schema.keep import kept
 from wraparc.schema.problems import Report
 from wraparc.schema.quantity_text import quantity_text
-from wraparc.schema.shared_keys import FORMAT
+from wraparc.schema.shared_keys import FORMAT, PROVENANCE
 from wraparc.schema.source import Document
 
 Tables = dict[str, Any]
@@ -169,24 +166,9 @@ def _drive_table(drive: Drive) -> Document:
 
 def _criteria_tables(criteria: Criteria) -> Tables:
     """Return the tables of what a drive is held against, without what is as if left out."""
-    parts = (
-        ("take_up", criteria.take_up, TakeUp()),
-        ("design_standard", criteria.standard, DesignStandard()),
-        ("safety_factor", criteria.safety, SafetyFactors()),
-        ("sag", criteria.sag, None),
-    )
-    keys = {name: key for key, name in SAG_KEYS.items()}
-    tables: Tables = {}
-    for title, part, usual in parts:
-        if part is None or part == usual:
-            continue
-        values = {f.name: getattr(part, f.name) for f in fields(part)}
-        values = {k: v for k, v in values.items() if usual is None or v != getattr(usual, k)}
-        tables[title] = {
-            keys.get(k, k): quantity_text(v, part.LIMITS[k].dimension) if k in part.LIMITS else v
-            for k, v in values.items()
-        }
-    return tables
+    parts = {e: getattr(criteria, e.attribute) for e in CRITERIA}
+    tables = {e.key: e.kind.written(part) for e, part in parts.items() if part is not None}
+    return {key: table for key, table in tables.items() if table}
 
 
 def _belt_table(belt: Belt) -> Tables:
@@ -280,14 +262,7 @@ def _common(lagging: Lagging) -> Tables:
     quantities = _quantities(lagging, Lagging.LIMITS)
     table |= {key: text for key, text in quantities.items() if not (rigid and key in moduli)}
     if lagging.cost is not None:
-        cost = lagging.cost
-        table["cost"] = {
-            "material": cost.material,
-            "installation": cost.installation,
-            "currency": cost.currency,
-            "area": quantity_text(cost.area, "area"),
-            "life_years": list(cost.life_years),
-        }
+        table["cost"] = COST.written(lagging.cost)
     if lagging.notes:
         table["notes"] = list(lagging.notes)
     sources = {key: of for key, of in lagging.sources.items() if key != "law"}
@@ -297,10 +272,10 @@ def _common(lagging: Lagging) -> Tables:
 def _law(lagging: Lagging, notes: Sequence[str]) -> Tables:
     table = {"condition": lagging.condition, **law_table(lagging.law)}
     if "law" in lagging.sources:
-        table["provenance"] = _provenance(lagging.sources["law"])
+        table["provenance"] = PROVENANCE.written(lagging.sources["law"])
     if notes:
         table["notes"] = list(notes)
-    return table | ({"fit": fit_table(lagging.fit)} if lagging.fit else {})
+    return table | ({"fit": FIT.written(lagging.fit)} if lagging.fit else {})
 
 
 def _quantities(thing: object, limits: Mapping[str, Limit]) -> Tables:
@@ -316,7 +291,7 @@ def _quantities(thing: object, limits: Mapping[str, Limit]) -> Tables:
 def _origins(provenance: Provenance, sources: Mapping[str, Provenance]) -> Tables:
     tables: Tables = {}
     if provenance != Provenance():
-        tables["provenance"] = _provenance(provenance)
+        tables["provenance"] = PROVENANCE.written(provenance)
     if sources:
         tables["sources"] = _stated(sources, all_of_them=True)
     return tables
@@ -325,10 +300,7 @@ def _origins(provenance: Provenance, sources: Mapping[str, Provenance]) -> Table
 def _stated(sources: Mapping[str, Provenance], all_of_them: bool = False) -> Tables:
     """Return sources as tables; without those that reading a preset makes by itself."""
     return {
-        key: _provenance(of) for key, of in sources.items() if all_of_them or of != Provenance()
+        key: PROVENANCE.written(of)
+        for key, of in sources.items()
+        if all_of_them or of != Provenance()
     }
-
-
-def _provenance(provenance: Provenance) -> Tables:
-    texts = {key: getattr(provenance, key) for key in ("source", "date", "note")}
-    return {"kind": provenance.kind.value, **{key: text for key, text in texts.items() if text}}

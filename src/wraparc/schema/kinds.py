@@ -14,6 +14,7 @@ from typing import Any
 from wraparc.errors import InputError, nearest, shown
 from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report
+from wraparc.schema.quantity_text import quantity_text
 from wraparc.units import DIMENSION_TEXT, Dimension, display_unit, parse_quantity
 
 # The kinds are constants of the key modules. They are not frozen because making a frozen
@@ -31,6 +32,14 @@ class Kind(ABC):
     @abstractmethod
     def schema(self) -> dict[str, Any]:
         """Return its JSON Schema; what forms need beyond the standard is in ``x-`` keys."""
+
+    def built(self, value: Any, report: Report, **more: Any) -> Any:
+        """Return what a value as read stands for: of a table, the object that it describes."""
+        return value
+
+    def written(self, value: Any) -> Any:
+        """Return a value as it is written, to be read back equal."""
+        return list(map(self.written, value)) if isinstance(value, tuple) else value
 
 
 @dataclass(eq=False, repr=False)
@@ -52,6 +61,10 @@ class Quantity(Kind):
             report.add(place, refusal, value=raw)
             return NOTHING
         return value
+
+    def written(self, value: Any) -> Any:
+        """Return the number with a usual unit."""
+        return value if self.dimension == "number" else quantity_text(value, self.dimension)
 
     def schema(self) -> dict[str, Any]:
         """Text with a unit; a plain number may also be a JSON number."""
@@ -127,6 +140,10 @@ class Choice(Kind):
         report.add(place, f"must be one of {allowed}", nearest(raw, self.options), raw)
         return NOTHING
 
+    def written(self, value: Any) -> Any:
+        """Return the word."""
+        return str(value)
+
     def schema(self) -> dict[str, Any]:
         """An enumeration."""
         return {"type": "string", "enum": list(self.options)}
@@ -149,6 +166,27 @@ class Flag(Kind):
 
 
 @dataclass(eq=False, repr=False)
+class Count(Kind):
+    """A whole number."""
+
+    least: int
+    most: int
+
+    def read(self, raw: object, place: Place, report: Report) -> Any:
+        """Return the number."""
+        whole = isinstance(raw, int) and not isinstance(raw, bool)
+        if whole and self.least <= raw <= self.most:  # type: ignore[operator]
+            return raw
+        message = f"must be a whole number from {self.least} to {self.most}"
+        report.add(place, message, value=raw)
+        return NOTHING
+
+    def schema(self) -> dict[str, Any]:
+        """An integer between bounds."""
+        return {"type": "integer", "minimum": self.least, "maximum": self.most}
+
+
+@dataclass(eq=False, repr=False)
 class WordOr(Kind):
     """A word that stands for a value of its own, or a value of another kind."""
 
@@ -159,6 +197,10 @@ class WordOr(Kind):
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return what the word means, else the value."""
         return self.meaning if raw == self.word else self.kind.read(raw, place, report)
+
+    def written(self, value: Any) -> Any:
+        """Return the word for what it means."""
+        return self.word if value == self.meaning else self.kind.written(value)
 
     def schema(self) -> dict[str, Any]:
         """Either of the two."""
@@ -187,6 +229,10 @@ class Rows(Kind):
             self.kind.read(item, (*place, label), report)
             for item, label in zip(raw, labels, strict=True)
         ]
+
+    def written(self, value: Any) -> Any:
+        """Return an array."""
+        return [self.kind.written(item) for item in value]
 
     def schema(self) -> dict[str, Any]:
         """An array."""
@@ -226,7 +272,7 @@ class ByName(Kind):
 
 @dataclass(eq=False, repr=False)
 class TextOr(Kind):
-    """Text, or a table."""
+    """Text (or a number), or a table."""
 
     text: Kind
     table: Kind

@@ -5,8 +5,8 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, TypeVar
 
 from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.schema.kinds import table_labels
@@ -24,6 +24,7 @@ _STEP = re.compile(
     re.VERBOSE,
 )
 _LONGEST = 2000
+_T = TypeVar("_T")
 
 
 def parse_override(text: str) -> tuple[str, object]:
@@ -115,6 +116,15 @@ def read_document(path: str | os.PathLike[str], overrides: Overrides = ()) -> Do
     """
     name = os.fspath(path)
     return overridden(parse(read_text(path), name), overrides, file=name)
+
+
+def load(
+    path: str | os.PathLike[str], read: Callable[..., _T], overrides: Overrides = (), **more: Any
+) -> _T:
+    """Return what `read` makes of the document of a file, told its name and its folder."""
+    name = os.fspath(path)
+    document = read_document(path, overrides)
+    return read(document, file=name, folder=os.path.dirname(name), **more)
 
 
 def _put(node: object, steps: Place, done: Place, value: object) -> Any:

@@ -7,6 +7,8 @@ import tomllib
 from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.schema.kinds import Kind
+from wraparc.schema.problems import Report
 from wraparc.schema.shared_keys import FORMAT
 
 #: Largest file that is read [bytes].
@@ -110,6 +112,20 @@ def check_format(document: Document, file: str = "") -> None:
     raise InputError(
         Problem(message=message, remedy=remedy, file=file, key="format", value=shown(given))
     )
+
+
+def read_whole(table: Kind, document: Document, file: str) -> tuple[Any, Report]:
+    """Return a document read by its keys, and the report that goes on; its faults are raised."""
+    record, report = read_tables(table, document, file)
+    report.raise_all()
+    return record, report
+
+
+def read_tables(table: Kind, document: Document, file: str) -> tuple[Any, Report]:
+    """Return a document read by its keys, and the report with what is wrong so far."""
+    check_format(document, file)
+    report = Report(file)
+    return table.read(document, (), report), report
 
 
 def _syntax_error(text: str, message: str, file: str) -> InputError:

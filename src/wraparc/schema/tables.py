@@ -1,40 +1,78 @@
 """Tables of keys: which keys a table may hold, read with everything that is wrong at once."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from wraparc.errors import nearest, shown
-from wraparc.schema.kinds import Choice, Kind, Quantity
+from wraparc.schema.kinds import Choice, Flag, Kind, Quantity
+from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.units import DIMENSION_TEXT
 
 
+class _OfClass(Kind):
+    """What the class of the table says of the field: its limit, or that it is true or false."""
+
+    def read(self, raw: object, place: Place, report: Report) -> Any:
+        """Nothing: a table puts the kind of the field in its place."""
+        raise TypeError
+
+    def schema(self) -> dict[str, Any]:
+        """Nothing: a table puts the kind of the field in its place."""
+        raise TypeError
+
+
+OF_CLASS = _OfClass()
+
+
 @dataclass(eq=False, repr=False)
 class Entry:
-    """One key of a table.
+    """One key of a table: a row from which it is read, written, explained and put into schemas.
 
     Parameters
     ----------
-    key, kind
+    key
         How it is written.
-    title, meaning
-        Label and help text of a form field.
+    meaning
+        Help text of a form field, and of the documentation.
+    kind
+        What may stand there; left out where the class that the table describes has a limit.
+    title
+        Label of a form field; the key in words if left out.
     required
         Whether it must be there.
     alias
         Another key that is read as this one.
     example
         What to write if it is missing; needed where the kind does not tell.
+    attribute
+        What the class calls it, if not the key.
     """
 
     key: str
-    kind: Kind
-    title: str = ""
     meaning: str = ""
-    required: bool = False
-    alias: str = ""
-    example: str = ""
+    kind: Kind = OF_CLASS
+    title: str = field(default="", kw_only=True)
+    required: bool = field(default=False, kw_only=True)
+    alias: str = field(default="", kw_only=True)
+    example: str = field(default="", kw_only=True)
+    attribute: str = field(default="", kw_only=True)
+
+    def __post_init__(self) -> None:
+        self.title = self.title or self.key.replace("_", " ").capitalize()
+        self.attribute = self.attribute or self.key
+
+
+def need(key: str, meaning: str = "", kind: Kind = OF_CLASS, **more: Any) -> Entry:
+    """Return an entry that must be there."""
+    return replace(Entry(key, meaning, kind, **more), required=True)
+
+
+def limited(owner: type, key: str) -> Quantity:
+    """Return the kind of a quantity that a class of descriptions limits."""
+    limit: Limit = owner.LIMITS[key]  # type: ignore[attr-defined]
+    return Quantity(limit.dimension, limit)
 
 
 class Record(dict[str, Any]):
@@ -61,12 +99,24 @@ class Record(dict[str, Any]):
         return self.faulty.isdisjoint(keys) if keys else not self.faulty
 
 
-@dataclass(eq=False, repr=False)
 class Table(Kind):
-    """A table with known keys; any other key is a fault."""
+    """A table with known keys; any other key is a fault.
 
-    entries: tuple[Entry, ...]
-    title: str = ""
+    Parameters
+    ----------
+    title
+        What it is called.
+    entries
+        Its keys, in the order they are shown.
+    of
+        Class of what it describes, which states limits and what is if a key is left out.
+    """
+
+    def __init__(self, title: str, *entries: Entry, of: type | None = None) -> None:
+        self.title, self.of = title, of
+        self.entries = tuple(
+            replace(e, kind=_kind_of(of, e.attribute)) if e.kind is OF_CLASS else e for e in entries
+        )
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return a `Record`."""
@@ -91,10 +141,44 @@ class Table(Kind):
                 report.add((*place, key), "missing", missing_remedy(entry))
         return record
 
+    def built(self, value: Any, report: Report, **more: Any) -> Any:
+        """Return what a table describes, an object of its class, or None after reporting.
+
+        Parameters
+        ----------
+        value
+            The table as read; None if it is not there.
+        report
+            Takes what is wrong.
+        more
+            Attributes that stand elsewhere, or stand for what the table says.
+        """
+        if not isinstance(value, Record) or not value.sound() or self.of is None:
+            return None
+        record = value
+        made, told = self.of, {f.name for f in fields(self.of)}
+        values = {
+            e.attribute: _frozen(record[e.key])
+            for e in self.entries
+            if e.key in record and e.attribute in told and not isinstance(record[e.key], dict)
+        }
+        names = {e.attribute: e.key for e in self.entries}
+        return report.tried(lambda: made(**{**values, **more}), record.place, record.raw, names)
+
+    def written(self, thing: Any) -> dict[str, Any]:
+        """Return the table that describes an object, without what is as if left out."""
+        usual = {f.name: f.default for f in fields(thing)}
+        values = {e: getattr(thing, e.attribute) for e in self.entries if e.attribute in usual}
+        return {
+            e.key: e.kind.written(value)
+            for e, value in values.items()
+            if e.required or (value not in (None, ()) and value != usual[e.attribute])
+        }
+
     def having(self, *entries: Entry) -> "Table":
         """Return the table with other entries in place of those of the same keys."""
         other = {entry.key: entry for entry in entries}
-        return Table(tuple(other.get(entry.key, entry) for entry in self.entries), self.title)
+        return Table(self.title, *(other.get(e.key, e) for e in self.entries), of=self.of)
 
     def _renamed(self, raw: dict[str, Any], place: Place, report: Report) -> dict[str, Any]:
         given = dict(raw)
@@ -113,7 +197,7 @@ class Table(Kind):
         """An object without other keys."""
         properties = {}
         for entry in self.entries:
-            words = {"title": entry.title or entry.key.replace("_", " ").capitalize()}
+            words = {"title": entry.title}
             if entry.meaning:
                 words["description"] = entry.meaning
             properties[entry.key] = words | entry.kind.schema()
@@ -126,12 +210,31 @@ class Table(Kind):
         }
 
 
-@dataclass(eq=False, repr=False)
 class Variant(Kind):
-    """A table whose keys depend on the word under one of them."""
+    """A table whose keys depend on the word under one of them.
 
-    tag: str
-    tables: Mapping[str, Table]
+    Parameters
+    ----------
+    tag
+        That key.
+    meaning
+        What it says.
+    tables
+        One table for each word, which is its title; the tag is added to it.
+    """
+
+    def __init__(self, tag: str, meaning: str, *tables: Table) -> None:
+        self.tag = tag
+        self.tables = {
+            t.title: Table(t.title, need(tag, meaning, Choice((t.title,))), *t.entries, of=t.of)
+            for t in tables
+        }
+
+    def built(self, value: Any, report: Report, **more: Any) -> Any:
+        """Return what the table describes, or None after reporting; see `Table.built`."""
+        if not isinstance(value, Record) or not value.sound():
+            return None
+        return self.tables[value[self.tag]].built(value, report, **more)
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return the `Record` of the variant that the tag names."""
@@ -149,6 +252,31 @@ class Variant(Kind):
     def schema(self) -> dict[str, Any]:
         """One object for each word."""
         return {"oneOf": [table.schema() for table in self.tables.values()]}
+
+
+def json_schema(table: Kind) -> dict[str, Any]:
+    """Return the JSON Schema of a file, for web forms and editors.
+
+    Quantities are text with a unit; ``x-dimension``, ``x-units``, ``x-allowed`` and
+    ``x-bounds-si`` say what a form must know of them.
+    """
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **table.schema()}
+
+
+def _kind_of(owner: type | None, attribute: str) -> Kind:
+    """Return what a class says of a field."""
+    if owner is None:
+        raise TypeError(f"{attribute} has neither a kind nor a class that says it")
+    if attribute in getattr(owner, "LIMITS", {}):
+        return limited(owner, attribute)
+    types = {f.name: f.type for f in fields(owner)}
+    if types[attribute] in (bool, "bool"):
+        return Flag()
+    raise TypeError(f"{owner.__name__} does not say what {attribute} may be")
+
+
+def _frozen(value: Any) -> Any:
+    return tuple(map(_frozen, value)) if isinstance(value, list) else value
 
 
 def _sound(value: object) -> bool:

@@ -1,34 +1,20 @@
 """Shear test plans: TOML to the plan as data."""
 
 import os
-from dataclasses import replace
 from typing import Any
 
 from wraparc.errors import InputError
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.origins import own_provenance
+from wraparc.schema.overrides import load
 from wraparc.schema.problems import Report
-from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
-from wraparc.shear_test import Choices, PlannedTest, PressureOptions, Rig, TestPlan
-from wraparc.shear_test.plan_keys import PLAN
+from wraparc.shear_test import Choices, PressureOptions, TestPlan
+from wraparc.shear_test.plan_keys import FIT_OPTIONS, PLAN, RIG, TEST
 from wraparc.units import parse_quantity, unit_factor
 
 _CHOICES = ("travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table")
-_SAME = (
-    "name", "title", "description", "surface", "thickness", "shear_modulus", "elastic_modulus",
-    "compression_modulus", "roughness",
-)  # fmt: skip
-_TEST = (
-    "pressure",
-    "normal_force",
-    "condition",
-    "repeat",
-    "temperature",
-    "speed",
-    "date",
-    "sample",
-)
 
 
 def load_plan(path: str | os.PathLike[str]) -> TestPlan:
@@ -39,9 +25,7 @@ def load_plan(path: str | os.PathLike[str]) -> TestPlan:
     InputError
         With everything that is wrong.
     """
-    name = os.fspath(path)
-    plan = plan_from_text(read_text(path), file=name)
-    return replace(plan, folder=os.path.dirname(name))
+    return load(path, plan_from_document)
 
 
 def plan_from_text(text: str, *, file: str = "") -> TestPlan:
@@ -49,11 +33,9 @@ def plan_from_text(text: str, *, file: str = "") -> TestPlan:
     return plan_from_document(parse(text, file), file=file)
 
 
-def plan_from_document(document: Document, *, file: str = "") -> TestPlan:
+def plan_from_document(document: Document, *, file: str = "", folder: str = "") -> TestPlan:
     """Return the test plan of a document that is already parsed."""
-    check_format(document, file)
-    report = Report(file)
-    record: Record = PLAN.read(document, (), report)
+    record, report = read_tables(PLAN, document, file)
     rig = _rig(record.get("rig"), report)
     provenance = own_provenance(record, report)
     common = record.get("columns", {})
@@ -64,29 +46,23 @@ def plan_from_document(document: Document, *, file: str = "") -> TestPlan:
     ]
     report.raise_all()
     fit = record.get("fit", {})
-    lagging = record["lagging"]
     return TestPlan(
         rig=rig,
         tests=tuple(tests),
-        options=PressureOptions(
-            variables=fit.get("variables", "peak"),
-            transition_pressure=fit.get("transition_pressure"),
-            pieces=fit.get("pieces"),
-        ),
+        options=FIT_OPTIONS.built(fit, report) or PressureOptions(),
         remove_shear=fit.get("remove_shear"),
         provenance=provenance or Provenance(Kind.MEASURED),
         file=file,
-        **{key: lagging[key] for key in _SAME if key in lagging},
+        folder=folder,
+        **record["lagging"],
     )
 
 
-def _rig(record: Any, report: Report) -> Rig:
-    if not isinstance(record, Record):
-        return Rig(area=1.0)
-    more = {key: record[key] for key in ("faces", "largest_lash", "name") if key in record}
-    if "compliance" in record:
+def _rig(record: Any, report: Report) -> Any:
+    more = {}
+    if isinstance(record, Record) and "compliance" in record:
         more["compliance"] = _compliance(record, report)
-    return Rig(area=record.get("sample_area", 1.0), **more)
+    return RIG.built(record, report, **more)
 
 
 def _compliance(record: Record, report: Report) -> float:
@@ -106,7 +82,7 @@ def _compliance(record: Record, report: Report) -> float:
     return value
 
 
-def _test(record: Record, position: int, common: Any, report: Report) -> PlannedTest:
+def _test(record: Record, position: int, common: Any, report: Report) -> Any:
     place = f"test[{position}]"
     if "pressure" in record and "normal_force" in record:
         report.add(
@@ -120,9 +96,4 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Planned
     if "normal_force_column" in said:
         choices["normal_force"] = said["normal_force_column"]
     units = {**common.get("units", {}), **record.get("units", {})}
-    return PlannedTest(
-        file=record.get("file", ""),
-        place=place,
-        choices=Choices(units=units, **choices),
-        **{key: record[key] for key in _TEST if key in record},
-    )
+    return TEST.built(record, report, place=place, choices=Choices(units=units, **choices))

@@ -19,9 +19,9 @@ from wraparc.files.drive_parts import check_cases, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
-from wraparc.schema.overrides import Overrides, overridden, read_document
+from wraparc.schema.overrides import Overrides, load, overridden, read_document
 from wraparc.schema.problems import Place, Report, place_text
-from wraparc.schema.source import Document, check_format, parse, read_text
+from wraparc.schema.source import Document, check_format, parse, read_text, read_whole
 from wraparc.schema.tables import Record
 from wraparc.study.fields import SCALING
 from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
@@ -74,17 +74,12 @@ def load_study(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> St
     InputError
         With everything that is wrong.
     """
-    name = os.fspath(path)
-    document = read_document(path, overrides)
-    return study_from_document(document, file=name, folder=os.path.dirname(name))
+    return load(path, study_from_document, overrides)
 
 
 def study_from_document(document: Document, *, file: str = "", folder: str = "") -> StudyFile:
     """Return the study of a study file that is already parsed."""
-    check_format(document, file)
-    report = Report(file)
-    record: Record = STUDY.read(document, (), report)
-    report.raise_all()
+    record, report = read_whole(STUDY, document, file)
     drive_path = os.path.join(folder, record["drive"])
     base, drive = _drive(drive_path, record, report)
     report.raise_all()
@@ -303,11 +298,11 @@ def _differs(
         except InputError as error:
             report.take(_without_keys(error), place, field.given(value))
             return False
-        for load in loads:
-            other = told.rows({}, 1, load)
-            one = source.rows({field.name: np.array([value])}, 1, load)
+        for case in loads:
+            other = told.rows({}, 1, case)
+            one = source.rows({field.name: np.array([value])}, 1, case)
             differs |= not _same(one.arcs, other.arcs)
-            changes |= not _same(source.rows({}, 1, load).arcs, other.arcs)
+            changes |= not _same(source.rows({}, 1, case).arcs, other.arcs)
     if not changes and len(trials) > 1:
         message = f"changes nothing on pulley {source.pulley} in these load cases"
         report.add(place, message, "Take it out, or name another load case or pulley.")

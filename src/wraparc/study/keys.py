@@ -5,10 +5,10 @@ from typing import Any
 
 from wraparc.batch import Setting
 from wraparc.drive import Limit
-from wraparc.schema.kinds import Choice, Kind, Name, Quantity, Rows, Text, WordOr
-from wraparc.schema.problems import NOTHING, Place, Report
+from wraparc.schema.kinds import Choice, Count, Kind, Name, Quantity, Rows, Text, TextOr, WordOr
+from wraparc.schema.problems import Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
-from wraparc.schema.tables import Entry, Table
+from wraparc.schema.tables import Entry, Table, need
 from wraparc.study.fields import FACTOR
 from wraparc.study.sampling import SAMPLINGS
 
@@ -31,27 +31,6 @@ class Raw(Kind):
         return {"type": ["number", "string", "boolean"]}
 
 
-@dataclass(eq=False, repr=False)
-class Count(Kind):
-    """A whole number."""
-
-    least: int
-    most: int
-
-    def read(self, raw: object, place: Place, report: Report) -> Any:
-        """Return the number."""
-        whole = isinstance(raw, int) and not isinstance(raw, bool)
-        if whole and self.least <= raw <= self.most:  # type: ignore[operator]
-            return raw
-        message = f"must be a whole number from {self.least} to {self.most}"
-        report.add(place, message, value=raw)
-        return NOTHING
-
-    def schema(self) -> dict[str, Any]:
-        """An integer between bounds."""
-        return {"type": "integer", "minimum": self.least, "maximum": self.most}
-
-
 #: distribution -> the keys it needs
 DISTRIBUTIONS: dict[str, tuple[str, ...]] = {
     "uniform": ("from", "to"),
@@ -61,127 +40,94 @@ DISTRIBUTIONS: dict[str, tuple[str, ...]] = {
     "fit": (),
 }
 _NUMBERS = (
-    Entry("from", Raw(), "From", "Lowest value."),
-    Entry("to", Raw(), "To", "Highest value."),
-    Entry("mean", Raw(), "Mean", "Of a normal distribution."),
-    Entry("standard_deviation", Raw(), "Standard deviation", "Of a normal distribution."),
-    Entry("median", Raw(), "Median", "Of a lognormal distribution."),
+    Entry("from", "Lowest value.", Raw()),
+    Entry("to", "Highest value.", Raw()),
+    Entry("mean", "Of a normal distribution.", Raw()),
+    Entry("standard_deviation", "Of a normal distribution.", Raw()),
+    Entry("median", "Of a lognormal distribution.", Raw()),
     Entry(
         "geometric_standard_deviation",
-        Quantity("number"),
-        "Geometric standard deviation",
         "Factor to either side of the median that holds 68 %.",
+        Quantity("number"),
     ),
-    Entry("mode", Raw(), "Mode", "Most probable value of a triangular distribution."),
-    Entry("least", Raw(), "Least", "Where the distribution is cut below."),
-    Entry("most", Raw(), "Most", "Where the distribution is cut above."),
+    Entry("mode", "Most probable value of a triangular distribution.", Raw()),
+    Entry("least", "Where the distribution is cut below.", Raw()),
+    Entry("most", "Where the distribution is cut above.", Raw()),
 )
 
 AXIS = Table(
-    (
-        Entry(
-            "field",
-            Name(500),
-            "Field",
-            "Key path in the drive file, as for --set.",
-            required=True,
-            example='field = "pulley.head.wrap_angle"',
-        ),
-        Entry("values", Rows(Raw(), 1, MOST_VALUES), "Values", "Each combined with all others."),
-        Entry("count", Count(2, MOST_VALUES), "Count", "Values from the first to the last."),
-        Entry("spacing", Choice(("linear", "logarithmic")), "Spacing", "Linear if left out."),
-        Entry("distribution", Choice(tuple(DISTRIBUTIONS)), "Distribution", "Drawn at random."),
-        *_NUMBERS,
-        Entry("provenance", PROVENANCE, "Provenance", "Where the distribution came from."),
-    ),
     "Axis",
+    need(
+        "field",
+        "Key path in the drive file, as for --set.",
+        Name(500),
+        example='field = "pulley.head.wrap_angle"',
+    ),
+    Entry("values", "Each combined with all others.", Rows(Raw(), 1, MOST_VALUES)),
+    Entry("count", "Values from the first to the last.", Count(2, MOST_VALUES)),
+    Entry("spacing", "Linear if left out.", Choice(("linear", "logarithmic"))),
+    Entry("distribution", "Drawn at random.", Choice(tuple(DISTRIBUTIONS))),
+    *_NUMBERS,
+    Entry("provenance", "Where the distribution came from.", PROVENANCE),
 )
 
 DRAWN_FACTOR = Table(
-    (
-        Entry(
-            "distribution",
-            Choice(tuple(name for name in DISTRIBUTIONS if name != "fit")),
-            "Distribution",
-            required=True,
-        ),
-        *_NUMBERS,
-    ),
     "Distribution of a friction factor",
+    need("distribution", kind=Choice(tuple(name for name in DISTRIBUTIONS if name != "fit"))),
+    *_NUMBERS,
 )
-
-
-@dataclass(eq=False, repr=False)
-class NumberOr(Kind):
-    """A number, or a table."""
-
-    number: Kind
-    table: Kind
-
-    def read(self, raw: object, place: Place, report: Report) -> Any:
-        """Return the number or the table."""
-        return (self.table if isinstance(raw, dict) else self.number).read(raw, place, report)
-
-    def schema(self) -> dict[str, Any]:
-        """Either of the two."""
-        return {"anyOf": [self.number.schema(), self.table.schema()]}
 
 
 CONDITION = Table(
-    (
-        Entry("name", Name(), "Name", "dry, wet, wet and dirty ...", required=True),
-        Entry("share", _SHARE, "Share of the time", "For probabilities over all conditions."),
-        Entry(
-            "friction_factor", NumberOr(FACTOR, DRAWN_FACTOR), "Friction factor", "1 if left out."
-        ),
-        Entry("provenance", PROVENANCE, "Provenance", "Where the factor came from."),
-    ),
     "Condition",
+    need("name", "dry, wet, wet and dirty ...", Name()),
+    Entry("share", "For probabilities over all conditions.", _SHARE, title="Share of the time"),
+    Entry("friction_factor", "1 if left out.", TextOr(FACTOR, DRAWN_FACTOR)),
+    Entry("provenance", "Where the factor came from.", PROVENANCE),
 )
 
 SAMPLING = Table(
-    (
-        Entry("method", Choice(tuple(SAMPLINGS)), "Method", "How the draws are spread."),
-        Entry("samples", Count(1, MOST_SAMPLES), "Samples", required=True, example="samples = 99"),
-        Entry("seed", Count(0, 2**63 - 1), "Seed", "The same seed gives the same draws.",
-              required=True, example="seed = 1"),
-    ),
     "Sampling",
-)  # fmt: skip
+    Entry("method", "How the draws are spread.", Choice(tuple(SAMPLINGS))),
+    need("samples", kind=Count(1, MOST_SAMPLES), example="samples = 99"),
+    need("seed", "The same seed gives the same draws.", Count(0, 2**63 - 1), example="seed = 1"),
+)
 
 SENSITIVITY = Table(
-    (Entry("outputs", Rows(Name(), 1, 20), "Results", "Whose sensitivity is wanted."),),
     "Sensitivity",
+    Entry("outputs", "Whose sensitivity is wanted.", Rows(Name(), 1, 20), title="Results"),
 )
 
 STUDY = Table(
-    (
-        FORMAT_ENTRY,
-        Entry("title", Text(), "Title"),
-        Entry("description", Text(5000, lines=True), "Description"),
-        Entry(
-            "drive",
-            Name(1000),
-            "Drive",
-            "Drive file, relative to this one.",
-            required=True,
-            example='drive = "head-drive-fabric.toml"',
-        ),
-        Entry("set", Rows(Text(1000), 1, 200), "Settings", "KEY=VALUE, put over the drive file."),
-        Entry("pulley", Name(), "Pulley", "Which pulley of the drive; the first if left out."),
-        Entry(
-            "load_cases",
-            WordOr("all", Rows(Name(), 1, 50)),
-            "Load cases",
-            "Every design is solved in each: names, or all; the first if left out.",
-        ),
-        Entry("setting", Choice(tuple(s.value for s in Setting)), "Setting", "How accurately."),
-        Entry("outputs", Rows(Name(), 1, 60), "Results", "Results that are kept."),
-        Entry("sampling", SAMPLING),
-        Entry("axis", Rows(AXIS, 1, 200), "Axes", "What is varied.", required=True,
-              example="an [[axis]] table for each field that is varied"),
-        Entry("condition", Rows(CONDITION, 1, 20), "Conditions", "Every design is solved in each."),
-        Entry("sensitivity", SENSITIVITY, "Sensitivity", "Ask which axis matters."),
-    ),
     "Study file",
-)  # fmt: skip
+    FORMAT_ENTRY,
+    Entry("title", kind=Text()),
+    Entry("description", kind=Text(5000, lines=True)),
+    need(
+        "drive",
+        "Drive file, relative to this one.",
+        Name(1000),
+        example='drive = "head-drive-fabric.toml"',
+    ),
+    Entry("set", "KEY=VALUE, put over the drive file.", Rows(Text(1000), 1, 200), title="Settings"),
+    Entry("pulley", "Which pulley of the drive; the first if left out.", Name()),
+    Entry(
+        "load_cases",
+        "Every design is solved in each: names, or all; the first if left out.",
+        WordOr("all", Rows(Name(), 1, 50)),
+    ),
+    Entry("setting", "How accurately.", Choice(tuple(s.value for s in Setting))),
+    Entry("outputs", "Results that are kept.", Rows(Name(), 1, 60), title="Results"),
+    Entry("sampling", kind=SAMPLING),
+    need(
+        "axis",
+        "What is varied.",
+        Rows(AXIS, 1, 200),
+        title="Axes",
+        example="an [[axis]] table for each field that is varied",
+    ),
+    Entry(
+        "condition", "Every design is solved in each.", Rows(CONDITION, 1, 20), title="Conditions"
+    ),
+    Entry("sensitivity", "Ask which axis matters.", SENSITIVITY),
+)

@@ -11,11 +11,11 @@ from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.tensions import KEYS, Given, complete, resolve
-from wraparc.schema.overrides import Overrides, overridden, read_document
+from wraparc.schema.overrides import Overrides, load, overridden
 from wraparc.schema.problems import NOTHING, Report, place_text
-from wraparc.schema.source import Document, check_format, parse
+from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
-from wraparc.train.keys import EQUAL, MOTORS, TRAIN_FILE
+from wraparc.train.keys import EQUAL, MOTOR, TRAIN_FILE
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.train.train import Division, Motors, Shares, Speeds, Train, TrainCase
 from wraparc.units import display
@@ -54,10 +54,12 @@ def load_drive_or_train(
     path: str | os.PathLike[str], *, overrides: Overrides = (), allow_paths: bool = True
 ) -> Drive | Train:
     """Return what a drive file describes: a train if it has a ``[train]`` table."""
-    name = os.fspath(path)
-    document = read_document(path, overrides)
-    reader = train_from_document if "train" in document else drive_from_document
-    return reader(document, file=name, folder=os.path.dirname(name), allow_paths=allow_paths)
+
+    def read(document: Document, **more: Any) -> Drive | Train:
+        reader = train_from_document if "train" in document else drive_from_document
+        return reader(document, **more)
+
+    return load(path, read, overrides, allow_paths=allow_paths)
 
 
 def train_from_text(text: str, *, file: str = "", folder: str = "") -> Train:
@@ -78,9 +80,7 @@ def train_from_document(
     if "train" not in document:
         drive = drive_from_document(document, file=file, folder=folder, allow_paths=allow_paths)
         return Train.of(drive)
-    check_format(document, file)
-    report = Report(file)
-    record: Record = TRAIN_FILE.read(document, (), report)
+    record, report = read_tables(TRAIN_FILE, document, file)
     belt_record = record.get("belt")
     belt = build_belt(belt_record, report) if isinstance(belt_record, Record) else None
     own = record.get("lagging")
@@ -294,27 +294,18 @@ class _Reader:
             self._report.add((*train.place, "motor", name), message, nearest(name, names))
         missing = [name for name in names if name not in tables]
         for name in missing:
-            remedy = f'Write [train.motor.{name}] with kind = "{next(iter(MOTORS))}".'
+            remedy = f'Write [train.motor.{name}] with kind = "{next(iter(MOTOR.tables))}".'
             self._report.add((*train.place, "motor", name), "missing", remedy)
         if missing or len(tables) != len(names):
             return None
-        motors: list[Motor | TorqueFollower] = []
-        for name in names:
-            try:
-                motors.append(_motor(tables[name]))
-            except InputError as error:
-                self._report.take(error, tables[name].place, tables[name].raw)
-        return Motors(tuple(motors)) if len(motors) == len(names) else None
+        motors = [self._motor(tables[name]) for name in names]
+        made = tuple(motor for motor in motors if motor is not None)
+        return Motors(made) if len(made) == len(names) else None
 
-
-def _motor(record: Record) -> Motor | TorqueFollower:
-    values: dict[str, Any] = {key: record[key] for key in record if key != "kind"}
-    for key in ("coupling_load", "coupling_slip"):
-        if key in values:
-            values[key] = tuple(values[key])
-    if "count" in values:
-        values["count"] = int(values["count"])
-    return MOTORS[record["kind"]](**values)
+    def _motor(self, record: Record) -> Motor | TorqueFollower | None:
+        count = {"count": int(record["count"])} if "count" in record else {}
+        motor: Motor | TorqueFollower | None = MOTOR.built(record, self._report, **count)
+        return motor
 
 
 def _less_runs(given: Given, runs: float, speed: float | None) -> Given:

@@ -6,14 +6,12 @@ from typing import Any, ClassVar
 from wraparc.drive import MOST_PULLEYS, Limit, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.files.drive_keys import DRIVE, LOAD_CASE
-from wraparc.schema.kinds import ByName, Choice, Flag, Kind, Name, Quantity, Rows
+from wraparc.schema.kinds import ByName, Kind, Name, Quantity, Rows
 from wraparc.schema.problems import NOTHING, Place, Report
-from wraparc.schema.shared_keys import limited
-from wraparc.schema.tables import Entry, Table, Variant
+from wraparc.schema.tables import Entry, Table, Variant, limited, need
 from wraparc.train.motors import (
     FluidCoupling,
     Induction,
-    Motor,
     TorqueFollower,
     VariableSpeed,
 )
@@ -82,191 +80,143 @@ _SHARE = Either(
 )
 
 _COMMON = (
-    Entry(
-        "rated_power",
-        limited(Motor.LIMITS, "rated_power"),
-        "Rated power",
-        "Rated shaft power of one motor.",
-        required=True,
-    ),
-    Entry(
-        "rated_speed",
-        limited(Motor.LIMITS, "rated_speed"),
-        "Rated speed",
-        "Speed of the motor at rated torque.",
-        required=True,
-    ),
-    Entry(
-        "gear_ratio",
-        limited(Motor.LIMITS, "gear_ratio"),
-        "Gear ratio",
-        "Motor speed over drum speed; 1 if left out.",
-    ),
+    need("rated_power", "Rated shaft power of one motor."),
+    need("rated_speed", "Speed of the motor at rated torque."),
+    Entry("gear_ratio", "Motor speed over drum speed; 1 if left out."),
     Entry(
         "gear_efficiency",
-        limited(Motor.LIMITS, "gear_efficiency"),
-        "Efficiency of the gear",
         "Power out over power in; 1 if left out.",
+        title="Efficiency of the gear",
     ),
-    Entry("count", limited(Motor.LIMITS, "count"), "Motors", "Equal motors on the drum."),
-    Entry("brakes", Flag(), "Brakes", "Whether the motor can hold back; true if left out."),
+    Entry("count", "Equal motors on the drum.", title="Motors"),
+    Entry("brakes", "Whether the motor can hold back; true if left out."),
 )
 _MAINS = (
-    Entry(
-        "synchronous_speed",
-        limited(Induction.LIMITS, "synchronous_speed"),
-        "Synchronous speed",
-        "Speed without slip.",
-        required=True,
-    ),
+    need("synchronous_speed", "Speed without slip."),
     Entry(
         "breakdown_ratio",
-        limited(Induction.LIMITS, "breakdown_ratio"),
-        "Breakdown ratio",
         "Breakdown torque over rated torque; 2.5 if left out.",
     ),
 )
 _CURVE = Rows(Quantity("number", Limit("number", most=10.0)), 2, 200)
 
 
-def _motor(kind: str, *entries: Entry) -> Table:
-    tag = Entry("kind", Choice((kind,)), "Kind", "What turns the drum.", required=True)
-    return Table((tag, *entries), kind)
-
-
 MOTOR = Variant(
     "kind",
-    {
-        "converter": _motor(
-            "converter",
-            *_COMMON,
-            Entry(
-                "setting",
-                limited(VariableSpeed.LIMITS, "setting"),
-                "Speed setting",
-                "Set speed over rated speed; 1 if left out.",
-            ),
-            Entry(
-                "droop",
-                limited(VariableSpeed.LIMITS, "droop"),
-                "Droop",
-                "Fall of speed at rated torque over rated speed; 0 if left out.",
-            ),
-            Entry(
-                "torque_limit",
-                limited(VariableSpeed.LIMITS, "torque_limit"),
-                "Torque limit",
-                "Largest torque over rated torque.",
-            ),
+    "What turns the drum.",
+    Table(
+        "converter",
+        *_COMMON,
+        Entry(
+            "setting",
+            "Set speed over rated speed; 1 if left out.",
+            title="Speed setting",
         ),
-        "induction": _motor("induction", *_COMMON, *_MAINS),
-        "fluid-coupling": _motor(
-            "fluid-coupling",
-            *_COMMON,
-            *_MAINS,
-            Entry(
-                "coupling_load",
-                _CURVE,
-                "Torques of the coupling curve",
-                "Torque over rated torque of the motor, rising from 0.",
-                required=True,
-            ),
-            Entry(
-                "coupling_slip",
-                _CURVE,
-                "Slips of the coupling curve",
-                "Slip at each of the torques, rising from 0.",
-                required=True,
-            ),
+        Entry(
+            "droop",
+            "Fall of speed at rated torque over rated speed; 0 if left out.",
         ),
-        "follower": _motor(
-            "follower",
-            Entry("master", Name(), "Master", "Pulley whose torque is followed.", required=True),
-            Entry(
-                "ratio",
-                limited(TorqueFollower.LIMITS, "ratio"),
-                "Ratio",
-                "Torque over that of the master; 1 if left out.",
-            ),
+        Entry(
+            "torque_limit",
+            "Largest torque over rated torque.",
         ),
-    },
+        of=VariableSpeed,
+    ),
+    Table("induction", *_COMMON, *_MAINS, of=Induction),
+    Table(
+        "fluid-coupling",
+        *_COMMON,
+        *_MAINS,
+        need(
+            "coupling_load",
+            "Torque over rated torque of the motor, rising from 0.",
+            _CURVE,
+            title="Torques of the coupling curve",
+        ),
+        need(
+            "coupling_slip",
+            "Slip at each of the torques, rising from 0.",
+            _CURVE,
+            title="Slips of the coupling curve",
+        ),
+        of=FluidCoupling,
+    ),
+    Table(
+        "follower",
+        need("master", "Pulley whose torque is followed.", Name()),
+        Entry(
+            "ratio",
+            "Torque over that of the master; 1 if left out.",
+        ),
+        of=TorqueFollower,
+    ),
 )
-#: Classes of motors by the kind that they have in a file.
-MOTORS: dict[str, type[Motor | TorqueFollower]] = {
-    "converter": VariableSpeed,
-    "induction": Induction,
-    "fluid-coupling": FluidCoupling,
-    "follower": TorqueFollower,
-}
 
-_TENSION = limited(Tensions.LIMITS, "entry")
+_TENSION = limited(Tensions, "entry")
 #: What a load case may have of its own.
 _CASE = (
     Entry(
         "entry_tension",
-        _TENSION,
-        "First entry tension",
         "Tension where the belt meets the first pulley.",
+        _TENSION,
+        title="First entry tension",
     ),
     Entry(
         "exit_tension",
-        _TENSION,
-        "Last exit tension",
         "Tension where the belt leaves the last pulley.",
+        _TENSION,
+        title="Last exit tension",
     ),
     Entry(
         "effective_tension",
-        Quantity("force"),
-        "Total effective tension",
         "Sum of T1 - T2 over all pulleys.",
+        Quantity("force"),
+        title="Total effective tension",
     ),
     Entry(
         "power",
-        Quantity("power"),
-        "Total power",
         "Power to the belt, total effective tension times belt speed.",
+        Quantity("power"),
+        title="Total power",
     ),
     Entry(
         "run",
-        ByName(Quantity("force")),
-        "Runs",
         "Rise of tension over the run from the pulley before, by pulley; 0 if left out.",
+        ByName(Quantity("force")),
+        title="Runs",
     ),
     Entry(
         "share",
-        Rows(_SHARE, 1, MOST_PULLEYS),
-        "Shares",
         "Part of the load of each pulley in belt order, or its power: speeds are computed.",
+        Rows(_SHARE, 1, MOST_PULLEYS),
+        title="Shares",
     ),
     Entry(
         "speeds",
+        "Trim or drum speed of each pulley in belt order, or equal drum speeds: "
+        "shares are computed.",
         SpeedList(),
-        "Speeds",
-        "Trim or drum speed of each pulley in belt order, or equal drum speeds: shares are "
-        "computed.",
     ),
 )
 
 TRAIN = Table(
-    (
-        *_CASE,
-        Entry(
-            "diameters",
-            Rows(limited(Pulley.LIMITS, "diameter"), 1, MOST_PULLEYS),
-            "Actual diameters",
-            "Diameter of each drum as it is now, worn; those of the pulleys are then nominal.",
-        ),
-        Entry("motor", ByName(MOTOR), "Motors", "By pulley: the operating point is computed."),
-    ),
     "Train",
+    *_CASE,
+    Entry(
+        "diameters",
+        "Diameter of each drum as it is now, worn; those of the pulleys are then nominal.",
+        Rows(limited(Pulley, "diameter"), 1, MOST_PULLEYS),
+        title="Actual diameters",
+    ),
+    Entry("motor", "By pulley: the operating point is computed.", ByName(MOTOR), title="Motors"),
 )
-TRAIN_CASE = Table(_CASE, "Train in this load case")
+TRAIN_CASE = Table("Train in this load case", *_CASE)
 
 _LOAD_CASE = LOAD_CASE.having(
-    Entry("train", TRAIN_CASE, "Train", "Tensions and division of the load of a train.")
+    Entry("train", "Tensions and division of the load of a train.", TRAIN_CASE)
 )
 #: A drive file with one drive or several.
 TRAIN_FILE = DRIVE.having(
-    Entry("load_case", Rows(_LOAD_CASE, 1), "Load cases", "States of the conveyor."),
-    Entry("train", TRAIN, "Train", "How several drives on the belt divide the load."),
+    Entry("load_case", "States of the conveyor.", Rows(_LOAD_CASE, 1), title="Load cases"),
+    Entry("train", "How several drives on the belt divide the load.", TRAIN),
 )

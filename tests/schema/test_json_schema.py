@@ -10,14 +10,17 @@ from files.samples import EXAMPLE_DRIVES, example
 from wraparc import InputError
 from wraparc.catalogue import lagging_names, lagging_text
 from wraparc.files import drive_from_document
+from wraparc.files.lagging_keys import LAGGING_FILE
 from wraparc.schema.source import parse
-from wraparc.train.json_schema import json_schema
+from wraparc.schema.tables import json_schema
+from wraparc.train.keys import TRAIN_FILE
 
+FILES = {"drive": TRAIN_FILE, "lagging": LAGGING_FILE}
 EXAMPLES = [example(name) for name in EXAMPLE_DRIVES]
 
 
 def validator(file: str) -> jsonschema.Draft202012Validator:
-    schema = json_schema(file)
+    schema = json_schema(FILES[file])
     jsonschema.Draft202012Validator.check_schema(schema)
     return jsonschema.Draft202012Validator(schema)
 
@@ -61,7 +64,7 @@ def test_what_the_schema_refuses_reading_refuses(
 
 
 def test_what_a_form_needs() -> None:
-    schema = json_schema("drive")
+    schema = json_schema(TRAIN_FILE)
     width = schema["properties"]["belt"]["properties"]["width"]
     assert width == {
         "title": "Belt width",
@@ -90,5 +93,5 @@ def test_every_key_has_a_title_and_a_help_text() -> None:
             for value in node:
                 walk(value)
 
-    walk(json_schema("drive"))
-    walk(json_schema("lagging"))
+    walk(json_schema(TRAIN_FILE))
+    walk(json_schema(LAGGING_FILE))
