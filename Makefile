@@ -6,6 +6,7 @@ PYTHON ?= $(shell $(find_python))
 UV_VERSION := 0.13.8
 UV := build/uv/$(UV_VERSION)/bin/uv
 BIN := .venv/bin
+NODE := node_modules/.bin
 WORKERS ?= 2
 
 export UV_PROJECT_ENVIRONMENT := .venv
@@ -42,39 +43,50 @@ serve: $(UV) ## open the calculator in the browser (sets itself up); FILE=drive.
 
 test: dev format lint types docs tests ## the whole gate (sets itself up)
 
-dev: $(UV) ## install everything a developer needs into .venv
+dev: $(UV) node_modules/.locked ## install everything a developer needs into .venv and node_modules
 	@echo "== environment: every extra and the developer tools, as locked"
 	@$(call sync,--locked --all-extras --all-groups)
 
+# The tools that check the page's JavaScript; the page itself needs none of them.
+node_modules/.locked: package.json package-lock.json
+	@command -v npm >/dev/null || $(MAKE) --no-print-directory system
+	@echo "== tools of the page: as locked, into node_modules"
+	@npm ci --silent --no-audit --no-fund --prefer-offline && touch $@
+
 format: dev
-	@echo "== format: ruff format --check"
+	@echo "== format: ruff format --check, biome format"
 	@$(BIN)/ruff format --check $(CHECKED)
+	@$(NODE)/biome format
 
 lint: dev
-	@echo "== lint: ruff check"
+	@echo "== lint: ruff check, biome lint"
 	@$(BIN)/ruff check $(CHECKED)
+	@$(NODE)/biome lint --error-on-warnings
 
 types: dev
-	@echo "== types: mypy --strict"
+	@echo "== types: mypy --strict, tsc --checkJs"
 	@$(BIN)/mypy --strict $(CHECKED)
+	@$(NODE)/tsc --project tsconfig.json
 
 docs: dev ## build the documentation into build/docs, running its code
 	@echo "== docs: sphinx, warnings are errors, every code cell runs"
 	@$(BIN)/python -W ignore -m sphinx -W --keep-going -n -q -E -b html -d build/doctrees docs build/docs
 	@echo "documentation: build/docs/index.html"
 
-# Programs that no Python package brings, for the tests of the calculator and its database.
+# Programs that no Python package brings: for the checks of the page, the tests of the calculator
+# and its database.
 browser = $(shell command -v chromium || command -v chromium-browser || command -v google-chrome)
 initdb = $(firstword $(wildcard /usr/lib/postgresql/*/bin/initdb) $(shell command -v initdb))
-lacking = $(if $(browser),,chromium) $(if $(initdb),,postgresql)
+npm = $(shell command -v npm)
+lacking = $(if $(browser),,chromium) $(if $(initdb),,postgresql) $(if $(npm),,nodejs npm)
 
-system: ## install Chromium and PostgreSQL for the tests where they are missing
+system: ## install Chromium, PostgreSQL and Node.js for the gate where they are missing
 	@test -z "$(strip $(lacking))" || { \
 	  echo "== system: installing $(strip $(lacking))"; \
 	  test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
 	  { apt-get install -qq -y --no-install-recommends $(lacking) >/dev/null || \
 	    { apt-get update -qq && apt-get install -qq -y --no-install-recommends $(lacking) >/dev/null; }; }; } || \
-	  { echo "the tests need $(strip $(lacking)), which could not be installed here; as root on Debian or Ubuntu: apt-get install $(strip $(lacking))" >&2; exit 1; }
+	  { echo "the gate needs $(strip $(lacking)), which could not be installed here; as root on Debian or Ubuntu: apt-get install $(strip $(lacking))" >&2; exit 1; }
 
 tests: dev system
 	@echo "== tests: pytest, warnings are errors"
@@ -84,11 +96,12 @@ bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"
 	@$(BIN)/python -m pytest -q -o addopts="" -W error benchmarks
 
-lock: $(UV) ## resolve the dependencies anew and write uv.lock
+lock: $(UV) ## resolve the dependencies anew and write uv.lock and package-lock.json
 	@$(UV) lock
+	@npm install --silent --no-audit --no-fund --package-lock-only
 
 clean: ## remove everything that make installed or built
-	rm -rf .venv build
+	rm -rf .venv build node_modules
 
 $(UV):
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \

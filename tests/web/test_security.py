@@ -78,7 +78,7 @@ def test_other_origins_change_nothing(
 
 def test_a_token_is_asked_for_beyond_this_machine(remote: TestClient) -> None:
     host = {"host": "192.0.2.7:8765"}
-    for path in ("/", "/docs", "/static/app.js", f"{API}/about", f"{API}/openapi.json"):
+    for path in ("/", "/docs", "/static/main.js", f"{API}/about", f"{API}/openapi.json"):
         answer = remote.get(path, headers=host)
         assert answer.status_code == 401
         assert answer.headers["www-authenticate"] == "Bearer"

@@ -39,7 +39,7 @@ class StaticFile:
 
 
 class Static:
-    """The files of a folder. A request names a file by a key of a table, never by a path."""
+    """The files of a folder and those in it. A request names a file by a key of a table."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -48,8 +48,8 @@ class Static:
 
     def _listed(self) -> Mapping[str, Path]:
         return {
-            path.name: path
-            for path in self._folder.iterdir()
+            path.relative_to(self._folder).as_posix(): path
+            for path in self._folder.rglob("*")
             if path.is_file() and path.suffix in _KINDS
         }
 

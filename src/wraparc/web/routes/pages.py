@@ -45,8 +45,8 @@ for _page in PAGES:
     pages.add_api_route(_page, _index, methods=["GET", "HEAD"])
 
 
-@pages.get("/static/{name}")
-@pages.head("/static/{name}")
+@pages.get("/static/{name:path}")
+@pages.head("/static/{name:path}")
 async def static_file(request: Request, name: str) -> Response:
     """Return a file of the pages."""
     return send_file(request, name)

@@ -1,0 +1,121 @@
+// The design on the page: one document, the parsed drive file, and its history.
+/** @import { App, Design, Path, Saved, Origin, Units } from "../types.d.ts" */
+
+/** State of the page; form, catalogue and document are there before anything is drawn. */
+export const app = /** @type {App} */ ({
+  units: "si",
+  page: "drive",
+  pulley: 0,
+  case: "",
+  name: "",
+  design: null,
+  origin: null,
+  gone: false,
+  opened: 0,
+});
+/** Problems of the last answer by the place of their field, for the fields to show. */
+export const wrong = { at: /** @type {Map<string, string>} */ (new Map()) };
+
+/** @type {Set<() => void>} */
+const watchers = new Set();
+/** Be told of every change of the design or of what is looked at. @param {() => void} f */
+export const watch = (f) => watchers.add(f);
+/** Draw anew what depends on the state. */
+export const redraw = () => {
+  for (const f of watchers) f();
+};
+
+/** @param {any} from @param {Path} path @returns {any} */
+export const get = (from, path) => path.reduce((value, key) => value?.[key], from);
+/**
+ * A copy with one value changed; undefined takes the key away.
+ * @template T @param {T} from @param {Path} path @param {any} value @returns {T}
+ */
+export function set(from, [key, ...rest], value) {
+  const copy = /** @type {any} */ (Array.isArray(from) ? [...from] : { ...from });
+  if (rest.length)
+    copy[key] = set(copy[key] ?? (typeof rest[0] === "number" ? [] : {}), rest, value);
+  else if (value !== undefined) copy[key] = value;
+  else if (Array.isArray(copy)) copy.splice(/** @type {number} */ (key), 1);
+  else delete copy[key];
+  return copy;
+}
+
+/** @type {Design[]} */
+const past = [];
+/** @type {Design[]} */
+const future = [];
+let lastKey = "";
+let lastTime = 0;
+/**
+ * Put a document in the place of the present one; changes of one field within a second undo as one.
+ * @param {Design} doc @param {string} [key]
+ */
+export function change(doc, key = "") {
+  const now = performance.now();
+  if (app.doc && !(key && key === lastKey && now - lastTime < 1000)) past.push(app.doc);
+  if (past.length > 300) past.shift();
+  [lastKey, lastTime] = [key, now];
+  future.length = 0;
+  app.doc = doc;
+  inRange();
+  redraw();
+}
+/** @param {Path} path @param {any} value */
+export const edit = (path, value) => change(set(app.doc, path, value), path.join());
+/** @param {Partial<App>} seen */
+export function look(seen) {
+  Object.assign(app, seen);
+  redraw();
+}
+/** @param {Design[]} from @param {Design[]} to */
+function step(from, to) {
+  const doc = from.pop();
+  if (!doc) return;
+  to.push(app.doc);
+  app.doc = doc;
+  lastKey = "";
+  inRange();
+  redraw();
+}
+export const undo = () => step(past, future);
+export const redo = () => step(future, past);
+export const history = { back: () => past.length > 0, forth: () => future.length > 0 };
+function inRange() {
+  if (app.pulley >= app.doc.pulley.length) app.pulley = 0;
+  if (app.case && !app.doc.load_case?.some((c) => c.name === app.case)) app.case = "";
+}
+
+/** @param {Design} doc @returns {Units} */
+const unitsOf = (doc) => (/(in|ft)$/.test(String(doc.belt.width ?? "")) ? "us" : "si");
+/**
+ * Take a design in, whole.
+ * @param {Design} doc
+ * @param {{name?: string, design?: Saved | null, origin?: Origin | null, units?: Units}} [more]
+ */
+export function take(doc, { name = "", design = null, origin = null, units } = {}) {
+  Object.assign(app, { pulley: 0, case: "", name, design, origin, opened: app.opened + 1 });
+  app.units = units ?? unitsOf(doc);
+  change(doc);
+}
+
+/** @param {any} v */
+const isTable = (v) => v !== null && typeof v === "object" && !Array.isArray(v);
+/** Whether the page can show a document as a drive, however wrong its values. @param {any} doc */
+export const isDrive = (doc) =>
+  isTable(doc) &&
+  isTable(doc.belt) &&
+  Array.isArray(doc.pulley) &&
+  doc.pulley.length > 0 &&
+  doc.pulley.every(isTable) &&
+  (doc.load_case === undefined ||
+    (Array.isArray(doc.load_case) && doc.load_case.every((/** @type {any} */ c) => isTable(c)))) &&
+  ["lagging", "train"].every((key) => doc[key] === undefined || isTable(doc[key]));
+
+/** The drive that a new design begins with: nothing is filled in but names. @returns {Design} */
+export const blank = () => ({
+  format: 1,
+  title: "",
+  belt: {},
+  pulley: [{ name: "head" }],
+});

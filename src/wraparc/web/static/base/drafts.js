@@ -1,0 +1,68 @@
+// Drafts: the design is kept in this browser after every change, one for each window.
+import { app, isDrive } from "./design.js";
+
+/** @import { Design, Origin, Saved, Units } from "../types.d.ts" */
+/**
+ * @typedef {{window: string, when: number, doc: Design, units: Units, name: string,
+ *   design: Saved | null, origin: Origin | null, pulley: number, case: string}} Draft
+ */
+
+const KEY = "wraparc.drafts";
+const MOST = 6;
+/** The name of this window, which a reload keeps. */
+const own = (() => {
+  try {
+    const name =
+      sessionStorage.getItem("wraparc.window") ||
+      crypto.getRandomValues(new Uint32Array(2)).join("-");
+    sessionStorage.setItem("wraparc.window", name);
+    return name;
+  } catch {
+    return "";
+  }
+})();
+/** @returns {Draft[]} */
+export function drafts() {
+  try {
+    const kept = JSON.parse(localStorage.getItem(KEY) || "[]");
+    return Array.isArray(kept) ? kept.filter((d) => isDrive(d?.doc)) : [];
+  } catch {
+    return [];
+  }
+}
+/** @param {Draft[]} list */
+function store(list) {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(list.slice(0, MOST)));
+  } catch {
+    /* no room, or a browser that keeps nothing: the page works without */
+  }
+}
+/** @type {Design | null} */
+let untouched = null;
+/** What has not been changed since it was opened is no draft. @param {Design} doc */
+export const opened = (doc) => {
+  untouched = doc;
+};
+export function keepDraft() {
+  if (app.doc === untouched) return;
+  const { doc, units, name, design, origin, pulley } = app;
+  const draft = {
+    window: own,
+    when: Date.now(),
+    doc,
+    units,
+    name,
+    design,
+    origin,
+    pulley,
+    case: app.case,
+  };
+  store([draft, ...drafts().filter((d) => d.window !== own)]);
+}
+/** The draft of this window, from before a reload. */
+export const ownDraft = () => drafts().find((d) => d.window === own);
+/** Drafts of windows before this one, the newest first. */
+export const otherDrafts = () => drafts().filter((d) => d.window !== own);
+/** @param {Draft} draft */
+export const forgetDraft = (draft) => store(drafts().filter((d) => d.window !== draft.window));

@@ -1,0 +1,114 @@
+// Numbers and units: texts of the drive file in the units looked at, and answers as texts.
+import { h } from "../vendor/preact.js";
+import { app } from "./design.js";
+
+/** @import { Children, Text, Units } from "../types.d.ts" */
+
+/**
+ * A number with so many significant digits, plain where it fits; as the command line prints it.
+ * @param {number | null | undefined} v
+ */
+export function digits(v, n = 4) {
+  if (v == null || Number.isNaN(v)) return "–";
+  if (!Number.isFinite(v)) return "unbounded";
+  if (Math.abs(v) < 1e-9) return "0"; // what is left of a difference of equal numbers
+  const r = +v.toExponential(n - 1);
+  const e = Math.floor(Math.log10(Math.abs(r)));
+  if (e < -4 || e >= 12) return v.toExponential(n - 1);
+  return (e < n ? r : v).toFixed(Math.max(0, n - 1 - e));
+}
+/**
+ * Unit of a dimension and its SI value, in the units looked at.
+ * @param {string} dimension @param {Units} [system] @returns {[string, number]}
+ */
+export const unit = (dimension, system = app.units) => {
+  const u = app.form.units[dimension]?.[system];
+  return u ? [u.unit, u.factor] : ["", 1];
+};
+/** @param {string} name @param {string} dimension @returns {number | undefined} */
+export const factor = (name, dimension) => app.form.units[dimension]?.factors?.[name];
+/** @param {string} name @returns {string} */
+export const dimensionOf = (name) => app.form.glossary[name]?.dimension || "number";
+/** @param {string} name @returns {string} */
+export const title = (name) => app.form.glossary[name]?.title || name;
+/** @param {string} name */
+export const symbol = (name) => sign(app.form.glossary[name]?.symbol);
+
+/** @type {Record<string, string>} */
+const GREEK = { phi: "φ", theta: "θ", tau: "τ", gamma: "γ", mu: "μ", eta: "η", omega: "ω" };
+/**
+ * A symbol as equations print it: Greek letters, what follows an underscore set low.
+ * @param {string | undefined} text @returns {Children}
+ */
+export function sign(text) {
+  const greek = /(phi|theta|tau|gamma|mu|omega|eta)(?![a-z])/g;
+  const [first, ...low] = (text || "").replace(greek, (g) => GREEK[g]).split("_");
+  return low.length ? [first, h("sub", {}, low.join(" "))] : first;
+}
+
+/** From which size on a larger unit reads better: @type {Record<string, [number, string]>} */
+const LARGER_SI = { length: [10, "m"], pressure: [1e7, "MPa"] };
+/** @type {Record<string, [number, string]>} */
+const LARGER_US = { length: [10.16, "ft"], force: [44482.2, "klbf"], pressure: [6.8948e7, "ksi"] };
+/**
+ * Value [SI] with the unit that people read it in.
+ * @param {number | null | undefined} v @param {string} dimension
+ */
+export function show(v, dimension, n = 4) {
+  if (v == null) return "–";
+  let [u, f] = unit(dimension);
+  const big = (app.units === "us" ? LARGER_US : LARGER_SI)[dimension];
+  if (big && Math.abs(v) >= big[0]) [u, f] = [big[1], factor(big[1], dimension) ?? 1];
+  return `${digits(v / f, n)} ${Number.isFinite(v) ? u : ""}`.trim();
+}
+/** @param {string} name @param {number | null | undefined} v @param {number} [n] */
+export const shown = (name, v, n) => show(v, dimensionOf(name), n);
+/** @param {number | null | undefined} v */
+export const percent = (v, n = 3) => (v == null ? "–" : `${digits(100 * v, n)} %`);
+/** A sentence of the server in the units looked at. @param {Text} text @returns {string} */
+export const words = (text) => (text && typeof text === "object" ? text[app.units] : text) || "";
+
+const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(\S.*)?$/i;
+/** Text of a quantity into its number and its unit, or null where it is none. @param {any} text */
+export const split = (text) => {
+  const m = NUMBER.exec(text ?? "");
+  return m && { number: +m[1], written: m[1], unit: (m[2] || "").trim() };
+};
+/** @param {any} text @param {string} dimension */
+export function si(text, dimension) {
+  const q = split(text);
+  const f = q ? factor(q.unit, dimension) : undefined;
+  return !q || f === undefined ? Number.NaN : q.number * f;
+}
+/** @param {number} v */
+export const trim = (v, n = 6) => String(+(+v).toPrecision(n));
+/** Value [SI] as a text for the drive file. @param {number} v @param {string} dimension */
+export const written = (v, dimension, n = 6) => {
+  const [u, f] = unit(dimension);
+  return `${trim(v / f, n)} ${u}`.trim();
+};
+
+const OF_US = new Set(
+  ["in", "ft", "lbf", "klbf", "PIW", "psi", "ksi", "fpm", "fps", "hp"].concat([
+    "lbf ft",
+    "in2",
+    "ft2",
+    "lbm",
+    "degF",
+  ]),
+);
+const OF_BOTH = new Set(["", "%", "deg", "rad", "rpm", "rad/s"]);
+/** Whether a unit belongs to the other system than the one looked at. @param {string} name */
+const foreign = (name) => !OF_BOTH.has(name) && OF_US.has(name) !== (app.units === "us");
+/**
+ * A text of the drive file in the units looked at: number and unit. The file keeps what was typed.
+ * @param {any} text @param {string} dimension @returns {[string, string]}
+ */
+export function viewed(text, dimension) {
+  const q = split(text);
+  const f = q ? factor(q.unit, dimension) : undefined;
+  if (!q || f === undefined) return [String(text ?? ""), ""];
+  if (!foreign(q.unit)) return [q.written, q.unit];
+  const [u, k] = unit(dimension);
+  return [trim((q.number * f) / k), u];
+}

@@ -1,0 +1,133 @@
+// The pages by name, and the frame that holds them.
+import { app, redraw, take } from "../base/design.js";
+import { forgetDraft, otherDrafts } from "../base/drafts.js";
+import { complain } from "../base/server.js";
+import { DrivePage } from "../pages/drive.js";
+import { Component, h } from "../vendor/preact.js";
+
+/** @import { Children } from "../types.d.ts" */
+/** @import { Draft } from "../base/drafts.js" */
+/**
+ * A page; all but the first are fetched when they are looked at.
+ * @typedef {{Page: () => Children, update?: () => void}} View
+ * @typedef {{title: string, view?: View, load?: () => Promise<View>}} Page
+ */
+
+/** @type {Record<string, Page>} */
+export const PAGES = {
+  drive: { title: "Drive", view: { Page: DrivePage } },
+  compare: { title: "Compare", load: () => import("../pages/compare.js") },
+  tests: { title: "Tests", load: () => import("../pages/tests.js") },
+  train: { title: "Train", load: () => import("../pages/train.js") },
+  study: { title: "Study", load: () => import("../pages/study.js") },
+  saved: { title: "Saved", load: () => import("../pages/saved.js") },
+};
+/** The page that is looked at; undefined while it is on its way. */
+export function present() {
+  const page = PAGES[app.page];
+  if (!page.view && page.load) {
+    const { load } = page;
+    page.load = undefined;
+    load()
+      .then((view) => {
+        page.view = view;
+        redraw();
+      })
+      .catch((x) => {
+        page.load = load;
+        complain(x);
+      });
+  }
+  return page.view;
+}
+const visited = new Set();
+
+/** One page: drawn only while it is looked at, kept when it is left.
+ * @extends {Component<{name: string}>} */
+class Place extends Component {
+  seen = false;
+  shouldComponentUpdate() {
+    const shown = app.page === this.props.name;
+    return shown || this.seen;
+  }
+  render() {
+    const { name } = this.props;
+    const { title, view } = PAGES[name];
+    this.seen = app.page === name;
+    return h(
+      "section",
+      { id: name, hidden: !this.seen, "aria-label": title },
+      h("h1", { tabIndex: -1, id: `${name}-title` }, title),
+      view ? view.Page() : h("p", { class: "help" }, "Loading …"),
+    );
+  }
+}
+export function Main() {
+  visited.add(app.page);
+  return [
+    bars(),
+    Object.keys(PAGES).map((name) => visited.has(name) && h(Place, { name, key: name })),
+  ];
+}
+/** What concerns every page: a server that is gone, a draft from before. */
+function bars() {
+  const gone = h(
+    "div",
+    { class: "verdict bad gone", role: "alert", key: "gone" },
+    h(
+      "p",
+      { class: "headline" },
+      "The calculator does not answer: is `wraparc serve` still running?",
+    ),
+    h(
+      "p",
+      {},
+      "Nothing is lost: what you type is kept in this browser. It is asked again every second.",
+    ),
+  );
+  return [app.gone && gone, offered.draft && offer(offered.draft)];
+}
+/** A draft of a window that was shut or crashed, offered once. */
+export const offered = { draft: /** @type {Draft | null} */ (null) };
+/** @param {Draft} draft */
+function offer(draft) {
+  const close = () => {
+    offered.draft = null;
+    redraw();
+  };
+  const forget = () => {
+    forgetDraft(draft);
+    close();
+  };
+  const title = draft.doc.title || draft.name || "a drive without a title";
+  const when = new Date(draft.when).toLocaleString(undefined, {
+    dateStyle: "medium",
+    timeStyle: "short",
+  });
+  return h(
+    "div",
+    { class: "card aside", role: "note", key: "draft" },
+    h("p", {}, `A draft of “${title}” of ${when} is kept in this browser.`),
+    h(
+      "p",
+      { class: "inline" },
+      h("button", { type: "button", class: "main", onClick: () => openDraft(draft) }, "Open it"),
+      h("button", { type: "button", onClick: close }, "Not now"),
+      h("button", { type: "button", onClick: forget }, "Forget it"),
+    ),
+  );
+}
+/** @param {Draft} d */
+export function openDraft(d) {
+  offered.draft = null;
+  const { name, design, origin, units } = d;
+  take(d.doc, { name, design, origin, units });
+  app.pulley = d.doc.pulley[d.pulley] ? d.pulley : 0;
+  app.case = d.case;
+  redraw();
+}
+/** The newest draft of another window, if it is another design than the one that is open. */
+export function offerDraft() {
+  const draft = otherDrafts()[0];
+  if (draft && JSON.stringify(draft.doc) !== JSON.stringify(app.doc)) offered.draft = draft;
+}

@@ -1,0 +1,110 @@
+// Starts the calculator: what it must know, the design to begin with, and what follows a change.
+import { brought, keepAddress, mine, openLink, pageOfAddress } from "./base/address.js";
+import { app, look, redraw, take, watch } from "./base/design.js";
+import { keepDraft, opened, ownDraft } from "./base/drafts.js";
+import { ask, complain, Refused, told } from "./base/server.js";
+import { Header, listen } from "./frame/header.js";
+import { Main, offerDraft, openDraft, PAGES, present } from "./frame/pages.js";
+import { solve } from "./pages/drive/solving.js";
+import { h, render } from "./vendor/preact.js";
+
+/** @param {string} id */
+const box = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+/** Draw everything that is seen; Preact changes only what is another. */
+function draw() {
+  document.title = `${PAGES[app.page].title} – wraparc`;
+  document.documentElement.dataset.units = app.units;
+  present()?.update?.();
+  render(h(Header, {}), box("header"));
+  render(h(Main, {}), box("main"));
+  box("toast").className = told.bad ? "bad" : "";
+  render(told.text || null, box("toast"));
+  render(h(PrintHead, {}), box("print-head"));
+}
+/** What a sheet of paper must say of itself. */
+const PrintHead = () => {
+  const file = app.design ? `${app.design.name}, version ${app.design.version}` : app.name;
+  const parts = [file, `wraparc ${app.about.version}`, `printed ${new Date().toLocaleString()}`];
+  return h("p", {}, parts.filter(Boolean).join("; "));
+};
+let drawing = false;
+function changed() {
+  solve(); // the request leaves first, the page follows while it is on its way
+  keepDraft();
+  keepAddress();
+  if (drawing) return;
+  drawing = true;
+  queueMicrotask(() => {
+    drawing = false;
+    try {
+      draw();
+    } catch (x) {
+      complain(x);
+    }
+  });
+}
+/** A page of the history, or a link that was put into the address. */
+async function arrive() {
+  const page = pageOfAddress();
+  if (brought()) await openLink();
+  look({ page: PAGES[page] ? page : "drive" });
+}
+
+async function begin() {
+  const asked = ["schema", "catalogue", "start", "about"].map((path) => ask(path));
+  const [form, catalogue, first, about] = await Promise.all(asked);
+  Object.assign(app, { form, catalogue, about });
+  box("wait").remove();
+  box("about").textContent =
+    `wraparc ${about.version}. Illustrative laggings describe no real product.`;
+  const page = pageOfAddress();
+  app.page = PAGES[page] ? page : "drive";
+  watch(changed);
+  const draft = mine() ? ownDraft() : undefined;
+  if (draft) openDraft(draft);
+  else if (!(brought() && (await openLink()))) {
+    const title = first.document.title || first.name;
+    const origin = first.file ? null : { title, document: first.document };
+    opened(first.document);
+    take(first.document, { name: first.name, origin });
+  }
+  if (!draft) offerDraft();
+  redraw();
+  listen();
+}
+function skip() {
+  const link = box("skip");
+  link.addEventListener("click", (e) => {
+    e.preventDefault();
+    box(`${app.page}-title`).focus();
+  });
+}
+function paper() {
+  addEventListener("beforeprint", () => {
+    draw();
+    for (const d of document.querySelectorAll("main details.table:not([open])")) {
+      d.setAttribute("open", "");
+      d.setAttribute("data-shut", "");
+    }
+  });
+  addEventListener("afterprint", () => {
+    for (const d of document.querySelectorAll("[data-shut]")) {
+      d.removeAttribute("open");
+      d.removeAttribute("data-shut");
+    }
+  });
+}
+
+skip();
+paper();
+addEventListener("hashchange", arrive);
+begin().catch((x) => {
+  console.error(x);
+  const denied = x instanceof Refused && x.status === 401;
+  const message = denied
+    ? "This calculator asks for a token: open it with the link that the server printed " +
+      "(…/?token=…)."
+    : x.message;
+  render(h("p", { class: "verdict bad", role: "alert" }, message), box("main"));
+});

@@ -1,0 +1,281 @@
+// The same drive with every lagging, or with several belts.
+import { app, change, redraw, set } from "../base/design.js";
+import { act, ask, later, note, onReturn, refusal } from "../base/server.js";
+import { words } from "../base/units.js";
+import { badge, list, refused, scroll } from "../parts/answers.js";
+import { place } from "../parts/problems.js";
+import { h } from "../vendor/preact.js";
+
+/** @import { Level, Problem, Text } from "../types.d.ts" */
+/**
+ * @typedef {{value: number | null, si: string, us: string}} Cell
+ * @typedef {{name: string, title: string, condition: string, level: Level, short: string,
+ *   cells: Record<string, Cell>, cost_note: Text, kind: string, source: string, present: boolean,
+ *   change: {path: string, value: any}[]}} Row
+ * @typedef {{key: string, title: string, better: "low" | "high"}} Column
+ * @typedef {{pulley: string, load_case: string, years: number, currency: string,
+ *   columns: Column[], rows: Row[], remarks: Text[],
+ *   not_possible: {name: string, problems: Problem[]}[]}} Comparison
+ */
+
+const asked = { what: "laggings", years: "10", hours: "6000", tariff: "", currency: "" };
+const state = {
+  answer: /** @type {Comparison | null} */ (null),
+  of: /** @type {unknown[]} */ ([]),
+  problems: /** @type {Problem[]} */ ([]),
+  sort: "",
+  way: 1,
+  busy: false,
+};
+const pinned = new Set();
+
+/** Ask anew where the drive, or what is asked of it, is another. */
+export function update() {
+  const key = [app.doc, app.pulley, app.case, JSON.stringify(asked)];
+  if (key.every((k, i) => k === state.of[i])) return;
+  state.of = key;
+  state.busy = true;
+  load(app.doc);
+}
+/** @param {string} text */
+const number = (text) => (text === "" ? undefined : Number.isFinite(+text) ? +text : text);
+const load = later(
+  150,
+  act(async (/** @type {any} */ doc) => {
+    const { what, years, hours, tariff, currency } = asked;
+    const costs = { years: number(years), hours: number(hours), tariff: number(tariff) };
+    try {
+      const found = await ask("compare", {
+        document: doc,
+        pulley: doc.pulley[app.pulley]?.name ?? null,
+        load_case: app.case || null,
+        what,
+        ...costs,
+        currency: currency || undefined,
+      });
+      if (doc !== app.doc) return;
+      Object.assign(state, { answer: found, problems: [], busy: false });
+    } catch (x) {
+      state.busy = false;
+      Object.assign(state, { problems: refusal(x) });
+    }
+    redraw();
+  }),
+);
+onReturn(() => {
+  state.of = [];
+});
+
+export const Page = () => [
+  h(
+    "p",
+    { class: "help", key: "help" },
+    "The drive of the first page, everything else unchanged. ",
+    "Press a heading to sort, a pin to keep a row on top.",
+  ),
+  bar(),
+  h("p", { class: "help", role: "status", key: "said" }, said()),
+  state.problems.length > 0 && refused("", state.problems),
+  state.answer && !state.problems.length && result(state.answer),
+];
+function said() {
+  const a = state.answer;
+  if (state.busy) return "Solving …";
+  if (!a || state.problems.length) return "";
+  const money = a.currency ? ` in ${a.currency}` : "";
+  const what = `${a.rows.length} ${asked.what}`;
+  const where = `Pulley ${a.pulley}, load case ${a.load_case}`;
+  return `${where}; ${what}. Costs over ${a.years} years${money}.`;
+}
+function bar() {
+  const what = ["laggings", "belts"].map((w) =>
+    h(
+      "label",
+      { key: w },
+      h("input", {
+        type: "radio",
+        name: "what",
+        value: w,
+        checked: w === asked.what,
+        onChange: () => {
+          Object.assign(state, { sort: "", way: 1 });
+          pinned.clear();
+          ask_({ what: w });
+        },
+      }),
+      h("span", {}, w === "laggings" ? "Laggings" : "Belts"),
+    ),
+  );
+  return h(
+    "div",
+    { class: "bar", key: "bar" },
+    h("fieldset", { class: "switch" }, h("legend", { class: "away" }, "What to compare"), what),
+    amount("years", "Years", 3),
+    amount("hours", "Hours a year", 6),
+    amount("tariff", "Price of a kWh", 6),
+    amount("currency", "Currency", 5),
+  );
+}
+/** @param {Partial<typeof asked>} more */
+function ask_(more) {
+  Object.assign(asked, more);
+  redraw();
+}
+/** @param {keyof typeof asked} key @param {string} label @param {number} size */
+const amount = (key, label, size) =>
+  h(
+    "label",
+    { key },
+    label,
+    h("input", {
+      type: "text",
+      size,
+      value: asked[key],
+      onChange: (e) => ask_({ [key]: e.currentTarget.value.trim() }),
+    }),
+  );
+
+/** @param {Row} r */
+const label = (r) =>
+  asked.what === "belts" ? `${r.name}${r.title ? `, ${r.title}` : ""}` : r.title || r.name;
+/** @param {Row} row */
+function use(row) {
+  let doc = app.doc;
+  for (const c of row.change) doc = set(doc, place(c.path), c.value ?? undefined);
+  change(doc);
+  note(`${label(row)} is in the drive now; Undo takes it out again.`);
+}
+/** @param {Comparison} a */
+function result(a) {
+  const columns = a.columns.filter(
+    (c) => c.key !== "outside" && a.rows.some((r) => r.cells[c.key]?.value != null),
+  );
+  const best = Object.fromEntries(columns.map((c) => [c.key, bestOf(a.rows, c)]));
+  const costs = [...new Set(a.rows.map((r) => words(r.cost_note)).filter(Boolean))];
+  const impossible = a.not_possible.map(
+    (r) => `${r.name}: ${r.problems.map((p) => p.sentence || p.message).join(" ")}`,
+  );
+  return [
+    h(
+      "div",
+      { class: "card", key: "table" },
+      scroll(
+        "Comparison",
+        h(
+          "table",
+          { class: "grid-table" },
+          head(columns),
+          h(
+            "tbody",
+            {},
+            ordered(a.rows).map((r) => row(r, columns, best)),
+          ),
+        ),
+      ),
+    ),
+    h("div", { key: "remarks" }, list([...a.remarks, ...costs, ...impossible], "help")),
+  ];
+}
+/** The best value among the rows that pass everything they are held against.
+ * @param {Row[]} rows @param {Column} c */
+function bestOf(rows, c) {
+  const passing = rows.filter((r) => r.level === "OK");
+  const all = passing.map((r) => r.cells[c.key]?.value).filter((v) => v != null);
+  if (!c.better || all.length === 0 || rows.length < 2) return Number.NaN;
+  return c.better === "low" ? Math.min(...all) : Math.max(...all);
+}
+/** @param {Row[]} rows */
+function ordered(rows) {
+  const { sort, way } = state;
+  const value = (/** @type {Row} */ r) => (sort === "name" ? label(r) : r.cells[sort]?.value);
+  return [...rows].sort((a, b) => {
+    const pin = +pinned.has(b.name) - +pinned.has(a.name);
+    if (pin || !sort) return pin;
+    const [x, y] = [value(a), value(b)];
+    if (x == null || y == null) return x == null ? 1 : -1;
+    return (typeof x === "string" ? x.localeCompare(String(y)) : x - +y) * way;
+  });
+}
+/** @param {Column[]} columns */
+const head = (columns) =>
+  h(
+    "thead",
+    {},
+    h(
+      "tr",
+      {},
+      h("td", {}),
+      heading("name", asked.what === "belts" ? "Belt" : "Lagging"),
+      h("th", { scope: "col" }, "Answer"),
+      columns.map((c) => heading(c.key, c.title, "num")),
+      h("th", { scope: "col" }, "Data"),
+      h("td", {}),
+    ),
+  );
+/** @param {string} key @param {string} text @param {string} [cls] */
+function heading(key, text, cls) {
+  const on = state.sort === key;
+  const press = () => {
+    Object.assign(state, { sort: key, way: on ? -state.way : 1 });
+    redraw();
+  };
+  const order = state.way > 0 ? "ascending" : "descending";
+  const arrow = on && (state.way > 0 ? " ▲" : " ▼");
+  return h(
+    "th",
+    { scope: "col", class: cls, "aria-sort": on ? order : "none", key },
+    h("button", { type: "button", id: `sort-${key}`, onClick: press }, text, arrow),
+  );
+}
+/** @param {Row} r @param {Column[]} columns @param {Record<string, number>} best */
+function row(r, columns, best) {
+  const pin = pinned.has(r.name);
+  const press = () => {
+    if (pin) pinned.delete(r.name);
+    else pinned.add(r.name);
+    redraw();
+  };
+  const condition = r.condition && r.condition !== "dry" ? `, ${r.condition}` : "";
+  const outside = r.cells.outside?.value ? words(r.cells.outside) : "";
+  return h(
+    "tr",
+    { class: `${pin ? "pinned" : ""} ${r.present ? "present" : ""}`, key: r.name },
+    h(
+      "td",
+      {},
+      h(
+        "button",
+        { type: "button", "aria-pressed": pin, "aria-label": `Pin ${label(r)}`, onClick: press },
+        pin ? "★" : "☆",
+      ),
+    ),
+    h("th", { scope: "row" }, label(r), condition, r.present && " (present)"),
+    h("td", {}, badge(r.level), " ", r.short),
+    columns.map((c) => cell(r, c.key, best[c.key])),
+    h(
+      "td",
+      {},
+      r.kind && h("span", { class: `mark ${r.kind}`, title: r.source }, r.kind),
+      outside && h("span", { class: "mark outside" }, `outside tested range ${outside}`),
+    ),
+    h(
+      "td",
+      {},
+      !r.present &&
+        r.change &&
+        h(
+          "button",
+          { type: "button", "aria-label": `Use ${label(r)}`, onClick: () => use(r) },
+          "Use",
+        ),
+    ),
+  );
+}
+/** @param {Row} r @param {string} key @param {number} best */
+function cell(r, key, best) {
+  const c = r.cells[key];
+  const text = words(c) || "–";
+  const first = r.level === "OK" && c?.value != null && c.value === best;
+  const bold = h("strong", {}, text, h("span", { class: "away" }, " (best)"));
+  return h("td", { class: "num", key }, first ? bold : text);
+}

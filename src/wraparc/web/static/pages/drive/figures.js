@@ -1,0 +1,158 @@
+// Key figures of the arc on the screen, and the reading at one place of it.
+import { digits, percent, show, shown, symbol, title } from "../../base/units.js";
+import { levelClass } from "../../parts/answers.js";
+import { h } from "../../vendor/preact.js";
+import { whole, wholeArc } from "./solving.js";
+
+/** @import { Children, Level, QuickAnswer } from "../../types.d.ts" */
+/** @typedef {{name: string, value: string, small: string, level?: Level, late?: boolean}} Figure */
+
+/** Figures of the arc that the quick answer has. @param {QuickAnswer} arc @returns {Figure[]} */
+function quickFigures(arc) {
+  const n = arc.numbers;
+  const p = arc.profile.wrap_pressure;
+  const peakAt = shown("peak_shear_position", n.peak_shear_position);
+  const stuck = `at rest over ${shown("stuck_arc", n.stuck_arc, 3)}`;
+  return [
+    {
+      name: "Peak shear angle",
+      value: shown("peak_shear_angle", n.peak_shear_angle),
+      small: `${shown("peak_shear_stress", n.peak_shear_stress)} at ${peakAt}`,
+    },
+    {
+      name: "Tension ratio T1/T2",
+      value: digits(n.tension_ratio),
+      small: `pull ${shown("effective_tension", n.effective_tension)}`,
+    },
+    { name: "Mean friction", value: digits(n.mean_friction), small: "over the whole wrap" },
+    {
+      name: "Wrap pressure",
+      value: shown("wrap_pressure", p[0], 3),
+      small: `to ${shown("wrap_pressure", p[p.length - 1], 3)}`,
+    },
+    {
+      name: "Slip at exit",
+      value: shown("exit_slip", n.exit_slip),
+      small: n.stuck_arc > 0 ? stuck : "slides all along",
+    },
+    n.power_loss == null
+      ? {
+          name: "Energy per pass",
+          value: shown("frictional_energy", n.frictional_energy, 3),
+          small: "power needs the belt speed",
+        }
+      : {
+          name: "Power lost to creep",
+          value: shown("power_loss", n.power_loss, 3),
+          small: n.efficiency == null ? "" : `efficiency ${percent(n.efficiency, 4)}`,
+        },
+  ];
+}
+/** Figures that only the whole solve has: margins and least tension.
+ * @param {QuickAnswer} arc @returns {Figure[]} */
+function lateFigures(arc) {
+  const m = wholeArc()?.numbers || {};
+  const known = m.creep_limit_margin != null;
+  const idle = arc.numbers.effective_tension === 0;
+  const most = m.largest_effective_tension;
+  const least = idle
+    ? { value: "–", small: "no pull to carry" }
+    : m.least_exit_tension != null
+      ? {
+          value: shown("least_exit_tension", m.least_exit_tension),
+          small: "for this pull within the limit",
+        }
+      : {
+          value: known ? "none" : "–",
+          small: most ? `largest pull ${shown("largest_effective_tension", most)}` : "",
+        };
+  const ratio = m.creep_limit_capacity;
+  return [
+    {
+      name: "Margin to the creep limit",
+      value: digits(m.creep_limit_margin),
+      small: ratio == null ? "" : `carries a ratio of ${digits(ratio)}`,
+      late: true,
+    },
+    { name: "Least slack-side tension", ...least, late: true },
+    {
+      name: "Equivalent friction",
+      value: digits(m.equivalent_friction),
+      small: "at the creep limit, beside CEMA, DIN",
+      late: true,
+    },
+  ];
+}
+/** @param {QuickAnswer} arc */
+export function figures(arc) {
+  const { numbers: n, creep_limit: limit } = arc;
+  const solved = arc.status === "solved";
+  const share = Math.abs(n.exit_creep) / limit;
+  const creep = {
+    name: "Creep at exit",
+    value: solved ? shown("exit_creep", n.exit_creep) : "–",
+    small: solved
+      ? `${percent(share)} of the limit ${show(limit, "length")}`
+      : `the belt slips through; the limit is ${show(limit, "length")}`,
+    level: arc.level,
+  };
+  const rows = [creep, ...(solved ? quickFigures(arc) : []), ...lateFigures(arc)];
+  const gauge = h(
+    "i",
+    { class: "gauge" },
+    h("i", { style: { width: `${Math.min(100, share * 50)}%` } }),
+  );
+  return h(
+    "dl",
+    { class: "figures" },
+    rows.map((r, i) => figure(r, i === 0 && solved && gauge)),
+  );
+}
+/** @param {Figure} f @param {Children} gauge */
+const figure = (f, gauge) =>
+  h(
+    "div",
+    { class: `${levelClass(f.level)} ${f.late && !whole() ? "late" : ""}`.trim(), key: f.name },
+    h("dt", {}, f.name),
+    h("dd", {}, h("b", {}, f.value), h("small", {}, f.small), gauge),
+  );
+
+const READ = [
+  "position",
+  "tension",
+  "wrap_pressure",
+  "friction",
+  "friction_used",
+  "creep",
+  "slip",
+].concat(["shear_stress", "shear_angle"]);
+/** Every quantity at a place of the arc. @param {QuickAnswer} arc @param {number} part */
+export function reading(arc, part) {
+  const p = arc.profile;
+  const at = part * p.position[p.position.length - 1];
+  let j = 0;
+  while (j < p.position.length - 2 && p.position[j + 1] < at) j++;
+  const f = (at - p.position[j]) / (p.position[j + 1] - p.position[j] || 1);
+  const value = (/** @type {string} */ k) => p[k][j] + f * (p[k][j + 1] - p[k][j]);
+  const rows = READ.map((k) =>
+    readOf(k, symbol(k), shown(k, k === "position" ? at : value(k)), title(k)),
+  );
+  return h(
+    "dl",
+    { class: "reading" },
+    rows,
+    readOf("belt", "belt", p.sliding[j] ? "slides" : "at rest", "Sliding or at rest"),
+  );
+}
+/** @param {string} key @param {Children} sign @param {string} text @param {string} meaning */
+const readOf = (key, sign, text, meaning) =>
+  h("div", { title: meaning, key }, h("dt", {}, sign), h("dd", {}, text));
+/** @param {QuickAnswer} arc @param {number} part */
+export const placeText = (arc, part) =>
+  shown("position", part * arc.profile.position[arc.profile.position.length - 1]);
+/** One line for the phone. @param {QuickAnswer} arc */
+export function peek({ numbers, creep_limit, status }) {
+  if (status !== "solved") return " the belt slips through";
+  const share = percent(Math.abs(numbers.exit_creep) / creep_limit);
+  return ` creep ${shown("exit_creep", numbers.exit_creep)}, ${share} of the limit`;
+}

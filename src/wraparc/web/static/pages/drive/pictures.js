@@ -1,0 +1,202 @@
+// The pictures of one arc: four plots along the wrap and the pulley itself.
+import { app } from "../../base/design.js";
+import { digits, dimensionOf, percent, show, shown, title, unit } from "../../base/units.js";
+import { drawBudget, swatch } from "../../plots/budget.js";
+import { Chart } from "../../plots/chart.js";
+import { colourScale, Pulley } from "../../plots/pulley.js";
+import { answer, whole, wholeArc } from "./solving.js";
+
+/** @import { ChartData, Line, QuickAnswer } from "../../types.d.ts" */
+
+export const QUANTITIES = ["shear_stress", "friction_used", "wrap_pressure", "slip", "creep"];
+export const PARTS = ["creep_shrinkage", "creep_compression", "creep_global"];
+const TITLES = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"];
+/** @param {number} v */
+const degrees = (v) => (v * 180) / Math.PI;
+
+/** What the plots of one arc need: the answer, its lines in the units looked at. */
+class Scene {
+  /** @param {QuickAnswer} arc */
+  constructor(arc) {
+    this.arc = arc;
+    this.n = arc.numbers;
+    this.p = arc.profile;
+    this.x = this.p.position.map(degrees);
+    const march = whole() ? wholeArc()?.paper : null;
+    this.paper = march?.status === "solved" ? march.profile : null;
+    this.side = this.n.entry_tension >= this.n.exit_tension ? 1 : -1;
+  }
+  /** @param {string} name @param {string} cls @param {string} label @param {number} [f]
+   * @param {boolean} [size] @returns {Line} */
+  line(name, cls, label, f = 1, size) {
+    return { y: scaled(this.p[name], f, size), cls, label };
+  }
+  /** The paper's march beside it, once that is solved. @param {string} name @param {number} [f]
+   * @param {boolean} [size] @returns {Line[]} */
+  march(name, f = 1, size) {
+    const { paper } = this;
+    if (!paper) return [];
+    const y = scaled(paper[name], f, size);
+    return [{ x: paper.position.map(degrees), y, cls: "paper", label: "paper's march" }];
+  }
+  /** @returns {Omit<ChartData, "lines" | "ylabel">} */
+  common() {
+    /** @type {[number, number, string][]} */
+    const zones = this.arc.outside.map(([a, b]) => [degrees(a), degrees(b), "out"]);
+    if (this.n.stuck_arc > 0) zones.push([0, degrees(this.n.stuck_arc), "rest"]);
+    return { x: this.x, zones, angles: true, xs: [0, this.x[this.x.length - 1]], zero: true };
+  }
+}
+/** @param {(number | null)[]} values @param {number} f @param {boolean} [size] */
+const scaled = (values, f, size) =>
+  values.map((v) => (v == null ? null : (size ? Math.abs(v) : v) / f));
+
+/** @param {Scene} scene @returns {ChartData} */
+function tension(scene) {
+  const { n, p } = scene;
+  const [[fu, ff], [pu, pf]] = [unit("force"), unit("pressure")];
+  const key = (p.wrap_pressure[0] / p.tension[0]) * (ff / pf);
+  const range = `from ${shown("tension", n.entry_tension)} to ${shown("tension", n.exit_tension)}`;
+  return {
+    ...scene.common(),
+    ylabel: `T [${fu}]`,
+    told: range,
+    lines: [scene.line("tension", "blue", "belt tension", ff), ...scene.march("tension", ff)],
+    other: { label: `p [${pu}]`, key, to: (v) => v * key, from: (v) => v / key },
+  };
+}
+/** @param {Scene} scene @returns {ChartData} */
+const friction = (scene) => ({
+  ...scene.common(),
+  ylabel: "friction [-]",
+  lines: [
+    scene.line("friction", "blue", "available", 1, true),
+    scene.line("friction_used", "orange", "used", 1, true),
+    ...scene.march("friction_used", 1, true),
+  ],
+});
+/** @param {Scene} scene @returns {ChartData} */
+function creep(scene) {
+  const [u, f] = unit("length");
+  const limit = scene.arc.creep_limit;
+  return {
+    ...scene.common(),
+    ylabel: `u, x [${u}]`,
+    limit: { y: (scene.side * limit) / f, label: `limit ${show(limit, "length")}` },
+    lines: [
+      scene.line("creep", "blue", "creep", f),
+      scene.line("slip", "orange", "slip", f),
+      ...scene.march("creep", f),
+    ],
+  };
+}
+/** @param {Scene} scene @returns {ChartData} */
+function shear(scene) {
+  const { n, p, side } = scene;
+  const [u, f] = unit("pressure");
+  const stress = p.shear_stress.map(Math.abs);
+  const k = stress.indexOf(Math.max(...stress));
+  const G = p.shear_stress[k] / Math.tan(p.shear_angle[k]) / f;
+  const angle = {
+    label: "γ [deg]",
+    key: G,
+    to: (/** @type {number} */ v) => degrees(Math.atan(v / G)),
+    from: (/** @type {number} */ v) => G * Math.tan((v * Math.PI) / 180),
+  };
+  return {
+    ...scene.common(),
+    ylabel: `τ [${u}]`,
+    points: [[degrees(n.peak_shear_position), (side * n.peak_shear_stress) / f]],
+    pointLabel: `peak ${shown("peak_shear_stress", n.peak_shear_stress, 3)}`,
+    lines: [
+      scene.line("shear_stress", "blue", "shear stress", f),
+      ...scene.march("shear_stress", f),
+    ],
+    ...(Number.isFinite(G) && G > 0 ? { other: angle } : {}),
+  };
+}
+
+/** The pictures in their boxes; drawn anew with every answer. */
+export class Pictures {
+  /** @param {HTMLElement} plots @param {HTMLElement} pulley @param {HTMLElement} scale
+   * @param {(part: number) => void} onpick */
+  constructor(plots, pulley, scale, onpick) {
+    this.charts = TITLES.map((name, i) => {
+      const box = document.createElement("figure");
+      plots.append(box);
+      const xlabel = i > 1 ? "Angle from the entry nip [deg]" : "";
+      return new Chart(box, { title: name, height: 170, xlabel, onpick });
+    });
+    this.pulley = new Pulley(pulley);
+    this.scale = scale;
+    this.scaleKey = "";
+  }
+  /** @param {QuickAnswer} arc @param {string} quantity */
+  draw(arc, quantity) {
+    const scene = new Scene(arc);
+    for (const [i, of] of [tension, friction, creep, shear].entries())
+      this.charts[i].draw(of(scene));
+    this.drawPulley(arc, quantity);
+  }
+  /** @param {QuickAnswer} arc @param {string} q */
+  drawPulley(arc, q) {
+    const { profile: p, numbers: n } = arc;
+    const most = Math.max(...p[q].map(Math.abs));
+    const pull = n.effective_tension;
+    this.pulley.draw({
+      phi: p.position[p.position.length - 1],
+      position: p.position,
+      values: p[q],
+      most,
+      t1: n.entry_tension,
+      t2: n.exit_tension,
+      text1: `T1 = ${show(n.entry_tension, "force", 3)}`,
+      text2: `T2 = ${show(n.exit_tension, "force", 3)}`,
+      duty: pull > 0 ? "driving" : pull < 0 ? "braking" : "idling",
+      outside: arc.outside,
+      stuck: n.stuck_arc,
+      peak: n.peak_shear_position,
+      told: `Pulley with its wrapped arc, coloured by ${title(q)}, largest ${shown(q, most, 3)}`,
+    });
+    const [u, f] = unit(dimensionOf(q));
+    const key = q + app.units + digits(most / f, 3);
+    if (key === this.scaleKey) return;
+    this.scaleKey = key;
+    const label = `${title(q)}${u ? ` [${u}]` : ""}; dot: peak shear stress`;
+    colourScale(this.scale, label, most / f);
+  }
+  /** Show the cursor. @param {QuickAnswer} arc @param {number} part of the arc */
+  at(arc, part) {
+    for (const chart of this.charts) chart.at(part);
+    const at = arc.profile.position;
+    this.pulley.at(part * at[at.length - 1]);
+  }
+}
+
+/** Creep by source, a bar for each method. @param {HTMLElement} figure @param {number} wide */
+export function creepBySource(figure, wide) {
+  const arc = answer.quick;
+  if (!arc) return;
+  const [u, f] = unit("length");
+  const n = arc.numbers;
+  const side = n.effective_tension < 0 ? -1 : 1;
+  const partsOf = (/** @type {Record<string, number>} */ m) => PARTS.map((k) => m[k] / f);
+  const bars = [{ label: "distributed", parts: partsOf(n) }];
+  const march = whole() ? wholeArc()?.paper : null;
+  if (march?.status === "solved")
+    bars.push({ label: "paper's march", parts: partsOf(march.numbers) });
+  const names = ["belt shrinkage", "lagging compression", "global creep"];
+  const legend = PARTS.map((k, i) => {
+    const e = document.createElement("span");
+    const share = n.exit_creep ? ` (${percent(n[k] / n.exit_creep, 2)})` : "";
+    e.append(swatch(i), `${names[i]} ${shown(k, n[k], 3)}${share}`);
+    return e;
+  });
+  const head = document.createElement("strong");
+  head.textContent = "Creep by source";
+  const [caption, box] = figure.children;
+  caption.replaceChildren(head, ...legend);
+  const told = PARTS.map((k) => `${title(k)} ${shown(k, n[k], 3)}`).join(", ");
+  const limit = (side * arc.creep_limit) / f;
+  drawBudget(/** @type {HTMLElement} */ (box), wide, bars, limit, u, `Creep by source: ${told}`);
+}

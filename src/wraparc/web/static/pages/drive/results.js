@@ -1,0 +1,322 @@
+// The answer: the governing verdict, the arc that is chosen, its pictures and tables.
+import { app, look } from "../../base/design.js";
+import { sentence } from "../../base/server.js";
+import { percent, show, title, words } from "../../base/units.js";
+import { badge, list, table, verdict } from "../../parts/answers.js";
+import { choose } from "../../parts/choose.js";
+import { toFillIn } from "../../parts/problems.js";
+import { Component, createRef, h } from "../../vendor/preact.js";
+import { figures, peek, placeText, reading } from "./figures.js";
+import { creepBySource, Pictures, QUANTITIES } from "./pictures.js";
+import { answer, onAnswer, whole, wholeArc } from "./solving.js";
+
+/** @import { Children, QuickAnswer } from "../../types.d.ts" */
+
+/**
+ * @typedef {{quantity: string, part: number}} ResultsState
+ * @extends {Component<{}, ResultsState>}
+ */
+export class Results extends Component {
+  /** @type {ResultsState} */
+  state = { quantity: QUANTITIES[0], part: 0.5 };
+  plots = createRef();
+  pulley = createRef();
+  scale = createRef();
+  budget = createRef();
+  wide = 0;
+  /** @type {unknown[]} */
+  drawn = [];
+
+  componentDidMount() {
+    const pick = (/** @type {number} */ part) => this.setState({ part });
+    const { plots, pulley, scale, budget } = this;
+    this.pictures = new Pictures(plots.current, pulley.current, scale.current, pick);
+    new ResizeObserver(([e]) => {
+      const wide = Math.floor(e.contentRect.width);
+      if (!wide || wide === this.wide) return;
+      this.wide = wide;
+      creepBySource(budget.current, wide);
+    }).observe(budget.current);
+    onAnswer(() => this.forceUpdate());
+    this.paint();
+  }
+  componentDidUpdate() {
+    this.paint();
+  }
+  /** Draw what has changed since it was drawn. */
+  paint() {
+    const arc = answer.quick;
+    if (!arc || !this.pictures || arc.status !== "solved") return this.painted(arc);
+    const { quantity, part } = this.state;
+    const now = [arc, app.units, quantity, whole()];
+    if (now.some((v, i) => v !== this.drawn[i])) {
+      this.pictures.draw(arc, quantity);
+      if (this.wide) creepBySource(this.budget.current, this.wide);
+    }
+    this.pictures.at(arc, part);
+    this.painted(arc);
+    this.drawn = now;
+  }
+  /** @param {QuickAnswer | null} arc */
+  painted(arc) {
+    if (arc && arc !== this.drawn[0])
+      document.dispatchEvent(new CustomEvent("painted", { detail: arc.sequence }));
+    this.drawn = [arc];
+  }
+  render() {
+    const { quick: arc, problems, slow, foreign } = answer;
+    const refused = problems.length > 0;
+    const cls = `results${refused ? " refused" : ""}${slow ? " waiting" : ""}`;
+    return h(
+      "div",
+      { class: cls, id: "results" },
+      h(
+        "div",
+        { class: "pick" },
+        h("h2", {}, app.doc.title || "Drive without a title"),
+        h("span", { role: "status" }, slow && "Solving …"),
+        picks(),
+      ),
+      h("div", { role: "alert" }, refused && whatIsWrong(!foreign && arc !== null)),
+      h(
+        "div",
+        { class: "answer", hidden: !arc || (refused && foreign) },
+        arc && top(arc),
+        this.body(arc),
+      ),
+      h(
+        "p",
+        { class: "peek", "aria-hidden": "true" },
+        arc && !refused && [badge(arc.level), peek(arc)],
+      ),
+    );
+  }
+  /** @param {QuickAnswer | null} arc */
+  body(arc) {
+    const solved = arc?.status === "solved";
+    const full = wholeArc();
+    return [
+      h("div", { class: "pair", key: "pair" }, this.pulleyCard(solved), arc && keyFigures(arc)),
+      this.alongTheWrap(arc, solved),
+      h(
+        "figure",
+        { class: "card", ref: this.budget, key: "budget", hidden: !solved },
+        h("figcaption", {}),
+        h("div", { class: "bars" }),
+      ),
+      answer.full?.summary && h("div", { key: "summary" }, table(answer.full.summary)),
+      h("div", { class: "tables", key: "tables" }, full && tables(full)),
+    ];
+  }
+  /** @param {boolean} solved */
+  pulleyCard(solved) {
+    const choose = (/** @type {Event & {currentTarget: HTMLSelectElement}} */ e) =>
+      this.setState({ quantity: e.currentTarget.value });
+    return h(
+      "figure",
+      { class: "card" },
+      h("div", { ref: this.pulley, hidden: !solved }),
+      !solved && h("p", { class: "help" }, NO_PICTURE),
+      h(
+        "figcaption",
+        { hidden: !solved },
+        h("label", { for: "quantity" }, "Colour and inner ring: "),
+        h(
+          "select",
+          { id: "quantity", onChange: choose, value: this.state.quantity },
+          QUANTITIES.map((q) => h("option", { value: q, key: q }, title(q))),
+        ),
+        h("div", { class: "scale", ref: this.scale }),
+      ),
+    );
+  }
+  /** @param {QuickAnswer | null} arc @param {boolean} solved */
+  alongTheWrap(arc, solved) {
+    const { part } = this.state;
+    const move = (/** @type {Event & {currentTarget: HTMLInputElement}} */ e) =>
+      this.setState({ part: +e.currentTarget.value / 1000 });
+    const cursor = {
+      type: "range",
+      id: "cursor",
+      min: 0,
+      max: 1000,
+      step: 5,
+      value: Math.round(part * 1000),
+      "aria-valuetext": arc ? placeText(arc, part) : "",
+      onInput: move,
+    };
+    return h(
+      "section",
+      { class: "card", "aria-label": "Along the wrap", key: "along", hidden: !solved },
+      h("h2", {}, "Along the wrap"),
+      h("div", { class: "plots", ref: this.plots }),
+      h(
+        "div",
+        { class: "along" },
+        h("label", { for: "cursor" }, "Place on the arc"),
+        h("input", cursor),
+        arc && solved && reading(arc, part),
+      ),
+    );
+  }
+}
+/** @param {QuickAnswer} arc */
+const top = (arc) => [h("div", { id: "verdict", key: "verdict" }, verdicts(arc)), chips(arc)];
+const NO_PICTURE =
+  "No picture: the belt slips through on this pulley, so that there is no state at rest to draw. " +
+  "What the friction can carry stands beside and below.";
+
+/**
+ * What keeps the drive from being solved.
+ * @param {boolean} before whether an answer stands below
+ */
+function whatIsWrong(before) {
+  const empty = answer.problems.filter(toFillIn);
+  const n = answer.problems.length - empty.length;
+  const below = before ? "; the answer below is of the last drive that could" : "";
+  const values = n === 1 ? "One value" : `${n} values`;
+  const shown = answer.unplaced.length ? answer.unplaced : answer.problems;
+  if (n > 0)
+    return h(
+      "div",
+      { class: "verdict bad" },
+      h("p", { class: "headline" }, badge("FAILS"), ` ${values} cannot be used${below}.`),
+      list(shown.map(sentence)),
+    );
+  const these = before ? `These numbers are needed${below}.` : "These numbers are still needed:";
+  return h(
+    "div",
+    { class: "verdict" },
+    h("p", { class: "headline" }, these),
+    list(answer.problems.map(sentence)),
+  );
+}
+
+/** The governing verdict over all load cases first, the arc that is chosen below it.
+ * @param {QuickAnswer} arc */
+function verdicts(arc) {
+  const { full } = answer;
+  const several = app.doc.pulley.length > 1 || (app.doc.load_case?.length || 0) > 0;
+  const chosen = `Shown below: pulley ${arc.pulley}, load case ${arc.load_case}`;
+  const own = h(
+    "div",
+    { class: "chosen", key: "chosen" },
+    h("p", {}, h("strong", {}, chosen), " ", badge(arc.level), " ", words(arc.verdict.headline)),
+  );
+  if (whole() && full)
+    return [
+      h("div", { key: "governing" }, verdict(full.verdict)),
+      several && own,
+      h(
+        "p",
+        { class: "away", role: "status", "aria-live": "polite", key: "spoken" },
+        words(full.verdict.headline),
+      ),
+    ];
+  if (!several || !full || answer.foreign)
+    return [h("div", { key: "governing" }, verdict(arc.verdict)), several && own];
+  const solving = h(
+    "p",
+    { class: "help" },
+    "All load cases are being solved anew; before the change:",
+  );
+  return [
+    h(
+      "div",
+      { key: "governing" },
+      verdict({ ...full.verdict, level: /** @type {any} */ ("") }, solving),
+    ),
+    own,
+  ];
+}
+/** What to know about the data. @param {QuickAnswer} arc */
+function chips(arc) {
+  const kinds = [...new Set((answer.full?.sources || []).map((x) => x.kind))];
+  const out = arc.numbers.outside_tested_share;
+  const { tested } = arc;
+  const range =
+    tested &&
+    `p ${show(tested.pressure_min, "pressure", 3)} to ` +
+      `${show(tested.pressure_max, "pressure", 3)}, slip to ${show(tested.slip_max, "length", 3)}`;
+  /** @param {string} kind @param {Children} text */
+  const chip = (kind, text) => h("span", { class: `mark ${kind}`, key: kind }, text);
+  return h(
+    "p",
+    { class: "chips", key: "chips" },
+    kinds.includes("illustrative") && chip("illustrative", "illustrative data: no real product"),
+    kinds.includes("calibrated") && chip("calibrated", "calibrated data"),
+    out > 0
+      ? chip("outside", `outside the tested range on ${percent(out)} of the wrap`)
+      : tested && chip("inside", `within the tested range (${range})`),
+    (arc.remarks || []).map((r, i) => h("span", { class: "remark", key: i }, words(r))),
+  );
+}
+/** @param {QuickAnswer} arc */
+const keyFigures = (arc) =>
+  h(
+    "section",
+    { class: "card", "aria-label": "Key figures" },
+    h("h2", {}, "Key figures"),
+    figures(arc),
+  );
+
+/** Choice of pulley and load case, where there are several. */
+function picks() {
+  const full = whole();
+  const names = app.doc.pulley.map((p) => p.name || "");
+  const known = full
+    ? [...new Set(full.arcs.map((a) => a.load_case))]
+    : ["design", ...(app.doc.load_case || []).map((c) => c.name || "")];
+  const short = (/** @type {string} */ c) => {
+    const arc = full?.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley]);
+    return arc ? `: ${arc.short}` : "";
+  };
+  return h(
+    "span",
+    { class: "inline" },
+    pick("pick-pulley", "Pulley", names, app.pulley, (i) => look({ pulley: i })),
+    pick(
+      "pick-case",
+      "Load case",
+      known.map((c) => c + short(c)),
+      Math.max(0, known.indexOf(app.case || known[0])),
+      (i) => look({ case: i ? known[i] : "" }),
+    ),
+  );
+}
+/** @param {string} id @param {string} label @param {string[]} texts @param {number} at
+ * @param {(i: number) => void} put */
+const pick = (id, label, texts, at, put) =>
+  texts.length > 1 &&
+  h(
+    "span",
+    { key: id },
+    h("label", { for: id }, `${label} `),
+    choose(
+      at,
+      texts.map((t, i) => [i, t]),
+      (i) => put(+i),
+      id,
+    ),
+  );
+/** @param {import("../../types.d.ts").FullArc} arc */
+function tables(arc) {
+  const first = ["answer", "comparison"];
+  const sorted = arc.tables
+    .filter((t) => t.key !== "creep")
+    .sort((x, y) => +first.includes(y.key) - +first.includes(x.key));
+  return [
+    sorted.map((t) => table(t, t.key !== "inputs")),
+    arc.table_sources.length > 0 &&
+      h(
+        "section",
+        { class: "sources", "aria-label": "Sources", key: "sources" },
+        h("h2", {}, "Sources"),
+        h(
+          "ol",
+          {},
+          arc.table_sources.map((x) => h("li", { key: x }, x)),
+        ),
+      ),
+  ];
+}

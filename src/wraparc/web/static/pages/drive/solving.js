@@ -1,0 +1,148 @@
+// Asking for answers: one arc at once while the hand moves, everything once it rests.
+import { app, redraw } from "../../base/design.js";
+import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
+import { si } from "../../base/units.js";
+import { mark } from "../../parts/problems.js";
+
+/** @import { Design, FullAnswer, FullArc, Problem, QuickAnswer } from "../../types.d.ts" */
+
+/** The last answers, and the documents they are of. */
+export const answer = {
+  quick: /** @type {QuickAnswer | null} */ (null),
+  quickDoc: /** @type {Design | null} */ (null),
+  full: /** @type {FullAnswer | null} */ (null),
+  fullDoc: /** @type {Design | null} */ (null),
+  /** What is wrong with the present document; the answers are then of an earlier one. */
+  problems: /** @type {Problem[]} */ ([]),
+  /** Those of the problems that no field shows. */
+  unplaced: /** @type {Problem[]} */ ([]),
+  /** Long in coming: the last answer must not stand under another drive's name. */
+  slow: false,
+  /** Whether the answers are of a design that was there before the present one was opened. */
+  foreign: true,
+};
+/** Whether everything is solved of the present document. */
+export const whole = () => (answer.fullDoc === app.doc ? answer.full : null);
+/** The arc on the screen as the whole solve knows it. @returns {FullArc | undefined} */
+export const wholeArc = () =>
+  answer.full?.arcs.find(
+    (a) => a.pulley === answer.quick?.pulley && a.load_case === answer.quick?.load_case,
+  );
+/**
+ * Numbers of a pulley by the last answer, if they are of the present document.
+ * @param {number} i
+ */
+export function nowOf(i) {
+  const { quick, quickDoc } = answer;
+  const pulley = app.doc.pulley[i];
+  if (!quick || quickDoc !== app.doc || quick.pulley !== pulley.name) return null;
+  const { entry_tension, exit_tension, effective_tension, transmitted_power } = quick.numbers;
+  const torque = (effective_tension * si(pulley.diameter, "length")) / 2;
+  return { entry_tension, exit_tension, effective_tension, power: transmitted_power, torque };
+}
+
+/** @type {() => void} */
+let show = redraw;
+/** Be told when the answers have changed. @param {() => void} f */
+export const onAnswer = (f) => {
+  show = f;
+};
+let openedAs = 0;
+/** @type {unknown[]} */
+let asked = [];
+let sequence = 0;
+let busy = false;
+let wanted = false;
+
+/** Ask for what the present document lacks; called after every change. */
+export function solve() {
+  const key = [app.doc, app.pulley, app.case];
+  if (key.every((k, i) => k === asked[i])) return;
+  const documentChanged = asked[0] !== app.doc;
+  asked = key;
+  answer.quickDoc = null;
+  if (app.opened !== openedAs) {
+    openedAs = app.opened;
+    answer.foreign = true;
+  }
+  quick();
+  if (documentChanged) {
+    document.documentElement.classList.add("stale");
+    complete();
+  }
+}
+onReturn(() => {
+  asked = [];
+  solve();
+});
+
+/** One arc; while it is on its way only the newest change waits. */
+async function quick() {
+  wanted = true;
+  if (busy) return;
+  busy = true;
+  while (wanted) {
+    wanted = false;
+    const slow = setTimeout(() => {
+      answer.slow = true;
+      show();
+    }, 250);
+    try {
+      await quickOnce(app.doc);
+    } catch (x) {
+      if (!app.gone) throw x; // the bar on top says that the server is gone
+    } finally {
+      clearTimeout(slow);
+      if (!wanted) answer.slow = false;
+    }
+    show();
+  }
+  busy = false;
+}
+/** @param {Design} doc */
+async function quickOnce(doc) {
+  const arc = { pulley: doc.pulley[app.pulley]?.name ?? null, load_case: app.case || null };
+  const how = { points: 120, sequence: ++sequence, tables: false };
+  try {
+    const found = await ask("solve/fast", { document: doc, ...arc, ...how });
+    if (found.sequence === 1) performance.mark("answered");
+    const current = doc === app.doc && !wanted;
+    Object.assign(answer, { quick: found, quickDoc: current ? doc : null, foreign: false });
+    if (doc === app.doc) told([]);
+    settle();
+  } catch (x) {
+    const problems = refusal(x);
+    if (doc === app.doc) told(problems);
+  }
+}
+/** Both answers are of the design on the page. */
+function settle() {
+  if (answer.quickDoc === app.doc && answer.fullDoc === app.doc)
+    document.documentElement.classList.remove("stale");
+}
+/** @param {Problem[]} problems */
+function told(problems) {
+  const news = problems.length > 0 || answer.problems.length > 0;
+  answer.problems = problems;
+  answer.unplaced = mark(problems);
+  if (news) redraw();
+}
+
+/** @type {AbortController | null} */
+let stop = null;
+const complete = later(250, async () => {
+  stop?.abort();
+  stop = new AbortController();
+  const doc = app.doc;
+  try {
+    const how = { points: 180, sequence: ++sequence };
+    const found = await ask("solve", { document: doc, ...how }, { signal: stop.signal });
+    if (doc !== app.doc) return;
+    Object.assign(answer, { full: found, fullDoc: doc });
+    settle();
+    redraw();
+    document.dispatchEvent(new CustomEvent("complete"));
+  } catch (x) {
+    if (!aborted(x) && !app.gone) refusal(x);
+  }
+});

@@ -1,0 +1,255 @@
+// Designs kept in the database: names, notes, versions, who and when.
+
+import { turnTo } from "../base/address.js";
+import { app, look, redraw, take } from "../base/design.js";
+import { Advice, act, ask, complain, later, note } from "../base/server.js";
+import { scroll } from "../parts/answers.js";
+import { h } from "../vendor/preact.js";
+
+/**
+ * @typedef {{version: number, created: string, who: string, note: string}} Version
+ * @typedef {{id: string, name: string, kind: string, versions: number, changed: string,
+ *   who: string, note: string}} Entry
+ */
+
+const state = {
+  name: "",
+  note: "",
+  who: "",
+  find: "",
+  designs: /** @type {Entry[] | null} */ (null),
+  open: /** @type {{id: string, versions: Version[]} | null} */ (null),
+  /** Which design the name in the box is of. */
+  of: /** @type {string | undefined} */ (undefined),
+};
+try {
+  state.who = localStorage.getItem("who") || "";
+} catch {
+  /* a browser that keeps nothing: the name is typed each time */
+}
+/** @param {string} time */
+const when = (time) =>
+  new Date(time).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
+
+let listed = false;
+export function update() {
+  const of = `${app.design?.id ?? app.opened}`;
+  if (state.of !== of || !state.name) {
+    state.of = of;
+    state.name = app.design?.name || app.doc.title || app.name || "";
+  }
+  if (!listed) load();
+  listed = true;
+}
+async function load() {
+  try {
+    const query = encodeURIComponent(state.find);
+    state.designs = (await ask(`designs?query=${query}&limit=200`)).designs;
+    redraw();
+  } catch (x) {
+    complain(x);
+  }
+}
+const find = later(200, load);
+/** @param {{id: string, version: number}} d @param {string} name */
+async function saved(d, name) {
+  const design = { id: d.id, version: d.version, name, saved: JSON.stringify(app.doc) };
+  Object.assign(state, { note: "", of: d.id, name });
+  try {
+    localStorage.setItem("who", state.who);
+  } catch {
+    /* as above */
+  }
+  look({ design });
+  note(`Saved as version ${d.version} of “${name}”.`);
+  await load();
+}
+const body = () => ({ document: app.doc, note: state.note.trim(), who: state.who.trim() });
+async function saveNew() {
+  const name = state.name.trim();
+  if (!name) {
+    document.getElementById("design-name")?.focus();
+    throw new Advice("The design needs a name.");
+  }
+  await saved(await ask("designs", { name, ...body() }), name);
+}
+async function saveVersion() {
+  if (!app.design) return;
+  const { id, version, name } = app.design;
+  const now = state.name.trim() || name;
+  // the version first: one that is refused must not have renamed the design
+  const made = await ask(`designs/${id}/versions`, { ...body(), base: version });
+  if (now !== name) await ask(`designs/${id}`, { name: now }, { method: "PATCH" });
+  await saved(made, now);
+}
+/** @param {Entry} d @param {number} version */
+async function reopen(d, version) {
+  const v = await ask(`designs/${d.id}/versions/${version}`);
+  const design = { id: d.id, version: v.version, name: d.name, saved: JSON.stringify(v.document) };
+  take(v.document, { name: v.name || d.name, design });
+  note(`Opened version ${v.version} of “${d.name}”.`);
+  turnTo("drive");
+  redraw();
+}
+/** @param {Entry} d */
+async function versions(d) {
+  const shut = state.open?.id === d.id;
+  state.open = shut ? null : { id: d.id, versions: (await ask(`designs/${d.id}`)).versions };
+  redraw();
+}
+/** @param {Entry} d */
+async function remove(d) {
+  const all = `${d.versions} version${d.versions > 1 ? "s" : ""}`;
+  if (!confirm(`Delete “${d.name}” with its ${all}? This cannot be undone.`)) return;
+  await ask(`designs/${d.id}`, undefined, { method: "DELETE" });
+  if (app.design?.id === d.id) look({ design: null });
+  await load();
+  document.getElementById("find-design")?.focus();
+}
+
+export const Page = () => [form(), designs()];
+function form() {
+  const button = (/** @type {string} */ text, /** @type {() => any} */ f, main = false) =>
+    h("button", { type: "button", class: main ? "main" : "", key: text, onClick: act(f) }, text);
+  return h(
+    "form",
+    {
+      class: "card",
+      "aria-label": "Save the present design",
+      onSubmit: (e) => e.preventDefault(),
+      key: "form",
+    },
+    h("h2", {}, "Save the present design"),
+    h(
+      "div",
+      { class: "bar" },
+      input("Name", "name", { id: "design-name", maxLength: 120, required: true, size: 28 }),
+      input("Note on this version", "note", { maxLength: 1000, size: 34 }),
+      input("Who", "who", { maxLength: 80, size: 14 }),
+      app.design && button("Save a new version", saveVersion, true),
+      button("Save as a new design", saveNew, !app.design),
+    ),
+    h("p", { class: "help", role: "status" }, stateText()),
+  );
+}
+function stateText() {
+  const d = app.design;
+  if (!d) return "Not saved in the database yet.";
+  const changed = d.saved && d.saved !== JSON.stringify(app.doc) ? ", changed since" : "";
+  return `This is version ${d.version} of “${d.name}”${changed}.`;
+}
+/** @param {string} text @param {"name" | "note" | "who"} key @param {Record<string, any>} more */
+const input = (text, key, more) =>
+  h(
+    "label",
+    { key },
+    text,
+    h("input", {
+      type: "text",
+      value: state[key],
+      ...more,
+      onInput: (e) => {
+        state[key] = e.currentTarget.value;
+      },
+    }),
+  );
+function designs() {
+  const search = {
+    type: "search",
+    id: "find-design",
+    value: state.find,
+    onInput: (/** @type {any} */ e) => {
+      state.find = e.currentTarget.value;
+      find();
+    },
+  };
+  return h(
+    "section",
+    { class: "card", "aria-label": "Saved designs", key: "designs" },
+    h(
+      "div",
+      { class: "bar" },
+      h("h2", {}, "Saved designs"),
+      h("label", {}, "Find", h("input", search)),
+    ),
+    scroll("List of saved designs", state.designs && listing(state.designs)),
+  );
+}
+/** @param {Entry[]} designs */
+function listing(designs) {
+  if (!designs.length)
+    return h(
+      "p",
+      { class: "help" },
+      state.find ? "No saved design has this in its name." : "Nothing saved yet.",
+    );
+  const heads = ["Name", "Kind", "Versions", "Changed", "By", "Newest note"];
+  return h(
+    "table",
+    { class: "grid-table" },
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        heads.map((t) => h("th", { scope: "col", key: t }, t)),
+        h("td", {}),
+      ),
+    ),
+    h(
+      "tbody",
+      {},
+      designs.flatMap((d) => [entry(d), state.open?.id === d.id && versionRow(d)]),
+    ),
+  );
+}
+/** @param {Entry} d */
+function entry(d) {
+  const press = (
+    /** @type {string} */ word,
+    /** @type {string} */ name,
+    /** @type {() => any} */ f,
+  ) =>
+    h(
+      "button",
+      { type: "button", "aria-label": `${name} ${d.name}`, onClick: act(f), key: word },
+      word,
+    );
+  return h(
+    "tr",
+    { key: d.id },
+    h("th", { scope: "row" }, d.name),
+    h("td", {}, d.kind),
+    h("td", {}, String(d.versions)),
+    h("td", {}, when(d.changed)),
+    h("td", {}, d.who || "–"),
+    h("td", { class: "remark" }, d.note || ""),
+    h(
+      "td",
+      { class: "inline" },
+      press("Open", "Open", () => reopen(d, d.versions)),
+      press("Versions", "Versions of", () => versions(d)),
+      press("Delete", "Delete", () => remove(d)),
+    ),
+  );
+}
+/** @param {Entry} d */
+function versionRow(d) {
+  const items = [...(state.open?.versions || [])].reverse().map((v) => {
+    const by = `${v.who ? `, ${v.who}` : ""}${v.note ? `: ${v.note}` : ""} `;
+    const name = `Open version ${v.version} of ${d.name}`;
+    const open = act(() => reopen(d, v.version));
+    return h(
+      "li",
+      { key: v.version },
+      `Version ${v.version}, ${when(v.created)}${by}`,
+      h("button", { type: "button", "aria-label": name, onClick: open }, "Open"),
+    );
+  });
+  return h(
+    "tr",
+    { class: "versions", key: `${d.id}-versions` },
+    h("td", { colSpan: 7 }, h("ul", {}, items)),
+  );
+}

@@ -1,0 +1,166 @@
+// Pictures of trains: the chain of drums, shares over trim, diameter and load, and their map.
+import { app } from "../../base/design.js";
+import { digits, percent, show, shown, unit } from "../../base/units.js";
+import { scroll } from "../../parts/answers.js";
+import { Plot } from "../../parts/plot.js";
+import { warm } from "../../plots/svg.js";
+import { h } from "../../vendor/preact.js";
+
+/** @import { ChartData } from "../../types.d.ts" */
+
+const COLOURS = ["blue", "orange", "green", "purple", "sky", "black"];
+/** @type {Record<string, string>} */
+const AXES = {
+  speed_trim: "Speed trim of the drive [%]",
+  diameter_ratio: "Diameter over nominal diameter [%]",
+  load_ratio: "Load over that of the load case [%]",
+};
+const GAP = 190;
+
+/** The drums in a row with their part of the load, the tensions of the belt between them.
+ * @param {any} c a load case */
+export function chain(c) {
+  const n = c.drives.length;
+  const wide = GAP * n + 60;
+  const told = c.drives.map((/** @type {any} */ m) => `${m.pulley}: share ${percent(m.share)}`);
+  return h(
+    "svg",
+    {
+      viewBox: `0 0 ${wide} 172`,
+      width: wide,
+      height: 172,
+      class: "chart",
+      role: "img",
+      "aria-label": told.join(", "),
+    },
+    h("path", { d: `M4 20H${wide - 4}`, class: "belt-line" }),
+    c.drives.map(drum),
+    text(wide - 34, 14, "tx", show(c.drives[n - 1].exit_tension, "force", 4)),
+  );
+}
+/** @param {number} x @param {number} y @param {string} cls @param {string} words */
+const text = (x, y, cls, words) => h("text", { x, y, class: cls }, words);
+/** @param {any} m @param {number} i */
+function drum(m, i) {
+  const x = 110 + GAP * i;
+  return h(
+    "g",
+    { key: m.pulley },
+    h("circle", { cx: x, cy: 70, r: 48, class: "shell" }),
+    h("circle", { cx: x, cy: 70, r: 42, class: "shell in" }),
+    pie(x, Math.max(-1, Math.min(1, m.share ?? 0))),
+    h("circle", { cx: x, cy: 70, r: 23, class: "hub" }),
+    text(x, 74, "t1", percent(m.share, 3)),
+    text(x, 136, "al", `${m.pulley}${m.share < 0 ? " (brakes)" : ""}`),
+    text(x, 151, "tx", `trim ${percent(m.speed_trim, 6)}`),
+    text(x, 166, "tx", `creep ${shown("exit_creep", m.exit_creep, 3)}`),
+    text(x - GAP / 2 + (i ? 0 : 30), 14, "tx", show(m.entry_tension, "force", 4)),
+  );
+}
+/** Part of the load as a part of the circle. @param {number} x @param {number} share */
+function pie(x, share) {
+  const angle = 2 * Math.PI * Math.abs(share);
+  const cls = share < 0 ? "f-orange" : "f-blue";
+  if (Math.abs(share) > 0.9999) return h("circle", { cx: x, cy: 70, r: 42, class: cls });
+  const end = `${x + 42 * Math.sin(angle)} ${70 - 42 * Math.cos(angle)}`;
+  const large = angle > Math.PI ? 1 : 0;
+  return h("path", { class: cls, d: `M${x} 70V28A42 42 0 ${large} 1 ${end}z` });
+}
+
+/** @type {{of: any, units: string, data: ChartData[][]}} */
+let kept = { of: null, units: "", data: [] };
+/** @param {any} m the matching of a train */
+export function matchingPlots(m) {
+  if (kept.of !== m || kept.units !== app.units)
+    kept = { of: m, units: app.units, data: m.curves.map(curveData) };
+  const titles = ["Shares [%]", "Creep at exit"];
+  const plots = m.curves.flatMap((/** @type {any} */ c, /** @type {number} */ i) =>
+    titles.map((title, k) =>
+      h(Plot, {
+        title,
+        height: 210,
+        xlabel: AXES[c.axis] || c.axis,
+        class: "card",
+        data: kept.data[i][k],
+        key: `${i} ${k}`,
+      }),
+    ),
+  );
+  return [h("div", { class: "plots", key: "plots" }, plots), m.map && map(m)];
+}
+/** @param {any} c @returns {ChartData[]} */
+function curveData(c) {
+  const x = c.values.map((/** @type {number} */ v) => 100 * v);
+  const [u, f] = unit("length");
+  /** @param {Record<string, (number | null)[]>} set @param {number} k */
+  const lines = (set, k) =>
+    Object.entries(set).map(([name, y], j) => ({
+      y: y.map((v) => (v == null ? null : v * k)),
+      cls: COLOURS[j % COLOURS.length],
+      label: name,
+    }));
+  const marks = (c.marks || []).map((/** @type {any} */ m) => ({
+    x: [100 * m.at, 100 * m.at],
+    y: [-1e9, 1e9],
+    free: true,
+    cls: "black thin",
+    label: `${m.pulley} ${m.what.replace(/_/g, " ")}`,
+  }));
+  return [
+    { x, lines: [...lines(c.shares, 100), ...marks], ylabel: "share [%]", zero: true },
+    { x, lines: lines(c.exit_creep, 1 / f), ylabel: `u [${u}]`, zero: true },
+  ];
+}
+/** So many places of a list, evenly taken. @param {any[]} of @param {number} most */
+const some = (of, most) => of.map((_, i) => i).filter((i) => i % Math.ceil(of.length / most) === 0);
+const CELL = { wide: 58, tall: 26 };
+/** Share of the trimmed drive over trim and load: numbers in the cells, so that colour is not all.
+ * @param {any} m */
+function map(m) {
+  const { x, y, shares } = m.map;
+  const name = m.drive in shares ? m.drive : Object.keys(shares)[0];
+  /** @type {(number | null)[][]} */
+  const grid = shares[name];
+  const all = grid.flat().filter((v) => v != null);
+  const [lo, hi] = [Math.min(...all), Math.max(...all)];
+  const cols = some(x, 12);
+  const { wide, tall } = CELL;
+  const rows = some(y, 9).map((r, j) => [
+    text(62, 17 + tall * j, "ty", percent(y[r], 3)),
+    cols.map((k, i) => cell(grid[r][k], i, j, lo, hi)),
+  ]);
+  const base = tall * rows.length;
+  const size = { width: 70 + wide * cols.length, height: 50 + base };
+  const told = `Share of ${name}, from ${percent(lo)} to ${percent(hi)}`;
+  const picture = h(
+    "svg",
+    { ...size, role: "img", "aria-label": told },
+    rows,
+    cols.map((k, i) => text(68 + wide * (i + 0.5), base + 16, "tx", percent(x[k], 5))),
+    text(68 + (wide * cols.length) / 2, base + 38, "al", "trim across, load down"),
+  );
+  return h(
+    "figure",
+    { class: "card", key: "map" },
+    h("figcaption", {}, h("strong", {}, `Share of ${name} [%] over trim and load`)),
+    scroll("Map of trim and load", picture),
+  );
+}
+/**
+ * @param {number | null} v @param {number} i @param {number} j
+ * @param {number} lo @param {number} hi
+ */
+function cell(v, i, j, lo, hi) {
+  const { wide, tall } = CELL;
+  const part = v == null ? 0 : (v - lo) / (hi - lo || 1);
+  const fill = v == null ? "#ddd" : warm(0.92 * part);
+  return [
+    h("rect", { x: 68 + wide * i, y: tall * j, width: wide - 1, height: tall - 1, fill }),
+    text(
+      68 + wide * (i + 0.5),
+      17 + tall * j,
+      part > 0.72 ? "tx light" : "tx",
+      v == null ? "–" : digits(100 * v, 3),
+    ),
+  ];
+}

@@ -1,0 +1,105 @@
+// What the server answers, as it is shown: badges, verdicts, tables, problems.
+
+import { app } from "../base/design.js";
+import { sentence } from "../base/server.js";
+import { sign, words } from "../base/units.js";
+import { h } from "../vendor/preact.js";
+
+/** @import { Children, Level, Problem, Table, TableRow, Text, Verdict } from "../types.d.ts" */
+
+/** @type {Record<string, [string, string]>} */
+const LEVELS = { OK: ["good", "✓"], ATTENTION: ["warn", "▲"], FAILS: ["bad", "✕"] };
+/** @param {Level | null | undefined} level */
+export const levelClass = (level) => (level ? LEVELS[level]?.[0] || "" : "");
+/** @param {Level | null | undefined} level */
+export const badge = (level) =>
+  level
+    ? h(
+        "span",
+        { class: `badge ${levelClass(level)}` },
+        h("span", { "aria-hidden": "true" }, `${LEVELS[level]?.[1]} `),
+        level,
+      )
+    : null;
+/** A box of words that scrolls sideways where the page is narrow.
+ * @param {string} label @param {...Children} children */
+export const scroll = (label, ...children) =>
+  h("div", { class: "scroll", tabIndex: 0, role: "region", "aria-label": label }, ...children);
+
+/** @param {Verdict} v @param {Children} [before] */
+export const verdict = (v, before) =>
+  h(
+    "div",
+    { class: `verdict ${levelClass(v.level)}` },
+    before,
+    h("p", { class: "headline" }, badge(v.level), " ", words(v.headline)),
+    list(v.sentences),
+  );
+/** @param {Text[] | undefined} texts @param {string} [cls] */
+export const list = (texts, cls) =>
+  texts && texts.length > 0
+    ? h(
+        "ul",
+        { class: cls },
+        texts.map((t, i) => h("li", { key: i }, words(t))),
+      )
+    : null;
+/** @param {string} headline @param {Problem[]} problems */
+export const refused = (headline, problems) =>
+  h(
+    "div",
+    { class: "verdict bad" },
+    headline && h("p", { class: "headline" }, badge("FAILS"), ` ${headline}`),
+    list(problems.map(sentence)),
+  );
+
+/** @param {Table} t @param {boolean} [open] */
+export const table = (t, open = true) =>
+  h(
+    "details",
+    { class: `table t-${t.key}`, open, key: t.key + t.title },
+    h("summary", {}, t.title),
+    scroll(
+      t.title,
+      h(
+        "table",
+        {},
+        tableHead(t),
+        h(
+          "tbody",
+          {},
+          t.rows.map((r) => tableRow(t, r)),
+        ),
+      ),
+    ),
+    words(t.note) && h("p", { class: "help" }, words(t.note)),
+  );
+/** @param {Table} t */
+const columns = (t) => ({
+  symbols: t.rows.some((r) => r.symbol),
+  notes: t.rows.some((r) => words(r.note) || r.level),
+});
+/** @param {Table} t */
+function tableHead(t) {
+  const heads = t.heads[app.units];
+  if (!heads.some(Boolean)) return null;
+  const { symbols, notes } = columns(t);
+  const cells = heads.map((x) => (x ? h("th", { scope: "col", class: "num" }, x) : h("td", {})));
+  return h(
+    "thead",
+    {},
+    h("tr", {}, h("td", {}), symbols && h("td", {}), cells, notes && h("td", {})),
+  );
+}
+/** @param {Table} t @param {TableRow} r */
+function tableRow(t, r) {
+  const { symbols, notes } = columns(t);
+  return h(
+    "tr",
+    { class: levelClass(r.level) },
+    h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning }, r.title),
+    symbols && h("td", { class: "sym" }, sign(r.symbol)),
+    r.values[app.units].map((v) => h("td", { class: "num" }, v)),
+    notes && h("td", { class: "remark" }, badge(r.level), " ", words(r.note)),
+  );
+}

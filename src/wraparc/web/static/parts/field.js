@@ -1,0 +1,315 @@
+// One field of the drive file: label, box, unit, slider, help and what is wrong with it.
+
+import { app, edit, get, wrong } from "../base/design.js";
+import { factor, sign, split, trim, unit, viewed } from "../base/units.js";
+import { Component, createRef, h } from "../vendor/preact.js";
+import { valueIn } from "./choose.js";
+
+/** @import { Children, Limits, Path, Spec } from "../types.d.ts" */
+/**
+ * A choice is its value and its text; those of a group stand under one heading.
+ * @typedef {[string, string]} Choice
+ * @typedef {{group?: string, choices: Choice[]}} Choices
+ * @typedef {{spec: Spec, path: Path, label?: string, choices?: Choices[], slider?: boolean,
+ *   placeholder?: string, page?: string, read?: () => any, put?: (value: any) => void,
+ *   check?: (text: string) => string}} FieldProps
+ *   read and put: other than the place of the document; a field with a check is taken when the
+ *   typing is done and nothing speaks against it
+ * @typedef {{draft: string | null, from: any, help: boolean, refused: string}} FieldState
+ */
+
+/** @param {string} sectionKey */
+export const section = (sectionKey) =>
+  app.form.sections.find((x) => x.key === sectionKey)?.fields || [];
+/** @param {string} sectionKey @param {string} key @returns {Spec} */
+export const spec = (sectionKey, key) =>
+  section(sectionKey).find((f) => f.key === key) || { key, title: key, kind: "text" };
+
+/** Fields on the pages by the place they show, to tell which problems have a field. */
+export const shownFields = /** @type {Map<string, number>} */ (new Map());
+/** @param {Path} path */
+const keyOf = (path) => path.join();
+
+/**
+ * A slider of some 400 places between two values, even or in equal ratios; numbers come out round.
+ * @param {Limits} range @param {number} f @param {number} now
+ */
+function places(range, f, now) {
+  const lo = Math.min(range.least / f, now);
+  const hi = Math.max(range.most / f, now);
+  if (range.log && lo > 0) {
+    const whole = Math.log(hi / lo);
+    /** @param {number} v */
+    const at = (v) => (400 * Math.log(v / lo)) / whole;
+    return {
+      at,
+      value: (/** @type {number} */ k) => trim(lo * (hi / lo) ** (k / 400), 3),
+      min: 0,
+      max: 400,
+    };
+  }
+  const p = 10 ** Math.floor(Math.log10((hi - lo) / 400));
+  const step = [1, 2, 5, 10].map((m) => m * p).find((v) => v >= ((hi - lo) / 400) * 0.999) || p;
+  /** @param {number} v */
+  const at = (v) => v / step;
+  return {
+    at,
+    value: (/** @type {number} */ k) => trim(k * step, 6),
+    min: Math.floor(lo / step),
+    max: Math.ceil(hi / step),
+  };
+}
+/** @param {Spec} s */
+function allowed({ dimension, allowed: text, least, most }) {
+  if (!dimension || text == null) return "";
+  const [u, f] = unit(dimension);
+  const end = (/** @type {number} */ v) => `${trim(v / f, 4)} ${u}`.trim();
+  const from = least != null && least > 0 && `from ${end(least)}`;
+  const both = [from, most != null && `to ${end(most)}`].filter(Boolean).join(" ");
+  return both && app.units === "us" ? `Allowed: ${both}.` : `Allowed: ${text}.`;
+}
+
+/** @extends {Component<FieldProps, FieldState>} */
+export class Field extends Component {
+  /** @type {FieldState} */
+  state = { draft: null, from: undefined, help: false, refused: "" };
+  row = createRef();
+  /** @type {ReturnType<typeof places> | null} the scale stays while the slider is held */
+  held = null;
+  seen = "";
+
+  componentDidMount() {
+    const key = keyOf(this.props.path);
+    shownFields.set(key, (shownFields.get(key) || 0) + 1);
+  }
+  componentWillUnmount() {
+    const key = keyOf(this.props.path);
+    const left = (shownFields.get(key) || 1) - 1;
+    if (left) shownFields.set(key, left);
+    else shownFields.delete(key);
+  }
+  /** @param {FieldProps} next @param {FieldState} state */
+  shouldComponentUpdate(next, state) {
+    return state !== this.state || this.look(next) !== this.seen;
+  }
+  /** Everything that decides how the field looks. @param {FieldProps} p */
+  look(p) {
+    const { path, label, choices, placeholder, spec: s } = p;
+    const problem = wrong.at.get(keyOf(path));
+    return JSON.stringify([
+      path,
+      this.value(p),
+      label,
+      choices,
+      placeholder,
+      s.key,
+      problem,
+      app.units,
+    ]);
+  }
+  componentDidUpdate() {
+    if (!this.problem) return;
+    // what is wrong must be seen
+    for (let e = this.row.current; e; e = e.parentElement)
+      if (e.tagName === "DETAILS") e.open = true;
+  }
+  get id() {
+    const { page = "f", path } = this.props;
+    return `${page}-${path.join("-").replace(/[^\w-]/g, "_")}`;
+  }
+  get problem() {
+    return this.state.refused || wrong.at.get(keyOf(this.props.path));
+  }
+  value(p = this.props) {
+    return p.read ? p.read() : get(app.doc, p.path);
+  }
+  /** @param {any} value */
+  put(value) {
+    if (this.props.put) this.props.put(value);
+    else edit(this.props.path, value);
+  }
+  /** Take what is typed into the document, with the unit of the field where none is typed.
+   * @param {string} text @param {string} shownUnit */
+  take(text, shownUnit) {
+    const { spec: s } = this.props;
+    const t = text.trim();
+    if (s.kind === "flag") return this.put(t === "" ? undefined : t === "true");
+    if (t === "") return this.put(undefined);
+    if (s.kind === "number") return this.put(split(t) && !split(t)?.unit ? +t : text);
+    if (s.kind !== "quantity" || !s.dimension) return this.put(text);
+    const bare = !/[a-z%°"'µ]/i.test(t.replace(/\de[-+]?\d+/i, "0"));
+    return this.put(bare ? `${t} ${shownUnit}`.trim() : t);
+  }
+  /** Text and unit that the box shows. @returns {[string, string]} */
+  text() {
+    const { spec: s } = this.props;
+    const value = this.value();
+    const { draft, from } = this.state;
+    /** @type {[string, string]} */
+    const own =
+      value == null
+        ? ["", s.dimension ? unit(s.dimension)[0] : ""]
+        : s.dimension
+          ? viewed(value, s.dimension)
+          : [String(value), ""];
+    return draft !== null && from === value ? [draft, this.typedUnit] : own;
+  }
+  typedUnit = "";
+  /** @param {string} text @param {string} u */
+  typed(text, u) {
+    if (this.state.draft === null) this.typedUnit = u;
+    if (!this.props.check) this.take(text, this.typedUnit);
+    this.setState({ draft: text, from: this.value(), refused: "" });
+  }
+  done = () => {
+    const { draft } = this.state;
+    if (draft === null) return;
+    const { check } = this.props;
+    const changed = draft.trim() !== String(this.value() ?? "");
+    const refused = check && changed ? check(draft.trim()) : "";
+    if (refused) return this.setState({ refused });
+    if (check && changed) this.take(draft, "");
+    this.setState({ draft: null, refused: "" });
+  };
+  render() {
+    const { spec: s, label, choices } = this.props;
+    this.seen = this.look(this.props);
+    const name = label || s.title;
+    const problem = this.problem;
+    const tall = /description/.test(s.key);
+    const shape = choices && !s.dimension ? " wide" : tall ? " tall" : "";
+    const [text, u] = this.text();
+    return h(
+      "div",
+      { class: `field${shape}${problem ? " wrong" : ""}`, ref: this.row },
+      h(
+        "label",
+        { for: this.id },
+        name,
+        s.symbol && h("span", { class: "sym" }, " ", sign(s.symbol)),
+      ),
+      this.question(name),
+      h(
+        "span",
+        { class: "box" },
+        this.box(text, u, tall),
+        h("span", { class: "unit", id: `${this.id}-u` }, u),
+      ),
+      this.slider(name),
+      h("p", { class: "help", id: `${this.id}-h`, hidden: !this.state.help }, this.help()),
+      h("p", { class: "error", id: `${this.id}-e` }, problem),
+    );
+  }
+  /** @param {string} name */
+  question(name) {
+    const { help } = this.state;
+    return h(
+      "button",
+      {
+        type: "button",
+        class: "q",
+        "aria-label": `Help: ${name}`,
+        "aria-expanded": help,
+        "aria-controls": `${this.id}-h`,
+        onClick: () => this.setState({ help: !help }),
+      },
+      "?",
+    );
+  }
+  help() {
+    const { spec: s } = this.props;
+    const word = s.word && `Or the word "${s.word}".`;
+    const without = s.default && `${s.default} if left empty.`;
+    return [s.help, allowed(s), word, without].filter(Boolean).join(" ");
+  }
+  /** @param {string} text @param {string} u @param {boolean} tall */
+  box(text, u, tall) {
+    const { spec: s, choices } = this.props;
+    const common = {
+      id: this.id,
+      "aria-describedby": `${this.id}-h ${this.id}-e`,
+      "aria-invalid": Boolean(this.problem),
+    };
+    const options = choices || ownChoices(s);
+    const taken = (/** @type {Event} */ e) => this.take(valueIn(e), u);
+    if (options)
+      return h("select", { ...common, value: text, onChange: taken }, options.map(optionsOf));
+    const typing = {
+      ...common,
+      value: text,
+      onInput: (/** @type {Event} */ e) => this.typed(valueIn(e), u),
+      onChange: this.done,
+      onBlur: this.done,
+    };
+    if (tall) return h("textarea", { ...typing, rows: 2 });
+    return h("input", {
+      ...typing,
+      type: "text",
+      autocomplete: "off",
+      spellcheck: false,
+      class: s.dimension ? "amount" : "",
+      "aria-required": s.required ? true : undefined,
+      placeholder: this.empty().replace(` ${u}`, ""),
+    });
+  }
+  /** What holds while the field is empty. */
+  empty() {
+    const { placeholder, spec: s } = this.props;
+    return String(placeholder ?? (s.word || s.default || ""));
+  }
+  /** @param {string} name */
+  slider(name) {
+    const { spec: s, slider } = this.props;
+    if (!s.slider || !s.dimension || slider === false) return null;
+    const [text, u] = viewed(this.value() ?? this.empty(), s.dimension);
+    const now = split(text)?.number;
+    const f = factor(u, s.dimension);
+    const common = { type: "range", "aria-label": `${name}, slider` };
+    if (now === undefined || f === undefined) return h("input", { ...common, disabled: true });
+    const scale = this.held || places(s.slider, f, now);
+    const release = () => {
+      this.held = null;
+    };
+    return h("input", {
+      ...common,
+      min: scale.min,
+      max: scale.max,
+      step: 1,
+      value: Math.round(scale.at(now)),
+      "aria-valuetext": `${text} ${u}`.trim(),
+      onInput: (/** @type {Event} */ e) => {
+        this.held = scale;
+        this.put(`${scale.value(+valueIn(e))} ${u}`.trim());
+      },
+      onChange: release,
+      onBlur: release,
+    });
+  }
+}
+
+/** @param {Spec} s @returns {Choices[] | null} */
+function ownChoices(s) {
+  if (s.kind === "flag")
+    return [
+      {
+        choices: [
+          ["", "as by default"],
+          ["true", "yes"],
+          ["false", "no"],
+        ],
+      },
+    ];
+  if (!s.options?.length) return null;
+  return [{ choices: [["", "–"], ...s.options.map((o) => /** @type {Choice} */ ([o, o]))] }];
+}
+/** @param {Choices} c @returns {Children} */
+function optionsOf({ group, choices }) {
+  const options = choices.map(([value, text]) => h("option", { value, key: value }, text));
+  return group ? h("optgroup", { label: group, key: group }, options) : options;
+}
+/** @param {FieldProps} props */
+export const field = (props) => h(Field, { key: keyOf(props.path), ...props });
+/** Fields that are folded away until they are asked for.
+ * @param {string} name @param {Children[]} rows @param {boolean} [open] @param {string} [key] */
+export const more = (name, rows, open, key = name) =>
+  rows.length > 0 && h("details", { class: "more", open, key }, h("summary", {}, name), rows);

@@ -1,0 +1,46 @@
+// Pictures drawn by hand, as components.
+
+import { Chart } from "../plots/chart.js";
+import { Component, createRef, h } from "../vendor/preact.js";
+
+/** @import { ChartData, ChartLook } from "../types.d.ts" */
+
+/**
+ * A chart that is drawn anew when its data are other ones.
+ * @typedef {ChartLook & {data: ChartData, class?: string}} PlotProps
+ * @extends {Component<PlotProps>}
+ */
+export class Plot extends Component {
+  box = createRef();
+  componentDidMount() {
+    this.chart = new Chart(this.box.current, this.props);
+    this.chart.draw(this.props.data);
+  }
+  /** @param {PlotProps} next */
+  shouldComponentUpdate(next) {
+    if (next.data !== this.props.data && this.chart) this.chart.draw(next.data);
+    return false;
+  }
+  componentWillUnmount() {
+    this.chart?.sized.disconnect();
+  }
+  render() {
+    return h("figure", { ref: this.box, class: this.props.class });
+  }
+}
+/**
+ * A picture that a function fills; filled anew at every drawing.
+ * @extends {Component<{draw: (box: HTMLElement) => void, tag?: string, class?: string}>}
+ */
+export class Drawn extends Component {
+  box = createRef();
+  componentDidMount() {
+    this.props.draw(this.box.current);
+  }
+  componentDidUpdate() {
+    this.props.draw(this.box.current);
+  }
+  render() {
+    return h(this.props.tag || "div", { ref: this.box, class: this.props.class });
+  }
+}

@@ -1,0 +1,56 @@
+// Which field a problem of the server belongs to.
+
+import { app, get, wrong } from "../base/design.js";
+import { sentence } from "../base/server.js";
+import { shownFields } from "./field.js";
+
+/** @import { Path, Problem } from "../types.d.ts" */
+
+export const TENSIONS = ["entry_tension", "exit_tension", "effective_tension", "power", "torque"];
+
+/**
+ * Path as the server tells it, to the place in the document.
+ * @param {string} text @returns {Path}
+ */
+export function place(text) {
+  const keys = [];
+  /** @type {any} */
+  let node = app.doc;
+  for (const m of (text || "").matchAll(/"((?:[^"\\]|\\.)*)"|\[(\d+)\]|([^.[\]"]+)/g)) {
+    /** @type {string | number} */
+    let key = m[2] ? +m[2] - 1 : (m[1] ?? m[3]);
+    if (Array.isArray(node) && typeof key === "string") {
+      const name = key;
+      key = Math.max(
+        0,
+        node.findIndex((n) => n?.name === name),
+      );
+    }
+    keys.push(key);
+    node = node?.[key];
+  }
+  return keys;
+}
+/**
+ * Mark the fields that problems name; what has no field is returned.
+ * @param {Problem[]} problems
+ */
+export function mark(problems) {
+  wrong.at = new Map();
+  return problems.filter((p) => {
+    const keys = place(p.path);
+    let key = keys.join();
+    if (!shownFields.has(key) && keys[0] === "pulley" && keys.length === 2) {
+      // tensions that contradict each other: the last of them carries the sentence
+      const given = TENSIONS.filter((t) => get(app.doc, [...keys, t]) != null);
+      if (given.length) key = [...keys, given[given.length - 1]].join();
+    }
+    if (!shownFields.has(key)) return true;
+    wrong.at.set(key, sentence(p));
+    return false;
+  });
+}
+/** Whether nothing stands where the problem is: still to be filled in, and no mistake.
+ * @param {Problem} p */
+export const toFillIn = (p) =>
+  p.message === "missing" || !p.path || get(app.doc, place(p.path)) == null;

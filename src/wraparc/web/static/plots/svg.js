@@ -1,0 +1,88 @@
+// Making SVG by hand: pictures change in place, so that a slider step only rewrites paths.
+const SVG = "http://www.w3.org/2000/svg";
+
+/**
+ * @param {string} tag @param {Record<string, any>} [attributes]
+ * @param {...any} children @returns {SVGElement}
+ */
+export function s(tag, attributes = {}, ...children) {
+  const e = document.createElementNS(SVG, tag);
+  e.append(...flat(children));
+  return attr(/** @type {SVGElement} */ (e), attributes);
+}
+/** @param {any[]} children @returns {any[]} */
+const flat = (children) => children.flat(9).filter((k) => k != null && k !== false);
+/** @param {Element} e @param {...any} children */
+export const put = (e, ...children) => e.replaceChildren(...flat(children));
+/** @template {Element} E @param {E} e @param {Record<string, any>} attributes @returns {E} */
+export function attr(e, attributes) {
+  for (const key in attributes) e.setAttribute(key, attributes[key]);
+  return e;
+}
+/** @param {number} v */
+export const fixed = (v) => Math.round(v * 10) / 10;
+let ids = 0;
+/** A name for patterns that no other picture has. @param {string} of */
+export const fresh = (of) => `${of}${++ids}`;
+
+/** Hatches, so that nothing is told by colour alone. @param {string} id */
+export const hatches = (id) => {
+  const turned = { width: 6, height: 6, patternUnits: "userSpaceOnUse" };
+  const even = { ...turned, patternTransform: "rotate(45)" };
+  return s(
+    "defs",
+    {},
+    s("pattern", { id: `${id}out`, ...even }, s("path", { d: "M0 0V6", class: "hatch-red" })),
+    s(
+      "pattern",
+      { id: `${id}rest`, ...turned, width: 5, height: 5 },
+      s("circle", { cx: 2.5, cy: 2.5, r: 0.9, class: "dot" }),
+    ),
+    s(
+      "pattern",
+      { id: `${id}x`, ...turned },
+      s("rect", { width: 6, height: 6, class: "f-green" }),
+      s("path", { d: "M0 0L6 6M6 0L0 6", class: "hatch-white" }),
+    ),
+    s(
+      "pattern",
+      { id: `${id}d`, ...even },
+      s("rect", { width: 6, height: 6, class: "f-orange" }),
+      s("path", { d: "M0 0V6", class: "hatch-white" }),
+    ),
+  );
+};
+
+/**
+ * A round step that divides a span into at most so many parts.
+ * @param {number} span @param {number} most
+ */
+export function roundStep(span, most) {
+  const raw = span / most;
+  const p = 10 ** Math.floor(Math.log10(raw || 1));
+  return [1, 2, 2.5, 5, 10].map((m) => m * p).find((v) => v >= raw * 0.9999) ?? 10 * p;
+}
+/** @param {number} lo @param {number} hi @param {number} step */
+export function ticks(lo, hi, step) {
+  const found = [];
+  for (let i = Math.ceil(lo / step - 1e-9); i * step <= hi + 1e-5 * step; i++)
+    found.push(+(i * step).toPrecision(12));
+  return found;
+}
+
+const WARM = [
+  [255, 255, 204],
+  [255, 237, 160],
+  [254, 217, 118],
+  [254, 178, 76],
+  [253, 141, 60],
+  [252, 78, 42],
+  [227, 26, 28],
+  [189, 0, 38],
+];
+/** A colour from pale to dark red for 0 to 1. @param {number} t */
+export function warm(t) {
+  const v = Math.max(0, Math.min(1, t)) * (WARM.length - 1);
+  const i = Math.min(WARM.length - 2, Math.floor(v));
+  return `rgb(${WARM[i].map((c, k) => Math.round(c + (v - i) * (WARM[i + 1][k] - c))).join()})`;
+}

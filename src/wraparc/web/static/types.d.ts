@@ -1,0 +1,195 @@
+// What goes between the page and the server, and the state of the page. No code.
+import type { ComponentChildren } from "preact";
+
+export type Units = "si" | "us";
+export type Children = ComponentChildren;
+export type Level = "OK" | "ATTENTION" | "FAILS";
+/** The same text in both systems of units; some texts have no units and are plain. */
+export type Text = string | { si: string; us: string } | null | undefined;
+export type Path = (string | number)[];
+export interface Limits {
+  least: number;
+  most: number;
+  log: boolean;
+}
+
+/** A drive file as the server reads it: quantities are texts, as typed. */
+export interface Design {
+  title?: string;
+  belt: Record<string, any>;
+  pulley: Pulley[];
+  lagging?: Record<string, any>;
+  load_case?: LoadCase[];
+  train?: Record<string, any>;
+  [key: string]: any;
+}
+export interface Pulley {
+  name?: string;
+  lagging?: any;
+  [key: string]: any;
+}
+export interface LoadCase {
+  name?: string;
+  pulley?: Record<string, any>;
+  [key: string]: any;
+}
+
+/** One field of the drive file, from the schema. */
+export interface Spec {
+  key: string;
+  title: string;
+  kind: string;
+  help?: string;
+  symbol?: string;
+  dimension?: string | null;
+  required?: boolean;
+  options?: string[];
+  word?: string | null;
+  default?: any;
+  slider?: Limits | null;
+  allowed?: string | null;
+  least?: number | null;
+  most?: number | null;
+}
+export interface Section {
+  key: string;
+  fields: Spec[];
+}
+export interface Form {
+  sections: Section[];
+  units: Record<string, any>;
+  glossary: Record<string, any>;
+}
+export interface Belt {
+  name: string;
+  kind: string;
+  [key: string]: any;
+}
+export interface CatalogueLagging {
+  name: string;
+  title: string;
+  kind: string;
+  source: string;
+  conditions: string[];
+  [key: string]: any;
+}
+export interface Catalogue {
+  belts: Belt[];
+  laggings: CatalogueLagging[];
+  examples: { name: string; title: string; kind: string }[];
+}
+
+export interface Problem {
+  path: string;
+  message: string;
+  sentence?: string;
+}
+export interface Verdict {
+  level: Level;
+  headline: Text;
+  sentences: Text[];
+}
+export interface TableRow {
+  name: string;
+  title: string;
+  symbol?: string;
+  values: { si: string[]; us: string[] };
+  note: Text;
+  level: Level | null;
+}
+export interface Table {
+  key: string;
+  title: string;
+  heads: { si: string[]; us: string[] };
+  note: Text;
+  rows: TableRow[];
+}
+export interface Arc {
+  pulley: string;
+  load_case: string;
+  status: string;
+  level: Level;
+  creep_limit: number;
+  numbers: Record<string, any>;
+  profile: Record<string, any[]>;
+  tested: { pressure_min: number; pressure_max: number; slip_max: number } | null;
+  outside: [number, number][];
+}
+export interface FullArc extends Arc {
+  short: string;
+  status_text: string;
+  tables: Table[];
+  table_sources: string[];
+  paper: { status: string; numbers: Record<string, any>; profile: Record<string, any[]> } | null;
+}
+export interface QuickAnswer extends Arc {
+  sequence: number;
+  verdict: Verdict;
+  remarks: Text[];
+}
+export interface FullAnswer {
+  verdict: Verdict;
+  governing: { pulley: string; load_case: string };
+  arcs: FullArc[];
+  summary: Table | null;
+  sources: { kind: string }[];
+  remarks: Text[];
+}
+
+/** A design of the database that is on the page. */
+export interface Saved {
+  id: string;
+  version: number;
+  name: string;
+  saved?: string;
+}
+/** The example that the design began as. */
+export interface Origin {
+  title: string;
+  document: Design;
+}
+export interface App {
+  doc: Design;
+  units: Units;
+  page: string;
+  pulley: number;
+  case: string;
+  name: string;
+  design: Saved | null;
+  origin: Origin | null;
+  form: Form;
+  catalogue: Catalogue;
+  about: Record<string, any>;
+  /** Whether the server does not answer. */
+  gone: boolean;
+  /** Another one whenever a design is opened. */
+  opened: number;
+}
+
+export interface Line {
+  y: (number | null)[];
+  x?: number[];
+  cls: string;
+  label?: string;
+  free?: boolean;
+}
+export interface ChartData {
+  x: number[];
+  lines: Line[];
+  xs?: [number, number];
+  ylabel: string;
+  zero?: boolean;
+  angles?: boolean;
+  zones?: [number, number, string][];
+  limit?: { y: number; label: string };
+  points?: [number, number, string?][];
+  pointLabel?: string;
+  told?: string;
+  other?: { label: string; key: number; to: (v: number) => number; from: (v: number) => number };
+}
+export interface ChartLook {
+  title: string;
+  height?: number;
+  xlabel?: string;
+  onpick?: (part: number) => void;
+}
