@@ -40,6 +40,9 @@ COMMANDS: dict[str, Command] = {
     "what-if": Command(
         "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
     ),
+    "family": Command(
+        "wraparc.cli.family:family", "Show creep along the wrap for a family of tension ratios."
+    ),
     "overlay": Command(
         "wraparc.cli.calibrate:overlay", "Lay a measured drive beside the prediction."
     ),

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_DASHES = ((), (6, 2), (1.5, 1.5), (6, 2, 1.5, 2), (3, 1.5), (8, 2, 2, 2, 2, 2))
+#: Dashes of curves that are alike but for one number.
+DASHES = ((), (6, 2), (1.5, 1.5), (6, 2, 1.5, 2), (3, 1.5), (8, 2, 2, 2, 2, 2))
 _CURVES = 6
 #: What is drawn of a law that states no tested range: pressures [Pa] and slip [m].
 _UNTESTED = (50e3, 700e3, 15e-3)
@@ -89,8 +90,8 @@ def _scaled(name: str, system: System) -> tuple[float, str]:
     return size, f"{GLOSSARY[name].title} [{unit}]" if unit else f"{GLOSSARY[name].title} [-]"
 
 
-def _shades(count: int) -> Array:
-    """Colours from light to dark, apart in print too."""
+def shades(count: int) -> Array:
+    """Return colours from light to dark, apart in print too, shape (count, 4)."""
     from matplotlib import colormaps
 
     shades: Array = np.asarray(colormaps["viridis_r"](np.linspace(0.18, 0.98, count)), float)
@@ -103,7 +104,7 @@ def _draw_curves(ax: "Axes", law: FrictionLaw, system: System) -> None:
     slip = np.linspace(0.0, 1.15 * tested_slip, 300)[1:]
     pressures = _pressures(law)
     for pressure, shade, dash in zip(
-        pressures, _shades(len(pressures)), cycle(_DASHES), strict=False
+        pressures, shades(len(pressures)), cycle(DASHES), strict=False
     ):
         text = display(float(pressure), "pressure", system, digits=3)
         style = {"color": shade, "dashes": dash} if dash else {"color": shade}
@@ -157,7 +158,7 @@ def _draw_traction(ax: "Axes", law: FrictionLaw, system: System) -> None:
     size, _ = _scaled("wrap_pressure", system)
     _, _, tested_slip = _range(law)
     slips = tested_slip * np.array([0.05, 0.15, 0.3, 0.5, 0.75, 1.0])
-    for slip, shade, dash in zip(slips, _shades(len(slips)), cycle(_DASHES), strict=False):
+    for slip, shade, dash in zip(slips, shades(len(slips)), cycle(DASHES), strict=False):
         style = {"color": shade, "dashes": dash} if dash else {"color": shade}
         traction = law.friction(float(slip), pressure) * pressure
         text = display(float(slip), "length", system, digits=3)

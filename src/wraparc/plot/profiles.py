@@ -43,7 +43,7 @@ def draw_profiles(axes: Sequence["Axes"], results: Sequence[ArcResult], system: 
     for i, ax in enumerate(axes):
         _mark_zones(ax, first, named=i == 0)
         ax.set_xlim(0.0, end)
-        ax.set_xticks(_angle_ticks(end))
+        ax.set_xticks(angle_ticks(end))
         spec = ax.get_subplotspec()
         last = spec is None or spec.is_last_row()
         ax.tick_params(labelbottom=last)
@@ -88,7 +88,8 @@ def angles(result: ArcResult) -> Array:
     return np.degrees(result.profile.position)
 
 
-def _angle_ticks(end: float) -> list[float]:
+def angle_ticks(end: float) -> list[float]:
+    """Return round angles from 0 to `end` [deg], at most nine steps."""
     step = next(s for s in (5, 10, 15, 30, 45, 60, 90, 180) if end / s <= 9.0)
     return [float(t) for t in np.arange(0.0, end + 1e-6, step)]
 

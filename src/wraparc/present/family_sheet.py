@@ -1,0 +1,77 @@
+"""The sheet and the plain data of a family of tension ratios."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from wraparc.arc import ArcResult
+from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, percent
+from wraparc.present.words import level_of, short
+from wraparc.units import System, display_unit
+
+
+def family_sheet(results: Sequence[ArcResult], title: str, system: System = "si") -> Sheet:
+    """Return a row for each tension ratio: tensions, creep, slip, shear and what comes of it."""
+    arc = results[0].arc
+    tight, slack = ("T1", "T2") if arc.side > 0.0 else ("T2", "T1")
+    held = named("tension", max(arc.entry_tension, arc.exit_tension), system)
+    force, length = (display_unit(d, system)[0] for d in ("force", "length"))
+    heads = (
+        f"{slack} [{force}]", f"pull [{force}]", f"creep [{length}]", "of limit",
+        f"slip [{length}]", "shear angle [deg]", "answer",
+    )  # fmt: skip
+    rows = tuple(
+        Row(f"{tight}/{slack} = {_ratio(r):.4g}", _values(r, system), level=level_of(r))
+        for r in results
+    )
+    limit = named("creep_limit", arc.creep_limit, system)
+    note = f"{tight} held at {held}; creep at the exit against the limit of {limit}."
+    return Sheet(
+        title=title,
+        subtitle=f"Pulley {arc.pulley}, load case {arc.load_case}: {arc.duty}, at several ratios "
+        "of tight-side to slack-side tension.",
+        tables=(Table("Creep by tension ratio", rows, heads, note),),
+    )
+
+
+def _ratio(result: ArcResult) -> float:
+    arc = result.arc
+    return max(arc.entry_tension, arc.exit_tension) / min(arc.entry_tension, arc.exit_tension)
+
+
+def _values(result: ArcResult, system: System) -> tuple[str, ...]:
+    arc, solved = result.arc, result.status.solved
+    texts = (
+        number("exit_creep", result.exit_creep, system),
+        percent(abs(result.exit_creep) / arc.creep_limit),
+        number("exit_slip", result.exit_slip, system),
+        number("peak_shear_angle", result.peak_shear_angle, system),
+    )
+    return (
+        number("tension", min(arc.entry_tension, arc.exit_tension), system),
+        number("effective_tension", abs(arc.effective_tension), system),
+        *(texts if solved else [NONE] * len(texts)),
+        short(result),
+    )
+
+
+def family_document(results: Sequence[ArcResult]) -> dict[str, Any]:
+    """Return a family as plain data [SI] for JSON, with creep along the wrap."""
+    return {
+        "format": 1,
+        "pulley": results[0].arc.pulley,
+        "load_case": results[0].arc.load_case,
+        "results": [
+            {
+                "ratio": _ratio(r),
+                "entry_tension": r.arc.entry_tension,
+                "exit_tension": r.arc.exit_tension,
+                "status": r.status.name.lower(),
+                "exit_creep": r.exit_creep if r.status.solved else math.nan,
+                "exit_slip": r.exit_slip if r.status.solved else math.nan,
+                "position": r.profile.position.tolist(),
+                "creep": r.profile.creep.tolist(),
+            }
+            for r in results
+        ],
+    }
