@@ -160,6 +160,7 @@ class VersionRequest(Request):
     note: Lines = ""
     who: Line = ""
     base: int = Field(ge=1, le=2**31 - 1, description="The version it was made from.")
+    name: Name | None = Field(None, description="A new name of the design.")
 
 
 class RenameRequest(Request):

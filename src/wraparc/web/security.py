@@ -61,6 +61,8 @@ class Door:
             return
         headers = {key.decode("latin-1"): v.decode("latin-1") for key, v in scope["headers"]}
         outgoing = _with_headers(send)
+        if scope["method"] == "HEAD":  # what GET would answer, without its content
+            scope, outgoing = {**scope, "method": "GET"}, _without_content(outgoing)
         if self._enters(scope, headers):
             await _answer(outgoing, 303, b"", self._welcome())
             return
@@ -189,6 +191,13 @@ def _with_headers(send: Send) -> Send:
                 more.append((b"cache-control", b"no-store"))
             message = {**message, "headers": [*message["headers"], *more]}
         await send(message)
+
+    return sending
+
+
+def _without_content(send: Send) -> Send:
+    async def sending(message: Message) -> None:
+        await send({**message, "body": b""} if "body" in message else message)
 
     return sending
 

@@ -1,22 +1,29 @@
 """Connections to the database, and its migrations."""
 
+import os
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 from threading import Lock
 from typing import Any
 
 from alembic import command
 from alembic.config import Config
+from alembic.runtime.migration import MigrationContext
+from alembic.script import ScriptDirectory
 from alembic.util import CommandError
 from sqlalchemy import Connection, Engine, create_engine, event, text
 from sqlalchemy.exc import ArgumentError, SQLAlchemyError
 from sqlalchemy.pool import StaticPool
 
 from wraparc.errors import InputError, Problem
+from wraparc.saving import replacing
 
 MIGRATIONS = Path(__file__).with_name("migrations")
 #: Execution option of a transaction that will write.
 WRITES = "wraparc_writes"
 _BUSY_MS = 15_000
+_CHECK = "Check that it is there and can be written, or name another with --database."
 _migrating = Lock()  # alembic has one context in a process
 _LOCK = 0x77726170  # of all servers on one PostgreSQL database while one of them migrates
 
@@ -39,8 +46,11 @@ def open_engine(url: str, shown: str) -> Engine:
     try:
         engine = _engine(url)
         try:
-            with _migrating, engine.execution_options(**{WRITES: True}).begin() as connection:
-                migrate(connection)
+            with _migrating:
+                if engine.dialect.name == "sqlite":
+                    _sound_and_kept(engine)
+                with engine.execution_options(**{WRITES: True}).begin() as connection:
+                    migrate(connection)
         except BaseException:
             engine.dispose()
             raise
@@ -50,11 +60,36 @@ def open_engine(url: str, shown: str) -> Engine:
     except ArgumentError:
         message = "is no URL of a database"
         raise _unusable(shown, message, "Write postgresql://user@host/name.") from None
-    except SQLAlchemyError as error:
-        reason = str(getattr(error, "orig", None) or error).strip().splitlines()[0][:300]
-        remedy = "Check that it is there and can be written, or name another with --database."
-        raise _unusable(shown, f"cannot be used: {reason}", remedy) from None
+    except (SQLAlchemyError, sqlite3.Error, OSError) as error:
+        raise _unusable(shown, f"cannot be used: {reason(error)}", _CHECK) from None
     return engine
+
+
+def reason(error: Exception) -> str:
+    """Return what a database says of an error, in its own first line."""
+    return str(getattr(error, "orig", None) or error).strip().splitlines()[0][:300]
+
+
+def _sound_and_kept(engine: Engine) -> None:
+    """Look whether a file is damaged, and keep a copy of it before its tables are changed."""
+    file = engine.url.database
+    if not file or not os.path.exists(file) or not os.path.getsize(file):
+        return
+    with engine.connect() as connection:
+        found = connection.exec_driver_sql("PRAGMA quick_check(1)").scalar()
+        if found != "ok":
+            raise sqlite3.DatabaseError(
+                f"the file is damaged ({str(found).splitlines()[-1][:100]})"
+            )
+        now = MigrationContext.configure(connection).get_current_revision()
+        newest = ScriptDirectory.from_config(configuration()).get_heads()
+        if now is None or now in newest or now > max(newest):
+            return
+        kept = Path(f"{file}.before-{max(newest)}")
+        source = connection.connection.driver_connection
+        if not kept.exists() and isinstance(source, sqlite3.Connection):
+            with replacing(kept) as draft, closing(sqlite3.connect(draft)) as copy:
+                source.backup(copy)
 
 
 def _engine(url: str) -> Engine:

@@ -7,14 +7,14 @@ from datetime import UTC, datetime
 from typing import Annotated, cast
 
 from pydantic import PlainSerializer
-from sqlalchemy import Engine, func, select
-from sqlalchemy.exc import IntegrityError
+from sqlalchemy import ColumnElement, Engine, func, select
+from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from wraparc.errors import Problem
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Answer, Data, DriveKind
-from wraparc.web.database.engine import WRITES, open_engine
+from wraparc.web.database.engine import WRITES, open_engine, reason
 from wraparc.web.database.tables import Design, Version
 from wraparc.web.errors import ApiError
 
@@ -121,37 +121,62 @@ class Store:
     @contextmanager
     def _session(self, *, writes: bool = False) -> Iterator[Session]:
         options = {WRITES: writes}
-        with Session(self._engine.execution_options(**options)) as session, session.begin():
-            yield session
+        try:
+            with Session(self._engine.execution_options(**options)) as session, session.begin():
+                yield session
+        except IntegrityError:
+            raise
+        except SQLAlchemyError as error:
+            raise _unavailable(error, writes=writes) from None
 
-    def listed(self, query: str = "", offset: int = 0, limit: int = 50) -> Designs:
-        """Return designs, last changed first, whose name contains a text."""
-        chosen = select(Design)
+    def listed(
+        self, query: str = "", offset: int = 0, limit: int = 50, *, binned: bool = False
+    ) -> Designs:
+        """Return designs, last changed first, whose name contains a text; or those in the bin."""
+        chosen: list[ColumnElement[bool]] = [
+            Design.binned.is_not(None) if binned else Design.binned.is_(None)
+        ]
         if query:
-            chosen = chosen.where(Design.name.icontains(query, autoescape=True))
+            chosen.append(Design.name.icontains(query, autoescape=True))
+        newest = (Version.design_id == Design.id) & (Version.number == Design.newest)
+        rows = (
+            select(Design, Version.who, Version.note)
+            .join(Version, newest)
+            .where(*chosen)
+            .order_by(Design.changed.desc(), Design.id.desc())
+            .offset(offset)
+            .limit(limit)
+        )
         with self._session() as session:
-            total = session.scalar(select(func.count()).select_from(chosen.subquery())) or 0
-            order = chosen.order_by(Design.changed.desc(), Design.id.desc())
-            newest = (Version.design_id == Design.id) & (Version.number == Design.newest)
-            rows = session.execute(
-                order.join(Version, newest)
-                .add_columns(Version.who, Version.note)
-                .offset(offset)
-                .limit(limit)
-            )
-            found = [DesignRow(**_summary(design, who, note)) for design, who, note in rows]
+            total = session.scalar(select(func.count()).select_from(Design).where(*chosen)) or 0
+            found = [DesignRow(**_summary(*row)) for row in session.execute(rows)]
         return Designs(total=total, designs=found)
 
-    def create(self, name: str, kind: str, document: Data, *, note: str, who: str) -> VersionAnswer:
-        """Save a new design; return its first version."""
+    def create(
+        self,
+        name: str,
+        kind: str,
+        document: Data,
+        *,
+        note: str,
+        who: str,
+        request: str | None = None,
+    ) -> VersionAnswer:
+        """Save a new design; return its first version, the same one if it is sent twice."""
         now = datetime.now(UTC)
-        with self._session(writes=True) as session:
-            design = Design(name=name, kind=kind, created=now, changed=now, newest=1)
-            version = _version(1, now, document, note, who)
-            design.versions.append(version)
-            session.add(design)
-            session.flush()
-            return _opened(design, version)
+        try:
+            with self._session(writes=True) as session:
+                design = Design(name=name, kind=kind, created=now, changed=now, newest=1)
+                version = _version(1, now, document, note, who, request)
+                design.versions.append(version)
+                session.add(design)
+                session.flush()
+                return _opened(design, version)
+        except IntegrityError:
+            before = self._saved_before(request, document)
+            if before is None:
+                raise
+            return before
 
     def design(self, number: int) -> DesignAnswer:
         """Return a design with all its versions, without their documents."""
@@ -173,14 +198,23 @@ class Store:
             return _opened(found, version)
 
     def add(
-        self, design: int, base: int, kind: str, document: Data, *, note: str, who: str
+        self,
+        design: int,
+        base: int,
+        kind: str,
+        document: Data,
+        *,
+        note: str,
+        who: str,
+        name: str | None = None,
+        request: str | None = None,
     ) -> VersionAnswer:
-        """Save a new version made from version `base`; return it.
+        """Save a new version made from version `base`, under another name if one is given.
 
         Raises
         ------
         NewerVersionError
-            If `base` is not the newest any more.
+            If `base` is not the newest any more; then the name stays as well.
         """
         now = datetime.now(UTC)
         try:
@@ -189,35 +223,86 @@ class Store:
                 if found.newest != base:
                     raise NewerVersionError(found.newest)
                 found.newest, found.kind, found.changed = base + 1, kind, now
-                version = _version(base + 1, now, document, note, who)
+                found.name = name or found.name
+                version = _version(base + 1, now, document, note, who, request)
                 found.versions.append(version)
                 session.flush()
                 return _opened(found, version)
-        except IntegrityError:
-            raise NewerVersionError(base + 1) from None
+        except (NewerVersionError, IntegrityError) as error:
+            before = self._saved_before(request, document)
+            if before is None:
+                newest = error.newest if isinstance(error, NewerVersionError) else base + 1
+                raise NewerVersionError(newest) from None
+            return before
+
+    def _saved_before(self, request: str | None, document: Data) -> VersionAnswer | None:
+        """Return the version that this very request has saved before, None if there is none."""
+        if request is None:
+            return None
+        with self._session() as session:
+            version = session.scalar(select(Version).where(Version.request == request))
+            if version is None:
+                return None
+            if json.loads(version.document) != document:
+                message = "another design was saved with this key"
+                remedy = "Send a new key with every new save."
+                raise ApiError(422, Problem(message=message, remedy=remedy, key="Idempotency-Key"))
+            return _opened(version.design, version)
 
     def rename(self, design: int, name: str) -> None:
         """Give a design another name."""
         with self._session(writes=True) as session:
             _get(session, design, lock=True).name = name
 
-    def delete(self, design: int) -> None:
-        """Delete a design with all its versions."""
+    def throw_away(self, design: int) -> None:
+        """Put a design into the bin."""
         with self._session(writes=True) as session:
-            session.delete(_get(session, design, lock=True))
+            _get(session, design, lock=True).binned = datetime.now(UTC)
+
+    def take_back(self, design: int) -> None:
+        """Take a design out of the bin."""
+        with self._session(writes=True) as session:
+            _get(session, design, lock=True, binned=True).binned = None
+
+    def delete(self, design: int) -> None:
+        """Delete a design that is in the bin, with all its versions, for good."""
+        with self._session(writes=True) as session:
+            session.delete(_get(session, design, lock=True, binned=True))
 
 
-def _get(session: Session, design: int, *, lock: bool = False) -> Design:
+def _unavailable(error: SQLAlchemyError, *, writes: bool) -> ApiError:
+    """Return what a database in trouble means for the user."""
+    text = reason(error)
+    saved = "Nothing was saved: keep the page open, or save the design as a file."
+    if "is full" in text or "No space left" in text:
+        problem = Problem(message="the disk with the saved designs is full", remedy=saved)
+        return ApiError(507, problem)
+    problem = Problem(
+        message=f"the saved designs cannot be reached ({text})",
+        remedy=saved if writes else "Try again in a moment.",
+    )
+    return ApiError(503, problem, {"retry-after": "5"})
+
+
+def _get(session: Session, design: int, *, lock: bool = False, binned: bool = False) -> Design:
     found = session.get(Design, design, with_for_update=lock)
-    if found is None:
+    if found is None or (found.binned is not None) != binned:
         raise NoSuchDesignError
     return found
 
 
-def _version(number: int, now: datetime, document: Data, note: str, who: str) -> Version:
+def _version(
+    number: int, now: datetime, document: Data, note: str, who: str, request: str | None
+) -> Version:
     text = json.dumps(document, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
     return Version(
-        number=number, created=now, who=who, note=note, document=text, program=__version__
+        number=number,
+        created=now,
+        who=who,
+        note=note,
+        document=text,
+        program=__version__,
+        request=request,
     )
 
 

@@ -3,7 +3,16 @@
 from datetime import UTC, datetime
 from typing import Any
 
-from sqlalchemy import DateTime, ForeignKey, Integer, String, Text, TypeDecorator, UniqueConstraint
+from sqlalchemy import (
+    DateTime,
+    ForeignKey,
+    Index,
+    Integer,
+    String,
+    Text,
+    TypeDecorator,
+    UniqueConstraint,
+)
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column, relationship
 
 
@@ -32,6 +41,7 @@ class Design(Base):
     """A design under its name."""
 
     __tablename__ = "designs"
+    __table_args__ = (Index("ix_designs_listed", "binned", "changed", "id"),)
 
     id: Mapped[int] = mapped_column(Integer, primary_key=True)
     name: Mapped[str] = mapped_column(String(200), index=True)
@@ -39,6 +49,7 @@ class Design(Base):
     created: Mapped[datetime] = mapped_column(Moment)
     changed: Mapped[datetime] = mapped_column(Moment, index=True)
     newest: Mapped[int] = mapped_column(Integer)
+    binned: Mapped[datetime | None] = mapped_column(Moment)
     versions: Mapped[list["Version"]] = relationship(
         back_populates="design", order_by="Version.number", passive_deletes=True
     )
@@ -58,4 +69,5 @@ class Version(Base):
     note: Mapped[str] = mapped_column(Text)
     document: Mapped[str] = mapped_column(Text)
     program: Mapped[str] = mapped_column(String(40))
+    request: Mapped[str | None] = mapped_column(String(200), index=True, unique=True)
     design: Mapped[Design] = relationship(back_populates="versions")

@@ -3,7 +3,7 @@
 import getpass
 from typing import Annotated
 
-from fastapi import Path, Query, Request
+from fastapi import Header, Path, Query, Request, Response
 
 from wraparc.web.answers.documents import kind_of, read
 from wraparc.web.answers.shown import Data, DriveKind
@@ -16,23 +16,41 @@ api = router("/designs", "designs")
 Number = Annotated[int, Path(ge=1, le=2**31 - 1)]
 
 
+Key = Annotated[
+    str | None,
+    Header(
+        alias="Idempotency-Key",
+        min_length=1,
+        max_length=200,
+        pattern=r"^[\x21-\x7e]+$",
+        description="Of this save: sent again with it, nothing is saved twice.",
+    ),
+]
+
+
 @api.get("")
 def listed(
     request: Request,
     query: Annotated[str, Query(max_length=200)] = "",
     offset: Annotated[int, Query(ge=0, le=10**6)] = 0,
     limit: Annotated[int, Query(ge=1, le=200)] = 50,
+    binned: Annotated[bool, Query(alias="bin")] = False,
 ) -> Designs:
-    """Saved designs whose name contains a text, last changed first."""
-    return state_of(request).store.listed(_storable(query), offset, limit)
+    """Saved designs whose name contains a text, last changed first; or those in the bin."""
+    return state_of(request).store.listed(_storable(query), offset, limit, binned=binned)
 
 
-@api.post("", status_code=201)
-def create(request: Request, asked: DesignRequest) -> VersionAnswer:
+@api.post("", status_code=201, responses=refuses(507))
+def create(
+    request: Request, response: Response, asked: DesignRequest, key: Key = None
+) -> VersionAnswer:
     """Save a new design that can be read; its first version."""
     state = state_of(request)
     kind, who = _checked(asked.document), _who(asked.who, state.settings)
-    return state.store.create(asked.name, kind, asked.document, note=asked.note, who=who)
+    return _located(
+        response,
+        state.store.create(asked.name, kind, asked.document, note=asked.note, who=who, request=key),
+    )
 
 
 @api.get("/{design}")
@@ -47,25 +65,50 @@ def one_version(request: Request, design: Number, version: Number) -> VersionAns
     return state_of(request).store.version(design, version)
 
 
-@api.post("/{design}/versions", status_code=201, responses=refuses(409))
-def add(request: Request, design: Number, asked: VersionRequest) -> VersionAnswer:
+@api.post("/{design}/versions", status_code=201, responses=refuses(409, 507))
+def add(
+    request: Request, response: Response, design: Number, asked: VersionRequest, key: Key = None
+) -> VersionAnswer:
     """Save a new version, made from the newest one; refused if somebody was faster."""
     state = state_of(request)
     kind, who = _checked(asked.document), _who(asked.who, state.settings)
-    store = state.store
-    return store.add(design, asked.base, kind, asked.document, note=asked.note, who=who)
+    return _located(
+        response,
+        state.store.add(
+            design,
+            asked.base,
+            kind,
+            asked.document,
+            note=asked.note,
+            who=who,
+            name=asked.name,
+            request=key,
+        ),
+    )
 
 
-@api.patch("/{design}", status_code=204)
+@api.patch("/{design}", status_code=204, responses=refuses(507))
 def rename(request: Request, design: Number, asked: RenameRequest) -> None:
     """Give a design another name."""
     state_of(request).store.rename(design, asked.name)
 
 
-@api.delete("/{design}", status_code=204)
-def delete(request: Request, design: Number) -> None:
-    """Delete a design and its versions."""
-    state_of(request).store.delete(design)
+@api.delete("/{design}", status_code=204, responses=refuses(507))
+def delete(request: Request, design: Number, final: bool = False) -> None:
+    """Put a design into the bin; with ``final``, delete it out of the bin for good."""
+    store = state_of(request).store
+    (store.delete if final else store.throw_away)(design)
+
+
+@api.post("/{design}/restore", status_code=204, responses=refuses(507))
+def restore(request: Request, design: Number) -> None:
+    """Take a design out of the bin."""
+    state_of(request).store.take_back(design)
+
+
+def _located(response: Response, saved: VersionAnswer) -> VersionAnswer:
+    response.headers["location"] = f"{api.prefix}/{saved.id}/versions/{saved.version}"
+    return saved
 
 
 def _checked(document: Data) -> DriveKind:

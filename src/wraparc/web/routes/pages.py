@@ -42,11 +42,10 @@ async def _index(request: Request) -> Response:
 
 
 for _page in PAGES:
-    pages.add_api_route(_page, _index, methods=["GET", "HEAD"])
+    pages.add_api_route(_page, _index, methods=["GET"])
 
 
 @pages.get("/static/{name:path}")
-@pages.head("/static/{name:path}")
 async def static_file(request: Request, name: str) -> Response:
     """Return a file of the pages."""
     return send_file(request, name)

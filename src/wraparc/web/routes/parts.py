@@ -1,6 +1,7 @@
 """What every part of the API uses."""
 
 import asyncio
+import hashlib
 import inspect
 from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any, get_type_hints
@@ -54,9 +55,21 @@ class Route(APIRoute):
         serve = super().get_route_handler()
 
         async def handler(request: Request) -> Response:
-            return await serve(Body(request))
+            answer = await serve(Body(request))
+            if request.method == "GET" and answer.status_code == 200:
+                return _tagged(request, answer)
+            return answer
 
         return handler
+
+
+def _tagged(request: Request, answer: Response) -> Response:
+    """Return an answer with what changes when it changes, or that it has not changed."""
+    tag = f'"{hashlib.sha256(answer.body).hexdigest()[:32]}"'
+    if tag in request.headers.get("if-none-match", ""):
+        return Response(status_code=304, headers={"etag": tag})
+    answer.headers["etag"] = tag
+    return answer
 
 
 def router(prefix: str, tag: str) -> APIRouter:

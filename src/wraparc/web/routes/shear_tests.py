@@ -76,9 +76,10 @@ class SessionFiles(FilesAnswer):
 
 
 @api.post("", status_code=201, responses=refuses(429))
-async def create(request: Request) -> SessionAnswer:
+async def create(request: Request, response: Response) -> SessionAnswer:
     """Begin: a place for files, in memory, for a while."""
     session = state_of(request).sessions.create()
+    response.headers["location"] = f"{api.prefix}/{session.id}"
     limits = {"files": MOST_FILES, "file_bytes": MOST_FILE, "session_bytes": MOST_SESSION}
     return SessionAnswer(session=session.id, expires_in=LIFE, limits=limits)
 

@@ -50,7 +50,7 @@ class JobsAnswer(Answer):
 
 
 @api.post("", status_code=202, responses=refuses(429, 501))
-async def start(request: Request, asked: StudyRequest) -> JobAnswer:
+async def start(request: Request, response: Response, asked: StudyRequest) -> JobAnswer:
     """Start a study; what is wrong is told at once."""
     state, client = state_of(request), client_of(request)
     checked = await state.workers.long(client, studies.check, asked)
@@ -60,7 +60,9 @@ async def start(request: Request, asked: StudyRequest) -> JobAnswer:
         result = await state.workers.apart(client, studies.run, asked, tell=tell)
         return studies.StudyResult.model_validate_json(result)
 
-    return JobAnswer.model_validate(state.jobs.start(client, size.title, size.rows, work))
+    job = state.jobs.start(client, size.title, size.rows, work)
+    response.headers["location"] = f"{api.prefix}/{job.id}"
+    return JobAnswer.model_validate(job)
 
 
 @api.get("")
