@@ -16,7 +16,15 @@ from wraparc.errors import InputError, Problem
 from wraparc.web.errors import ApiError
 from wraparc.web.jobs import MOST_WAITING, Jobs
 from wraparc.web.progress import Tell
-from wraparc.web.sessions import LIFE, MOST_FILE, MOST_FILES, Sessions, shown_name
+from wraparc.web.sessions import (
+    LIFE,
+    MOST_FILE,
+    MOST_FILES,
+    MOST_IN_ALL,
+    MOST_SESSIONS,
+    Sessions,
+    shown_name,
+)
 
 STUDIES = Path(__file__).parents[2] / "examples" / "studies"
 
@@ -264,12 +272,38 @@ def test_sessions_are_limited_and_end() -> None:
     now[0] += LIFE + 1
     with pytest.raises(ApiError, match="404"):
         sessions.get(mine.id)
-    for _ in range(8):
+
+
+def test_nobody_is_shut_out_by_the_sessions_of_others() -> None:
+    now = [0.0]
+    sessions = Sessions(clock=lambda: now[0])
+    mine = sessions.create()
+    sessions.add(mine, "mine", b"x")
+    for _ in range(2 * MOST_SESSIONS):  # opened one after the other and left
+        now[0] += 0.1
         sessions.create()
-    with pytest.raises(ApiError, match="429"):
-        sessions.create()
-    now[0] += 61
-    assert sessions.create().id
+    assert sessions.get(mine.id).uploads
+    now[0] += 0.1
+    for _ in range(4):  # the memory is full of the files of others
+        now[0] += 0.1
+        other = sessions.create()
+        for _ in range(3):
+            sessions.add(other, "big", b"x" * MOST_FILE)
+    assert sessions.add(sessions.create(), "next", b"x" * MOST_FILE).id
+    held = sum(session.size for session in sessions._sessions.values())
+    assert held <= MOST_IN_ALL
+
+
+def test_uploads_never_touch_the_disk(api: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise AssertionError("a file was made on the disk")
+
+    monkeypatch.setattr("tempfile.TemporaryFile", refuse)
+    place = f"{API}/tests/{api.post(f'{API}/tests').json()['session']}"
+    content = b"1;2\n" * 1_000_000
+    sent = api.post(f"{place}/files", files=[("files", ("a.csv", content, "text/csv"))])
+    assert sent.status_code == 200
+    assert sent.json()["files"][0]["bytes"] == len(content)
 
 
 def test_names_of_uploads_are_only_words() -> None:

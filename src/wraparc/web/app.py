@@ -6,13 +6,14 @@ from contextlib import asynccontextmanager
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
+from starlette.formparsers import MultiPartParser
 
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 from wraparc.web.errors import PROBLEM_JSON, ApiError, refusal_of, request_problems
 from wraparc.web.routes import designs, drives, pages, reports, shear_tests, studies
 from wraparc.web.routes.parts import State
-from wraparc.web.security import Door
+from wraparc.web.security import UPLOAD_LIMIT, Door
 from wraparc.web.settings import Settings
 
 _DESCRIPTION = (
@@ -49,6 +50,7 @@ def create_app(settings: Settings) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.wraparc = state
+    MultiPartParser.spool_max_size = UPLOAD_LIMIT  # what is uploaded never touches the disk
     for part in (drives, designs, shear_tests, reports, studies, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)

@@ -10,7 +10,7 @@ from wraparc.web.asked import TestFileRequest
 from wraparc.web.errors import refused
 
 LIFE = 1800.0
-MOST_SESSIONS, MOST_FILES = 8, 60
+MOST_SESSIONS, MOST_FILES = 1000, 60
 MOST_FILE, MOST_SESSION, MOST_IN_ALL = 20_000_000, 60_000_000, 200_000_000
 
 
@@ -67,14 +67,11 @@ class Sessions:
         self._sessions: dict[str, Session] = {}
 
     def create(self) -> Session:
-        """Return a new session; the one longest unused gives way if there are too many."""
+        """Return a new session; of too many, one without files or the one longest unused goes."""
         self._sweep()
         if len(self._sessions) >= MOST_SESSIONS:
-            oldest = min(self._sessions.values(), key=lambda s: s.used)
-            if self._clock() - oldest.used < 60.0:
-                message = "too many people are working on shear tests"
-                raise refused(429, message, "Try again in some minutes.")
-            del self._sessions[oldest.id]
+            goes = min(self._sessions.values(), key=lambda s: (bool(s.uploads), s.used))
+            del self._sessions[goes.id]
         session = Session(secrets.token_urlsafe(16), self._clock())
         self._sessions[session.id] = session
         return session
@@ -95,13 +92,22 @@ class Sessions:
         if len(data) > MOST_FILE:
             limit = f"{MOST_FILE / 1e6:g} MB"
             raise refused(413, f"the file is larger than {limit}", "Send a part.", name)
-        in_all = sum(s.size for s in self._sessions.values())
-        if session.size + len(data) > MOST_SESSION or in_all + len(data) > MOST_IN_ALL:
+        if session.size + len(data) > MOST_SESSION:
             raise refused(413, "the files together are too large", "Take some away.", name)
+        self._make_room(session, len(data))
         upload = Upload(str(session.next), name, data)
         session.next += 1
         session.uploads[upload.id] = upload
         return upload
+
+    def _make_room(self, session: Session, size: int) -> None:
+        """Forget the files of others, those longest unused first, until all fit into memory."""
+        others = sorted(self._sessions.values(), key=lambda s: s.used)
+        for other in (s for s in others if s is not session and s.uploads):
+            if sum(s.size for s in others) + size <= MOST_IN_ALL:
+                return
+            del self._sessions[other.id]
+            other.uploads.clear()
 
     def upload(self, session: Session, number: str) -> Upload:
         """Return a file of a session."""
