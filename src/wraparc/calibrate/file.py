@@ -8,7 +8,6 @@ from wraparc.calibrate.calibration import PARAMETERS, QUANTITIES, Number, Prior,
 from wraparc.calibrate.fold import Folded, fold
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.drive import Drive, Limit
-from wraparc.errors import InputError
 from wraparc.files.drive_parts import case_of, drive_of
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
@@ -112,13 +111,8 @@ def load_measured(path: str | os.PathLike[str], *, overrides: Overrides = ()) ->
 def measured_from_document(document: Document, *, file: str = "", folder: str = "") -> Measured:
     """Return what a calibrate file says that is already parsed."""
     record, report = read_whole(CALIBRATE, document, file)
-    drive = drive_of(record, folder, report)
-    report.raise_all()
-    assert drive is not None  # noqa: S101 - else it was reported
-    on = report.tried(lambda: drive.pulley(record.get("pulley")), ("pulley",))
-    report.raise_all()
-    assert on is not None  # noqa: S101 - else it was reported
-    pulley = on.name
+    drive = report.sure(lambda: drive_of(record, folder, report))
+    pulley = report.sure(lambda: drive.pulley(record.get("pulley")), ("pulley",)).name
     numbers = [_number(r, drive, pulley, report) for r in record.get("number", ())]
     folded = [_folded(r, drive, pulley, folder, report) for r in record.get("record", ())]
     priors = _priors(record, report)
@@ -129,8 +123,8 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
         for r in (*record.get("number", ()), *record.get("record", ()))
     ]
     report.raise_all()
-    try:
-        problem = Problemset(
+    problem = report.sure(
+        lambda: Problemset(
             drive=drive,
             pulley=pulley,
             parameters=tuple(dict.fromkeys(record.get("parameters", ()))),
@@ -139,9 +133,7 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
             priors=priors,
             method=_method(record.get("method", "distributed")),
         )
-    except InputError as error:
-        report.take(error, ())
-        raise InputError(report.problems) from None
+    )
     return Measured(
         problem=problem,
         title=record.get("title", ""),
@@ -175,11 +167,7 @@ def traces_of(folded: Folded, load_case: str) -> list[Trace]:
 
 
 def _si(text: str, dimension: Dimension, place: Place, report: Report) -> float | None:
-    try:
-        return parse_quantity(text, dimension)
-    except InputError as error:
-        report.take(error, place, text)
-        return None
+    return report.tried(lambda: parse_quantity(text, dimension), place, text)
 
 
 def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number | None:
@@ -224,12 +212,12 @@ def _folded(
         signs={role: 1 if sign == "+" else -1 for role, sign in record.get("signs", {}).items()},
         delimiter=record.get("delimiter"),
     )
-    try:
+
+    def folded() -> tuple[str, Folded]:
         read = read_record(os.path.join(folder, record["file"]), choices)
         return case, fold(read, drive, pulley, case, choices=choices)
-    except InputError as error:
-        report.take(error, record.place)
-        return None
+
+    return report.tried(folded, record.place)
 
 
 def _priors(record: Record, report: Report) -> dict[str, Prior]:

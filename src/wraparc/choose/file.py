@@ -11,7 +11,7 @@ from wraparc.choose.search import Limits, Search
 from wraparc.drive import Belt, Cost, Drive, Lagging
 from wraparc.drive.changes import belt_of
 from wraparc.drive.conditions import DRY, Condition
-from wraparc.errors import InputError, nearest, shown
+from wraparc.errors import nearest, shown
 from wraparc.files.drive_keys import SAG
 from wraparc.files.drive_parts import check_cases, drive_of, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
@@ -40,9 +40,7 @@ def load_search(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> S
 def search_from_document(document: Document, *, file: str = "", folder: str = "") -> Search:
     """Return the search of a choose file that is already parsed."""
     record, report = read_whole(CHOOSE, document, file)
-    drive = drive_of(record, folder, report)
-    report.raise_all()
-    assert drive is not None  # noqa: S101 - else it was reported
+    drive = report.sure(lambda: drive_of(record, folder, report))
     pulley = pulley_of(record, drive, report)
     candidates: Record = record["candidates"]
     laggings = _laggings(candidates, drive, pulley, folder, report)
@@ -53,8 +51,8 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
     report.raise_all()
     base = drive.pulley(pulley)
     slack = candidates.get("slack_tensions", ())
-    try:
-        search = Search(
+    search = report.sure(
+        lambda: Search(
             drive=drive,
             pulley=pulley,
             laggings=laggings,
@@ -68,10 +66,8 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
             costing=costing,
             title=record.get("title", ""),
         )
-        search.conditioned()  # whether every lagging has its friction in every condition
-    except InputError as error:
-        report.take(error, ())
-        raise InputError(report.problems) from None
+    )
+    report.sure(search.conditioned)  # whether every lagging has its friction in every condition
     return search
 
 

@@ -90,8 +90,8 @@ def drive_from_document(
     criteria = build_criteria(record, report)
     report.raise_all()
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
-    try:
-        return Drive(
+    return report.sure(
+        lambda: Drive(
             # nothing was reported, so nothing is None
             belt=cast(Belt, belt),
             pulleys=tuple(cast(Pulley, pulley) for pulley in pulleys),
@@ -99,9 +99,7 @@ def drive_from_document(
             criteria=criteria,
             **parts,
         )
-    except InputError as error:
-        report.take(error, ())
-        raise InputError(report.problems) from None
+    )
 
 
 def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[LoadCase, ...]:

@@ -3,7 +3,6 @@
 from typing import Any
 
 from wraparc.drive import Block, Lagging, compression_modulus
-from wraparc.errors import InputError
 from wraparc.files.lagging_keys import BLOCK, COST, FIT, LAGGING_FILE
 from wraparc.files.laws import read_law
 from wraparc.provenance import Provenance
@@ -36,11 +35,10 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
         report.add((*record.place, "law"), "missing", "Add a [law] table, as the examples show.")
     if len(report.problems) > found or not record.sound():
         return ()
-    try:
-        return tuple(Lagging(**common, **part) for part in parts)
-    except InputError as error:
-        report.take(error, record.place, record.raw)
-        return ()
+    made = report.tried(
+        lambda: tuple(Lagging(**common, **part) for part in parts), record.place, record.raw
+    )
+    return made or ()
 
 
 def _law_parts(

@@ -2,26 +2,17 @@
 
 from collections.abc import Iterable
 
-from wraparc.errors import InputError
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.problems import Report
+from wraparc.schema.shared_keys import PROVENANCE
 from wraparc.schema.tables import Record, unknown_key_remedy
 
 
 def read_provenance(record: Record, report: Report) -> Provenance | None:
     """Return the provenance of a table of its keys, or None after reporting."""
-    if not record.sound():
-        return None
-    try:
-        return Provenance(
-            Kind(record["kind"]),
-            record.get("source", ""),
-            record.get("date", ""),
-            record.get("note", ""),
-        )
-    except InputError as error:
-        report.take(error, record.place, record.raw)
-        return None
+    kind = {"kind": Kind(record["kind"])} if "kind" in record else {}
+    made: Provenance | None = PROVENANCE.built(record, report, **kind)
+    return made
 
 
 def read_sources(record: Record, keys: Iterable[str], report: Report) -> dict[str, Provenance]:

@@ -131,6 +131,13 @@ class Report:
             self.take(error, place, raw, names)
             return None
 
+    def sure(self, make: Callable[[], _T | None], place: Place = ()) -> _T:
+        """Return what a function makes; raise everything that is wrong by now, if anything is."""
+        made = self.tried(make, place)
+        self.raise_all()
+        assert made is not None  # noqa: S101 - else it was reported
+        return made
+
     def _append(self, problem: Problem) -> None:
         problem = problem if problem.file else replace(problem, file=self.file)
         if problem in self.problems:  # what several load cases have from one place

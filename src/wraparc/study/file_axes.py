@@ -81,11 +81,8 @@ def _fit(record: Record, name: str, steps: Place, drive: Drive, report: Report) 
         message = f"lagging {pulley.lagging.name} has no statistics of a fit to draw from"
         report.add(place, message, "Fit it to shear tests with `wraparc fit`.", name)
         return None
-    try:
-        return DrawnFit(field=name, fit=pulley.lagging.fit)
-    except InputError as error:
-        report.take(error, record.place)
-        return None
+    fit = pulley.lagging.fit
+    return report.tried(lambda: DrawnFit(field=name, fit=fit), record.place)
 
 
 def _levels(record: Record, name: str, kind: Kind, report: Report) -> Levels | None:
@@ -181,12 +178,9 @@ def read_distribution(record: Record, kind: Quantity, report: Report) -> Distrib
         numbers[_ARGUMENTS.get(key, key)] = value
     if missing or spare or any(v is NOTHING for v in numbers.values()):
         return None
-    try:
-        return _KINDS[word](**_cut(numbers, kind))
-    except InputError as error:
-        back = {code: key for key, code in _ARGUMENTS.items()}
-        report.take(error, record.place, record.raw, back)
-        return None
+    back = {code: key for key, code in _ARGUMENTS.items()}
+    make = _KINDS[word]
+    return report.tried(lambda: make(**_cut(numbers, kind)), record.place, record.raw, back)
 
 
 def _cut(numbers: Mapping[str, float], kind: Quantity) -> dict[str, float]:
