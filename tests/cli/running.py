@@ -2,6 +2,7 @@
 
 import io
 import json
+import os
 import subprocess
 import sys
 from contextlib import redirect_stderr, redirect_stdout
@@ -90,6 +91,18 @@ def wraparc(*arguments: object) -> Ran:
         stream.seek(0)
         texts.append(stream.read())
     return Ran(code, *texts)
+
+
+def wraparc_unread(*arguments: object) -> tuple[int, str]:
+    """Run the command line with nobody reading; return exit code and error output."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    err = io.StringIO()
+    # every line leaves at once, and finds the pipe closed
+    out = os.fdopen(writer, "w", buffering=1, encoding="utf-8")
+    with out, redirect_stdout(out), redirect_stderr(err):
+        code = run([str(argument) for argument in arguments])
+    return code, err.getvalue()
 
 
 def wraparc_process(

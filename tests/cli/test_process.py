@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 import pytest
 
-from cli.running import DRIVE, drive_file, wraparc, wraparc_process
+from cli.running import DRIVE, drive_file, wraparc, wraparc_process, wraparc_unread
 from wraparc import __version__
 from wraparc.cli.group import COMMANDS, LazyGroup
 
@@ -130,8 +130,68 @@ def test_a_reader_that_goes_away_is_no_fault() -> None:
     process.stdout.close()
     error = process.stderr.read()
     process.stderr.close()
-    assert process.wait() == 141
+    assert process.wait() == 0
     assert error == b""
+
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+# Every command that writes files, and which.
+WRITING: dict[str, tuple[list[object], list[str]]] = {
+    "solve": (
+        [EXAMPLES / "head-drive-fabric.toml", "--json", "a.json", "--csv", "a.csv", "--plot"],
+        ["a.json", "a.csv", "a.svg"],
+    ),
+    "trim": ([EXAMPLES / "tandem-fabric.toml", "--points", "3", "--json"], ["a.json"]),
+    "lagging": (["medium-ceramic", "--plot"], ["a.svg"]),
+    "fit": (
+        [EXAMPLES / "shear_tests" / "plan.toml", "--json", "a.json", "-o"],
+        ["a.json", "a.toml"],
+    ),
+    "rig": (["rig", "--repeats", "1", "--points", "20"], ["rig/plan.toml"]),
+    "choose": (
+        [
+            *(EXAMPLES / "wet-season" / "choose.toml", "--set"),
+            *('candidates.laggings=["full-ceramic"]', "--json", "a.json", "--csv"),
+        ],
+        ["a.json", "a.csv"],
+    ),
+    "study": (
+        [EXAMPLES / "studies" / "load-cases.toml", "--json", "a.json", "-o"],
+        ["a.json", "a.parquet"],
+    ),
+    "what-if": ([EXAMPLES / "head-drive-fabric.toml", "--other-carcass", "--json"], ["a.json"]),
+    "overlay": ([EXAMPLES / "test-pulley" / "published-pair.toml", "--plot"], ["a.svg"]),
+    "calibrate": (
+        [EXAMPLES / "test-pulley" / "published-pair.toml", "--json", "a.json", "-o"],
+        ["a.json", "a.toml"],
+    ),
+    "field": ([EXAMPLES / "head-drive-fabric.toml", "--json"], ["a.json"]),
+    "demo": (["--into", "demo"], ["demo/head-drive-fabric.svg"]),
+}
+
+
+@pytest.mark.parametrize("name", WRITING)
+def test_files_are_written_though_nobody_reads(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    arguments, files = WRITING[name]
+    last = [files[-1]] if str(arguments[-1]).startswith("-") else []
+    code, error = wraparc_unread(name, *arguments, *last)
+    assert (code, "Traceback" in error) == (0, False), error
+    for file in files:
+        assert (tmp_path / file).stat().st_size > 100, file
+
+
+def test_every_command_that_writes_is_tried_without_a_reader() -> None:
+    context = click.Context(LazyGroup())
+    named = {
+        name
+        for name in COMMANDS
+        for option in LazyGroup().get_command(context, name).params  # type: ignore[union-attr]
+        if option.name in ("json_file", "csv_file", "plot_file", "into", "folder")
+    }
+    assert named == set(WRITING)
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])

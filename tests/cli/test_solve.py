@@ -230,8 +230,7 @@ def test_files_are_written_whole_and_named(drive: Path, tmp_path: Path) -> None:
     options = zip(("--json", "--csv", "--plot"), files, strict=True)
     ran = wraparc("solve", drive, *(part for pair in options for part in pair))
     assert ran.code == 0
-    written = (files[2], files[0], files[1])
-    assert ran.err == "".join(f"Wrote {file}\n" for file in written)
+    assert ran.err == "".join(f"Wrote {file}\n" for file in files)
     assert json.loads(files[0].read_text("utf-8"))["solved"] is True
     assert files[1].read_bytes().startswith(b"\xef\xbb\xbfload_case,")
     assert b"<svg" in files[2].read_bytes()
@@ -289,7 +288,10 @@ def test_two_outputs_are_two_files(
     (tmp_path / "a.csv").symlink_to(tmp_path / "a.json")
     ran = wraparc("solve", drive, "--json", "a.json", "--csv", "a.csv")
     assert ran.code == 2
-    assert '--csv = "a.csv": --json writes to the same file. Name two files.' in ran.err
+    assert '--csv = "a.csv": --json writes to the same place. Name two files.' in ran.err
+    both = wraparc("solve", drive, "--json", "-", "--csv", "-")
+    assert (both.code, both.out) == (2, "")
+    assert '--csv = "-": --json writes to the same place.' in both.err
 
 
 @pytest.mark.usefixtures("_no_solving")

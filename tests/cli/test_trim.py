@@ -161,7 +161,7 @@ def test_a_drive_a_span_and_files(tmp_path: Path) -> None:
         "trim", STEEL, "--points", 3, "--drive", "second", "--load-case", "empty", "--wear", "0 mm",
         "--span", "99.9 %", "1.001", "--units", "us", "--plot", picture, "--json", data,
     )  # fmt: skip
-    assert (ran.code, ran.err) == (0, f"Wrote {picture}\nWrote {data}\n")
+    assert (ran.code, ran.err) == (0, f"Wrote {data}\nWrote {picture}\n")
     assert "Speed trim of second from 99.900 % to 100.100 %." in ran.words
     assert " lbf" in ran.out
     assert "worn off" not in ran.out

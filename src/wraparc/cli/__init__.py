@@ -1,10 +1,9 @@
 """The command line: reads arguments, calls the library, shows what comes back.
 
 Exit codes: 0 solved, 1 a drive cannot carry its load, 2 bad input, 3 a fault of the program,
-130 interrupted, 141 the reader of the output went away.
+130 interrupted. A reader of the output who goes away is no error.
 """
 
-import os
 import sys
 from collections.abc import Sequence
 from typing import NoReturn
@@ -12,10 +11,11 @@ from typing import NoReturn
 import click
 
 from wraparc.cli.group import LazyGroup, NoReaderError
+from wraparc.cli.output import reader_may_leave
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 
-BAD_INPUT, FAULT, INTERRUPTED, NO_READER = 2, 3, 130, 141
+BAD_INPUT, FAULT, INTERRUPTED = 2, 3, 130
 
 _EXIT_CODES = """\b
 Exit codes:
@@ -50,13 +50,9 @@ def run(arguments: Sequence[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a console that lacks a letter shows another instead
             stream.reconfigure(errors="replace")
-    try:
+    code = 0
+    with reader_may_leave():
         code = _invoke(list(arguments))
-        sys.stdout.flush()
-    except (NoReaderError, BrokenPipeError):
-        # the interpreter would complain again when it flushes at its end
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return NO_READER
     return code
 
 

@@ -1,13 +1,19 @@
 """``wraparc calibrate`` and ``wraparc overlay``: what an existing drive really does."""
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import click
 
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver
 from wraparc.errors import InputError, Problem, placed
 from wraparc.saving import save_file
 from wraparc.units import System
+
+if TYPE_CHECKING:
+    from wraparc.calibrate.calibration import Calibration
+    from wraparc.calibrate.file import Measured
 
 _TOLD, _NOT_TOLD = 0, 1
 
@@ -35,6 +41,7 @@ def calibrate(
     from wraparc.calibrate.calibration import calibrate as fit
     from wraparc.calibrate.file import load_measured
     from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
+    from wraparc.present.document import json_text
 
     outputs: dict[str, tuple[str | None, tuple[str, ...]]]
     outputs = {"--json": (json_file, (".json",)), "--output": (output, (".toml",))}
@@ -50,49 +57,41 @@ def calibrate(
             )
         )
     found = fit(measured.problem)
+    files: dict[str, Content] = {}
     if json_file:
-        from wraparc.present.document import json_text
+        files[json_file] = json_text(calibrate_document(found))
+    if output and found.told:
+        files[output] = _lagging_text(found, measured, name)
+    sources = tuple(str(s) for s in measured.sources)
+    deliver(
+        files,
+        lambda: calibrate_sheet(
+            found, measured.problem, measured.title, measured.description, sources, units
+        ),
+    )
+    if output and not found.told:
+        click.echo(f"{output} was not written: the data do not tell every parameter.", err=True)
+    return _TOLD if found.told else _NOT_TOLD
 
-        text = json_text(calibrate_document(found))
-        if json_file != STANDARD_OUTPUT:
-            save_file(json_file, text)
-        else:
-            click.echo(text, nl=False)
-    if json_file != STANDARD_OUTPUT:
-        from wraparc.cli.show import show
 
-        sources = tuple(str(s) for s in measured.sources)
-        show(
-            calibrate_sheet(
-                found, measured.problem, measured.title, measured.description, sources, units
-            )
+def _lagging_text(found: "Calibration", measured: "Measured", name: str | None) -> str:
+    """Return the file of the calibrated lagging; what was not calibrated keeps its source."""
+    from wraparc.calibrate.file import calibrated_source
+    from wraparc.files import lagging_text
+
+    lagging = found.drive.pulley(found.pulley).lagging
+    before = measured.problem.drive.pulley(found.pulley).lagging
+    parts = ["thickness", "compression_modulus", "elastic_modulus"]
+    if "shear_modulus" not in measured.problem.parameters:
+        parts.append("shear_modulus")
+    kept = {part: before.source_of(part) for part in parts if getattr(before, part) is not None}
+    return lagging_text(
+        replace(
+            lagging, name=name or f"{before.name}-calibrated"[:60],
+            title=f"{before.title or before.name}, calibrated",
+            provenance=calibrated_source(measured, measured.title), sources=kept, fit=None,
         )
-    if not found.told:
-        if output:
-            click.echo(f"{output} was not written: the data do not tell every parameter.", err=True)
-        return _NOT_TOLD
-    if output:
-        from wraparc.calibrate.file import calibrated_source
-        from wraparc.files import save_lagging
-
-        lagging = found.drive.pulley(found.pulley).lagging
-        before = measured.problem.drive.pulley(found.pulley).lagging
-        source = calibrated_source(measured, measured.title)
-        kept = {
-            part: before.source_of(part)
-            for part in ("thickness", "compression_modulus", "elastic_modulus")
-            if getattr(before, part) is not None
-        }
-        if "shear_modulus" not in measured.problem.parameters:
-            kept["shear_modulus"] = before.source_of("shear_modulus")
-        new = name or f"{before.name}-calibrated"[:60]
-        lagging = replace(
-            lagging, name=new, title=f"{before.title or before.name}, calibrated",
-            provenance=source, sources=kept, fit=None,
-        )  # fmt: skip
-        save_lagging(lagging, output)
-        click.echo(f"Wrote {output}", err=True)
-    return _TOLD
+    )  # fmt: skip
 
 
 @click.command()
@@ -103,7 +102,6 @@ def calibrate(
 def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str | None) -> int:
     """Lay what a calibrate FILE says was measured beside the prediction of both methods."""
     from wraparc.calibrate.file import load_measured, overlays
-    from wraparc.cli.show import show
     from wraparc.present.calibrate_sheet import overlay_sheet
 
     check_outputs({"--plot": (plot_file, (".svg", ".png", ".pdf"))}, [file])
@@ -113,12 +111,15 @@ def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str 
         require_matplotlib()
     measured = load_measured(file, overrides=[*settings, "parameters=[]", "prior={}"])
     predicted = overlays(measured)
-    show(overlay_sheet(measured.problem, measured.folded, predicted, measured.title, units))
+    files: dict[str, Content] = {}
     if plot_file:
         from wraparc.plot.overlay import plot_overlay
 
-        plot_overlay(measured.problem.traces, predicted, units).save(plot_file)
-        click.echo(f"Wrote {plot_file}", err=True)
+        files[plot_file] = plot_overlay(measured.problem.traces, predicted, units).save
+    problem = measured.problem
+    deliver(
+        files, lambda: overlay_sheet(problem, measured.folded, predicted, measured.title, units)
+    )
     return _TOLD
 
 

@@ -6,6 +6,7 @@ import click
 
 from wraparc import catalogue
 from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver
 from wraparc.cli.show import show
 from wraparc.files import load_lagging_conditions
 from wraparc.present.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
@@ -30,12 +31,12 @@ def lagging(name: str, units: System, plot_file: str | None) -> None:
     read = [name] if os.path.exists(name) else []
     check_outputs({"--plot": (plot_file, (".svg", ".png", ".pdf"))}, read)
     conditions = load_lagging_conditions(name)
-    show(lagging_sheet(conditions, units))
+    files: dict[str, Content] = {}
     if plot_file:
         from wraparc.plot import plot_lagging
 
-        plot_lagging(conditions[0], units).save(plot_file)
-        click.echo(f"Wrote {plot_file}", err=True)
+        files[plot_file] = plot_lagging(conditions[0], units).save
+    deliver(files, lambda: lagging_sheet(conditions, units))
 
 
 @click.command()

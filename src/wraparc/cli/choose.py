@@ -4,8 +4,8 @@ import click
 
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
-from wraparc.saving import save_file
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver
 from wraparc.units import System
 
 _FOUND, _NONE_FEASIBLE = 0, 1
@@ -43,6 +43,7 @@ def choose(
     """
     from wraparc.choose.file import load_search
     from wraparc.choose.selection import choose as choose_design
+    from wraparc.present.choose_sheet import choose_sheet
 
     outputs = {
         "--json": (json_file, (".json",)),
@@ -56,22 +57,12 @@ def choose(
         require_matplotlib()
     selection = choose_design(load_search(file, overrides=settings))
     lighter = _lightest(selection) if lightest_belt else None
-    texts = _texts(selection, lighter, json_file, csv_file)
-    if STANDARD_OUTPUT in texts:
-        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
-    else:
-        from wraparc.cli.show import show
-        from wraparc.present.choose_sheet import choose_sheet
-
-        show(choose_sheet(selection, units, lighter, rows))
+    files = _texts(selection, lighter, json_file, csv_file)
     if plot_file:
         from wraparc.plot.choice import plot_selection
 
-        plot_selection(selection, units).save(plot_file)
-        click.echo(f"Wrote {plot_file}", err=True)
-    for path, text in texts.items():
-        save_file(path, text)
-        click.echo(f"Wrote {path}", err=True)
+        files[plot_file] = plot_selection(selection, units).save
+    deliver(files, lambda: choose_sheet(selection, units, lighter, rows))
     return _FOUND if len(selection.ranking) else _NONE_FEASIBLE
 
 
@@ -90,10 +81,10 @@ def _lightest(selection: Selection) -> LighterBelt | None:
 
 def _texts(
     selection: Selection, lighter: LighterBelt | None, json_file: str | None, csv_file: str | None
-) -> dict[str, str]:
+) -> dict[str, Content]:
     from wraparc.present.choose_sheet import choose_csv, choose_document
 
-    texts = {}
+    texts: dict[str, Content] = {}
     if json_file:
         from wraparc.present.document import json_text
 

@@ -9,6 +9,7 @@ import click
 
 from wraparc.arc import solve
 from wraparc.cli.options import units_option
+from wraparc.cli.output import say
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.files import load_drive
 from wraparc.present.drive_sheet import drive_sheet
@@ -38,19 +39,17 @@ def demo(into: Path, units: System) -> int:
 
     kept = lay_out(into)
     result = solve(load_drive(into / _DRIVE), raise_on_failure=False)
-    show(drive_sheet([result], units))
-    click.echo()
-    for name in kept:
-        click.echo(f"Kept your own {into / name}.")
     try:
         from wraparc.plot import plot_drive
 
         plot_drive([result], units).save(into / _PICTURE)
-        click.echo(f"The picture is {into / _PICTURE}")
+        picture = f"The picture is {into / _PICTURE}"
     except MissingExtraError as error:
-        click.echo(f"There is no picture: it {error}")
-    click.echo(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
-    click.echo(_next_steps(into))
+        picture = f"There is no picture: it {error}"
+    show(drive_sheet([result], units))
+    say("\n".join(["", *(f"Kept your own {into / name}." for name in kept), picture]))
+    say(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
+    say(_next_steps(into))
     return exit_code(result)
 
 

@@ -12,7 +12,8 @@ from wraparc.calibrate.field_numbers import (
     passes,
     wear_coefficient,
 )
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.units import Dimension, System, parse_number, parse_quantity
@@ -54,20 +55,13 @@ def field(
     found = field_numbers(
         results, limits, _hours(hours, "--hours"), coefficient=coefficient, depth=depth
     )
-    if json_file:
-        from wraparc.present.document import json_text
-        from wraparc.present.field_sheet import field_document
-        from wraparc.saving import save_file
+    from wraparc.present.document import json_text
+    from wraparc.present.field_sheet import field_document, field_sheet
 
-        text = json_text(field_document(found))
-        if json_file == STANDARD_OUTPUT:
-            click.echo(text, nl=False)
-            return 0
-        save_file(json_file, text)
-    from wraparc.cli.show import show
-    from wraparc.present.field_sheet import field_sheet
-
-    show(field_sheet(found, drive.title or "Drive", name, source, units))
+    deliver(
+        {json_file: json_text(field_document(found))} if json_file else {},
+        lambda: field_sheet(found, drive.title or "Drive", name, source, units),
+    )
     return 0
 
 

@@ -60,17 +60,24 @@ COMMANDS: dict[str, Command] = {
 }
 
 
-class NoReaderError(Exception):
-    """Whoever read the output has gone away."""
+class NoReaderError(BrokenPipeError):
+    """Whoever read the output has gone away; without a number, at which click would exit."""
 
 
 class LazyGroup(click.Group):
     """A group whose commands are imported when they are called."""
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run a command; click would end the process if the reader of a pipe went away."""
+        """Run a command; a reader who goes away is left to `wraparc.cli.run`."""
         try:
             return super().invoke(ctx)
+        except BrokenPipeError as error:
+            raise NoReaderError from error
+
+    def make_context(self, *args: Any, **extra: Any) -> click.Context:
+        """Read the arguments, which prints the help if they ask for it."""
+        try:
+            return super().make_context(*args, **extra)
         except BrokenPipeError as error:
             raise NoReaderError from error
 

@@ -6,13 +6,11 @@ from typing import Any, TypeVar
 
 import click
 
+from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import saving_problems
 
 _F = TypeVar("_F", bound=Callable[..., Any])
-
-#: Written to standard output instead of a file.
-STANDARD_OUTPUT = "-"
 
 
 def units_option(command: _F) -> _F:
@@ -48,12 +46,15 @@ def check_outputs(
     problems: list[Problem] = []
     taken: dict[str, str] = {}
     for option, (path, suffixes) in outputs.items():
-        if not path or path == STANDARD_OUTPUT:
+        if not path:
             continue
-        problems += saving_problems(path, suffixes=suffixes, inputs=inputs, key=option)
-        other = taken.setdefault(os.path.realpath(path), option)
+        place = path
+        if path != STANDARD_OUTPUT:
+            place = os.path.realpath(path)
+            problems += saving_problems(path, suffixes=suffixes, inputs=inputs, key=option)
+        other = taken.setdefault(place, option)
         if other != option:
-            message, remedy = f"{other} writes to the same file", "Name two files."
+            message, remedy = f"{other} writes to the same place", "Name two files."
             problems.append(Problem(key=option, value=shown(path), message=message, remedy=remedy))
     if problems:
         raise InputError(problems)

@@ -10,7 +10,8 @@ import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import STANDARD_OUTPUT, say
 from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
 from wraparc.drive import Drive
 from wraparc.errors import InputError
@@ -121,7 +122,7 @@ def _write(
     from wraparc.report import markdown, pdf, workbook
 
     if output == STANDARD_OUTPUT:
-        click.echo(markdown(results, head, system=units, train=train), nl=False)
+        say(markdown(results, head, system=units, train=train), end="")
         return
     makers: dict[str, Callable[..., str | bytes]]
     makers = {".pdf": pdf, ".xlsx": workbook, ".md": markdown}

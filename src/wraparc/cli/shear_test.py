@@ -6,10 +6,10 @@ from typing import Any
 
 import click
 
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver, say
 from wraparc.cli.show import show
 from wraparc.errors import InputError, Problem, shown
-from wraparc.saving import save_file
 from wraparc.units import System
 
 _DONE = 0
@@ -50,7 +50,7 @@ def read(files: tuple[str, ...], units: tuple[str, ...], **said: Any) -> int:
             problems += error.problems
             continue
         if number:
-            click.echo()
+            say("")
         show(record_sheet(record))
     if problems:
         raise InputError(problems)
@@ -99,7 +99,7 @@ def fit(
 
     Tests that cannot be used are left out and named; the law is that of the others.
     """
-    from wraparc.files.write import save_lagging
+    from wraparc.files.write import lagging_text
     from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
     from wraparc.report.shear_test_document import plan_document
@@ -117,27 +117,14 @@ def fit(
         from wraparc.shear_test.bayes import sampled
 
         result = sampled(result)
-    printed = json_file == STANDARD_OUTPUT
-    if not printed:
-        show(plan_sheet(result, units))
-    written = []
+    files: dict[str, Content] = {}
     if output:
-        save_lagging(result.laggings, output)
-        written.append(f"Lagging file: {output}")
-    report = make_report(result, units) if reports else None
-    for name in reports:
-        if report is not None:
-            report.save(name)
-            written.append(f"Report: {name}")
+        files[output] = lagging_text(result.laggings)
+    if reports:
+        files |= dict.fromkeys(reports, make_report(result, units).save)
     if json_file:
-        text = json_text(plan_document(result))
-        if printed:
-            click.echo(text, nl=False)
-        else:
-            save_file(json_file, text)
-            written.append(f"JSON: {json_file}")
-    if written and not printed:
-        click.echo("\n" + "\n".join(written))
+        files[json_file] = json_text(plan_document(result))
+    deliver(files, lambda: plan_sheet(result, units))
     return _DONE
 
 
@@ -206,5 +193,5 @@ def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
             )
         )
     plan = write_virtual_tests(path, lagging, pressures, **said)
-    click.echo(f"Plan: {plan}\nFit it:  wraparc fit {plan} -o {path / 'lagging.toml'}")
+    say(f"Plan: {plan}\nFit it:  wraparc fit {plan} -o {path / 'lagging.toml'}")
     return _DONE

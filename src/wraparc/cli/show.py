@@ -15,6 +15,7 @@ from unicodedata import east_asian_width
 
 import click
 
+from wraparc.cli.output import reader_may_leave
 from wraparc.present.sheet import Level, Row, Sheet, Table
 
 _STYLES: dict[Level, dict[str, Any]] = {
@@ -41,10 +42,11 @@ def show(sheet: Sheet) -> None:
     if terminal and sheet.verdict:
         lines += ["", *_headline(sheet, width)]
     plain = [click.unstyle(line).rstrip() for line in lines]
-    if not terminal:
-        sys.stdout.writelines(f"{line}\n" for line in plain)
-    else:  # click makes colours work on every terminal
-        click.echo("\n".join(plain if os.environ.get("NO_COLOR") else lines))
+    with reader_may_leave():
+        if not terminal:
+            sys.stdout.writelines(f"{line}\n" for line in plain)
+        else:  # click makes colours work on every terminal
+            click.echo("\n".join(plain if os.environ.get("NO_COLOR") else lines))
 
 
 def _page(sheet: Sheet, width: int) -> Iterator[str]:

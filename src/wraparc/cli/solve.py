@@ -8,11 +8,12 @@ import click
 
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch, Status
 from wraparc.arc import solve as solve_drive
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, placed, shown
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
-from wraparc.saving import save_file
+from wraparc.present.sheet import Sheet
 from wraparc.train.file import load_drive_or_train
 from wraparc.units import System, parse_quantity
 
@@ -84,21 +85,14 @@ def solve(
         train = None
         drive = with_limit(with_case(drive, load_case, file), creep_limit)
         results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
-    texts = {}
+    files: dict[str, Content] = {}
     if json_file:
-        texts[json_file] = _json(results, file, train)
+        files[json_file] = _json(results, file, train)
     if csv_file:
-        texts[csv_file] = _csv(results, units, decimal_comma)
-    if STANDARD_OUTPUT in texts:
-        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
-    else:
-        _show(results, units, everything or load_case is not None, train)
+        files[csv_file] = _csv(results, units, decimal_comma)
     if plot_file and draw:
-        _picture(draw, results, units, train).save(plot_file)
-        click.echo(f"Wrote {plot_file}", err=True)
-    for path, text in texts.items():
-        save_file(path, text)
-        click.echo(f"Wrote {path}", err=True)
+        files[plot_file] = _picture(draw, results, units, train).save
+    deliver(files, lambda: _sheet(results, units, everything or load_case is not None, train))
     if train is not None:
         from wraparc.cli import train_answer
 
@@ -162,18 +156,15 @@ def check(file: str, units: System, settings: tuple[str, ...]) -> int:
     return SOLVED
 
 
-def _show(
+def _sheet(
     results: Sequence[DriveResult], units: System, everything: bool, train: "TrainResult | None"
-) -> None:
-    from wraparc.cli.show import show
-
+) -> Sheet:
     if train is not None:
         from wraparc.cli.train_answer import sheet_of
 
-        show(sheet_of(train, results, units, everything))
-        return
+        return sheet_of(train, results, units, everything)
     detail = range(len(results[0])) if everything else None
-    show(drive_sheet(results, units, detail))
+    return drive_sheet(results, units, detail)
 
 
 def _drawing() -> Any:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
-from wraparc.saving import save_file
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver, say
 from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def study(
     path = output or f"{os.path.splitext(os.path.basename(file))[0]}.parquet"
     executor: Executor = executor_named(scheduler) if scheduler else Threads(threads)
     if dry_run:
-        click.echo(_size(asked.study))
+        say(_size(asked.study))
         return _DONE
     if not available():
         hint = "numba is not installed, and this takes far longer: pip install 'wraparc[fast]'"
@@ -178,29 +178,20 @@ def _tell(
         remarks=asked.remarks,
         sources=asked.sources,
     )
-    if json_file != STANDARD_OUTPUT:
-        from wraparc.cli.show import show
-
-        show(sheet)
-    texts: dict[str, str | bytes] = {}
+    click.echo(f"Wrote {path}", err=True)
+    files: dict[str, Content] = {}
     if json_file:
-        texts[json_file] = json_text(study_document(summary, local=local, indices=indices))
+        files[json_file] = json_text(study_document(summary, local=local, indices=indices))
     if plot_file or report_file:
         pictures = _pictures(asked, summary, local, indices, dimensions, units)
     if plot_file:
-        kind = os.path.splitext(plot_file)[1].lower().lstrip(".")
-        texts[plot_file] = pictures[0].to_bytes(kind)
+        files[plot_file] = pictures[0].save
     if report_file:
         from wraparc.present.study_sheet import study_page
 
         drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
-        texts[report_file] = study_page(sheet, drawn, summary)
-    if STANDARD_OUTPUT in texts:
-        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
-    for name, text in texts.items():
-        save_file(name, text)
-    for name in (path, *texts):
-        click.echo(f"Wrote {name}", err=True)
+        files[report_file] = study_page(sheet, drawn, summary)
+    deliver(files, lambda: sheet)
 
 
 def _pictures(

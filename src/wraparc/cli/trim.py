@@ -7,10 +7,11 @@ from typing import Any
 import click
 
 from wraparc.arc import Distributed
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, placed, shown
-from wraparc.saving import save_file
+from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.file import load_train
 from wraparc.units import System, display, parse_quantity
@@ -76,31 +77,23 @@ def trim(
         result, load_case, drive=drive, wear=depth, laggings=_wet(train), span=ends, points=points
     )
     over_load = _map(result, load_case, drive, matching) if with_map else None
-    texts = {}
+    files: dict[str, Content] = {}
     if json_file:
-        texts[json_file] = _json(matching, over_load, file)
+        files[json_file] = _json(matching, over_load, file)
     if csv_file:
-        texts[csv_file] = _csv(matching)
-    if STANDARD_OUTPUT in texts:
-        click.echo(texts.pop(STANDARD_OUTPUT), nl=False)
-    else:
-        _show(result, matching, units)
+        files[csv_file] = _csv(matching)
     if plot_file:
         from wraparc.plot.train import plot_matching
 
-        plot_matching(matching, over_load, title=train.title).save(plot_file)
-        click.echo(f"Wrote {plot_file}", err=True)
-    for path, text in texts.items():
-        save_file(path, text)
-        click.echo(f"Wrote {path}", err=True)
+        files[plot_file] = plot_matching(matching, over_load, title=train.title).save
+    deliver(files, lambda: _sheet(result, matching, units))
     return SOLVED
 
 
-def _show(result: TrainResult, matching: Matching, units: System) -> None:
-    from wraparc.cli.show import show
+def _sheet(result: TrainResult, matching: Matching, units: System) -> Sheet:
     from wraparc.present.train_sheet import matching_sheet
 
-    show(matching_sheet(result, matching, units))
+    return matching_sheet(result, matching, units)
 
 
 def _json(matching: Matching, over_load: ShareMap | None, file: str) -> str:

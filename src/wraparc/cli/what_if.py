@@ -5,7 +5,8 @@ from collections.abc import Iterator
 import click
 
 from wraparc.choose.what_if import Change
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
 from wraparc.units import System
@@ -61,20 +62,13 @@ def what_if(
         )
     found = solve_both(drive, name, case, changes)
     title = drive.title or "What if"
-    if json_file:
-        from wraparc.present.document import json_text
-        from wraparc.present.what_if_sheet import what_if_document
-        from wraparc.saving import save_file
+    from wraparc.present.document import json_text
+    from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
 
-        text = json_text(what_if_document(found))
-        if json_file == STANDARD_OUTPUT:
-            click.echo(text, nl=False)
-            return 0
-        save_file(json_file, text)
-    from wraparc.cli.show import show
-    from wraparc.present.what_if_sheet import what_if_sheet
-
-    show(what_if_sheet(found, title, units))
+    deliver(
+        {json_file: json_text(what_if_document(found))} if json_file else {},
+        lambda: what_if_sheet(found, title, units),
+    )
     return 0 if all(r.status.solved for r in found.after) else 1
 
 
