@@ -53,7 +53,7 @@ def run(arguments: Sequence[str]) -> int:
     code = 0
     with reader_may_leave():
         code = _invoke(list(arguments))
-    return code
+    return code  # noqa: RET504 - what stands before it counts when the reader leaves
 
 
 def _invoke(arguments: list[str]) -> int:
