@@ -165,6 +165,10 @@ WRITING: dict[str, tuple[list[object], list[str]]] = {
         [EXAMPLES / "test-pulley" / "published-pair.toml", "--json", "a.json", "-o"],
         ["a.json", "a.toml"],
     ),
+    "family": (
+        [EXAMPLES / "head-drive-fabric.toml", "--ratios", "1.5,2", "--plot", "a.svg", "--json"],
+        ["a.svg", "a.json"],
+    ),
     "field": ([EXAMPLES / "head-drive-fabric.toml", "--json"], ["a.json"]),
     "demo": (["--into", "demo"], ["demo/head-drive-fabric.svg"]),
 }

@@ -2,7 +2,8 @@
 
 import click
 
-from wraparc.cli.options import STANDARD_OUTPUT, check_outputs, units_option
+from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.output import Content, deliver
 from wraparc.errors import placed
 from wraparc.units import System, parse_number
 
@@ -35,11 +36,9 @@ def family(
     """
     from wraparc.arc import WrapArc
     from wraparc.arc.family import tension_ratio_family
-    from wraparc.cli.show import show
     from wraparc.files import load_drive
     from wraparc.present.document import json_text
     from wraparc.present.family_sheet import family_document, family_sheet
-    from wraparc.saving import save_file
 
     suffixes = (".svg", ".png", ".pdf")
     check_outputs({"--json": (json_file, (".json",)), "--plot": (plot_file, suffixes)}, [file])
@@ -52,19 +51,13 @@ def family(
         wanted = [parse_number(text.strip()) for text in ratios.split(",") if text.strip()]
     results = tension_ratio_family(WrapArc.of(drive, place, case), wanted)
     title = drive.title or "Family of tension ratios"
+    files: dict[str, Content] = {}
     if json_file:
-        text = json_text(family_document(results))
-        if json_file == STANDARD_OUTPUT:
-            click.echo(text, nl=False)
-        else:
-            save_file(json_file, text)
-            click.echo(f"Wrote {json_file}", err=True)
+        files[json_file] = json_text(family_document(results))
     if plot_file:
         from wraparc.plot.family import plot_family
 
         where = f"pulley {place.name}, load case {case.name}"
-        plot_family(results, units, title=f"{title} - {where}").save(plot_file)
-        click.echo(f"Wrote {plot_file}", err=True)
-    if json_file != STANDARD_OUTPUT:
-        show(family_sheet(results, title, units))
+        files[plot_file] = plot_family(results, units, title=f"{title} - {where}").save
+    deliver(files, lambda: family_sheet(results, title, units))
     return 0 if all(r.status.solved for r in results) else 1
