@@ -10,8 +10,8 @@ from typing import NoReturn
 
 import click
 
-from wraparc.cli.group import LazyGroup, NoReaderError
-from wraparc.cli.output import reader_may_leave
+from wraparc.cli.group import LazyGroup
+from wraparc.cli.pipe import NoReaderError, reader_may_leave
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 

@@ -9,7 +9,7 @@ import click
 
 from wraparc.arc import solve
 from wraparc.cli.options import units_option
-from wraparc.cli.output import say
+from wraparc.cli.pipe import say
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.files import load_drive
 from wraparc.present.drive_sheet import drive_sheet

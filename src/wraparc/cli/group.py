@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import click
 
+from wraparc.cli.pipe import NoReaderError
 from wraparc.errors import near
 
 
@@ -58,10 +59,6 @@ COMMANDS: dict[str, Command] = {
     "serve": Command("wraparc.cli.serve:serve", "Open the calculator in the browser."),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
-
-
-class NoReaderError(BrokenPipeError):
-    """Whoever read the output has gone away; without a number, at which click would exit."""
 
 
 class LazyGroup(click.Group):

@@ -1,15 +1,13 @@
 """What a command leaves: the files that were asked for, then words on standard output."""
 
-import os
-import sys
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Mapping
 
 import click
 
-if TYPE_CHECKING:
-    from wraparc.present.sheet import Sheet
+from wraparc.cli.pipe import say
+from wraparc.cli.show import show
+from wraparc.present.sheet import Sheet
+from wraparc.saving import save_file
 
 #: Written to standard output instead of a file.
 STANDARD_OUTPUT = "-"
@@ -17,7 +15,7 @@ STANDARD_OUTPUT = "-"
 Content = str | bytes | Callable[[str], object]
 
 
-def deliver(files: Mapping[str, Content], sheet: "Callable[[], Sheet]") -> None:
+def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet]) -> None:
     """Write files and only then print: a reader who goes away takes no file with him.
 
     Parameters
@@ -27,8 +25,6 @@ def deliver(files: Mapping[str, Content], sheet: "Callable[[], Sheet]") -> None:
     sheet
         Makes the sheet that is printed.
     """
-    from wraparc.saving import save_file
-
     paths = [path for path in files if path != STANDARD_OUTPUT]
     for path in paths:
         content = files[path]
@@ -39,25 +35,6 @@ def deliver(files: Mapping[str, Content], sheet: "Callable[[], Sheet]") -> None:
     if STANDARD_OUTPUT in files:
         say(str(files[STANDARD_OUTPUT]), end="")
     else:
-        from wraparc.cli.show import show
-
         show(sheet())
     for path in paths:
         click.echo(f"Wrote {path}", err=True)
-
-
-def say(text: str, end: str = "\n") -> None:
-    """Print a text."""
-    with reader_may_leave():
-        click.echo(text + end, nl=False)
-
-
-@contextmanager
-def reader_may_leave() -> Iterator[None]:
-    """Print what a reader may not want to its end: ``wraparc belts | head -1`` is no error."""
-    try:
-        yield
-        sys.stdout.flush()
-    except BrokenPipeError:
-        # what is printed from here on, and what the interpreter flushes at its end, goes nowhere
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

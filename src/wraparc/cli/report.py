@@ -11,7 +11,8 @@ import click
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
 from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import STANDARD_OUTPUT, say
+from wraparc.cli.output import STANDARD_OUTPUT
+from wraparc.cli.pipe import say
 from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
 from wraparc.drive import Drive
 from wraparc.errors import InputError

@@ -7,7 +7,8 @@ from typing import Any
 import click
 
 from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver, say
+from wraparc.cli.output import Content, deliver
+from wraparc.cli.pipe import say
 from wraparc.cli.show import show
 from wraparc.errors import InputError, Problem, shown
 from wraparc.units import System

@@ -15,7 +15,7 @@ from unicodedata import east_asian_width
 
 import click
 
-from wraparc.cli.output import reader_may_leave
+from wraparc.cli.pipe import reader_may_leave
 from wraparc.present.sheet import Level, Row, Sheet, Table
 
 _STYLES: dict[Level, dict[str, Any]] = {

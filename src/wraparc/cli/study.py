@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import click
 
 from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver, say
+from wraparc.cli.output import Content, deliver
+from wraparc.cli.pipe import say
 from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
