@@ -20,7 +20,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from web.calculators import API, Process, document
+from web.calculators import API, TOKEN, Process, document
 from wraparc.arc import Distributed, WrapArc
 from wraparc.files import drive_from_document
 
@@ -47,7 +47,7 @@ def asks(port: int, number: int, until: float, taken: list[float]) -> None:
         count += 1
         body["document"]["pulley"][0]["exit_tension"] = f"{50 + number + 0.01 * (count % 997)} kN"
         begin = time.perf_counter()
-        headers = {"content-type": "application/json"}
+        headers = {"content-type": "application/json", "authorization": f"Bearer {TOKEN}"}
         connection.request("POST", f"{API}/solve/fast", json.dumps(body), headers)
         answer = connection.getresponse()
         answer.read()

@@ -10,7 +10,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
-from web.calculators import PATIENCE, Process, serving
+from web.calculators import PATIENCE, TOKEN, Process, serving
 
 #: After this long [ms] what a page was to show is taken to be missing.
 _LONG = 120e3
@@ -103,7 +103,7 @@ class Visitor:
     def open(self, name: str = "drive") -> Page:
         """Go to a page as a user does, and wait until it shows what it has to."""
         if self.page.url == "about:blank":
-            self.page.goto(self.address)
+            self.page.goto(f"{self.address}?token={TOKEN}")
             self.page.wait_for_selector(READY["drive"])
         if not self.page.locator(f"#{name}").is_visible():
             self.page.click(f"#nav-{name}")

@@ -22,6 +22,8 @@ from wraparc.web.settings import Settings
 
 ADDRESS = "http://127.0.0.1:8765"
 API = "/api/v1"
+#: Of servers that tests start.
+TOKEN = "token-of-the-tests-0123"  # noqa: S105
 #: After this long [s] what a test waits for is taken to hang; no test counts on it.
 PATIENCE = 600.0
 
@@ -58,7 +60,8 @@ class Process:
         command = [sys.executable, "-c", run, "serve", "--port", "0", *arguments]
         self.process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd,
-            start_new_session=True, env={**os.environ, "PYTHONUNBUFFERED": "1"},
+            start_new_session=True,
+            env={**os.environ, "PYTHONUNBUFFERED": "1", "WRAPARC_TOKEN": TOKEN},
         )  # fmt: skip
         assert self.process.stdout is not None
         self.told = ""
@@ -71,7 +74,7 @@ class Process:
             raise AssertionError(self.told + self.process.stderr.read())
         found = re.search(r"http://\S+:(\d+)/\S*", self.told)
         assert found, self.told
-        self.address, self.port = found[0], int(found[1])
+        self.address, self.port = found[0].partition("?")[0], int(found[1])
 
     def ask(self, path: str, data: Any = None, method: str | None = None) -> Answer:
         """Ask the server."""
@@ -79,7 +82,7 @@ class Process:
         request = urllib.request.Request(
             f"http://127.0.0.1:{self.port}{path}",
             body,
-            {"content-type": "application/json"},
+            {"content-type": "application/json", "authorization": f"Bearer {TOKEN}"},
             method=method,
         )
         try:

@@ -98,13 +98,33 @@ def test_the_address_with_the_token_lets_a_browser_in(remote: TestClient) -> Non
     assert answer.headers["location"] == "/"  # the token leaves the address bar
     cookie = answer.headers["set-cookie"]
     assert "HttpOnly" in cookie
-    assert "SameSite=Strict" in cookie
+    assert "SameSite=Lax" in cookie  # a link to a design opens it
     carried = host | {"cookie": cookie.partition(";")[0]}
     assert remote.get(f"{API}/about", headers=carried).status_code == 200
     remote.cookies.clear()
     for query in ("?token=wrong", "?token=", "?token=%00", "?" + "a=1&" * 500):
         assert remote.get(f"/{query}", headers=host).status_code in (401, 400)
     assert remote.get(f"/?token={TOKEN}", headers={"host": "evil.example"}).status_code == 403
+
+
+def test_a_link_from_elsewhere_asks_for_the_token_and_goes_on(remote: TestClient) -> None:
+    host = {"host": "192.0.2.7:8765", "accept": "text/html"}
+    link = '/designs?open=3&x="><script>'
+    asked = remote.get(link, headers=host)
+    assert asked.status_code == 401
+    assert asked.headers["content-type"].startswith("text/html")
+    assert '<input name="token"' in asked.text
+    assert 'name="open" value="3"' in asked.text
+    assert "<script>" not in asked.text
+    assert "unsafe" not in asked.headers["content-security-policy"]
+    entered = remote.get(f"/designs?open=3&token={TOKEN}", headers=host, follow_redirects=False)
+    assert entered.headers["location"] == "/designs?open=3"
+    for path in ("//evil.example/", "/\\evil.example"):
+        answer = remote.get(f"http://192.0.2.7:8765{path}?token={TOKEN}", follow_redirects=False)
+        assert answer.headers.get("location", "/").startswith(("/evil", "/%5C"))
+    remote.cookies.clear()
+    answer = remote.get(f"{API}/about", headers=host)
+    assert answer.headers["content-type"] == "application/problem+json"
 
 
 def test_every_answer_carries_the_headers_that_protect(local: TestClient) -> None:

@@ -2,12 +2,17 @@
 
 import re
 import socket
+import urllib.error
+import urllib.request
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from cli.running import drive_file, wraparc
 from web.calculators import API, serving, wait_for
+from wraparc.web.token import own_token
 
 
 @pytest.mark.processes
@@ -36,7 +41,7 @@ def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
         creep = fast.json()["numbers"]["exit_creep"]
         assert creep == pytest.approx(float(exact[1]), rel=1e-9)
         about = server.ask(f"{API}/about").json()
-        assert (about["database"], about["token"]) == ("sqlite", False)
+        assert (about["database"], about["token"]) == ("sqlite", True)
         code, complaints = server.stop()
         assert code in (0, 130, -2)
         assert "Traceback" not in complaints
@@ -86,9 +91,6 @@ def test_beyond_this_machine_it_needs_a_token() -> None:
 
 @pytest.mark.processes
 def test_beyond_this_machine_with_a_token_it_serves(tmp_path: Path) -> None:
-    import urllib.error
-    import urllib.request
-
     place = ("--database", str(tmp_path / "d.sqlite"), "--workers", "0")
     with serving("--host", "0.0.0.0", "--token", "new", *place) as server:  # noqa: S104
         found = re.search(r"\?token=(\S{16,})", server.told)
@@ -100,6 +102,86 @@ def test_beyond_this_machine_with_a_token_it_serves(tmp_path: Path) -> None:
         )
         with urllib.request.urlopen(request) as answer:  # noqa: S310
             assert answer.status == 200
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    "sent",
+    [
+        b"GET /api/v1/about HTTP/1.1\r\nHost: 127.0.0.1\r\nX: ",
+        b"POST /api/v1/solve HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 1000\r\n"
+        b"Content-Type: application/json\r\n\r\n{",
+        b"",
+    ],
+    ids=["half a head", "half a body", "nothing"],
+)
+def test_connections_that_send_nothing_whole_keep_nobody_out(tmp_path: Path, sent: bytes) -> None:
+    with serving("--database", str(tmp_path / "d.sqlite"), "--workers", "0") as server:
+        silent = []
+        for _ in range(450):
+            silent.append(socket.create_connection(("127.0.0.1", server.port)))
+            silent[-1].sendall(sent)
+        for _ in range(3):
+            assert server.ask(f"{API}/about").status == 200
+        for one in silent:
+            one.close()
+
+
+def test_a_request_that_does_not_come_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    import asyncio
+
+    import uvicorn
+
+    from wraparc.web import connections
+
+    async def app(scope: Any, receive: Any, send: Any) -> None:
+        """Answer nothing."""
+
+    async def scenario() -> None:
+        monkeypatch.setattr(connections, "HEAD_LIMIT", 0.0)
+        config = uvicorn.Config(app, http=connections.Connection, lifespan="off")
+        config.load()
+        state = uvicorn.server.ServerState()
+        loop = asyncio.get_running_loop()
+        server = await loop.create_server(
+            lambda: connections.Connection(config, state, {}), "127.0.0.1", 0
+        )
+        reader, writer = await asyncio.open_connection(*server.sockets[0].getsockname())
+        writer.write(b"GET / HTTP/1.1\r\n")
+        with suppress(ConnectionResetError):
+            assert await reader.read() == b""  # closed by the server
+        writer.close()
+        server.close()
+        assert not connections.Connection.silent
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.processes
+def test_on_one_machine_other_users_are_kept_out(tmp_path: Path) -> None:
+    place = ("--database", str(tmp_path / "d.sqlite"), "--workers", "0")
+    with serving(*place) as server:
+        address = f"http://127.0.0.1:{server.port}"
+        with pytest.raises(urllib.error.HTTPError, match="401"):
+            urllib.request.urlopen(f"{address}{API}/designs")  # noqa: S310
+        opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        printed = re.search(r"http://\S+", server.told)
+        assert printed
+        assert opener.open(printed[0]).status == 200
+        assert opener.open(f"{address}{API}/designs").status == 200
+
+
+def test_the_token_of_a_user_stays_and_is_read_by_nobody_else(tmp_path: Path) -> None:
+    folder = tmp_path / "new"
+    made = own_token(folder)
+    assert own_token(folder) == made
+    assert len(made) >= 32
+    file = folder / "token"
+    assert file.stat().st_mode & 0o077 == 0
+    file.write_text("short")
+    assert own_token(folder) != "short"
+    (tmp_path / "file").write_text("")
+    assert own_token(tmp_path / "file") != own_token(tmp_path / "file")  # it cannot be kept
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 """``wraparc serve``: the calculator in the browser."""
 
 import os
-import re
 import secrets
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +20,7 @@ if TYPE_CHECKING:
 @click.option(
     "--token",
     metavar="TEXT",
-    help='What requests must carry; needed beyond this machine. "new" makes one.',
+    help='What requests must carry. Beyond this machine, name one, or let "new" make one.',
     envvar="WRAPARC_TOKEN",
 )
 @click.option("--name", "names", multiple=True, help="A name this server is reached under.")
@@ -39,21 +38,25 @@ def serve(
 ) -> int:
     """Serve the calculator as a web page, beginning with a drive FILE.
 
-    Only this machine can reach it unless --host says otherwise, which takes a --token.
+    Only this machine can reach it unless --host says otherwise, which takes a --token. On this
+    machine it lets in whoever opens the address that it prints: no other user of the machine.
     """
     _require_web()
+    from wraparc.web.database.place import user_folder
     from wraparc.web.serving import run
     from wraparc.web.settings import Settings, is_loopback
+    from wraparc.web.token import own_token
 
     if token == "new":  # noqa: S105 - a word, no secret
         token = secrets.token_urlsafe(24)
-    if not is_loopback(host):
-        _check_token(host, token)
+    if not token and is_loopback(host):
+        token = own_token(user_folder())
+    token = _checked_token(host, token)
     start, start_file = _start(file)
     settings = Settings(
         host=host,
         port=port,
-        token=token or "",
+        token=token,
         database=_database(database),
         names=names,
         start=start,
@@ -74,7 +77,9 @@ def _require_web() -> None:
             raise MissingExtraError(library, "web")
 
 
-def _check_token(host: str, token: str | None) -> None:
+def _checked_token(host: str, token: str | None) -> str:
+    from wraparc.web.token import TOKEN
+
     if not token:
         raise InputError(
             Problem(
@@ -84,7 +89,7 @@ def _check_token(host: str, token: str | None) -> None:
                 remedy="Add --token new, which makes a token and prints it, or leave --host out.",
             )
         )
-    if not re.fullmatch(r"[A-Za-z0-9_-]{16,200}", token):
+    if not TOKEN.fullmatch(token):
         raise InputError(
             Problem(
                 key="--token",
@@ -92,6 +97,7 @@ def _check_token(host: str, token: str | None) -> None:
                 remedy="Write --token new to have one made.",
             )
         )
+    return token
 
 
 def _start(file: str | None) -> tuple[dict[str, Any] | None, str]:

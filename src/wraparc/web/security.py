@@ -6,9 +6,10 @@ Written as a plain ASGI layer, so that it costs microseconds and sees every byte
 import hmac
 import socket
 from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from html import escape
 from http.cookies import CookieError, SimpleCookie
 from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qsl, quote, urlencode, urlsplit
 
 from wraparc.web.errors import PROBLEM_JSON, refused
 from wraparc.web.settings import Settings, is_address, is_loopback
@@ -31,6 +32,7 @@ POLICY = (
     "connect-src 'self'; font-src 'self'; manifest-src 'self'; form-action 'self'; "
     "base-uri 'none'; frame-ancestors 'none'"
 )
+_ASKING = ((b"content-type", b"text/html; charset=utf-8"), (b"www-authenticate", b"Bearer"))
 HEADERS: tuple[tuple[bytes, bytes], ...] = (
     (b"content-security-policy", POLICY.encode()),
     (b"x-content-type-options", b"nosniff"),
@@ -64,10 +66,13 @@ class Door:
         if scope["method"] == "HEAD":  # what GET would answer, without its content
             scope, outgoing = {**scope, "method": "GET"}, _without_content(outgoing)
         if self._enters(scope, headers):
-            await _answer(outgoing, 303, b"", self._welcome())
+            await _answer(outgoing, 303, b"", self._welcome(scope))
             return
         refusal = self._refusal(scope, headers)
         if refusal is not None:
+            if refusal[0] == 401 and _is_page(scope) and "text/html" in headers.get("accept", ""):
+                await _answer(outgoing, 401, _token_page(scope), _ASKING)
+                return
             await _refuse(outgoing, *refusal)
             return
         limit = UPLOAD_LIMIT if scope["path"].startswith(UPLOADS) else BODY_LIMIT
@@ -87,7 +92,8 @@ class Door:
             return 403, message, "Use the pages of this server."
         if self.settings.token and not self._has_token(headers):
             message = "this server asks for its token"
-            return 401, message, "Open the address with ?token=... that the server has printed."
+            remedy = "Open the address with ?token=... that the server has printed"
+            return 401, message, f"{remedy}, or send Authorization: Bearer ..."
         return None
 
     def _known_host(self, host: str) -> bool:
@@ -104,22 +110,58 @@ class Door:
         scheme, _, given = headers.get("authorization", "").partition(" ")
         if scheme.lower() == "bearer" and self._right(given.strip()):
             return True
-        return self._right(_cookie(headers.get("cookie", "")))
+        return self._right(_cookie(headers.get("cookie", ""), _cookie_name(headers)))
 
     def _right(self, given: str) -> bool:
         return hmac.compare_digest(given.encode(), self.settings.token.encode())
 
     def _enters(self, scope: Scope, headers: dict[str, str]) -> bool:
-        """Whether a browser comes with the token in the address of the first page."""
-        if not self.settings.token or scope["path"] != "/" or scope["method"] != "GET":
+        """Whether a browser comes with the token in the address of a page."""
+        if not self.settings.token or not _is_page(scope):
             return False
-        query = parse_qs(scope["query_string"][:1000].decode("latin-1"))
-        given = query.get("token", [""])[0]
-        return self._known_host(headers.get("host", "")) and self._right(given)
+        given = [value for name, value in _query(scope) if name == "token"]
+        known = self._known_host(headers.get("host", ""))
+        return known and bool(given) and self._right(given[0])
 
-    def _welcome(self) -> list[tuple[bytes, bytes]]:
-        cookie = f"{COOKIE}={self.settings.token}; Path=/; HttpOnly; SameSite=Strict"
-        return [(b"location", b"/"), (b"set-cookie", cookie.encode())]
+    def _welcome(self, scope: Scope) -> list[tuple[bytes, bytes]]:
+        headers = {key.decode("latin-1"): v.decode("latin-1") for key, v in scope["headers"]}
+        # Lax: a link to a design from elsewhere opens it; what changes something checks its origin
+        cookie = f"{_cookie_name(headers)}={self.settings.token}; Path=/; HttpOnly; SameSite=Lax"
+        query = urlencode([pair for pair in _query(scope) if pair[0] != "token"])
+        place = quote("/" + scope["path"].lstrip("/")) + (f"?{query}" if query else "")
+        return [(b"location", place.encode()), (b"set-cookie", cookie.encode())]
+
+
+def _is_page(scope: Scope) -> bool:
+    return scope["method"] == "GET" and not scope["path"].startswith(("/api/", "/static/"))
+
+
+def _query(scope: Scope) -> list[tuple[str, str]]:
+    return parse_qsl(scope["query_string"][:1000].decode("latin-1"), keep_blank_values=True)
+
+
+def _cookie_name(headers: dict[str, str]) -> str:
+    """Return the name of the cookie: browsers share cookies between the ports of a machine."""
+    return f"{COOKIE}_{headers.get('host', '').rpartition(':')[2]}".replace("]", "_")
+
+
+def _token_page(scope: Scope) -> bytes:
+    """Return a page that asks for the token, and then opens what was asked for."""
+    kept = "".join(
+        f'<input type="hidden" name="{escape(name)}" value="{escape(value)}">'
+        for name, value in _query(scope)
+        if name != "token"
+    )
+    page = (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        "<title>wraparc: token</title></head><body><main><h1>This calculator asks for its token"
+        "</h1><p>Open the address that <code>wraparc serve</code> has printed, or write what "
+        'stands in it behind <code>token=</code>:</p><form method="get"><p>'
+        f'<label>Token <input name="token" type="password" required></label>{kept} '
+        "<button>Open</button></p></form></main></body></html>"
+    )
+    return page.encode()
 
 
 def _host_name(host: str) -> str:
@@ -144,9 +186,9 @@ def _same_origin(scope: Scope, headers: dict[str, str], host: str) -> bool:
         return False
 
 
-def _cookie(text: str) -> str:
+def _cookie(text: str, name: str) -> str:
     try:
-        morsel = SimpleCookie(text[:8000]).get(COOKIE)
+        morsel = SimpleCookie(text[:8000]).get(name)
     except CookieError:
         return ""
     return morsel.value if morsel else ""

@@ -13,6 +13,7 @@ import uvicorn
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.web.app import create_app
+from wraparc.web.connections import Connection
 from wraparc.web.settings import Settings
 
 _KEEP_ALIVE, _MOST_CONNECTIONS = 30, 400
@@ -70,6 +71,7 @@ def run(settings: Settings, *, tell: Callable[[Settings], None], browser: bool =
             timeout_keep_alive=_KEEP_ALIVE,
             timeout_graceful_shutdown=3,
             ws="none",
+            http=Connection,
         )
         _Server(config, ready).run(sockets=[found])
 
