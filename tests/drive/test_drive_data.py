@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from wraparc import InputError, Kind, Provenance
+from wraparc import InputError
 from wraparc.drive import (
     DESIGN,
     Belt,
@@ -24,7 +24,6 @@ from wraparc.drive import (
     Pulley,
     Tensions,
     compression_modulus,
-    design_remarks,
 )
 from wraparc.friction import Constant, TestedRange
 
@@ -227,34 +226,3 @@ def test_tall_blocks_do_not_stiffen() -> None:
 
 
 # ---- remarks ----
-
-
-def test_a_usual_drive_needs_no_remark() -> None:
-    assert design_remarks(DRIVE) == ()
-
-
-def test_remarks() -> None:
-    illustrative = Provenance(Kind.ILLUSTRATIVE)
-    drive = Drive(
-        belt=replace(BELT, width=12.0, least_pulley_diameter=1.0),
-        pulleys=(
-            replace(
-                PULLEY,
-                lagging=replace(LAGGING, provenance=illustrative),
-                sources={"diameter": Provenance(Kind.CALIBRATED)},
-            ),
-        ),
-        load_cases=(LoadCase(name="start", tensions={"head": Tensions(entry=4e6, exit=60e3)}),),
-    )
-    assert design_remarks(drive) == (
-        "The width of belt, 12.00 m, is outside the usual 200.0 mm to 4000 mm: check the unit.",
-        "Pulley head, 800.0 mm, is smaller than the least drive pulley of belt belt, 1000 mm.",
-        "Load case start, pulley head: the tension 4000 kN is above the rating of the belt, "
-        "2100 kN.",
-        "Load case start, pulley head: the wrap pressure at the entry, 833.3 kPa, is outside the "
-        "tested 34.00 kPa to 690.0 kPa of lagging rubber.",
-        "Load case start, pulley head: the wrap pressure at the exit, 12.50 kPa, is outside the "
-        "tested 34.00 kPa to 690.0 kPa of lagging rubber.",
-        "The friction of rubber is illustrative: it describes no real product.",
-        "These inputs are calibrated: diameter of head.",
-    )

@@ -11,9 +11,10 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from shear_test.virtual import PRESSURES, fitted, laboratory
+from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
-from wraparc.present.sheet import Level, Sheet, Table
+from wraparc.present.sheet import Sheet, Table
 from wraparc.report.shear_test import Report, make_report
 from wraparc.report.shear_test_tables import plan_sheet
 from wraparc.shear_test import PlanResult
@@ -81,7 +82,7 @@ def test_what_was_left_out_comes_first(sheet: Sheet) -> None:
     assert sheet.tables[0].title == "Tests left out"
     assert "holds the same data as test[9]" in sheet.tables[0].rows[0].title
     assert sheet.verdict is not None
-    assert sheet.verdict.level is Level.WARNING
+    assert sheet.verdict.level is Level.ATTENTION
     assert sheet.verdict.headline.startswith("1 of 10 tests could not be used")
 
 

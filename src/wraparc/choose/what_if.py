@@ -34,6 +34,8 @@ class WhatIf:
 
     Attributes
     ----------
+    drive
+        The drive as it is.
     pulley, load_case
         Which.
     before
@@ -44,6 +46,7 @@ class WhatIf:
         The same pulley after each change.
     """
 
+    drive: Drive
     pulley: str
     load_case: str
     before: ArcResult
@@ -72,4 +75,4 @@ def what_if(
         return solver.solve(WrapArc.of(one, one.pulley(pulley), one.load_case(load_case)))
 
     after = tuple(solved(change.drive) for change in changes)
-    return WhatIf(pulley, load_case, solved(drive), tuple(changes), after)
+    return WhatIf(drive, pulley, load_case, solved(drive), tuple(changes), after)

@@ -59,5 +59,5 @@ def family(
 
         where = f"pulley {place.name}, load case {case.name}"
         files[plot_file] = plot_family(results, units, title=f"{title} - {where}").save
-    deliver(files, lambda: family_sheet(results, title, units))
+    deliver(files, lambda: family_sheet(drive, results, title, units))
     return 0 if all(r.status.solved for r in results) else 1

@@ -84,11 +84,7 @@ def report(
     )
     results, train = _solved(file, settings, case, creep_limit)
     _write(output, results, head, units, train)
-    if train is not None:
-        from wraparc.cli import train_answer
-
-        return train_answer.exit_code(train)
-    return exit_code(results[0])
+    return exit_code(results[0] if train is None else train)
 
 
 def _head(**values: str) -> NoteHead:

@@ -15,13 +15,16 @@ from unicodedata import east_asian_width
 
 import click
 
+from wraparc.checks import Level
 from wraparc.cli.pipe import reader_may_leave
-from wraparc.present.sheet import Level, Row, Sheet, Table
+from wraparc.present.sheet import Row, Sheet, Table
 
 _STYLES: dict[Level, dict[str, Any]] = {
-    Level.GOOD: {"fg": "green"},
-    Level.WARNING: {"fg": "yellow", "bold": True},
-    Level.BAD: {"fg": "red", "bold": True},
+    Level.OK: {"fg": "green"},
+    Level.NOT_CHECKED: {"dim": True},
+    Level.ATTENTION: {"fg": "yellow", "bold": True},
+    Level.FAILS: {"fg": "red", "bold": True},
+    Level.FAULT: {"fg": "red", "bold": True},
 }
 #: Width of lines where no terminal says how wide it is.
 _PIPED_WIDTH = 110
@@ -79,7 +82,7 @@ def _headline(sheet: Sheet, width: int) -> list[str]:
     verdict = sheet.verdict
     if verdict is None:
         return []
-    lines = wrap(f"{verdict.level}  {verdict.headline}", width, break_on_hyphens=False)
+    lines = wrap(f"{verdict.told}  {verdict.headline}", width, break_on_hyphens=False)
     return [_marked(lines[0], verdict.level), *lines[1:]]
 
 
@@ -163,7 +166,11 @@ def _coloured(texts: list[str], row: Row | None, values: range, *, first_line: b
     """Join the cells of a line; values stand out, in the colour of bad news if they are."""
     styled = list(texts)
     if row is not None:
-        style = {"bold": True} if row.level in (None, Level.GOOD) else _STYLES[row.level]
+        style = (
+            {"bold": True}
+            if row.level in (None, Level.OK, Level.NOT_CHECKED)
+            else _STYLES[row.level]
+        )
         for i in values:
             styled[i] = click.style(texts[i], **style)
         if first_line and row.level and texts[-1].startswith(row.level):

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from wraparc.arc import Distributed, DriveResult, Method, PaperMarch, Status
+from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
+from wraparc.checks import Level, judge
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.drive import Drive
@@ -26,7 +27,7 @@ METHODS: dict[str, tuple[type[Method], ...]] = {
     "paper": (PaperMarch,),
     "both": (Distributed, PaperMarch),
 }
-SOLVED, CANNOT_CARRY, FAULT = 0, 1, 3
+SOLVED, FAILS, FAULT = 0, 1, 3
 
 
 @click.command()
@@ -93,11 +94,7 @@ def solve(
     if plot_file and draw:
         files[plot_file] = _picture(draw, results, units, train).save
     deliver(files, lambda: _sheet(results, units, everything or load_case is not None, train))
-    if train is not None:
-        from wraparc.cli import train_answer
-
-        return train_answer.exit_code(train)
-    return exit_code(results[0])
+    return exit_code(results[0] if train is None else train)
 
 
 def solve_as_train(
@@ -131,11 +128,12 @@ def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> 
     return profile_csv(arcs, units, decimal_comma=decimal_comma)
 
 
-def exit_code(result: DriveResult) -> int:
-    """Return the exit code that tells of a result."""
-    if any(arc.status is Status.UNSOLVED for arc in result):
+def exit_code(result: "DriveResult | TrainResult") -> int:
+    """Return the exit code of a verdict: 0, 1 where it fails, 3 for a fault of the program."""
+    level = judge(result).level
+    if level is Level.FAULT:
         return FAULT
-    return SOLVED if result.solved else CANNOT_CARRY
+    return FAILS if level is Level.FAILS else SOLVED
 
 
 @click.command()

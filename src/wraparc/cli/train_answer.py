@@ -7,7 +7,7 @@ from wraparc.arc import Distributed, DriveResult, Method
 from wraparc.arc import solve as solve_drive
 from wraparc.errors import placed
 from wraparc.present.sheet import Sheet
-from wraparc.train import Train, TrainResult, TrainStatus, solve_train
+from wraparc.train import Train, TrainResult, solve_train
 from wraparc.units import System
 
 
@@ -53,10 +53,3 @@ def sheet_of(
 
     detail = range(len(results[0])) if everything else None
     return train_sheet(result, system, detail, results)
-
-
-def exit_code(result: TrainResult) -> int:
-    """Return 0 solved, 1 a drive cannot carry its load, 3 a fault."""
-    if any(case.status is TrainStatus.UNSOLVED for case in result):
-        return 3
-    return 0 if result.solved else 1

@@ -19,7 +19,6 @@ from wraparc.drive.drive import CREEP_LIMIT, MOST_PULLEYS, Drive, repeated
 from wraparc.drive.lagging import SURFACES, Cost, Fit, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
 from wraparc.drive.pulley import Pulley
-from wraparc.drive.remarks import design_remarks
 from wraparc.schema.limits import Limit
 
 __all__ = [
@@ -50,6 +49,5 @@ __all__ = [
     "TakeUp",
     "Tensions",
     "compression_modulus",
-    "design_remarks",
     "repeated",
 ]

@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Sequence
 
 from wraparc.arc import ArcResult, DriveResult, Status
-from wraparc.drive import design_remarks
+from wraparc.checks import judge
 from wraparc.plot.budget import draw_budget
 from wraparc.plot.picture import Picture, styled
 from wraparc.plot.profiles import draw_profiles
@@ -31,9 +31,7 @@ def plot_drive(
     position = first.arcs.index(first.governing)
     arcs = [result.arcs[position] for result in results]
     title = first.drive.title or "Drive"
-    return plot_arc(
-        arcs, system, quantity=quantity, title=title, remarks=design_remarks(first.drive, system)
-    )
+    return plot_arc(arcs, system, quantity=quantity, title=title, remarks=judge(first).data)
 
 
 def plot_arc(

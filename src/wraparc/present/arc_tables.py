@@ -1,10 +1,11 @@
 """The tables of one solved arc, by one method or by several side by side."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 from wraparc.arc import ArcResult
-from wraparc.present.sheet import NONE, Level, Row, Table, between, named, percent, row_of
+from wraparc.checks import Level
+from wraparc.present.sheet import Row, Table, between, named, percent, row_of
 from wraparc.units import System
 
 Results = tuple[ArcResult, ...]
@@ -78,14 +79,14 @@ def _pressures(result: ArcResult, system: System) -> str:
 def _creep_level(result: ArcResult) -> Level | None:
     if not result.status.solved:
         return None
-    return Level.GOOD if result.within_creep_limit else Level.WARNING
+    return Level.OK if result.within_creep_limit else Level.ATTENTION
 
 
 def _outside_row(results: Results) -> Row:
     texts = _values(results, lambda r: f"{percent(r.outside_tested_share)} of the wrap")
     outside = any(result.outside_tested_share > 0.0 for result in results)
     note = "the friction law is an extrapolation there" if outside else ""
-    level = Level.WARNING if outside else None
+    level = Level.ATTENTION if outside else None
     title = row_of("outside_tested_share", 0.0).title
     return Row(title, texts, "", note, "outside_tested_share", level)
 
@@ -130,7 +131,6 @@ def capacity_table(result: ArcResult, system: System) -> Table | None:
     rows = [
         ratio("creep_limit_capacity", c.creep_limit_margin, "the design number"),
         row_of("equivalent_friction", c.equivalent_friction, note="to set beside design values"),
-        *_slack_rows(result, slack, system),
     ]
     if arc.law.tested is not None:
         slip = named("slip", arc.law.tested.slip_max, system)
@@ -147,32 +147,6 @@ def capacity_table(result: ArcResult, system: System) -> Table | None:
 def _actual(result: ArcResult) -> float:
     ratio = result.arc.entry_tension / result.arc.exit_tension
     return max(ratio, 1.0 / ratio)
-
-
-def _slack_rows(result: ArcResult, slack: str, system: System) -> Iterable[Row]:
-    c, arc = result.capacities, result.arc
-    least, given = c.least_exit_tension, min(arc.entry_tension, arc.exit_tension)
-    pull = abs(arc.effective_tension)
-    if pull == 0.0:
-        return
-    carried = f"for the same {named('effective_tension', pull, system)} within the creep limit"
-    if math.isnan(least):
-        yield Row(
-            row_of("least_exit_tension", 0.0).title,
-            (NONE,),
-            f"{slack}_min",
-            f"none {carried} with the tight side in the tested pressures",
-            "least_exit_tension",
-            Level.WARNING,
-        )
-        if not math.isnan(c.largest_effective_tension):
-            most = c.largest_effective_tension
-            yield row_of("largest_effective_tension", most, system=system, note="carried so")
-        return
-    level = Level.GOOD if least <= given else Level.WARNING
-    note = f"{carried}; given {named('tension', given, system)}"
-    row = row_of("least_exit_tension", least, system=system, note=note, level=level)
-    yield Row(row.title, row.values, f"{slack}_min", row.note, row.name, row.level)
 
 
 def _gross_note(result: ArcResult, system: System) -> str:

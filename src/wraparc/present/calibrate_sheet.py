@@ -9,8 +9,9 @@ import numpy as np
 from wraparc.arc import ArcResult
 from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Problemset
 from wraparc.calibrate.fold import Folded
+from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent, quantity
+from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.units import Dimension, System
 
 #: parameter -> title, dimension
@@ -62,7 +63,7 @@ def _row(e: Estimate, system: System) -> Row:
     if e.name == "overrun" and math.isfinite(e.spread):
         spread = quantity(e.spread * 1e-4, "length", system)
     if e.value is None or e.low is None or e.high is None:
-        return Row(title, ("not told", "-", spread), level=Level.WARNING)
+        return Row(title, ("not told", "-", spread), level=Level.ATTENTION)
     value, low, high = (quantity(v, dimension, system) for v in (e.value, e.low, e.high))
     note = "from the prior, not from the data" if e.from_prior else ""
     return Row(title, (value, f"{low} to {high}", spread), note=note)
@@ -76,10 +77,10 @@ def _verdict(found: Calibration) -> Verdict:
         )
         if len(found.estimates) == 1:
             headline = f"The parameter is told by {found.data} measured values."
-        return Verdict(Level.GOOD, headline, tuple(_mixed_words(found)))
+        return Verdict(Level.OK, headline, tuple(_mixed_words(found)))
     names = ", ".join(n.replace("_", " ") for n in untold)
     return Verdict(
-        Level.WARNING,
+        Level.ATTENTION,
         f"The data cannot tell: {names}. No number is given.",
         (
             *_mixed_words(found),

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.checks import Level
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
@@ -19,17 +20,7 @@ from wraparc.present.choose_words import (
     reasons,
     saving_words,
 )
-from wraparc.present.sheet import (
-    Level,
-    Row,
-    Sheet,
-    Table,
-    Verdict,
-    named,
-    number,
-    percent,
-    quantity,
-)
+from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, number, percent, quantity
 from wraparc.units import System, display_unit
 
 _MOST_ROWS = 15
@@ -80,7 +71,7 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
             f"{n.replace('_', ' ')} ({c} of {len(selection)})" for n, c in counts.items()
         )
         return Verdict(
-            Level.BAD,
+            Level.FAILS,
             "No candidate keeps every limit.",
             (
                 f"Limits broken: {told}.",
@@ -106,7 +97,7 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
             f"slack side {named('tension', lighter.slack_tension, system)}, largest tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
         )
-    return Verdict(Level.GOOD, headline, tuple(sentences))
+    return Verdict(Level.OK, headline, tuple(sentences))
 
 
 def _heads(selection: Selection, system: System) -> tuple[str, ...]:

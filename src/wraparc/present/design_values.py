@@ -3,8 +3,9 @@
 import math
 
 from wraparc.arc import ArcResult, ClassicalDrive, classical_drives
+from wraparc.checks import Level
 from wraparc.drive import Lagging
-from wraparc.present.sheet import NONE, Level, Row, Table, between, named, percent
+from wraparc.present.sheet import NONE, Row, Table, between, named
 from wraparc.present.sources import Sources
 from wraparc.units import System, display
 
@@ -66,26 +67,8 @@ def _design_row(drive: ClassicalDrive, result: ArcResult, system: System, of: So
     )
     note = of.note(design.provenance)
     title = ", ".join(part for part in (standard, design.surface, design.condition) if part)
-    return Row(title, values, note=note, level=Level.WARNING if slips else None)
+    return Row(title, values, note=note, level=Level.ATTENTION if slips else None)
 
 
 def _pair(name: str, ends: tuple[float, float], system: System) -> str:
     return between(name, *ends, system, by="-")
-
-
-def comparison_sentence(result: ArcResult, lagging: Lagging, system: System) -> str:
-    """Return what the comparison comes to in words, or nothing if there is none to make."""
-    least = result.capacities.least_exit_tension
-    drives = [d for d in known(result, lagging) if d.design.standard == "CEMA"]
-    if not drives or math.isnan(least):
-        return ""
-    asked = drives[0].safe_slack_tension
-    value = f"CEMA's design value {drives[0].design.friction[0]:.2f} for {lagging.surface}"
-    less = f"{value} asks for {named('tension', asked, system)} on the slack side"
-    needed = named("tension", least, system)
-    difference = percent(abs(least / asked - 1.0), 2)
-    if least > asked * 1.005:
-        return f"{less}; within the creep limit this pulley needs {needed}, {difference} more."
-    if least < asked * 0.995:
-        return f"{less}; within the creep limit this pulley needs {needed}, {difference} less."
-    return f"{less}, as much as this pulley needs within the creep limit."

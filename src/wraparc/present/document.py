@@ -11,10 +11,12 @@ from typing import Any
 import numpy as np
 
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
-from wraparc.drive import Belt, Drive, Lagging, design_remarks
+from wraparc.checks import Level, judge
+from wraparc.drive import Belt, Drive, Lagging
 from wraparc.glossary import GLOSSARY
+from wraparc.present.checks_table import check_data, verdict_document
 from wraparc.present.inputs import arc_inputs
-from wraparc.present.words import verdict
+from wraparc.present.least_tension import least_data
 from wraparc.provenance import Provenance
 from wraparc.units import DIMENSION_TEXT
 from wraparc.version import __version__
@@ -45,8 +47,8 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         Where the drive was read from.
     """
     drive = results[0].drive
-    told = verdict(results[0])
-    arcs = [_arc_data(arc, drive) for result in results for arc in result]
+    told = judge(results[0])
+    arcs = [_arc_data(arc, result) for result in results for arc in result]
     return {
         "format": DOCUMENT_FORMAT,
         "program": {"name": "wraparc", "version": __version__},
@@ -55,12 +57,9 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),
-        "verdict": {
-            "level": told.level.value,
-            "headline": told.headline,
-            "sentences": list(told.sentences),
-        },
-        "remarks": list(design_remarks(drive)),
+        "verdict": verdict_document(told),
+        "least_tension": least_data(results[0]),
+        "remarks": list(told.data),
         "arcs": arcs,
         "sources": sources_of(drive),
         "units": _units(arcs),
@@ -88,7 +87,9 @@ def _place(result: ArcResult) -> Data:
     return {"load_case": arc.load_case, "pulley": arc.pulley, "method": result.method}
 
 
-def _arc_data(result: ArcResult, drive: Drive) -> Data:
+def _arc_data(result: ArcResult, of: DriveResult) -> Data:
+    drive = of.drive
+    judged = judge(of).at(result.arc.pulley, result.arc.load_case)
     scalars = result.scalars()
     lagging = drive.pulley(result.arc.pulley).lagging
     return {
@@ -96,6 +97,8 @@ def _arc_data(result: ArcResult, drive: Drive) -> Data:
         "status": result.status.name.lower(),
         "status_text": str(result.status),
         "within_creep_limit": result.within_creep_limit,
+        "level": judged.level.value,
+        "checks": [check_data(c) for c in judged.listed if c.level is not Level.NOT_CHECKED],
         "inputs": _inputs(drive, result.arc),
         **scalars,
         "unbounded": [name for name, value in scalars.items() if math.isinf(value)],

@@ -2,9 +2,12 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.drive import Drive, design_remarks
+from wraparc.checks import Verdict as Judgement
+from wraparc.checks import before, judge, least_tension
+from wraparc.drive import Drive
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
     Results,
@@ -14,17 +17,22 @@ from wraparc.present.arc_tables import (
     creep_table,
     energy_table,
 )
+from wraparc.present.checks_table import check_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.input_tables import input_table, input_tables
 from wraparc.present.inputs import drive_inputs
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, number, percent
+from wraparc.present.least_tension import least_table, margins_table
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, percent
 from wraparc.present.sources import Sources
-from wraparc.present.words import level_of, short, verdict
+from wraparc.present.words import alone, level_of, short, verdict
 from wraparc.units import System, display_unit
 
 
 def drive_sheet(
-    results: Sequence[DriveResult], system: System = "si", detail: Sequence[int] | None = None
+    results: Sequence[DriveResult],
+    system: System = "si",
+    detail: Sequence[int] | None = None,
+    judged: Judgement | None = None,
 ) -> Sheet:
     """Return everything to show of a solved drive.
 
@@ -36,20 +44,25 @@ def drive_sheet(
         Units to show.
     detail
         Positions in `DriveResult.arcs` to show in full; the governing arc unless given.
+    judged
+        The checks, where they are those of a train.
     """
     first = results[0]
     if detail is None:
         detail = [first.arcs.index(first.governing)]
     of = Sources()
-    tables = [summary_table(results, system)] if len(first) > 1 else []
+    tables = [check_table(judged or judge(first), system, of)]
+    least = least_table(first, system)
+    tables += [least] if least else []
+    tables += [summary_table(results, system)] if len(first) > 1 else []
     for position in detail:
-        tables += _arc(first.drive, tuple(r.arcs[position] for r in results), system, of)
+        tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
         verdict=verdict(first, system),
         tables=tuple(tables),
-        remarks=(*design_remarks(first.drive, system), *method_remarks(results)),
+        remarks=(*judge(first).data, *method_remarks(results)),
         sources=of.listed(),
     )
 
@@ -60,9 +73,12 @@ def input_sheet(drive: Drive, system: System = "si") -> Sheet:
     tables = input_tables(drive_inputs(drive), system, of)
     counted = f"{len(drive.pulleys)} {'pulley' if len(drive.pulleys) == 1 else 'pulleys'}, "
     counted += f"load cases: {', '.join(case.name for case in drive.load_cases)}."
-    told = Verdict(Level.GOOD, f"The drive file is in order: {counted}")
-    remarks = design_remarks(drive, system)
-    return Sheet(drive.title or "Drive", "", told, tables, remarks, of.listed())
+    judged = before(drive)
+    told = Verdict(judged.level, f"The drive file is in order: {counted}", judged.sentences(system))
+    if judged.missed:
+        told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
+    found = check_table(judged, system, of, "Checks before anything is solved")
+    return Sheet(drive.title or "Drive", "", told, (found, *tables), judged.data, of.listed())
 
 
 def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
@@ -77,15 +93,18 @@ def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
     )
 
 
-def _arc(drive: Drive, results: Results, system: System, of: Sources) -> list[Table]:
-    first = results[0]
+def _arc(result: DriveResult, results: Results, system: System, of: Sources) -> list[Table]:
+    first, drive = results[0], result.drive
     pulley = drive.pulley(first.arc.pulley)
     solved = tuple(result for result in results if result.status.solved)
     tables = []
     if solved:
         tables += [answer_table(solved, system), creep_table(solved, system)]
-    capacity = capacity_table(first, system)
-    tables += [capacity] if capacity else []
+    tables += [
+        table
+        for table in (capacity_table(first, system), margins_table(result, first, system))
+        if table
+    ]
     tables.append(comparison_table(first, pulley.lagging, system, of))
     if first.status.solved:
         tables.append(energy_table(first, system))
@@ -110,11 +129,13 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
         for arc in result:
             method = f", {METHOD_TITLES[arc.method]}" if len(results) > 1 else ""
             title = f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
-            rows.append(Row(title, _summary_values(arc, system), level=level_of(arc)))
+            rows.append(
+                Row(title, _summary_values(result, arc, system), level=level_of(result, arc))
+            )
     return Table("All load cases and pulleys", tuple(rows), heads)
 
 
-def _summary_values(result: ArcResult, system: System) -> tuple[str, ...]:
+def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
     arc, solved = result.arc, result.status.solved
     creep = result.exit_creep if solved else math.nan
     return (
@@ -123,9 +144,19 @@ def _summary_values(result: ArcResult, system: System) -> tuple[str, ...]:
         number("tension_ratio", arc.entry_tension / arc.exit_tension, system),
         number("exit_creep", creep, system),
         percent(abs(creep) / arc.creep_limit),
-        number("least_exit_tension", result.capacities.least_exit_tension, system),
-        short(result),
+        _least(of, result, system),
+        short(of, result),
     )
+
+
+def _least(of: DriveResult, result: ArcResult, system: System) -> str:
+    """Return the least slack-side tension of an arc; that of a train is not one of its pulleys'."""
+    if len(of.drive.pulleys) > 1:
+        return NONE
+    found = least_tension(alone(of.drive, result))
+    if found is None:
+        return NONE
+    return "none" if math.isinf(found.tension) else number("tension", found.tension, system)
 
 
 def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:

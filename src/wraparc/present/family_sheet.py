@@ -4,13 +4,16 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from wraparc.arc import ArcResult
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.drive import Drive
 from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, percent
-from wraparc.present.words import level_of, short
+from wraparc.present.words import alone, level_of, short
 from wraparc.units import System, display_unit
 
 
-def family_sheet(results: Sequence[ArcResult], title: str, system: System = "si") -> Sheet:
+def family_sheet(
+    drive: Drive, results: Sequence[ArcResult], title: str, system: System = "si"
+) -> Sheet:
     """Return a row for each tension ratio: tensions, creep, slip, shear and what comes of it."""
     arc = results[0].arc
     tight, slack = ("T1", "T2") if arc.side > 0.0 else ("T2", "T1")
@@ -21,7 +24,11 @@ def family_sheet(results: Sequence[ArcResult], title: str, system: System = "si"
         f"slip [{length}]", "shear angle [deg]", "answer",
     )  # fmt: skip
     rows = tuple(
-        Row(f"{tight}/{slack} = {_ratio(r):.4g}", _values(r, system), level=level_of(r))
+        Row(
+            f"{tight}/{slack} = {_ratio(r):.4g}",
+            _values(alone(drive, r), r, system),
+            level=level_of(alone(drive, r), r),
+        )
         for r in results
     )
     limit = named("creep_limit", arc.creep_limit, system)
@@ -39,7 +46,7 @@ def _ratio(result: ArcResult) -> float:
     return max(arc.entry_tension, arc.exit_tension) / min(arc.entry_tension, arc.exit_tension)
 
 
-def _values(result: ArcResult, system: System) -> tuple[str, ...]:
+def _values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
     arc, solved = result.arc, result.status.solved
     texts = (
         number("exit_creep", result.exit_creep, system),
@@ -51,7 +58,7 @@ def _values(result: ArcResult, system: System) -> tuple[str, ...]:
         number("tension", min(arc.entry_tension, arc.exit_tension), system),
         number("effective_tension", abs(arc.effective_tension), system),
         *(texts if solved else [NONE] * len(texts)),
-        short(result),
+        short(of, result),
     )
 
 

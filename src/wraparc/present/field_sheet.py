@@ -5,7 +5,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.checks import Level
+from wraparc.present.sheet import Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.units import System
 
 
@@ -36,9 +37,9 @@ def field_sheet(
 
 def _verdict(found: FieldNumbers) -> Verdict:
     worst = max(max(map(abs, pair)) for pair in found.healthy.values())
-    level = Level.GOOD
+    level = Level.OK
     if found.at_limit is not None and worst > found.at_limit:
-        level = Level.WARNING
+        level = Level.ATTENTION
     return Verdict(
         level,
         f"A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "

@@ -60,7 +60,7 @@ def _top(sheet: Sheet, heading: str) -> Iterator[str]:
     yield f"<{heading}>{escape(sheet.title)}</{heading}>"
     yield f"<p>{escape(sheet.subtitle)}</p>" if sheet.subtitle else ""
     if sheet.verdict:
-        yield f"<p><strong>{sheet.verdict.level}. {escape(sheet.verdict.headline)}</strong></p>"
+        yield f"<p><strong>{sheet.verdict.told}. {escape(sheet.verdict.headline)}</strong></p>"
         yield _list("ul", sheet.verdict.sentences)
 
 

@@ -6,21 +6,13 @@ label, one unit and one remark wherever it appears.
 
 import math
 from dataclasses import dataclass
-from enum import StrEnum
 
+from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
 from wraparc.units import Dimension, System, display, display_unit
 
 #: What stands where there is no number.
 NONE = "-"
-
-
-class Level(StrEnum):
-    """How good news is: the value is the word that says it without colour."""
-
-    GOOD = "OK"
-    WARNING = "ATTENTION"
-    BAD = "FAILS"
 
 
 @dataclass(frozen=True)
@@ -95,11 +87,19 @@ class Verdict:
         One sentence.
     sentences
         What follows from it: how far from a limit, what to do, what limits the answer.
+    word
+        What stands for the level, ``OK, on illustrative data``; the level itself unless given.
     """
 
     level: Level
     headline: str
     sentences: tuple[str, ...] = ()
+    word: str = ""
+
+    @property
+    def told(self) -> str:
+        """Word of the verdict."""
+        return self.word or str(self.level)
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,10 @@ class Sources:
             kind = f"{provenance.kind} [{number}]"
         return ", ".join(part for part in (kind, provenance.note) if part)
 
+    def number(self, text: str) -> str:
+        """Return the number of a source told as a text, ``[2]``; nothing for no text."""
+        return f"[{self._numbers.setdefault(text, len(self._numbers) + 1)}]" if text else ""
+
     def listed(self) -> tuple[str, ...]:
         """Return every source, the first being number 1."""
         return tuple(self._numbers)

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
+from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.page import sheet_page
 from wraparc.present.sheet import (
     NONE,
-    Level,
     Row,
     Sheet,
     Table,
@@ -104,7 +104,7 @@ def _verdict(summary: Summary, system: System) -> Verdict:
             0, f"{within:,} of {solved + away:,} keep the creep limit ({_share(within, total)})."
         )
     bad = within < total if summary.groups else bool(sentences or away)
-    level = Level.WARNING if bad else Level.GOOD
+    level = Level.ATTENTION if bad else Level.OK
     headline = f"{total:,} rows: {solved:,} solved, {away:,} break away."
     return Verdict(level, headline, tuple(sentences))
 

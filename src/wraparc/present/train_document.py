@@ -4,7 +4,10 @@ import csv
 import io
 from typing import Any
 
-from wraparc.present.train_words import matching_verdict, train_verdict
+from wraparc.checks import judge
+from wraparc.present.checks_table import verdict_document
+from wraparc.present.least_tension import least_data
+from wraparc.present.train_words import matching_verdict
 from wraparc.train import CaseResult, Matching, MemberResult, ShareCurve, ShareMap, TrainResult
 from wraparc.version import __version__
 
@@ -13,10 +16,10 @@ Data = dict[str, Any]
 
 def train_document(result: TrainResult) -> Data:
     """Return what a solved train has besides its arcs."""
-    told = train_verdict(result)
     return {
         "solved": result.solved,
-        "verdict": _verdict_data(told),
+        "verdict": verdict_document(judge(result)),
+        "least_tension": least_data(result),
         "load_cases": [_case_data(case) for case in result],
     }
 

@@ -4,13 +4,13 @@ from collections.abc import Callable, Sequence
 from math import isnan
 
 from wraparc.arc import DriveResult
+from wraparc.checks import Level, judge, least_tension
 from wraparc.glossary import GLOSSARY
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import drive_inputs
 from wraparc.present.sheet import (
     NONE,
-    Level,
     Row,
     Sheet,
     Table,
@@ -21,7 +21,6 @@ from wraparc.present.sheet import (
 from wraparc.present.sources import Sources
 from wraparc.present.train_inputs import train_inputs
 from wraparc.present.train_words import matching_verdict, train_verdict
-from wraparc.present.words import level_of
 from wraparc.train import (
     CaseResult,
     Mark,
@@ -55,8 +54,9 @@ def train_sheet(
     pulleys
         Its pulleys by one method or several; as in the train unless given.
     """
-    arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail)
-    tables = (*train_tables(result, system), *arcs.tables)
+    arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail, judge(result))
+    checks = 2 if least_tension(result) else 1
+    tables = (*arcs.tables[:checks], *train_tables(result, system), *arcs.tables[checks:])
     verdict = train_verdict(result, system)
     return Sheet(arcs.title, arcs.subtitle, verdict, tables, arcs.remarks, arcs.sources)
 
@@ -67,7 +67,7 @@ def train_input_sheet(train: Train, system: System = "si") -> Sheet:
     inputs = (*drive_inputs(train, divided=True), *train_inputs(train))
     tables = input_tables(inputs, system, of)
     count = f"{len(train.pulleys)} pulleys, {len(train.cases)} load cases"
-    told = Verdict(Level.GOOD, f"The drive file of the train is in order: {count}.")
+    told = Verdict(Level.OK, f"The drive file of the train is in order: {count}.")
     title = train.title or "Train"
     return Sheet(title, train.description, told, tables, (), of.listed())
 
@@ -171,9 +171,9 @@ def _creep_row(case: CaseResult, system: System) -> Row:
         creep = m.arc.exit_creep
         part = percent(abs(creep) / m.arc.arc.creep_limit, 2)
         texts.append(f"{named('exit_creep', creep, system)} ({part})")
-    worst = max((level_of(m.arc) for m in case.members), key=list(Level).index)
+    over = any(not m.arc.within_creep_limit for m in case.members)
     entry = GLOSSARY["exit_creep"]
-    level = worst if worst is not Level.GOOD else None
+    level = Level.ATTENTION if over else None
     note = "and as a part of the limit"
     return Row(entry.title, tuple(texts), entry.symbol, note, "exit_creep", level)
 

@@ -3,8 +3,11 @@
 from collections.abc import Iterator
 from math import isfinite, isnan
 
+from wraparc.checks import Level, judge
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import Level, Verdict, named, percent
+from wraparc.present.least_tension import least_sentence
+from wraparc.present.sheet import Verdict, named, percent
+from wraparc.present.words import in_words
 from wraparc.train import (
     CaseResult,
     MarkKind,
@@ -29,43 +32,17 @@ _TOLERATED = 0.05
 
 def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     """Return the answer for a train in all its load cases, told by the one that governs."""
-    worst = result.governing
-    sentences = [*_case_sentences(worst, system)]
+    worst, told = result.governing, judge(result)
+    least = least_sentence(result, system)
+    sentences = [
+        *([least] if least else []),
+        *told.sentences(system),
+        *_case_sentences(worst, system),
+    ]
     for case in result:
         if case is not worst:
             sentences += _short(case, system)
-    return Verdict(_level(result), _headline(result, worst, system), tuple(sentences))
-
-
-def _level(result: TrainResult) -> Level:
-    if not result.solved:
-        return Level.BAD
-    fine = all(case.within_creep_limit and not _fights(case) for case in result)
-    return Level.GOOD if fine else Level.WARNING
-
-
-def _headline(result: TrainResult, worst: CaseResult, system: System) -> str:
-    if not worst.status.solved:
-        return f"Load case {worst.case.name}: {worst.reason} {worst.status}".replace("  ", " ")
-    count = len(result)
-    where = f" in all {count} load cases" if count > 1 else ""
-    over = [m for case in result for m in case if not m.arc.within_creep_limit]
-    if not over:
-        fights = [case.case.name for case in result if _fights(case)]
-        if fights:
-            cases = " and ".join(fights)
-            return (
-                f"The drives carry the load{where}, every creep within its limit, but work against "
-                f"each other in load case {cases}."
-            )
-        return f"The drives carry the load{where}, every creep within its limit."
-    m = max(over, key=lambda m: abs(m.arc.exit_creep) / m.arc.arc.creep_limit)
-    creep = named("exit_creep", abs(m.arc.exit_creep), system)
-    limit = named("creep_limit", m.arc.arc.creep_limit, system)
-    return (
-        f"The drives carry the load{where}, but {m.name} creeps {creep} in load case "
-        f"{m.arc.arc.load_case}, more than its limit of {limit}."
-    )
+    return in_words(told, system, sentences)
 
 
 def _fights(case: CaseResult) -> bool:
@@ -197,7 +174,7 @@ def matching_verdict(matching: Matching, system: System = "si") -> Verdict:
         *_losses(matching),
     ]
     fine = case.within_creep_limit and not _fights(case)
-    level = Level.GOOD if fine else Level.WARNING
+    level = Level.OK if fine else Level.ATTENTION
     return Verdict(level, f"{headline}.", tuple(sentences))
 
 

@@ -5,9 +5,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.arc import ArcResult
+from wraparc.checks import Level
 from wraparc.choose.what_if import WhatIf
-from wraparc.present.sheet import Level, Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.present.words import short
+from wraparc.drive import Drive
+from wraparc.present.least_tension import shown_least
+from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
+from wraparc.present.words import alone, level_of
+from wraparc.present.words import short as shortly
 from wraparc.units import System
 
 _SHOWN = (
@@ -20,10 +24,9 @@ _SHOWN = (
     "peak_shear_angle",
     "creep_limit_capacity",
     "equivalent_friction",
-    "least_exit_tension",
     "power_loss",
 )
-_FAILED = frozenset(_SHOWN) - {"creep_limit_capacity", "equivalent_friction", "least_exit_tension"}
+_FAILED = frozenset(_SHOWN) - {"creep_limit_capacity", "equivalent_friction"}
 #: parts of the creep that change less than this share of it are not told
 _WORTH_TELLING = 0.02
 
@@ -31,20 +34,26 @@ _WORTH_TELLING = 0.02
 def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     """Return the table of a pulley before and after changes, with reasons."""
     results = (found.before, *found.after)
+    drives = (found.drive, *(c.drive for c in found.changes))
     heads = ("before", *(c.title for c in found.changes))
-    rows = [Row("Result", tuple(short(r) for r in results))]
+    rows = [
+        Row("Result", tuple(short(d, r) for d, r in zip(drives, results, strict=True))),
+        Row("Verdict", tuple(str(level(d, r)) for d, r in zip(drives, results, strict=True))),
+    ]
     rows += [
         row_of(name, *(_value(r, name) for r in results), system=system)
         for name in _SHOWN
         if not all(math.isnan(_value(r, name)) for r in results)
     ]
+    least = tuple(shown_least(alone(d, r), system) for d, r in zip(drives, results, strict=True))
+    rows.append(Row("Least slack-side tension", least, note="every binding check kept"))
     sentences = []
     for change, after in zip(found.changes, found.after, strict=True):
         sentences += [f"{change.title}: {s}" for s in reasons(found.before, after, system)]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
-        verdict=Verdict(_level(results[1:]), _headline(found, system), tuple(sentences)),
+        verdict=Verdict(_level(found), _headline(found, system), tuple(sentences)),
         tables=(Table("Before and after", tuple(rows), heads),),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
     )
@@ -56,10 +65,20 @@ def _value(result: ArcResult, name: str) -> float:
     return float(result.scalars()[name])
 
 
-def _level(results: tuple[ArcResult, ...]) -> Level:
-    if not all(r.status.solved for r in results):
-        return Level.BAD
-    return Level.GOOD if all(r.within_creep_limit for r in results) else Level.WARNING
+def short(drive: Drive, result: ArcResult) -> str:
+    """Return the answer for an arc of a drive in a few words."""
+    return shortly(alone(drive, result), result)
+
+
+def level(drive: Drive, result: ArcResult) -> Level:
+    """Return the level of an arc of a drive."""
+    return level_of(alone(drive, result), result)
+
+
+def _level(found: WhatIf) -> Level:
+    """Return the worst level after the changes."""
+    levels = [level(c.drive, a) for c, a in zip(found.changes, found.after, strict=True)]
+    return max(levels, key=lambda one: one.rank)
 
 
 def _headline(found: WhatIf, system: System) -> str:
@@ -68,7 +87,7 @@ def _headline(found: WhatIf, system: System) -> str:
         if after.status.solved:
             parts.append(f"{change.title} {named('exit_creep', after.exit_creep, system)}")
         else:
-            parts.append(f"{change.title} {short(after)}")
+            parts.append(f"{change.title} {short(change.drive, after)}")
     before = "breaks away"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep, system)

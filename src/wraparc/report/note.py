@@ -8,20 +8,22 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Literal
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.drive import Pulley, design_remarks
+from wraparc.checks import judge
+from wraparc.drive import Pulley
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Equation
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import answer_table, belongs, capacity_table, creep_table
 from wraparc.present.catalogue_sheets import law_table
+from wraparc.present.checks_table import check_table, checks_summary
 from wraparc.present.design_values import comparison_table
 from wraparc.present.drive_sheet import method_remarks
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
+from wraparc.present.least_tension import least_table, margins_table
 from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent, started
 from wraparc.present.sources import Sources
 from wraparc.present.words import level_of, short, verdict
-from wraparc.report.checks import Check, Outcome, check_table, checks
 from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
 from wraparc.report.equations import equations
 from wraparc.units import System, display_unit
@@ -161,12 +163,13 @@ def make_note(
     """
     first = results[0]
     of = Sources()
-    found = checks(first)
+    judged = judge(first if train is None else train)
+    least = [t for t in (least_table(first if train is None else train, system),) if t]
     details = tuple(_details(results, system, of))
     inputs = Section("Inputs and where they came from", tables=_inputs(first, system, of, train))
     assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
     sections = [
-        Section("Checks against limits", tables=(check_table(found, system),)),
+        Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
         _results_section(results, system, train),
         *details,
         inputs,
@@ -181,7 +184,7 @@ def make_note(
         subtitle=first.drive.description,
         belt=first.drive.belt.name,
         told=verdict(first, system) if train is None else _train_verdict(train, system),
-        summary=_summary(found),
+        summary=checks_summary(judged),
         sections=tuple(s for s in sections if s.sentences or s.tables or s.drawings or s.equations),
     )
 
@@ -190,16 +193,6 @@ def _train_verdict(train: "TrainResult", system: System) -> Verdict:
     from wraparc.present.train_words import train_verdict
 
     return train_verdict(train, system)
-
-
-def _summary(found: Sequence[Check]) -> str:
-    failed = [check.title for check in found if check.outcome is Outcome.FAIL]
-    unknown = [check.title for check in found if check.outcome is Outcome.NOT_KNOWN]
-    passed = len(found) - len(failed) - len(unknown)
-    text = f"{passed} of {len(found)} checks pass"
-    text += f"; {len(failed)} fail: {', '.join(failed)}" if failed else ""
-    text += f"; not known: {', '.join(unknown)}" if unknown else ""
-    return f"{text}."
 
 
 def _inputs(
@@ -249,7 +242,7 @@ def _arcs_table(results: Sequence[DriveResult], system: System) -> Table:
         title = arc.arc.load_case
         if len(results[0].drive.pulleys) > 1:
             title += f": {arc.arc.pulley}"
-        rows.append(Row(title, (*values, short(arc)), level=level_of(arc)))
+        rows.append(Row(title, (*values, short(results[0], arc)), level=level_of(results[0], arc)))
     note = (
         "Margin: capacity at the creep limit over the actual tension ratio. Shear angle and shear "
         "stress at their peak."
@@ -261,7 +254,7 @@ def _shares_table(train: "TrainResult", system: System) -> Table:
     """One line for each drive of each load case: what it carries, how fast it turns."""
     from wraparc.present.train_sheet import trim_text
 
-    rows = []
+    rows, pulleys = [], train.drive_result()
     for case in train:
         for m in case.members:
             values = (
@@ -271,7 +264,7 @@ def _shares_table(train: "TrainResult", system: System) -> Table:
                 trim_text(m.speed_trim),
                 percent(m.motor.motor_load) if m.motor else NONE,
             )
-            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(m.arc)))
+            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(pulleys, m.arc)))
     heads = (
         "share", _head("drum_power", "power", system), "speed to the first [%]", "speed trim",
         "motor load",
@@ -313,8 +306,7 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     tables = []
     if solved:
         tables += [replace(answer_table(solved, system), title=""), creep_table(solved, system)]
-    capacity = capacity_table(worst, system)
-    tables += [capacity] if capacity else []
+    tables += [t for t in (capacity_table(worst, system), margins_table(first, worst, system)) if t]
     lagging = first.drive.pulley(worst.arc.pulley).lagging
     tables.append(comparison_table(worst, lagging, system, of))
     yield Section(f"Its results: {belongs(worst)}", tables=tuple(tables))
@@ -363,7 +355,7 @@ def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None
 
 
 def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
-    yield from design_remarks(results[0].drive, system)
+    yield from judge(results[0]).data
     for arc in results[0]:
         if arc.status.solved and arc.outside_tested_share > 0.0:
             share = percent(arc.outside_tested_share)
@@ -381,5 +373,5 @@ def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
     limit = {named("creep_limit", r.arc.creep_limit, system) for r in results[0]}
     yield (
         f"The creep limit ({', '.join(sorted(limit))}) is a limit of practice, not of strength; "
-        "this note does not check bond strength, shaft, shell, or the belt's splice."
+        "this note does not check shaft, shell, or the belt's splice."
     )

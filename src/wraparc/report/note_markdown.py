@@ -29,7 +29,7 @@ def _lines(note: Note) -> Iterator[str]:
     yield ""
     for title, value in note.title_block:
         yield f"- {title}: {plain(value)}"
-    yield from ("", f"**{told.level}.** {plain(told.headline)}", "")
+    yield from ("", f"**{told.told}.** {plain(told.headline)}", "")
     yield f"**Checks.** {plain(note.summary)}"
     if told.sentences:
         yield from ("", *(f"- {plain(sentence)}" for sentence in told.sentences))

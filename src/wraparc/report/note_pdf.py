@@ -39,6 +39,7 @@ def _data(note: Note) -> dict[str, Any]:
         "single": False,
         "signed": True,
         "level": str(note.told.level),
+        "word": note.told.told,
         "headline": note.told.headline,
         "sentences": note.told.sentences,
         "summary": note.summary,

@@ -7,6 +7,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 from wraparc.arc import ArcResult, DriveResult
+from wraparc.checks import Check, Verdict, judge
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import METHOD_TITLES
@@ -14,7 +15,6 @@ from wraparc.present.inputs import Input
 from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
-from wraparc.report.checks import Check, checks
 from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
 from wraparc.units import Dimension, System, display_unit
 
@@ -152,7 +152,7 @@ class _Workbook:
         sheet, note = self._sheet("Summary", landscape=False), self.note
         self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
         told = note.told
-        pairs = (*note.title_block, (str(told.level), told.headline), ("Checks", note.summary))
+        pairs = (*note.title_block, (told.told, told.headline), ("Checks", note.summary))
         row = 1
         for title, value in (*pairs, *(("", sentence) for sentence in told.sentences)):
             self._put(sheet, row, 0, title, self.bold)
@@ -163,18 +163,21 @@ class _Workbook:
         for column, title in enumerate(_CHECK_HEADS):
             self._put(sheet, row + 1, column, title, self.head)
         sheet.freeze_panes(row + 2, 1)
-        for line, check in enumerate(checks(self.results[0]), start=row + 2):
+        for line, check in enumerate(self._judged().listed, start=row + 2):
             for column, cell in enumerate(self._check(check)):
                 self._put(sheet, line, column, cell)
-        for column, width in enumerate((46, 10, 12, 12, 8, 12, 12, 42)):
+        for column, width in enumerate((46, 10, 12, 12, 8, 12, 14, 42, 60)):
             sheet.set_column(column, column, width)
+
+    def _judged(self) -> Verdict:
+        return judge(self.results[0] if self.train is None else self.train)
 
     def _check(self, check: Check) -> tuple[Cell, ...]:
         unit, size = self._unit(check.dimension)
         bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
         return (
-            check.title, bound, check.limit / size, check.found / size, unit or "-",
-            100.0 * check.margin, str(check.outcome), check.where,
+            check.title, bound, check.limit / size, check.value / size, unit or "-",
+            100.0 * check.margin, str(check.level), str(check.place), check.source,
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:
@@ -197,7 +200,7 @@ class _Workbook:
         rows: list[list[Cell]] = [
             [
                 *_belongs(arc),
-                short(arc),
+                short(result, arc),
                 *(self._scaled(name, arc.scalars()[name]) for name in names),
                 *self._member(arc, shares),
             ]
@@ -313,6 +316,7 @@ class _Workbook:
 _INPUT_HEADS = ("Of", "Quantity", "Symbol", "Value", "Unit", "Kind", "Source", "Note")
 _CHECK_HEADS = (
     "Check", "Bound", "Limit", "Found", "Unit", "Margin [%]", "Answer", "Where it comes off worst",
+    "Source of the limit",
 )  # fmt: skip
 _CHARTS = (
     ("Belt tension", ("tension",)),

@@ -111,6 +111,7 @@ def _data(report: Report, *, single: bool = False) -> dict[str, Any]:
         "single": single,
         "signed": False,
         "level": str(verdict.level) if verdict else "OK",
+        "word": verdict.told if verdict else "OK",
         "headline": verdict.headline if verdict else "",
         "sentences": verdict.sentences if verdict else (),
         "summary": "",

@@ -5,8 +5,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.checks import Level
 from wraparc.friction import ab_from_peak
-from wraparc.present.sheet import NONE, Level, Row, Sheet, Table, Verdict
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict
 from wraparc.report.shear_test_files import (
     files_table,
     left_out_table,
@@ -83,11 +84,11 @@ def verdict(result: PlanResult) -> Verdict:
         headline = f"{count} of {len(result.plan.tests)} tests could not be used"
         if misfit:
             headline += f", and the law does not describe all others ({len(misfit)} remarks below)"
-        return Verdict(Level.WARNING, headline + ".", shown)
+        return Verdict(Level.ATTENTION, headline + ".", shown)
     if misfit:
         headline = f"The law does not describe everything: {len(misfit)} remarks."
-        return Verdict(Level.WARNING, headline, shown)
-    return Verdict(Level.GOOD, "The law describes the tests within their noise and scatter.")
+        return Verdict(Level.ATTENTION, headline, shown)
+    return Verdict(Level.OK, "The law describes the tests within their noise and scatter.")
 
 
 def condition_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:

@@ -6,14 +6,15 @@ from typing import Literal
 
 from wraparc import catalogue
 from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.checks import Level, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.changes import with_belt, with_lagging
 from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import NONE, Level, named, percent
-from wraparc.present.words import level_of, short
+from wraparc.present.sheet import NONE, named, percent
+from wraparc.present.words import alone, level_of, short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
 from wraparc.units import display
@@ -215,15 +216,16 @@ def _row(
     lagging = drive.pulley(result.arc.pulley).lagging
     what = lagging if asked.what == "laggings" else drive.belt
     origin = lagging.source_of("law") if isinstance(what, Lagging) else what.provenance
+    answered = alone(drive, result)
     cost, note = _cost(drive, lagging, result, asked)
     return Candidate(
         name=name,
         title=lagging.title if isinstance(what, Lagging) else what.kind,
         condition=lagging.condition,
-        level=level_of(result),
-        short=short(result),
-        status_text=str(DriveResult(drive, (result,)).governing.status),
-        cells={**_cells(result), **cost},
+        level=level_of(answered, result),
+        short=short(answered, result),
+        status_text=str(result.status),
+        cells={**_cells(answered, result), **cost},
         cost_note=note,
         kind=origin.kind.value,
         source=str(origin),
@@ -232,14 +234,15 @@ def _row(
     )
 
 
-def _cells(result: ArcResult) -> dict[str, Cell]:
+def _cells(answered: DriveResult, result: ArcResult) -> dict[str, Cell]:
     solved, c = result.status.solved, result.capacities
+    least = least_tension(answered)
     numbers = {
         "creep": ("exit_creep", abs(result.exit_creep), solved),
         "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress, solved),
         "peak_shear_angle": ("peak_shear_angle", result.peak_shear_angle, solved),
         "margin": ("creep_limit_margin", c.creep_limit_margin, True),
-        "least_slack": ("least_exit_tension", c.least_exit_tension, True),
+        "least_slack": ("least_exit_tension", least.tension if least else math.nan, True),
         "power_loss": ("power_loss", result.energy.power_loss, solved),
     }
     cells = {

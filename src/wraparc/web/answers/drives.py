@@ -4,19 +4,27 @@ import math
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.drive import Drive, design_remarks
+from wraparc.checks import Level, judge
+from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
+from wraparc.present.checks_table import check_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
 from wraparc.present.drive_sheet import input_sheet, summary_table
 from wraparc.present.input_tables import input_table
-from wraparc.present.sheet import Level
+from wraparc.present.least_tension import (
+    least_data,
+    least_sentence,
+    least_table,
+    margins_table,
+    shown_least,
+)
 from wraparc.present.sheet import Table as SheetTable
 from wraparc.present.sources import Sources
 from wraparc.present.train_sheet import train_input_sheet
-from wraparc.present.words import level_of, short, verdict
+from wraparc.present.words import short, verdict
 from wraparc.schema.source import parse
-from wraparc.train import Train, solve_train
+from wraparc.train import Train, TrainResult, solve_train
 from wraparc.units import System
 from wraparc.web.answers.documents import asked_for, case_only, divided, read
 from wraparc.web.answers.shown import (
@@ -31,6 +39,8 @@ from wraparc.web.answers.shown import (
     Table,
     Tested,
     Verdict,
+    both,
+    finite,
     numbers,
     outside,
     sheet,
@@ -43,7 +53,7 @@ from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
-TABLES = ("answer", "creep", "capacity", "comparison", "energy", "inputs")
+TABLES = ("answer", "creep", "capacity", "margins", "comparison", "energy", "inputs")
 
 
 class Arc(Answer):
@@ -53,6 +63,7 @@ class Arc(Answer):
     load_case: str
     status: StatusName
     level: Level
+    levels: dict[str, Level]
     creep_limit: float
     numbers: dict[str, float | None]
     profile: Profile
@@ -103,6 +114,19 @@ class Marks(Answer):
     outside_tested: bool
 
 
+class LeastTension(Answer):
+    """The least slack-side tension with which every binding check is kept [N], [kg]."""
+
+    tension: float | None
+    given: float | None
+    counterweight: float | None
+    governing: str
+    level: Level
+    shown: Both
+    sentence: Both
+    table: Table
+
+
 class SolveAnswer(Answer):
     """A solved drive."""
 
@@ -115,6 +139,8 @@ class SolveAnswer(Answer):
     governing: Place
     verdict: Verdict
     remarks: list[Both]
+    checks: Table
+    least_tension: LeastTension | None
     summary: Table | None
     sources: list[Source]
     has: Marks
@@ -149,23 +175,24 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
         kind="train" if isinstance(thing, Train) else "drive",
         verdict=Verdict.both(lambda system: verdict(answered, system)),
         tables=tables(first_tables, TABLES[:2]) if asked.tables and result.status.solved else [],
-        remarks=texts(lambda system: design_remarks(drive, system)),
-        **_arc(result),
+        remarks=_remarks(answered),
+        **_arc(answered, result),
     )
 
 
 def solve_all(asked: SolveRequest) -> SolveAnswer:
     """Every arc by both methods, with capacities, as ``wraparc solve --method both`` gives it."""
     thing = read(asked.document)
-    train = None
+    train: TrainPart | None = None
+    whole: DriveResult | TrainResult
     if isinstance(thing, Train):
-        solved_train = solve_train(case_only(thing, asked.load_case), raise_on_failure=False)
-        first, train = solved_train.drive_result(), train_part(solved_train)
+        whole = solve_train(case_only(thing, asked.load_case), raise_on_failure=False)
+        first, train = whole.drive_result(), train_part(whole)
     else:
         if asked.load_case is not None:
             case = asked_for(thing, None, asked.load_case)[1]
             thing = replace(thing, load_cases=(case,))
-        first = solve(thing, method=main_solver(asked.points), raise_on_failure=False)
+        whole = first = solve(thing, method=main_solver(asked.points), raise_on_failure=False)
     drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     sources = [Source(**source) for source in sources_of(drive)]
@@ -179,7 +206,9 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         within_creep_limit=first.within_creep_limit,
         governing=Place(pulley=governing.pulley, load_case=governing.load_case),
         verdict=(train and train.verdict) or Verdict.both(lambda system: verdict(first, system)),
-        remarks=texts(lambda system: design_remarks(drive, system)),
+        remarks=_remarks(first),
+        checks=tables(lambda system: [check_table(judge(whole), system)], ["checks"])[0],
+        least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
         sources=sources,
         has=Marks(
@@ -187,9 +216,27 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
             calibrated=any(s.kind == "calibrated" for s in sources),
             outside_tested=any(a.outside_tested_share > 0.0 for a in first),
         ),
-        arcs=[_whole_arc(drive, a, b) for a, b in zip(first, second, strict=True)],
+        arcs=[_whole_arc(first, a, b) for a, b in zip(first, second, strict=True)],
         train=train,
     )
+
+
+def _least(result: DriveResult | TrainResult) -> LeastTension | None:
+    found = least_data(result)
+    if found is None:
+        return None
+    return LeastTension(
+        **{name: finite(found[name]) for name in ("tension", "given", "counterweight")},
+        governing=found["governing"],
+        level=found["level"],
+        shown=both(lambda system: shown_least(result, system)),
+        sentence=both(lambda system: least_sentence(result, system)),
+        table=tables(lambda system: [least_table(result, system)], ["least"])[0],
+    )
+
+
+def _remarks(answered: DriveResult) -> list[Both]:
+    return texts(lambda _: judge(answered).data)
 
 
 def check(asked: CheckRequest) -> SheetAnswer:
@@ -200,15 +247,15 @@ def check(asked: CheckRequest) -> SheetAnswer:
     return SheetAnswer(kind="train", **sheet(lambda system: train_input_sheet(thing, system)))
 
 
-def _whole_arc(drive: Drive, result: ArcResult, paper: ArcResult) -> WholeArc:
+def _whole_arc(answered: DriveResult, result: ArcResult, paper: ArcResult) -> WholeArc:
     of = Sources()
     return WholeArc(
         status_text=str(result.status),
-        short=short(result),
+        short=short(answered, result),
         unbounded=[n for n, value in result.scalars().items() if math.isinf(value)],
         tables=tables(
             lambda system: _tables(
-                drive, result, paper, system, Sources() if system == "us" else of
+                answered, result, paper, system, Sources() if system == "us" else of
             ),
             TABLES,
         ),
@@ -218,16 +265,18 @@ def _whole_arc(drive: Drive, result: ArcResult, paper: ArcResult) -> WholeArc:
             numbers=numbers(paper.scalars()),
             profile=Profile.of(paper.profile, _PAPER_POINTS),
         ),
-        **_arc(result),
+        **_arc(answered, result),
     )
 
 
-def _arc(result: ArcResult) -> Data:
+def _arc(answered: DriveResult, result: ArcResult) -> Data:
+    judged = judge(answered).at(result.arc.pulley, result.arc.load_case)
     return {
         "pulley": result.arc.pulley,
         "load_case": result.arc.load_case,
         "status": status_of(result),
-        "level": level_of(result),
+        "level": judged.level,
+        "levels": {c.name: c.level for c in judged.listed if c.level is not Level.NOT_CHECKED},
         "creep_limit": result.arc.creep_limit,
         "numbers": numbers(result.scalars()),
         "profile": Profile.of(result.profile),
@@ -237,8 +286,9 @@ def _arc(result: ArcResult) -> Data:
 
 
 def _tables(
-    drive: Drive, result: ArcResult, paper: ArcResult, system: System, of: Sources
+    answered: DriveResult, result: ArcResult, paper: ArcResult, system: System, of: Sources
 ) -> list[SheetTable | None]:
+    drive = answered.drive
     pulley = drive.pulley(result.arc.pulley)
     solved = tuple(r for r in (result, paper) if r.status.solved)
     carried = result.status.solved
@@ -246,6 +296,7 @@ def _tables(
         answer_table(solved, system) if solved else None,
         creep_table(solved, system) if solved else None,
         capacity_table(result, system),
+        margins_table(answered, result, system),
         comparison_table(result, pulley.lagging, system, of),
         energy_table(result, system) if carried else None,
         input_table(drive, result.arc, system, of),

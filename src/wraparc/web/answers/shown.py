@@ -13,8 +13,8 @@ from pydantic import BaseModel, ConfigDict
 
 from wraparc.arc import ArcResult
 from wraparc.arc import Profile as ArcProfile
+from wraparc.checks import Level
 from wraparc.present import sheet as present
-from wraparc.present.sheet import Level
 from wraparc.provenance import Kind
 from wraparc.units import Dimension, System, display
 
@@ -52,9 +52,10 @@ class BothLists(Answer):
 
 
 class Verdict(Answer):
-    """The answer in words."""
+    """The answer in words; `told` stands for the level, ``OK, on illustrative data``."""
 
     level: Level
+    told: str
     headline: Both
     sentences: list[Both]
 

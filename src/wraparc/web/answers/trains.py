@@ -70,6 +70,7 @@ class TrainPart(Sheet):
     """How the drives share the load, by load case [SI]."""
 
     solved: bool
+    least_tension: Data | None
     load_cases: list[Data]
     sources: list[Source]
 

@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 
 export type Units = "si" | "us";
 export type Children = ComponentChildren;
-export type Level = "OK" | "ATTENTION" | "FAILS";
+export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "FAULT OF THE PROGRAM";
 /** The same text in both systems of units; some texts have no units and are plain. */
 export type Text = string | { si: string; us: string } | null | undefined;
 export type Path = (string | number)[];
@@ -86,6 +86,7 @@ export interface Problem {
 }
 export interface Verdict {
   level: Level;
+  told?: string;
   headline: Text;
   sentences: Text[];
 }
@@ -109,6 +110,7 @@ export interface Arc {
   load_case: string;
   status: string;
   level: Level;
+  levels: Record<string, Level>;
   creep_limit: number;
   numbers: Record<string, any>;
   profile: Record<string, any[]>;
@@ -131,6 +133,8 @@ export interface FullAnswer {
   verdict: Verdict;
   governing: { pulley: string; load_case: string };
   arcs: FullArc[];
+  checks: Table;
+  least_tension: { shown: Text; sentence: Text; level: Level; table: Table } | null;
   summary: Table | null;
   sources: { kind: string }[];
   remarks: Text[];

@@ -8,17 +8,22 @@ import { h } from "../vendor/preact.js";
 /** @import { Children, Level, Problem, Table, TableRow, Text, Verdict } from "../types.d.ts" */
 
 /** @type {Record<string, [string, string]>} */
-const LEVELS = { OK: ["good", "✓"], ATTENTION: ["warn", "▲"], FAILS: ["bad", "✕"] };
+const LEVELS = {
+  OK: ["good", "✓"],
+  ATTENTION: ["warn", "▲"],
+  FAILS: ["bad", "✕"],
+  "FAULT OF THE PROGRAM": ["bad", "✕"],
+};
 /** @param {Level | null | undefined} level */
 export const levelClass = (level) => (level ? LEVELS[level]?.[0] || "" : "");
-/** @param {Level | null | undefined} level */
-export const badge = (level) =>
+/** @param {Level | null | undefined} level @param {string} [told] words in its place */
+export const badge = (level, told) =>
   level
     ? h(
         "span",
         { class: `badge ${levelClass(level)}` },
         h("span", { "aria-hidden": "true" }, `${LEVELS[level]?.[1]} `),
-        level,
+        told || level,
       )
     : null;
 /** A box of words that scrolls sideways where the page is narrow.
@@ -32,7 +37,7 @@ export const verdict = (v, before) =>
     "div",
     { class: `verdict ${levelClass(v.level)}` },
     before,
-    h("p", { class: "headline" }, badge(v.level), " ", words(v.headline)),
+    h("p", { class: "headline" }, badge(v.level, v.told), " ", words(v.headline)),
     list(v.sentences),
   );
 /** @param {Text[] | undefined} texts @param {string} [cls] */

@@ -1,5 +1,5 @@
 // Key figures of the arc on the screen, and the reading at one place of it.
-import { digits, percent, show, shown, symbol, title } from "../../base/units.js";
+import { digits, percent, show, shown, symbol, title, words } from "../../base/units.js";
 import { levelClass } from "../../parts/answers.js";
 import { h } from "../../vendor/preact.js";
 import { whole, wholeArc } from "./solving.js";
@@ -52,20 +52,11 @@ function quickFigures(arc) {
  * @param {QuickAnswer} arc @returns {Figure[]} */
 function lateFigures(arc) {
   const m = wholeArc()?.numbers || {};
-  const known = m.creep_limit_margin != null;
   const idle = arc.numbers.effective_tension === 0;
-  const most = m.largest_effective_tension;
-  const least = idle
-    ? { value: "–", small: "no pull to carry" }
-    : m.least_exit_tension != null
-      ? {
-          value: shown("least_exit_tension", m.least_exit_tension),
-          small: "for this pull within the limit",
-        }
-      : {
-          value: known ? "none" : "–",
-          small: most ? `largest pull ${shown("largest_effective_tension", most)}` : "",
-        };
+  const found = whole()?.least_tension;
+  const least = found
+    ? { value: words(found.shown), small: "every binding check kept", level: found.level }
+    : { value: "–", small: idle ? "no pull to carry" : "" };
   const ratio = m.creep_limit_capacity;
   return [
     {
@@ -94,7 +85,7 @@ export function figures(arc) {
     small: solved
       ? `${percent(share)} of the limit ${show(limit, "length")}`
       : `the belt slips through; the limit is ${show(limit, "length")}`,
-    level: arc.level,
+    level: arc.levels.creep || arc.level,
   };
   const rows = [creep, ...(solved ? quickFigures(arc) : []), ...lateFigures(arc)];
   const gauge = h(

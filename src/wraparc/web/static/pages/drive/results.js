@@ -104,6 +104,9 @@ export class Results extends Component {
         h("figcaption", {}),
         h("div", { class: "bars" }),
       ),
+      answer.full && h("div", { key: "checks" }, table(answer.full.checks)),
+      answer.full?.least_tension &&
+        h("div", { key: "least" }, table(answer.full.least_tension.table)),
       answer.full?.summary && h("div", { key: "summary" }, table(answer.full.summary)),
       h("div", { class: "tables", key: "tables" }, full && tables(full)),
     ];

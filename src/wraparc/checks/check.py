@@ -1,0 +1,294 @@
+"""One check, its level, and the verdict that follows from a list of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+from typing import NamedTuple
+
+from wraparc.units import Dimension, System, display
+
+#: Digits that two numbers are told apart by, and the most that are shown to tell them apart.
+DIGITS, MOST_DIGITS = 4, 9
+
+
+class Level(StrEnum):
+    """How good news is; the value is the word that says it without colour."""
+
+    NOT_CHECKED = "NOT CHECKED"
+    OK = "OK"
+    ATTENTION = "ATTENTION"
+    FAILS = "FAILS"
+    FAULT = "FAULT OF THE PROGRAM"
+
+    @property
+    def rank(self) -> int:
+        """Place in the order from good to bad; what was not checked decides nothing."""
+        return list(Level).index(self)
+
+
+def same_shown(value: float, limit: float) -> bool:
+    """Whether two numbers are equal in the digits that are shown."""
+    if not (math.isfinite(value) and math.isfinite(limit)):
+        return value == limit
+    return f"{value:.{DIGITS - 1}e}" == f"{limit:.{DIGITS - 1}e}"
+
+
+def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
+    """Whether a value keeps its limit, compared in the digits that are shown."""
+    within = value <= limit if at_most else value >= limit
+    return within or same_shown(value, limit)
+
+
+class Place(NamedTuple):
+    """Where a check holds; empty names where it is the whole drive.
+
+    Attributes
+    ----------
+    pulley, load_case
+        Names.
+    """
+
+    pulley: str = ""
+    load_case: str = ""
+
+    def __str__(self) -> str:
+        parts = [f"pulley {self.pulley}"] if self.pulley else []
+        parts += [f"load case {self.load_case}"] if self.load_case else []
+        return ", ".join(parts)
+
+
+NOWHERE = Place()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Check:
+    """What is held against one limit, at one place.
+
+    Attributes
+    ----------
+    name, title
+        Key of the check, the same in every door, and its words.
+    level
+        How it ends.
+    place
+        Pulley and load case.
+    value, limit
+        What was found and what is allowed [SI]; nan where there is none.
+    dimension
+        What they measure.
+    at_most
+        Whether the limit is an upper one.
+    source
+        Where the limit came from.
+    short
+        The answer in a few words, for a table.
+    says
+        What is wrong, ``{value}`` and ``{limit}`` and the names of `more` standing for quantities;
+        empty where the check is kept and its title says enough.
+    remedy
+        What to do, with the same places.
+    more
+        Further quantities by name: value [SI] and dimension.
+    binding
+        Whether a design must keep it: the least slack-side tension does.
+    """
+
+    name: str
+    title: str
+    level: Level
+    place: Place = NOWHERE
+    value: float = math.nan
+    limit: float = math.nan
+    dimension: Dimension = "number"
+    at_most: bool = True
+    source: str = ""
+    short: str = ""
+    says: str = ""
+    remedy: str = ""
+    more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict, hash=False)
+    binding: bool = True
+
+    @property
+    def margin(self) -> float:
+        """How far from the limit, over the limit: positive on the safe side [-]."""
+        if math.isnan(self.value) or math.isnan(self.limit) or self.limit == 0.0:
+            return math.nan
+        if math.isinf(self.value):
+            return math.nan if self.at_most else math.inf
+        return (1.0 if self.at_most else -1.0) * (1.0 - self.value / self.limit)
+
+    @property
+    def missed(self) -> bool:
+        """Whether it asks for attention or worse."""
+        return self.level.rank >= Level.ATTENTION.rank
+
+    def texts(self, system: System = "si") -> tuple[str, str]:
+        """Return value and limit with their units, in as many digits as tell them apart."""
+        value = limit = ""
+        for digits in range(DIGITS, MOST_DIGITS + 1):
+            value = quantity_text(self.value, self.dimension, system, digits)
+            limit = quantity_text(self.limit, self.dimension, system, digits)
+            if value != limit or not self.missed:
+                break
+        return value, limit
+
+    def bound(self, system: System = "si") -> str:
+        """Return the limit with its sense, ``at most 6.350 mm``; empty without one."""
+        if math.isnan(self.limit):
+            return ""
+        return f"{'at most' if self.at_most else 'at least'} {self.texts(system)[1]}"
+
+    def sentence(self, system: System = "si") -> str:
+        """Return what there is to say, with the remedy."""
+        value, limit = self.texts(system)
+        if not self.says:
+            bound = f", {self.bound(system)}" if self.bound(system) else ""
+            return f"{self.title}: {value}{bound}." if value else f"{self.title}."
+        words = {n: quantity_text(v, d, system) for n, (v, d) in self.more.items()}
+        words |= {"value": value, "limit": limit}
+        return " ".join(part.format(**words) for part in (self.says, self.remedy) if part)
+
+
+def quantity_text(
+    value: float, dimension: Dimension, system: System = "si", digits: int = DIGITS
+) -> str:
+    """Return a value [SI] with its unit; empty for nan, words for infinity."""
+    if math.isnan(value):
+        return ""
+    if math.isinf(value):
+        return "without bound"
+    if dimension == "speed" and abs(value) < 0.1:  # speeds of slip
+        unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
+        return f"{display(value / size, 'number', digits=digits)} {unit}"
+    return display(value, dimension, system, digits)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a list of checks comes to: its worst.
+
+    Attributes
+    ----------
+    checks
+        Every check at every place, in the order they are told.
+    """
+
+    checks: tuple[Check, ...]
+
+    @cached_property
+    def governing(self) -> Check | None:
+        """The worst check, the least margin first; of what is kept, the nearest to its limit."""
+        judged = [c for c in self.checks if c.level is not Level.NOT_CHECKED]
+        return min(judged, key=_badness, default=None)
+
+    @property
+    def level(self) -> Level:
+        """Level of the worst check; OK where there is none."""
+        return Level.OK if self.governing is None else self.governing.level
+
+    @cached_property
+    def qualifier(self) -> str:
+        """What limits an OK: ``on illustrative data``; empty where nothing does."""
+        found = {c.short for c in self.checks if c.name == "data"}
+        return next((word for word in DATA_WORDS if word in found), "")
+
+    @property
+    def word(self) -> str:
+        """Word of the verdict; an OK says what data it stands on."""
+        if self.level is Level.OK and self.qualifier:
+            return f"{Level.OK}, {self.qualifier}"
+        return str(self.level)
+
+    @cached_property
+    def listed(self) -> tuple[Check, ...]:
+        """Each check once, at the place where it comes off worst, in the order they are told."""
+        worst: dict[str, Check] = {}
+        for check in self.checks:
+            if check.name not in worst or _badness(check) < _badness(worst[check.name]):
+                worst[check.name] = check
+        return tuple(worst.values())
+
+    @property
+    def missed(self) -> tuple[Check, ...]:
+        """The checks of `listed` that are not kept, the worst first."""
+        return tuple(sorted((c for c in self.listed if c.missed), key=_badness))
+
+    @property
+    def data(self) -> tuple[str, ...]:
+        """On what data the answer stands: what is illustrative, estimated, without tests."""
+        told = (c.sentence() for c in self.checks if c.name == "data" and c.says)
+        return tuple(dict.fromkeys(told))
+
+    def at(self, pulley: str, load_case: str) -> Verdict:
+        """Return the verdict on one pulley in one load case."""
+        return Verdict(
+            tuple(
+                c
+                for c in self.checks
+                if c.place.pulley in ("", pulley) and c.place.load_case in ("", load_case)
+            )
+        )
+
+    def headline(self, system: System = "si") -> str:
+        """Return the answer in one sentence or two."""
+        worst = self.governing
+        if worst is None:
+            return "Nothing could be checked."
+        if worst.missed:
+            where = f"{_capital(str(worst.place))}: " if str(worst.place) else ""
+            return f"{where}{worst.sentence(system)}"
+        kept = sum(c.level is Level.OK for c in self.listed)
+        text = f"All {kept} checks are kept"
+        if math.isnan(worst.margin) or math.isinf(worst.margin):
+            return f"{text}."
+        value, _ = worst.texts(system)
+        where = f" ({worst.place})" if str(worst.place) else ""
+        return (
+            f"{text}; nearest to its limit is {_small(worst.title)}, {value}, "
+            f"{worst.bound(system)}{where}."
+        )
+
+    def sentences(self, system: System = "si") -> tuple[str, ...]:
+        """Return what is missed besides the headline, and what could not be checked."""
+        told = []
+        for check in self.missed:
+            if check.name != (self.governing.name if self.governing else ""):
+                where = f"{_capital(str(check.place))}: " if str(check.place) else ""
+                told.append(f"{check.level}: {where}{check.sentence(system)}")
+        if self.level.rank > Level.OK.rank and self.qualifier:
+            told.append(f"All of this stands {self.qualifier}.")
+        return tuple(told)
+
+
+#: What the data of a drive may be said to be, the weakest ground first.
+DATA_WORDS = (
+    "on illustrative data",
+    "on friction without tests",
+    "on estimated data",
+    "on calibrated data",
+)
+
+
+def _badness(check: Check) -> tuple[int, float]:
+    """Sort key: worst level first, then the least margin."""
+    margin = check.margin
+    if math.isnan(margin):
+        margin = -math.inf if check.missed else math.inf
+    return -check.level.rank, margin
+
+
+def worst_level(checks: Iterable[Check]) -> Level:
+    """Return the worst level of checks."""
+    return Verdict(tuple(checks)).level
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _small(text: str) -> str:
+    return text[:1].lower() + text[1:]

@@ -1,0 +1,141 @@
+"""The one judgement of a solved drive or train."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from weakref import WeakKeyDictionary
+
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.checks import of_arc, of_drive
+from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.drive import Drive, LoadCase
+from wraparc.train import CaseResult, TrainResult, TrainStatus
+
+#: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
+TRAIN_BALANCE = 1e-5
+#: Pull against each other over the largest pull that counts as none [-].
+_SMALL = 1e-3
+
+_told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
+
+
+def judge(result: DriveResult | TrainResult) -> Verdict:
+    """Return every check of a solved drive or train, and so its verdict.
+
+    The same result is judged once, however often it is asked about.
+    """
+    if result not in _told:
+        checks = _train(result) if isinstance(result, TrainResult) else _drive(result)
+        _told[result] = Verdict(tuple(checks))
+    return _told[result]
+
+
+def before(drive: Drive) -> Verdict:
+    """Return the checks of a drive that need no solving."""
+    checks: list[Check] = [of_drive.data(drive, p) for p in drive.pulleys]
+    checks += of_drive.usual_sizes(drive)
+    checks += (of_drive.pulley_diameter(drive, p) for p in drive.pulleys)
+    for case in drive.load_cases:
+        checks += _unsolved(drive, case)
+    return Verdict(tuple(checks))
+
+
+def _unsolved(drive: Drive, case: LoadCase) -> Iterator[Check]:
+    for pulley in drive.pulleys:
+        yield of_drive.belt_tension(drive, case, pulley)
+        yield of_drive.face_pressure(drive, case, pulley)
+        yield from of_drive.tested_pressure(drive, case, pulley)
+    found = of_drive.sag(drive, case)
+    if found is not None:
+        yield found
+
+
+def _drive(result: DriveResult) -> Iterator[Check]:
+    drive = result.drive
+    cases = {case.name: case for case in drive.load_cases}
+    by_case: dict[str, list[ArcResult]] = {}
+    for arc in result:
+        by_case.setdefault(arc.arc.load_case, []).append(arc)
+    for name, arcs in by_case.items():
+        yield from _case(drive, cases[name], arcs)
+    for pulley in drive.pulleys:
+        yield of_drive.pulley_diameter(drive, pulley)
+    yield from of_drive.usual_sizes(drive)
+    for pulley in drive.pulleys:
+        yield of_drive.data(drive, pulley)
+
+
+def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check]:
+    for index, result in enumerate(arcs):
+        pulley = drive.pulley(result.arc.pulley)
+        found = (
+            of_arc.grip(drive, case, arcs, index),
+            of_arc.standard(drive, case, result),
+            of_arc.creep(drive, result),
+        )
+        yield from (check for check in found if check is not None)
+        yield of_drive.belt_tension(drive, case, pulley)
+        yield of_drive.face_pressure(drive, case, pulley)
+        yield from of_arc.lagging_stress(pulley, result)
+        yield from of_drive.tested_pressure(drive, case, pulley)
+        yield from of_arc.tested_slip(pulley, result)
+        balanced = of_arc.balance(result)
+        if balanced is not None:
+            yield balanced
+    sag = of_drive.sag(drive, case)
+    if sag is not None:
+        yield sag
+
+
+def _train(result: TrainResult) -> Iterator[Check]:
+    for case in result:
+        yield from _of_train(case)
+    yield from _drive(result.drive_result())
+
+
+def _of_train(case: CaseResult) -> Iterator[Check]:
+    """Yield what only a train can miss: motors, drives that fight, the balance of the whole."""
+    place = Place("", case.case.name)
+    if case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
+        fault = case.status is TrainStatus.UNSOLVED
+        yield Check(
+            name="operating_point",
+            title="Operating point of the drives",
+            level=Level.FAULT if fault else Level.FAILS,
+            short="not solved" if fault else "beyond a motor",
+            says=of_drive.escaped(f"{case.reason} {case.status}".strip()),
+            place=place,
+        )
+    pulls = [m.arc.effective_tension for m in case.members]
+    lost = min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
+    small = _SMALL * max(map(abs, pulls))
+    fights = min(pulls) < -small and max(pulls) > small
+    if len(pulls) > 1 and case.status.solved:
+        yield Check(
+            name="fight",
+            title="Drives work together",
+            level=Level.ATTENTION if fights else Level.OK,
+            short="drives fight" if fights else "",
+            says="The drives work against each other with {lost} of pull." if fights else "",
+            remedy="Bring their speeds closer together, or divide the load by torque."
+            if fights
+            else "",
+            more={"lost": (lost, "force")},
+            place=place,
+        )
+    error = max(case.tension_error, case.speed_error)
+    if case.status.solved:
+        yield of_drive.judged(
+            "train_balance",
+            "Tensions, speeds and torques of the train agree",
+            error,
+            TRAIN_BALANCE,
+            "number",
+            Level.FAULT,
+            source="tolerance of the program",
+            short="out of balance",
+            says="Tensions, speeds and torques of the train miss each other by {value}.",
+            remedy="Please report the drive file; until then change a value slightly.",
+            binding=False,
+            place=place,
+        )

@@ -1,0 +1,288 @@
+"""The least slack-side tension with which every binding check is kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from weakref import WeakKeyDictionary
+
+from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.arc.kernel.answer import solve_tension
+from wraparc.arc.kernel.capacity import carry, meet
+from wraparc.arc.kernel.effort import SLIP, Aim
+from wraparc.arc.kernel.quantities import SOLVED, parameters_at
+from wraparc.checks.check import Place
+from wraparc.checks.design_standard import asked
+from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, Grip, grip_of, rises
+from wraparc.checks.of_arc import IDLE, design_slack
+from wraparc.drive import Drive, LoadCase
+from wraparc.train import TrainResult
+
+nan, inf = math.nan, math.inf
+_STEPS = 24
+#: Change of a tension that a largest ratio is sought anew for [-], and how often at most.
+_SETTLED, _ROUNDS = 1e-4, 6
+
+
+@dataclass(frozen=True)
+class Figure:
+    """What one check asks of the slack side.
+
+    Attributes
+    ----------
+    name, title
+        Key of the check, and its words.
+    tension
+        Least (or, of a bound above, largest) tension of the slack side behind the drives [N]; inf
+        where none keeps the check.
+    place
+        Where it asks so much.
+    binding
+        Whether it counts; a design standard does only if it is made to.
+    at_least
+        Whether it is a bound from below.
+    """
+
+    name: str
+    title: str
+    tension: float
+    place: Place
+    binding: bool = True
+    at_least: bool = True
+
+
+@dataclass(frozen=True)
+class LeastTension:
+    """The least slack-side tension of a drive, or of a train behind its last pulley.
+
+    The pull of every pulley is held, and so is how the load divides.
+
+    Attributes
+    ----------
+    figures
+        What each check asks, each once, where it asks most.
+    given
+        Slack-side tension of the load case that governs [N].
+    counterweight
+        Mass of the counterweight for the least tension [kg].
+    """
+
+    figures: tuple[Figure, ...]
+    given: float
+    counterweight: float
+
+    @cached_property
+    def governing(self) -> Figure:
+        """The binding check that asks for most."""
+        return max((f for f in self.figures if f.binding and f.at_least), key=_tension)
+
+    @property
+    def tension(self) -> float:
+        """The least tension [N]; inf where no tension keeps every check."""
+        top = self.highest
+        if top is not None and top.tension < self.governing.tension * (1.0 - 1e-9):
+            return inf
+        return self.governing.tension
+
+    @cached_property
+    def highest(self) -> Figure | None:
+        """The check that allows least above, if any bounds the tension from above."""
+        return min((f for f in self.figures if not f.at_least), key=_tension, default=None)
+
+    @property
+    def standard(self) -> Figure | None:
+        """What the design standard asks for, if one does."""
+        return next((f for f in self.figures if f.name == "design_standard"), None)
+
+
+def _tension(figure: Figure) -> float:
+    return figure.tension
+
+
+_found: WeakKeyDictionary[DriveResult, LeastTension | None] = WeakKeyDictionary()
+
+
+def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
+    """Return the least slack-side tension of a solved drive or train.
+
+    It is never less than what any binding check asks for: creep, slip and wrap pressures within
+    the tests, sag, the safety factor on gross slip, a design standard made binding.
+
+    Returns
+    -------
+    None where nothing is pulled, or the method finds no capacities.
+    """
+    one = result.drive_result() if isinstance(result, TrainResult) else result
+    if one not in _found:
+        _found[one] = _of(one)
+    return _found[one]
+
+
+def _of(result: DriveResult) -> LeastTension | None:
+    drive = result.drive
+    cases = {case.name: case for case in drive.load_cases}
+    by_case: dict[str, list[ArcResult]] = {}
+    for arc in result:
+        by_case.setdefault(arc.arc.load_case, []).append(arc)
+    worst: dict[str, Figure] = {}
+    ends = {name: slack_end(arcs) for name, arcs in by_case.items()}
+    for name, arcs in by_case.items():
+        if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in arcs):
+            return None
+        for figure in _figures(drive, cases[name], arcs, ends[name]):
+            held = worst.get(figure.name)
+            if held is None or (figure.tension > held.tension) is figure.at_least:
+                worst[figure.name] = figure
+    if not any(f.at_least and f.binding for f in worst.values()):
+        return None
+    found = LeastTension(tuple(worst.values()), 0.0, 0.0)
+    if found.governing.name == "gross_slip":
+        place = found.governing.place
+        arcs = by_case[place.load_case]
+        index = [a.arc.pulley for a in arcs].index(place.pulley)
+        end = ends[place.load_case]
+        worst["gross_slip"] = _gross_slip(drive, cases[place.load_case], arcs, index, end, _ROUNDS)
+        found = LeastTension(tuple(worst.values()), 0.0, 0.0)
+    weight = drive.criteria.take_up.counterweight(found.tension)
+    return LeastTension(found.figures, ends[found.governing.place.load_case], weight)
+
+
+def slack_end(arcs: Sequence[ArcResult]) -> float:
+    """Tension of the belt that leaves the drives of a load case slack [N]."""
+    first, last = arcs[0].arc.entry_tension, arcs[-1].arc.exit_tension
+    return last if math.fsum(a.arc.effective_tension for a in arcs) >= 0.0 else first
+
+
+def _pulls(result: ArcResult) -> bool:
+    return abs(result.arc.effective_tension) > IDLE * result.arc.entry_tension
+
+
+def _figures(
+    drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], end: float
+) -> Iterator[Figure]:
+    """Yield what every check asks of the slack end; all tensions rise by as much as that one."""
+    for index, result in enumerate(arcs):
+        arc, place = result.arc, Place(result.arc.pulley, case.name)
+        tight = max(arc.entry_tension, arc.exit_tension)
+        slack = min(arc.entry_tension, arc.exit_tension)
+        offset = end - slack
+        if _pulls(result):
+            least = result.capacities.least_exit_tension
+            yield Figure("creep", "Creep", offset + (inf if math.isnan(least) else least), place)
+            yield from _slip(arc, offset, place)
+            yield from _standard(drive, case, result, offset, place)
+            yield _gross_slip(drive, case, arcs, index, end)
+        yield from _pressures(drive, case, arc, end - slack, end - tight, place)
+    if drive.criteria.sag is not None:
+        place = Place("", case.name)
+        yield Figure("sag", "Belt sag", drive.criteria.sag.tension, place)
+
+
+def _pressures(
+    drive: Drive, case: LoadCase, arc: WrapArc, of_slack: float, of_tight: float, place: Place
+) -> Iterator[Figure]:
+    belt, tested, area = drive.belt, arc.law.tested, arc.width * arc.radius
+    if tested is not None:
+        low, high = tested.pressure_min * area, tested.pressure_max * area
+        yield Figure("tested_pressure_min", "Least wrap pressure, tested", of_slack + low, place)
+        title = "Largest wrap pressure, tested"
+        yield Figure("tested_pressure_max", title, of_tight + high, place, at_least=False)
+    if belt.largest_wrap_pressure is not None:
+        title, most = "Pressure on the pulley face", belt.largest_wrap_pressure * area
+        yield Figure("face_pressure", title, of_tight + most, place, at_least=False)
+    if belt.rating is not None:
+        factor = 1.0 if case.kind == "running" else belt.momentary_factor or 1.0
+        most = of_tight + factor * belt.rating * belt.width
+        yield Figure("belt_tension", "Belt tension", most, place, at_least=False)
+
+
+def _standard(
+    drive: Drive, case: LoadCase, result: ArcResult, offset: float, place: Place
+) -> Iterator[Figure]:
+    criteria, lagging = drive.criteria, drive.pulley(result.arc.pulley).lagging
+    rule = asked(criteria.standard, criteria.take_up, lagging, result.arc.wrap_angle)
+    if rule is not None and not math.isnan(rule.wrap_factor):
+        tension = offset + design_slack(drive, case, result, rule.wrap_factor)
+        binding = criteria.standard.binding
+        yield Figure("design_standard", rule.rule, tension, place, binding=binding)
+
+
+def _slip(arc: WrapArc, offset: float, place: Place) -> Iterator[Figure]:
+    """Yield what the tested slip asks for; slip is never more than creep, so mostly nothing."""
+    tested = arc.law.tested
+    if tested is not None and tested.slip_max < arc.creep_limit:
+        least = _least_for_slip(arc, tested.slip_max)
+        yield Figure("tested_slip", "Largest slip, tested", offset + least, place)
+
+
+def _least_for_slip(arc: WrapArc, limit: float) -> float:
+    """Least slack-side tension with which the slip at the exit keeps a limit, the pull held [N]."""
+    law, geometry = arc.law.compact(), arc.geometry()
+    pull = abs(arc.effective_tension)
+    tight = max(arc.entry_tension, arc.exit_tension)
+    tested = arc.law.tested
+    top = tested.pressure_max * arc.width * arc.radius if tested is not None else 1e3 * tight
+    outcome, z, entry, _ = carry(law, geometry, tight, Aim(SLIP, limit), nan, _STEPS)
+    if outcome == SOLVED:
+        met, _, entry, shot, growth = meet(
+            law, geometry, Aim(SLIP, limit), True, pull, entry, z, 1.5 * top, _STEPS
+        )
+        found = max(entry, entry * math.exp(shot.log_tension))
+        if met and growth > 0.0 and found <= top:
+            return found - pull
+    return _by_halving(arc, limit, pull, top)
+
+
+def _by_halving(arc: WrapArc, limit: float, pull: float, top: float) -> float:
+    law, geometry = arc.law.compact(), arc.geometry()
+
+    def slips(tight: float) -> float:
+        slack = tight - pull
+        entry, leaving = (tight, slack) if arc.side > 0.0 else (slack, tight)
+        par = parameters_at(entry, geometry)
+        outcome, _, shot = solve_tension(law, par, leaving, _STEPS)
+        return abs(shot.slip) if outcome == SOLVED else inf
+
+    low, high = pull * (1.0 + 1e-6), top
+    if low >= high or slips(high) > limit:
+        return inf
+    while high - low > 1e-6 * high:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if slips(middle) > limit else (low, middle)
+    return high - pull
+
+
+def _gross_slip(
+    drive: Drive,
+    case: LoadCase,
+    arcs: Sequence[ArcResult],
+    index: int,
+    end: float,
+    rounds: int = 1,
+) -> Figure:
+    """Return what the safety factor on gross slip asks for, with what the take-up holds.
+
+    Where friction falls past its peak the largest ratio is sought anew, so many times, at the
+    tension that was found.
+    """
+    arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
+    rise = rises(arcs, index, BOTH_HELD if drive.criteria.take_up.fixed else SLACK_HELD)
+    pull = factor * abs(arc.effective_tension)
+    tight = max(arc.entry_tension, arc.exit_tension)
+    lift, grip = 0.0, grip_of(arcs[index])
+    for i in range(rounds):
+        # all tensions rise by the lift, and then with the pull
+        found = grip.tight_for(pull) - tight - (factor - 1.0) * rise.tight
+        settled = not grip.softens or abs(found - lift) <= _SETTLED * tight
+        lift = found
+        if settled or math.isinf(lift) or i == rounds - 1:
+            break
+        raised = replace(
+            arc, entry_tension=arc.entry_tension + lift, exit_tension=arc.exit_tension + lift
+        )
+        grip = Grip(raised)
+    title = f"Safety {factor:g} against gross slip"
+    place = Place(arc.pulley, case.name)
+    return Figure("gross_slip", title, end + lift, place)

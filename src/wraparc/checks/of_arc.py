@@ -1,0 +1,297 @@
+"""Checks of a solved arc: grip, standard, creep, lagging, tested slip, balance of the solution."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from wraparc.arc import ArcResult, Status
+from wraparc.checks.check import Check, Level, Place
+from wraparc.checks.design_standard import asked
+from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, grip_of, pull_factor, rises
+from wraparc.checks.of_drive import (
+    MORE_CREEP,
+    escaped,
+    judged,
+    not_checked,
+    origin,
+    tests_of,
+)
+from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+
+#: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
+#: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
+BALANCE = 1e-4
+#: Pull over tension that counts as none [-].
+IDLE = 1e-6
+OWN_FACTORS = "taken where the drive file says nothing"
+
+
+def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
+    """Check whether an arc carries its load, and with which factor in hand."""
+    result = arcs[index]
+    safety, take_up = drive.criteria.safety, drive.criteria.take_up
+    factor = safety.of(case.kind)
+    name, title = "gross_slip", f"Safety against gross slip, {case.kind}"
+    place = Place(result.arc.pulley, case.name)
+    source = f"safety factor {case.kind}: {safety.source or OWN_FACTORS}"
+    if result.status is Status.UNSOLVED:
+        return Check(
+            name=name, title=title, level=Level.FAULT, short="not solved",
+            says=escaped(str(result.status)), place=place,
+        )  # fmt: skip
+    if abs(result.arc.effective_tension) <= IDLE * result.arc.entry_tension:
+        return Check(name=name, title="No pull to carry", level=Level.OK, short="idle", place=place)
+    held = BOTH_HELD if take_up.fixed else SLACK_HELD
+    k = pull_factor(result.arc, grip_of(result), rises(arcs, index, held))
+    if result.status is Status.BREAKAWAY:
+        return Check(
+            name=name, title=title, level=Level.FAILS, value=min(k, 1.0), limit=factor,
+            at_most=False, source=source, short="gross slip",
+            says="Gross slip: the friction carries {value} of the pull at most, whatever the "
+            "creep.",
+            remedy="Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a "
+            "lagging with more friction.",
+            place=place,
+        )  # fmt: skip
+    kept = "T1 + T2 held (fixed take-up)" if take_up.fixed else "T2 held (gravity take-up)"
+    return judged(
+        name,
+        title,
+        max(k, 1.0),
+        factor,
+        "number",
+        Level.ATTENTION,
+        at_most=False,
+        source=source,
+        short="near gross slip",
+        says=f"Gross slip comes at {{value}} times the pull, {kept}: less than the safety factor "
+        f"{{limit}} for {case.kind}.",
+        remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
+        "more friction.",
+        place=place,
+    )
+
+
+def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
+    """Check the slack side against the design standard; None where none is asked for."""
+    criteria, lagging = drive.criteria, drive.pulley(result.arc.pulley).lagging
+    found = asked(criteria.standard, criteria.take_up, lagging, result.arc.wrap_angle)
+    if found is None or abs(result.arc.effective_tension) <= IDLE * result.arc.entry_tension:
+        return None
+    place = Place(result.arc.pulley, case.name)
+    if math.isnan(found.wrap_factor):
+        title = f"Slack side by {found.rule}"
+        return not_checked("design_standard", title, found.why_not, place)
+    slack = min(result.arc.entry_tension, result.arc.exit_tension)
+    limit = design_slack(drive, case, result, found.wrap_factor)
+    chosen = "" if criteria.standard.name else " No standard was chosen: CEMA was taken."
+    start = ""
+    if criteria.standard.start_factor != 1.0 and case.kind == "running":
+        start = f" for {criteria.standard.start_factor:g} times the pull"
+    return judged(
+        "design_standard",
+        f"Slack side by {found.rule}",
+        slack,
+        limit,
+        "force",
+        Level.FAILS if criteria.standard.binding else Level.ATTENTION,
+        at_most=False,
+        source=found.source,
+        short="below standard",
+        says=f"The slack side, {{value}}, is below the {{limit}} that {found.rule} asks "
+        f"for{start}.{chosen}",
+        remedy="Raise the slack-side tension, or name the rule that you design by in "
+        "[design_standard].",
+        binding=criteria.standard.binding,
+        place=place,
+    )
+
+
+def design_slack(drive: Drive, case: LoadCase, result: ArcResult, factor: float) -> float:
+    """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
+    start = drive.criteria.standard.start_factor if case.kind == "running" else 1.0
+    return factor * start * abs(result.arc.effective_tension)
+
+
+def creep(drive: Drive, result: ArcResult) -> Check | None:
+    """Check the creep at the exit; None on an arc that does not carry its load."""
+    if not result.status.solved:
+        return None
+    limit = result.arc.creep_limit
+    return judged(
+        "creep",
+        "Creep at exit",
+        abs(result.exit_creep),
+        limit,
+        "length",
+        Level.ATTENTION,
+        place=Place(result.arc.pulley, result.arc.load_case),
+        source="conservative limit, 1/4 in; B. DeVries, A model of lagging friction"
+        if limit == CREEP_LIMIT
+        else "given",
+        short="over creep limit",
+        more={"fabric": (MORE_CREEP["fabric"], "force_per_width")},
+        says=f"Creeps {{value}}, more than the limit of {{limit}}. {_qualifies(drive, limit)}",
+        remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
+        "more friction.",
+    )
+
+
+def _qualifies(drive: Drive, limit: float) -> str:
+    """Say whether the belt may creep more than the customary limit."""
+    belt = drive.belt
+    if limit != CREEP_LIMIT:
+        return ""
+    least = MORE_CREEP.get(belt.kind)
+    if least is None or belt.rating is None:
+        return "Whether this belt may creep more is not known: its carcass or rating is not given."
+    strong = _strength(belt.name) or 0.0
+    over = strong > least if belt.kind == "steel cord" else belt.rating > least * (1.0 + 1e-9)
+    if over:
+        return (
+            "This belt qualifies for a larger limit, as steel cord above ST1600 and fabric above "
+            "{fabric} do (B. DeVries)."
+        )
+    if belt.kind == "steel cord" and not strong:
+        return "Steel cord above ST1600 may creep more; the name does not tell its strength."
+    return (
+        "This belt does not qualify for more, as steel cord above ST1600 and fabric above "
+        "{fabric} do (B. DeVries)."
+    )
+
+
+def _strength(name: str) -> float | None:
+    """Return the breaking strength that the name of a steel-cord belt tells, ``ST2000`` [N/m]."""
+    found = re.search(r"ST[ -]?(\d{3,5})\b", name.upper())
+    return 1e3 * float(found[1]) if found else None
+
+
+def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
+    """Check the peak shear stress against bond and fatigue of the lagging."""
+    if not result.status.solved:
+        return
+    lagging = pulley.lagging
+    passes = ""
+    if result.arc.belt_speed is not None:
+        per_hour = 3600.0 * result.arc.belt_speed / (math.pi * result.arc.diameter)
+        passes = f", {per_hour:.4g} times an hour"
+    for name, key, title, says, short in (
+        ("bond_stress", "bond_strength", "Shear stress of lagging and bond, steady",
+         "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.",
+         "bond overstressed"),
+        ("fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass",
+         f"At every pass of the belt{passes} the shear stress rises to {{value}}, more than the "
+         "fatigue limit {limit}.",
+         "lagging tires"),
+    ):  # fmt: skip
+        limit = getattr(lagging, key)
+        place = Place(pulley.name, result.arc.load_case)
+        if limit is None:
+            words = key.replace("_", " ")
+            why = f"the {words} of lagging {lagging.name} is not given"
+            yield not_checked(name, title, why, place)
+            continue
+        yield judged(
+            name,
+            title,
+            result.peak_shear_stress,
+            limit,
+            "pressure",
+            Level.ATTENTION,
+            source=origin(lagging.source_of(key)),
+            short=short,
+            says=says,
+            remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
+            place=place,
+        )
+
+
+def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
+    """Check slip and slip speed against the tests of the lagging."""
+    tested = pulley.lagging.law.tested
+    if tested is None or not result.status.solved:
+        return
+    place = Place(pulley.name, result.arc.load_case)
+    yield judged(
+        "tested_slip",
+        "Largest slip, tested",
+        float(np.abs(result.profile.slip).max()),
+        tested.slip_max,
+        "length",
+        Level.ATTENTION,
+        source=tests_of(pulley),
+        short="slip beyond tests",
+        says=f"The slip {{value}} is beyond the {{limit}} that lagging {pulley.lagging.name} was "
+        "tested to: there the friction is an extrapolation.",
+        remedy="Raise the slack-side tension, or test the lagging to this slip.",
+        place=place,
+    )
+    speed = slip_speed(result)
+    title = "Slip speed, tested"
+    if tested.slip_speed is None:
+        why = "the friction law does not say at which speed it was tested"
+        yield not_checked("tested_slip_speed", title, why, place)
+    elif math.isnan(speed):
+        yield not_checked("tested_slip_speed", title, "the belt speed is not given", place)
+    else:
+        yield judged(
+            "tested_slip_speed",
+            title,
+            speed,
+            tested.slip_speed,
+            "speed",
+            Level.ATTENTION,
+            source=tests_of(pulley),
+            short="slips faster than tests",
+            says="The belt slips at up to {value}, where the tests of lagging "
+            f"{pulley.lagging.name} ran at {{limit}}: how its friction changes with speed is not "
+            "known.",
+            remedy="Test the lagging at this speed, or keep a larger safety factor.",
+            binding=False,
+            place=place,
+        )
+
+
+def slip_speed(result: ArcResult) -> float:
+    """Largest speed of the belt on the lagging along the arc [m/s]; nan without a belt speed."""
+    speed = result.arc.belt_speed
+    if speed is None or len(result.profile) < 2:
+        return math.nan
+    steps = np.diff(result.profile.position) * result.arc.radius
+    change = np.abs(np.diff(result.profile.slip))
+    wide = steps > 1e-9 * result.arc.length
+    if not wide.any():
+        return math.nan
+    return float(speed * (change[wide] / steps[wide]).max())
+
+
+def balance(result: ArcResult) -> Check | None:
+    """Check the energy balance of the solution: a miss is a fault of the program."""
+    error = result.energy.identity_error
+    if not result.status.solved or math.isnan(error):
+        return None
+    arc = result.arc
+    pull, g = result.effective_tension, result.entry_creep_ratio
+    exact = abs(pull * (g + 0.5 * pull * arc.compliance))
+    told = max(exact, 1e-6 * arc.entry_tension * abs(g), 1e-300)  # what the error is relative to
+    # of an idle pulley nothing is left to be relative to: then the strain of the belt
+    scale = max(exact, 1e-6 * arc.entry_tension * (abs(g) + arc.entry_tension * arc.compliance))
+    value = abs(error) * told / scale if scale > 0.0 else 0.0
+    return judged(
+        "balance",
+        "Energy balance of the solution",
+        value,
+        BALANCE,
+        "number",
+        Level.FAULT,
+        source="tolerance of the program",
+        short="out of balance",
+        says="The energy balance of the solution misses by {value}, more than {limit}.",
+        remedy="Please report the drive file; until then change a value slightly.",
+        place=Place(arc.pulley, arc.load_case),
+        binding=False,
+    )

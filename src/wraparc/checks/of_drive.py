@@ -1,0 +1,331 @@
+"""Checks of a description that need no solving: sizes, belt, pulley face, data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from wraparc.checks.check import Check, Level, Place, keeps
+from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.provenance import Kind, Provenance
+from wraparc.units import Dimension
+
+# Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
+_USUAL: dict[str, tuple[Dimension, float, float]] = {
+    "width": ("length", 0.2, 4.0),
+    "modulus": ("force_per_width", 1e5, 1e9),
+    "speed": ("speed", 0.05, 15.0),
+    "diameter": ("length", 0.15, 3.0),
+}
+#: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
+MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
+
+
+def usual_sizes(drive: Drive) -> Iterator[Check]:
+    """Check width, modulus and speed of the belt and every diameter for a slip of unit."""
+    things: list[tuple[str, str, object, str]] = [
+        ("the belt", "", drive.belt, name) for name in ("width", "modulus", "speed")
+    ]
+    things += [(f"pulley {p.name}", p.name, p, "diameter") for p in drive.pulleys]
+    odd = False
+    for owner, pulley, thing, name in things:
+        dimension, least, most = _USUAL[name]
+        value = getattr(thing, name)
+        if value is None or least <= value <= most:
+            continue
+        odd = True
+        yield Check(
+            name="usual_sizes",
+            title=f"Usual {name}",
+            level=Level.ATTENTION,
+            place=Place(pulley),
+            value=value,
+            limit=most if value > most else least,
+            dimension=dimension,
+            at_most=value > most,
+            source="sizes that conveyor drives have",
+            short="unusual size",
+            says=f"The {name} of {owner}, {{value}}, is outside the usual {{least}} to {{most}}.",
+            remedy="Check the unit.",
+            more={"least": (least, dimension), "most": (most, dimension)},
+            binding=False,
+        )
+    if not odd:
+        yield Check(
+            name="usual_sizes",
+            title="Width, modulus, speed and diameters are of usual size",
+            level=Level.OK,
+            binding=False,
+        )
+
+
+def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
+    """Check the larger tension at a pulley against the rating, with the factor of the load case."""
+    belt, tensions = drive.belt, case.tensions[pulley.name]
+    momentary = case.kind != "running"
+    title = "Belt tension, momentary" if momentary else "Belt tension, running"
+    name = "momentary_tension" if momentary else "belt_tension"
+    value = max(tensions.entry, tensions.exit)
+    place = Place(pulley.name, case.name)
+    if belt.rating is None:
+        return not_checked(name, title, "the rating of the belt is not given", place)
+    factor = (belt.momentary_factor or 1.0) if momentary else 1.0
+    limit = factor * belt.rating * belt.width
+    said = f"its rating times {factor:g}" if factor != 1.0 else "its rating"
+    remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or "
+    remedy += "stronger belt."
+    if momentary and belt.momentary_factor is None:
+        remedy = (
+            "Give momentary_factor in [belt] if the maker allows more while starting and braking; "
+            "else take a stronger belt."
+        )
+    share = 100.0 * value / (belt.rating * belt.width)
+    return judged(
+        name,
+        title,
+        value,
+        limit,
+        "force",
+        Level.FAILS,
+        source=f"rating of the belt{f' times {factor:g}' if factor != 1.0 else ''}: "
+        f"{origin(belt.sources.get('rating', belt.provenance))}",
+        short="over belt rating",
+        says=f"The belt tension {{value}} is {share:.3g} % of the rating of the belt and more than "
+        f"{said} allows, {{limit}}.",
+        remedy=remedy,
+        place=place,
+    )
+
+
+def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
+    """Check the diameter of a pulley against the least that its belt may bend over."""
+    belt, title = drive.belt, "Pulley diameter, least for the belt"
+    if belt.least_pulley_diameter is None:
+        return not_checked(
+            "pulley_diameter",
+            title,
+            "the least pulley of the belt is not given",
+            Place(pulley.name),
+        )
+    return judged(
+        "pulley_diameter",
+        title,
+        pulley.diameter,
+        belt.least_pulley_diameter,
+        "length",
+        Level.FAILS,
+        at_most=False,
+        place=Place(pulley.name),
+        source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
+        short="pulley too small",
+        says=f"Pulley {pulley.name}, {{value}}, is smaller than the least drive pulley of belt "
+        f"{belt.name}, {{limit}}.",
+        remedy="Take a larger pulley, or a belt that bends over this one.",
+    )
+
+
+def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
+    """Check the largest wrap pressure against what the belt may bear on the pulley face."""
+    belt, title = drive.belt, "Pressure on the pulley face"
+    place = Place(pulley.name, case.name)
+    if belt.largest_wrap_pressure is None:
+        why = "the largest wrap pressure of the belt is not given"
+        return not_checked("face_pressure", title, why, place)
+    tensions = case.tensions[pulley.name]
+    value = 2.0 * max(tensions.entry, tensions.exit) / (belt.width * pulley.diameter)
+    return judged(
+        "face_pressure",
+        title,
+        value,
+        belt.largest_wrap_pressure,
+        "pressure",
+        Level.ATTENTION,
+        source=origin(belt.sources.get("largest_wrap_pressure", belt.provenance)),
+        short="face pressure",
+        says="The belt presses on the pulley face with {value}, more than the {limit} that it may.",
+        remedy="Take a larger or wider pulley, or less tension.",
+        place=place,
+    )
+
+
+def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+    """Check both ends of the wrap pressure against the tests of the lagging."""
+    tested = pulley.lagging.law.tested
+    place = Place(pulley.name, case.name)
+    if tested is None:
+        why = "the friction law states no tests"
+        yield not_checked("tested_pressure", "Wrap pressure within the tests", why, place)
+        return
+    tensions = case.tensions[pulley.name]
+    area = drive.belt.width * pulley.diameter
+    for name, title, tension, limit, at_most, remedy in (
+        ("tested_pressure_max", "Largest wrap pressure, tested",
+         max(tensions.entry, tensions.exit), tested.pressure_max, True,
+         "Lower the tension, take a larger or wider pulley, or test the lagging at this pressure."),
+        ("tested_pressure_min", "Least wrap pressure, tested",
+         min(tensions.entry, tensions.exit), tested.pressure_min, False,
+         "Raise the slack-side tension, or test the lagging at this pressure."),
+    ):  # fmt: skip
+        more = "above" if at_most else "below"
+        yield judged(
+            name,
+            title,
+            2.0 * tension / area,
+            limit,
+            "pressure",
+            Level.ATTENTION,
+            at_most=at_most,
+            source=tests_of(pulley),
+            short=f"pressure {more} tests",
+            says=f"The wrap pressure {{value}} is {more} the {{limit}} that lagging "
+            f"{pulley.lagging.name} was tested to: there the friction is an extrapolation.",
+            remedy=remedy,
+            place=place,
+        )
+
+
+def sag(drive: Drive, case: LoadCase) -> Check | None:
+    """Check the tension of the belt that leaves the drives slack against its sag; None if idle."""
+    first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
+    driving = first.entry >= last.exit
+    tension = last.exit if driving else first.entry
+    pulley = drive.pulleys[-1 if driving else 0].name
+    title, limits = "Slack-side tension, for sag", drive.criteria.sag
+    if limits is None:
+        why = "idler spacing and mass are not given"
+        return not_checked("sag", title, why, Place(pulley, case.name))
+    return judged(
+        "sag",
+        title,
+        tension,
+        limits.tension,
+        "force",
+        Level.ATTENTION,
+        at_most=False,
+        place=Place(pulley, case.name),
+        source=limits.SOURCE,
+        short="sags",
+        says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "
+        "spacing, which takes {limit}.",
+        remedy="Raise the slack-side tension, or set the idlers closer.",
+    )
+
+
+def data(drive: Drive, pulley: Pulley) -> Check:
+    """Say on what data the answer for a pulley stands; the weakest decides."""
+    lagging = pulley.lagging
+    found: dict[str, list[str]] = {}
+    for kind, what in _weak_sources(drive, pulley):
+        found.setdefault(kind, []).append(what)
+    law, friction = lagging.source_of("law").kind.value, f"The friction of {lagging.name} is"
+    words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
+    untested = lagging.law.tested is None
+    words += [f"{friction} given without tests."] if untested else []
+    words += [
+        f"{kind.capitalize()}: {', '.join(dict.fromkeys(found[kind]))}."
+        for kind in ("illustrative", "calibrated", "estimated")
+        if kind in found
+    ]
+    ground = {law: True, "untested": untested} | dict.fromkeys(found, True)
+    worst = next((word for kind, word in _GROUNDS.items() if ground.get(kind)), "")
+    return Check(
+        name="data",
+        title="Data that the answer stands on",
+        level=Level.OK,
+        place=Place(pulley.name),
+        short=worst,
+        says=escaped(" ".join(words)),
+        binding=False,
+    )
+
+
+def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
+    """Yield each number that is illustrative, calibrated or estimated, with its kind."""
+    lagging, belt = pulley.lagging, drive.belt
+    owners = (
+        (lagging.name, {k: v for k, v in lagging.sources.items() if k != "law"}),
+        ("the belt", belt.sources),
+        (f"pulley {pulley.name}", pulley.sources),
+    )
+    told = [(f"{k.replace('_', ' ')} of {owner}", v) for owner, of in owners for k, v in of.items()]
+    for what, source in (*told, ("the belt", belt.provenance)):
+        if source.note.startswith("estimated"):
+            yield "estimated", what
+        if source.kind in (Kind.ILLUSTRATIVE, Kind.CALIBRATED):
+            yield source.kind.value, what
+
+
+_GROUNDS = {
+    "illustrative": "on illustrative data",
+    "untested": "on friction without tests",
+    "estimated": "on estimated data",
+    "calibrated": "on calibrated data",
+}
+_LAWS = {
+    "illustrative": "illustrative: it describes no real product",
+    "calibrated": "calibrated: it was fitted to a known result",
+}
+
+
+def escaped(text: str) -> str:
+    """Return a text that stands for itself in `Check.says`."""
+    return text.replace("{", "{{").replace("}", "}}")
+
+
+def tests_of(pulley: Pulley) -> str:
+    """Return where the tested range of a lagging came from."""
+    return f"tests of lagging {pulley.lagging.name}: {origin(pulley.lagging.source_of('law'))}"
+
+
+def origin(provenance: Provenance) -> str:
+    """Return where a limit came from, in words."""
+    return str(provenance)
+
+
+def not_checked(name: str, title: str, why: str, place: Place) -> Check:
+    """Return a check that could not be made, with the reason."""
+    return Check(
+        name=name,
+        title=title,
+        level=Level.NOT_CHECKED,
+        place=place,
+        says=escaped(f"{title}: not checked, {why}."),
+        short=why,
+    )
+
+
+def judged(
+    name: str,
+    title: str,
+    value: float,
+    limit: float,
+    dimension: Dimension,
+    missed: Level,
+    *,
+    place: Place,
+    source: str = "",
+    at_most: bool = True,
+    says: str = "",
+    remedy: str = "",
+    short: str = "",
+    binding: bool = True,
+    more: Mapping[str, tuple[float, Dimension]] | None = None,
+) -> Check:
+    """Return a check of a value against its limit: OK or, if it does not keep it, `missed`."""
+    kept = not math.isnan(value) and keeps(value, limit, at_most=at_most)
+    return Check(
+        name=name,
+        title=title,
+        level=Level.OK if kept else missed,
+        value=value,
+        limit=limit,
+        dimension=dimension,
+        at_most=at_most,
+        says="" if kept else says,
+        remedy="" if kept else remedy,
+        short="" if kept else short,
+        place=place,
+        source=source,
+        binding=binding,
+        more=more or {},
+    )

@@ -1,0 +1,107 @@
+"""The list of checks as every door shows it: a table, a summary, plain data."""
+
+import math
+from typing import Any
+
+from wraparc.checks import Check, Level, Verdict
+from wraparc.present.sheet import NONE, Row, Table
+from wraparc.present.sources import Sources
+from wraparc.units import System
+
+_SAME = 1e-9
+_NOTE = (
+    "Margin: how far the value is from its limit, over the limit; positive on the safe side. Each "
+    "check is shown where it comes off worst."
+)
+
+
+def check_table(
+    verdict: Verdict, system: System = "si", of: Sources | None = None, title: str = "Checks"
+) -> Table:
+    """Return each check with what was found, its limit, its margin, and where.
+
+    Parameters
+    ----------
+    verdict
+        The list.
+    system
+        Units to show.
+    of
+        Takes the sources of the limits, if they are to be shown.
+    title
+        Heading.
+    """
+    judged = [c for c in verdict.listed if c.level is not Level.NOT_CHECKED and c.name != "data"]
+    rows = tuple(_row(check, system, of) for check in judged)
+    return Table(title, rows, ("found", "limit", "margin"), f"{_NOTE}{_left(verdict)}")
+
+
+def _row(check: Check, system: System, of: Sources | None) -> Row:
+    found, _ = check.texts(system)
+    values = (found or NONE, check.bound(system) or NONE, margin_text(check.margin))
+    number = "" if of is None else of.number(check.source)
+    note = " ".join(part for part in (str(check.place), number) if part)
+    return Row(check.title, values, note=note, level=check.level)
+
+
+def _left(verdict: Verdict) -> str:
+    """Say what was not checked, and why."""
+    left = [c for c in verdict.listed if c.level is Level.NOT_CHECKED]
+    told = (f"{c.title[:1].lower()}{c.title[1:]} ({c.short})" for c in left)
+    return f" Not checked: {'; '.join(told)}." if left else ""
+
+
+def margin_text(margin: float) -> str:
+    """Return a margin as percent with its sign."""
+    if not math.isfinite(margin):
+        return NONE
+    if 0.9995 <= margin < 1.0:
+        return "> +99.9 %"
+    if abs(margin) < _SAME:
+        return "0 %"
+    return f"{100.0 * margin:+.3g} %".replace("-", "−")
+
+
+def checks_summary(verdict: Verdict) -> str:
+    """Return how the checks end, in one sentence."""
+    listed = verdict.listed
+    judged = [c for c in listed if c.level is not Level.NOT_CHECKED]
+    kept = [c for c in judged if not c.missed]
+    text = f"{len(kept)} of {len(judged)} checks are kept"
+    missed = "; ".join(f"{c.level}: {c.title}" for c in verdict.missed)
+    text += f". {missed}" if missed else ""
+    left = ", ".join(c.title for c in listed if c.level is Level.NOT_CHECKED)
+    text += f". Not checked for want of data: {left}" if left else ""
+    return f"{text}."
+
+
+def check_data(check: Check) -> dict[str, Any]:
+    """Return a check as plain data, numbers in SI."""
+    return {
+        "name": check.name,
+        "title": check.title,
+        "level": check.level.value,
+        "pulley": check.place.pulley,
+        "load_case": check.place.load_case,
+        "value": check.value,
+        "limit": check.limit,
+        "dimension": check.dimension,
+        "at_most": check.at_most,
+        "margin": check.margin,
+        "source": check.source,
+        "binding": check.binding,
+        "sentence": check.sentence(),
+    }
+
+
+def verdict_document(verdict: Verdict) -> dict[str, Any]:
+    """Return a verdict as plain data: its word, the check that governs, every check once."""
+    governing = verdict.governing
+    return {
+        "level": verdict.level.value,
+        "word": verdict.word,
+        "headline": verdict.headline(),
+        "sentences": list(verdict.sentences()),
+        "governing": None if governing is None else check_data(governing),
+        "checks": [check_data(check) for check in verdict.listed],
+    }

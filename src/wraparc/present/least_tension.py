@@ -1,0 +1,153 @@
+"""The least slack-side tension and the margins to gross slip: sentence, tables, plain data."""
+
+import math
+from typing import Any
+
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.checks import Figure, LeastTension, Level, least_tension, margins_of
+from wraparc.present.sheet import NONE, Row, Table, named, quantity
+from wraparc.train import TrainResult
+from wraparc.units import System
+
+_WHY = {
+    "creep": "the creep limit",
+    "gross_slip": "the safety against gross slip",
+    "tested_pressure_min": "the least wrap pressure tested",
+    "tested_slip": "the largest slip tested",
+    "sag": "the sag of the belt",
+    "design_standard": "the design standard",
+    "tested_pressure_max": "the largest wrap pressure tested",
+    "belt_tension": "the rating of the belt",
+    "face_pressure": "the pressure on the pulley face",
+}
+
+
+def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> str:
+    """Return the least slack-side tension in a sentence; nothing where there is none to tell."""
+    found = least_tension(result)
+    if found is None:
+        return ""
+    least, given = (named("tension", value, system) for value in (found.tension, found.given))
+    governs = found.governing
+    why = _WHY[governs.name]
+    if math.isinf(found.tension):
+        return _none(found, result, system)
+    text = (
+        f"The least slack-side tension with which every binding check is kept is {least}, set by "
+        f"{why} ({governs.place}); given {given}"
+    )
+    standard = found.standard
+    if standard is not None and found.tension < standard.tension * (1.0 - 1e-9):
+        asked = named("tension", standard.tension, system)
+        text += f"; that is below the {asked} that {standard.title} asks for"
+    return f"{text}."
+
+
+def _none(found: LeastTension, result: DriveResult | TrainResult, system: System) -> str:
+    governs, top = found.governing, found.highest
+    if math.isinf(governs.tension) or top is None:
+        return (
+            f"No slack-side tension with wrap pressures in the tested range keeps "
+            f"{_WHY[governs.name]} ({governs.place}){_most(result, governs, system)}."
+        )
+    asked, most = (named("tension", f.tension, system) for f in (governs, top))
+    return (
+        f"No slack-side tension keeps every binding check: {_WHY[governs.name]} asks for {asked} "
+        f"({governs.place}), and {_WHY[top.name]} allows {most} ({top.place})."
+    )
+
+
+def _most(result: DriveResult | TrainResult, governs: Figure, system: System) -> str:
+    one = result.drive_result() if isinstance(result, TrainResult) else result
+    arc = one.arc(governs.place.pulley, governs.place.load_case)
+    most = arc.capacities.largest_effective_tension
+    if governs.name != "creep" or math.isnan(most):
+        return ""
+    return f"; the largest pull carried so is {named('tension', most, system)}"
+
+
+def least_table(result: DriveResult | TrainResult, system: System = "si") -> Table | None:
+    """Return what each check asks of the slack side; None where nothing is pulled."""
+    found = least_tension(result)
+    if found is None:
+        return None
+    rows = []
+    if not math.isinf(found.tension):
+        weight = quantity(found.counterweight, "mass", system)
+        given = f"given {named('tension', found.given, system)}"
+        least = named("tension", found.tension, system)
+        rows.append(Row("Least slack-side tension", (least,), "T2_min", given))
+        rows.append(Row("Counterweight for it", (weight,), "", "if the take-up is a weight"))
+    for figure in sorted(found.figures, key=lambda f: (not f.at_least, -f.tension)):
+        bound = "at least" if figure.at_least else "at most"
+        text = "none" if math.isinf(figure.tension) else named("tension", figure.tension, system)
+        governs = figure is found.governing
+        note = "governs" if governs else "" if figure.binding else "not binding"
+        note = ", ".join(part for part in (note, str(figure.place)) if part)
+        rows.append(Row(f"{figure.title}, {bound}", (text,), "", note))
+    note = (
+        "Tension of the slack side behind the drives with which each check is kept, every pulley "
+        "pulling as it does."
+    )
+    return Table("Least slack-side tension", tuple(rows), note=note)
+
+
+def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") -> Table | None:
+    """Return how much more pull an arc could take until gross slip, by what the take-up holds."""
+    if not arc.status.solved or abs(arc.arc.effective_tension) <= 1e-6 * arc.arc.entry_tension:
+        return None
+    if math.isnan(arc.capacities.gross_slip_capacity):
+        return None
+    found, take_up = margins_of(result, arc), result.drive.criteria.take_up
+    said = "" if take_up.kind else ", taken where no take-up is said"
+    rows = []
+    for title, value, own in (
+        ("Slack side held (gravity take-up, winch)", found.slack_held, not take_up.fixed),
+        ("Sum of both sides held (fixed take-up)", found.both_held, take_up.fixed),
+        ("Tight side held", found.tight_held, False),
+    ):
+        text = (
+            "never" if math.isinf(value) else f"{quantity(value, 'number', system)} times the pull"
+        )
+        rows.append(Row(title, (text,), note=f"this drive{said}" if own else ""))
+    note = "Pull at which the belt slips as a whole: an extrapolation of the friction law."
+    return Table("Margin to gross slip", tuple(rows), note=note)
+
+
+def least_data(result: DriveResult | TrainResult) -> dict[str, Any] | None:
+    """Return the least slack-side tension as plain data [N, kg]; None where there is none."""
+    found = least_tension(result)
+    if found is None:
+        return None
+    return {
+        "tension": found.tension,
+        "given": found.given,
+        "governing": found.governing.name,
+        "counterweight": found.counterweight,
+        "level": (Level.OK if found.tension <= found.given else Level.ATTENTION).value,
+        "figures": [
+            {
+                "name": f.name,
+                "title": f.title,
+                "tension": f.tension,
+                "at_least": f.at_least,
+                "binding": f.binding,
+                "pulley": f.place.pulley,
+                "load_case": f.place.load_case,
+            }
+            for f in found.figures
+        ],
+        "sentence": least_sentence(result),
+    }
+
+
+def shown_least(result: DriveResult | TrainResult, system: System = "si") -> str:
+    """Return the least slack-side tension with its unit, or that there is none."""
+    found = least_tension(result)
+    return (
+        NONE
+        if found is None
+        else "none"
+        if math.isinf(found.tension)
+        else named("tension", found.tension, system)
+    )

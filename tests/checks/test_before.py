@@ -1,0 +1,29 @@
+"""What can be said of a drive before it is solved."""
+
+from dataclasses import replace
+
+from present.drives import BELT, drive
+from wraparc.checks import Level, before
+
+
+def test_a_usual_drive_misses_nothing() -> None:
+    assert before(drive()).level is Level.OK
+
+
+def test_everything_that_needs_no_solving_is_said() -> None:
+    odd = drive(4e6, 15e3, belt=replace(BELT, width=12.0, least_pulley_diameter=1.0))
+    told = before(odd)
+    assert told.level is Level.FAILS
+    assert {c.name for c in told.missed} == {
+        "usual_sizes", "pulley_diameter", "belt_tension", "tested_pressure_max",
+        "tested_pressure_min",
+    }  # fmt: skip
+    text = " ".join((told.headline(), *told.sentences()))
+    for said in (
+        "The width of the belt, 12.00 m, is outside the usual 200.0 mm to 4000 mm. Check the unit.",
+        "Pulley head, 800.0 mm, is smaller than the least drive pulley of belt EP 1000/4, 1000 mm.",
+        "The belt tension 4000 kN is 190 % of the rating of the belt",
+        "The wrap pressure 833.3 kPa is above the 690.0 kPa",
+        "The wrap pressure 3.125 kPa is below the 34.00 kPa",
+    ):
+        assert said in text

@@ -1,0 +1,274 @@
+"""Every check on a drive where it alone governs; cases that once had wrong comfort.
+
+Expected values are worked by hand from the inputs: p = 2 T/(B D), rating times width, Cw times
+pull, capstan ratio exp(mu phi).
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from present.drives import BELT, drive, marched, solved
+from wraparc import Constant, Drive, Lagging, TestedRange, load_lagging, solve
+from wraparc.checks import Check, Level, Verdict, judge
+from wraparc.checks.check import Place
+from wraparc.drive import CaseKind, Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
+from wraparc.provenance import Kind, Provenance
+
+NONE = Criteria(standard=DesignStandard(name="none"))
+WIDE = TestedRange(pressure_min=1e3, pressure_max=1e7, slip_max=1.0)
+
+
+def lagging(friction: float = 0.8, **of: Any) -> Lagging:
+    """Return a lagging of constant friction that keeps what is not asked about."""
+    law = Constant(friction_coefficient=friction, tested=of.pop("tested", WIDE))
+    basis: dict[str, Any] = {"thickness": 0.012, "shear_modulus": 2.3e6, "surface": "rubber"}
+    return Lagging(name="plain", law=law, **{**basis, **of})
+
+
+def quiet(**of: Any) -> Drive:
+    """Return a drive that keeps every check, with some of it changed."""
+    lag = of.pop("lagging", lagging())
+    tensions = (of.pop("entry", 100e3), of.pop("leaving", 60e3))
+    belt = replace(BELT, **of.pop("belt", {}))
+    kind: CaseKind = of.pop("kind", "running")
+    made = drive(*tensions, lag, belt, overrun=0.0, **of.pop("pulley", {}))
+    case = replace(made.load_cases[0], kind=kind)
+    return replace(made, load_cases=(case,), **{"criteria": NONE, "creep_limit": 0.02, **of})
+
+
+def judged(of: Drive) -> Verdict:
+    return judge(solve(of, raise_on_failure=False))
+
+
+def named(of: Drive, name: str) -> Check:
+    return next(c for c in judged(of).listed if c.name == name)
+
+
+def test_the_quiet_drive_keeps_every_check() -> None:
+    assert judged(quiet()).level is Level.OK
+    assert judged(quiet()).missed == ()
+
+
+STEEL = {"kind": "steel cord", "name": "ST2000"}
+# name, drive, level, value, limit, a word of the sentence
+ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
+    # mu = 0.35 over pi carries exp(0.35 pi) = 3.003; T2 = 20 kN held: 40.06 kN, 1.0144 of 39.5
+    (
+        "gross_slip", lambda: quiet(entry=59.5e3, leaving=20e3, lagging=lagging(0.35)),
+        Level.ATTENTION, 20e3 * math.expm1(0.35 * math.pi) / 39.5e3, 1.25, "T2 held",
+    ),
+    # CEMA, rubber 0.35: Cw = 0.4993 of 90 kN
+    (
+        "design_standard",
+        lambda: quiet(entry=130e3, leaving=40e3,
+                      criteria=Criteria(standard=DesignStandard(name="CEMA"))),
+        Level.ATTENTION, 40e3, 90e3 / math.expm1(0.35 * math.pi), "CEMA, friction 0.35 (rubber)",
+    ),
+    # DIN 22101, rubber wet 0.35, binding, 1.4 times the pull
+    (
+        "design_standard",
+        lambda: quiet(entry=130e3, leaving=60e3, criteria=Criteria(standard=DesignStandard(
+            name="DIN 22101", condition="wet", start_factor=2.0, binding=True))),
+        Level.FAILS, 60e3, 2.0 * 70e3 / math.expm1(0.35 * math.pi), "for 2 times the pull",
+    ),
+    (
+        "creep", lambda: quiet(creep_limit=1e-4), Level.ATTENTION, math.nan, 1e-4, "Creeps",
+    ),
+    ("belt_tension", lambda: quiet(entry=399e3, leaving=300e3), Level.FAILS, 399e3, 210e3, "190 %"),
+    (
+        "momentary_tension",
+        lambda: quiet(entry=300e3, leaving=250e3, kind="starting",
+                      belt={"momentary_factor": 1.4}),
+        Level.FAILS, 300e3, 1.4 * 210e3, "its rating times 1.4",
+    ),
+    (
+        "pulley_diameter", lambda: quiet(belt={"least_pulley_diameter": 1.0}),
+        Level.FAILS, 0.8, 1.0, "smaller than the least drive pulley",
+    ),
+    (
+        "face_pressure", lambda: quiet(belt={"largest_wrap_pressure": 200e3}),
+        Level.ATTENTION, 2 * 100e3 / (1.2 * 0.8), 200e3, "presses on the pulley face",
+    ),
+    (
+        "bond_stress", lambda: quiet(lagging=lagging(bond_strength=1e4)),
+        Level.ATTENTION, math.nan, 1e4, "bond",
+    ),
+    (
+        "fatigue_stress", lambda: quiet(lagging=lagging(fatigue_limit=1e4)),
+        Level.ATTENTION, math.nan, 1e4, "4297 times an hour",  # 3 m/s over pi 0.8 m
+    ),
+    (
+        "sag", lambda: quiet(criteria=replace(NONE, sag=Sag(spacing=3.0, line_mass=400.0))),
+        Level.ATTENTION, 60e3, 400 * 9.80665 * 3 / 0.16, "sags more than 2 %",
+    ),
+    (
+        "tested_pressure_max",
+        lambda: quiet(lagging=lagging(tested=replace(WIDE, pressure_max=200e3))),
+        Level.ATTENTION, 2 * 100e3 / 0.96, 200e3, "above",
+    ),
+    (
+        "tested_pressure_min",
+        lambda: quiet(lagging=lagging(tested=replace(WIDE, pressure_min=130e3))),
+        Level.ATTENTION, 2 * 60e3 / 0.96, 130e3, "below",
+    ),
+    (
+        "tested_slip", lambda: quiet(lagging=lagging(tested=replace(WIDE, slip_max=1e-4))),
+        Level.ATTENTION, math.nan, 1e-4, "beyond",
+    ),
+    (
+        "tested_slip_speed",
+        lambda: quiet(lagging=lagging(tested=replace(WIDE, slip_speed=1.7e-4))),
+        Level.ATTENTION, math.nan, 1.7e-4, "0.1700 mm/s",
+    ),
+    (
+        "usual_sizes", lambda: quiet(belt={"speed": 100.0}), Level.ATTENTION, 100.0, 15.0,
+        "Check the unit",
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "make", "level", "value", "limit", "said"), ROWS)
+def test_a_row_alone_governs(
+    name: str, make: Callable[[], Drive], level: Level, value: float, limit: float, said: str
+) -> None:
+    verdict = judged(make())
+    governing = verdict.governing
+    assert governing is not None
+    assert [c.name for c in verdict.missed] == [name]
+    assert (governing.name, governing.level, verdict.level) == (name, level, level)
+    assert governing.limit == pytest.approx(limit, rel=1e-9)
+    if not math.isnan(value):
+        assert governing.value == pytest.approx(value, rel=1e-6)
+    assert said in governing.sentence()
+    assert said in verdict.headline()
+    assert governing.margin < 0.0
+    if name not in ("usual_sizes",):
+        assert governing.source
+
+
+def test_a_belt_at_190_per_cent_of_its_rating_fails() -> None:
+    verdict = judged(quiet(entry=1.9 * 210e3, leaving=350e3))
+    assert verdict.level is Level.FAILS
+    assert "190 % of the rating" in verdict.headline()
+
+
+def test_a_bare_pulley_near_gross_slip_is_no_bare_ok() -> None:
+    """T1/T2 0.3 % below exp(mu phi): a factor of 1.0045 with T2 held."""
+    ratio = math.exp(0.35 * math.pi) / 1.003
+    bare = lagging(0.35, surface="bare", thickness=0.0, shear_modulus=math.inf)
+    verdict = judged(quiet(entry=60e3 * ratio, leaving=60e3, lagging=bare, creep_limit=0.5))
+    worst = verdict.governing
+    assert worst is not None
+    assert (verdict.level, worst.name) == (Level.ATTENTION, "gross_slip")
+    assert worst.value == pytest.approx((ratio * 1.003 - 1.0) / (ratio - 1.0))
+
+
+def test_safety_factors_go_by_the_kind_of_load_case() -> None:
+    """1.25 running, 1.1 starting and braking unless given, and the source says which."""
+    near = {"entry": 52e3, "leaving": 20e3, "lagging": lagging(0.35)}  # a factor of 1.2518
+    less = {**near, "entry": 55e3}  # 1.1446
+    assert named(quiet(**near), "gross_slip").level is Level.OK
+    assert named(quiet(**less), "gross_slip").level is Level.ATTENTION
+    for kind in ("starting", "braking"):
+        check = named(quiet(**less, kind=kind), "gross_slip")
+        assert (check.level, check.limit) == (Level.OK, 1.1)
+    own = replace(NONE, safety=SafetyFactors(running=1.5, source="works standard 7"))
+    check = named(quiet(**near, criteria=own), "gross_slip")
+    assert (check.level, check.limit) == (Level.ATTENTION, 1.5)
+    assert "works standard 7" in check.source
+
+
+def test_a_fixed_take_up_holds_both_sides() -> None:
+    """T1 + T2 held: (R - 1)/(R + 1) over (r - 1)/(r + 1), R = exp(mu phi)."""
+    fixed = replace(NONE, take_up=TakeUp(kind="fixed"))
+    check = named(quiet(entry=59.5e3, leaving=20e3, lagging=lagging(0.35), criteria=fixed),
+                  "gross_slip")  # fmt: skip
+    r, most = 59.5 / 20.0, math.exp(0.35 * math.pi)
+    expected = (most - 1.0) / (most + 1.0) * (r + 1.0) / (r - 1.0)
+    assert check.value == pytest.approx(expected)
+    assert "fixed take-up" in check.sentence()
+
+
+def test_a_breakaway_fails_and_keeps_its_place() -> None:
+    verdict = judged(drive(180e3, 1e3))
+    worst = verdict.governing
+    assert worst is not None
+    assert (worst.name, worst.level, worst.place) == (
+        "gross_slip", Level.FAILS, Place("head", "full"),
+    )  # fmt: skip
+    assert worst.value < 1.0
+
+
+def test_creep_is_compared_in_the_digits_shown() -> None:
+    creep = solved().arc("head").exit_creep
+    for factor, level in ((1.001, Level.OK), (1.00001, Level.OK), (0.99999, Level.OK),
+                          (0.999, Level.ATTENTION)):  # fmt: skip
+        check = named(replace(drive(), creep_limit=factor * creep), "creep")
+        assert check.level is level, factor
+    shown = check.sentence()
+    assert shown.split(" mm")[0].split()[-1] != shown.split(" mm")[1].split()[-1]
+    for limit in (6.3495e-3, 6.3496e-3):
+        missed = Check(name="x", title="X", level=Level.ATTENTION, value=6.35049e-3, limit=limit,
+                       dimension="length", says="{value} and {limit}")  # fmt: skip
+        first, second = missed.sentence().split(" and ")
+        assert first != second
+
+
+@pytest.mark.parametrize(
+    ("of", "said"),
+    [
+        (STEEL, "qualifies for a larger limit"),
+        ({"kind": "steel cord", "name": "ST1600"}, "does not qualify"),
+        ({"kind": "steel cord", "name": "heavy"}, "does not tell its strength"),
+        ({"kind": "fabric", "rating": 141e3}, "qualifies for a larger limit"),
+        ({"kind": "fabric", "rating": 140e3}, "does not qualify"),
+        ({"kind": ""}, "is not known"),
+    ],
+)
+def test_creep_says_whether_the_belt_qualifies_for_more(of: dict[str, Any], said: str) -> None:
+    assert said in named(replace(drive(belt=replace(BELT, **of))), "creep").sentence()
+    own = replace(drive(belt=replace(BELT, **of)), creep_limit=7e-3)
+    assert said not in named(own, "creep").sentence()
+
+
+def test_the_ok_says_once_what_data_it_stands_on() -> None:
+    source = Provenance(Kind.ILLUSTRATIVE)
+    for lag, word in (
+        (lagging(provenance=source), "OK, on illustrative data"),
+        (lagging(tested=None), "OK, on friction without tests"),
+        (lagging(sources={"shear_modulus": Provenance(note="estimated: G = E/3")}),
+         "OK, on estimated data"),
+        (lagging(provenance=Provenance(Kind.CALIBRATED)), "OK, on calibrated data"),
+        (lagging(), "OK"),
+    ):  # fmt: skip
+        verdict = judged(quiet(lagging=lag))
+        assert verdict.word == word
+        assert verdict.level is Level.OK
+        assert not any("illustrative" in s for s in verdict.sentences())
+
+
+def test_an_idle_pulley_has_no_fault_of_balance() -> None:
+    for entry in (100e3, 100e3 * (1 + 1e-12)):
+        verdict = judged(drive(entry, 100e3, load_lagging("full-ceramic"), overrun=0.0))
+        assert verdict.level is Level.OK
+        balance = next(c for c in verdict.listed if c.name == "balance")
+        assert abs(balance.value) < 1e-6
+        assert not any(c.name == "design_standard" for c in verdict.listed)
+
+
+def test_what_is_not_given_is_not_checked_and_said() -> None:
+    verdict = judged(quiet(belt={"rating": None}))
+    tension = next(c for c in verdict.listed if c.name == "belt_tension")
+    assert tension.level is Level.NOT_CHECKED
+    assert verdict.level is Level.OK
+
+
+def test_the_paper_march_is_judged_too() -> None:
+    verdict = judge(marched())
+    assert verdict.level is Level.ATTENTION
+    assert {c.name for c in verdict.listed} >= {"gross_slip", "creep", "belt_tension"}
+    assert "balance" not in {c.name for c in verdict.listed}
