@@ -197,7 +197,7 @@ def cli_text() -> Answers:
     """Tables as printed, in both systems of units: numbers with their units."""
     found: Answers = {}
     for units in ("si", "us"):
-        for name in TEXTS if units == "us" else (*DRIVES[:4], *TRAINS):
+        for name in TEXTS if units == "us" else (*DRIVES[:4], *TRAINS[:2]):
             found[f"solve {name} {units}"] = wraparc("solve", _file(name), "--units", units)
         for name in LAGGINGS:
             found[f"lagging {name} {units}"] = wraparc("lagging", name, "--units", units)

@@ -2,14 +2,16 @@
 
 import math
 from collections.abc import Iterator
-from decimal import Decimal
+from decimal import Decimal, InvalidOperation
 from difflib import SequenceMatcher
 from enum import StrEnum
 from typing import Any, NamedTuple
 
-#: Errors of the solution itself: rounding, which on another machine has other digits.
-ERRORS = {"identity_error", "tension_error", "speed_error", "excess"}
+#: Errors of the solution itself and small differences of large numbers: mostly rounding, which on
+#: another machine has other digits.
+ERRORS = {"identity_error", "tension_error", "speed_error", "excess", "per_percent"}
 _NOTHING = 1e-7
+_NOT_FINITE = ("nan", "inf", "-inf")
 
 
 class Kind(StrEnum):
@@ -105,8 +107,13 @@ def _of_texts(old: list[str], new: list[str], tolerance: float, place: str) -> I
 
 
 def _reads_the_same(old: str, new: str) -> bool:
+    if old == new:
+        return True
     (before, _, unit), (after, _, other) = old.partition(" "), new.partition(" ")
-    a, b = (Decimal(text.replace("−", "-").replace(",", "")) for text in (before, after))
+    try:
+        a, b = (Decimal(text.replace("−", "-").replace(",", "")) for text in (before, after))
+    except InvalidOperation:
+        return False  # words that are answers
     step = Decimal(1).scaleb(int(a.as_tuple().exponent))
     return unit == other and (abs(a - b) <= step or max(abs(a), abs(b)) < _NOTHING)
 
@@ -123,11 +130,12 @@ def _same(old: Any, new: Any, tolerance: float, scale: float, key: str) -> bool:
 
 def _is_number(value: Any) -> bool:
     number = isinstance(value, int | float) and not isinstance(value, bool)
-    return number or value in ("nan", "inf", "-inf")
+    return number or value in _NOT_FINITE
 
 
 def _is_text(value: Any) -> bool:
-    return isinstance(value, list) and bool(value) and all(isinstance(x, str) for x in value)
+    words = isinstance(value, list) and all(isinstance(x, str) for x in value)
+    return words and any(x not in _NOT_FINITE for x in value)
 
 
 def _short(value: Any) -> str:

@@ -23,7 +23,7 @@ ANSWERS = {"status", "level", "state", "method", "pulley", "load_case", "kind", 
 LEFT_OUT = {
     "date", "version", "program", "libraries", "id", "session", "expires_in", "started", "seconds",
     "elapsed", "duration", "time", "case", "drive", "train", "law", "provenance", "sources",
-    "toml", "html", "svg", "sequence",
+    "fingerprint", "toml", "html", "svg", "sequence",
 }  # fmt: skip
 _KEPT = 12  # numbers of a long row
 _UNIT = (
@@ -77,8 +77,20 @@ def _list(values: Any, key: str) -> Plain:
     leaves = _leaves(values)
     if leaves is not None:
         return _row(leaves) if leaves else None
+    named = _by_name(values)
+    if named is not None:
+        return plain(named)
     items = [plain(item, key) for item in values]
     return items if any(item is not None for item in items) else None
+
+
+def _by_name(values: Any) -> dict[str, Any] | None:
+    """Return tables by their keys or names, so that a new one among them moves no other."""
+    for label in ("key", "name"):
+        names = [str(v.get(label) or "") if isinstance(v, Mapping) else "" for v in values]
+        if all(names) and len(set(names)) == len(names) and not LEFT_OUT & set(names):
+            return dict(zip(names, values, strict=True))
+    return None
 
 
 def _leaves(values: Any) -> list[Any] | None:

@@ -31,3 +31,9 @@ def test_words_stay_where_they_are_answers_and_dates_go() -> None:
         "x": float("inf"),
     }
     assert plain(answer) == {"level": "OK", "none": None, "x": "inf"}
+
+
+def test_named_tables_stand_by_their_names() -> None:
+    tables = [{"key": "a", "least": 1.0}, {"key": "b", "least": 2.0}]
+    assert plain(tables) == {"a": {"least": 1.0}, "b": {"least": 2.0}}
+    assert plain([{"key": "a", "least": 1.0}] * 2) == [{"least": 1.0}] * 2
