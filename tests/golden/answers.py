@@ -211,12 +211,11 @@ def cli_text() -> Answers:
 
 
 def web_drives() -> Answers:
-    """The calculator: solving, comparing, checking."""
+    """The calculator: solving."""
     with calculator() as api:
         found: Answers = {}
         for name in (*DRIVES[:4], *TRAINS):
             document = api.get(f"/examples/{name}")["document"]
-            found[f"check {name}"] = api.post("/check", document=document)
             found[f"fast {name}"] = api.post("/solve/fast", document=document, tables=True)
             if name in (*DRIVES[:2], TRAINS[0]):
                 found[f"solve {name}"] = api.post("/solve", document=document)

@@ -11,7 +11,7 @@ import enum
 import hashlib
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,8 @@ LEFT_OUT = {
     "elapsed", "duration", "time", "case", "drive", "train", "law", "provenance", "sources",
     "fingerprint", "toml", "html", "svg", "sequence",
 }  # fmt: skip
+#: Where an answer holds tables of texts, as shown: one text, so that rows may come in between.
+TABLES = "tables"
 _KEPT = 12  # numbers of a long row
 _UNIT = (
     r"(?:%|deg|rad|rpm|N m|kN m|lbf ft|kN/m|N/mm|MN/m|N/m|PIW|kPa/mm|psi/in|1/mm|1/in|J/m2|W|kW|hp"
@@ -59,6 +61,8 @@ def plain(value: Any, key: str = "") -> Plain:
     if isinstance(value, list | tuple):
         return _list(value, key)
     named = value if isinstance(value, Mapping) else _fields(value)
+    if TABLES in named:
+        named = {**named, TABLES: " ; ".join(_texts(named[TABLES]))}
     found = {str(k): plain(v, str(k)) for k, v in named.items() if k not in LEFT_OUT}
     return {k: v for k, v in found.items() if v is not None or named[k] is None} or None
 
@@ -79,16 +83,28 @@ def _list(values: Any, key: str) -> Plain:
         return _row(leaves) if leaves else None
     named = _by_name(values)
     if named is not None:
-        return plain(named)
+        return {name: plain(item) for name, item in named.items()}
     items = [plain(item, key) for item in values]
     return items if any(item is not None for item in items) else None
+
+
+def _texts(value: Any) -> Iterator[str]:
+    """Yield the texts of tables as they stand, each table by its keys in order."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Mapping):
+        for key in sorted(value):
+            yield from _texts(value[key])
+    elif isinstance(value, list | tuple):
+        for item in value:
+            yield from _texts(item)
 
 
 def _by_name(values: Any) -> dict[str, Any] | None:
     """Return tables by their keys or names, so that a new one among them moves no other."""
     for label in ("key", "name"):
         names = [str(v.get(label) or "") if isinstance(v, Mapping) else "" for v in values]
-        if all(names) and len(set(names)) == len(names) and not LEFT_OUT & set(names):
+        if all(names) and len(set(names)) == len(names):
             return dict(zip(names, values, strict=True))
     return None
 
