@@ -19,10 +19,10 @@ import numpy as np
 Plain = Any
 #: Words that are answers.
 ANSWERS = {"status", "level", "state", "method", "pulley", "load_case", "kind", "unit", "surface"}
-#: Times, versions, names of sessions; inputs that hold program objects; JSON of the whole form.
+#: Times, progress, versions, names of sessions; inputs that hold program objects; JSON of the whole form.
 LEFT_OUT = {
     "date", "version", "program", "libraries", "id", "session", "expires_in", "started", "seconds",
-    "elapsed", "duration", "time", "case", "drive", "train", "law", "provenance", "sources",
+    "elapsed", "duration", "time", "done", "case", "drive", "train", "law", "provenance", "sources",
     "fingerprint", "toml", "html", "svg", "sequence",
 }  # fmt: skip
 #: Where an answer holds tables of texts, as shown: one text, so that rows may come in between.
