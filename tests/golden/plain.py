@@ -19,7 +19,7 @@ import numpy as np
 Plain = Any
 #: Words that are answers.
 ANSWERS = {"status", "level", "state", "method", "pulley", "load_case", "kind", "unit", "surface"}
-#: Times, progress, versions, names of sessions; inputs that hold program objects; JSON of the whole form.
+#: Times, progress, versions, names of sessions; program objects; texts of whole files.
 LEFT_OUT = {
     "date", "version", "program", "libraries", "id", "session", "expires_in", "started", "seconds",
     "elapsed", "duration", "time", "done", "case", "drive", "train", "law", "provenance", "sources",
