@@ -82,7 +82,7 @@ class Jobs:
             async with self._turns.turn(client):
                 job.state = "running"
                 job.result = await work(job.tell)
-                state = "done"
+                state, job.done = "done", job.total
         except Exception as error:  # noqa: BLE001 - whatever it is, the job ends and tells of it
             job.problems, state = told(refusal_of(error).problems), "failed"
         finally:
