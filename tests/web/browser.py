@@ -103,7 +103,8 @@ class Visitor:
     def open(self, name: str = "drive") -> Page:
         """Go to a page as a user does, and wait until it shows what it has to."""
         if self.page.url == "about:blank":
-            self.page.goto(f"{self.address}?token={TOKEN}")
+            page, mark, design = self.address.partition("#")
+            self.page.goto(f"{page}?token={TOKEN}{mark}{design}")
             self.page.wait_for_selector(READY["drive"])
         if not self.page.locator(f"#{name}").is_visible():
             self.page.click(f"#nav-{name}")

@@ -12,8 +12,8 @@ import pytest
 from playwright.sync_api import Browser, Route, expect
 
 from cli.running import wraparc
-from web.browser import PAGES, STEPS, STUDY, Visitor, browsing
-from web.calculators import Process, document, wait_for
+from web.browser import PAGES, READY, STEPS, STUDY, Visitor, browsing
+from web.calculators import TOKEN, Process, document, wait_for
 
 Calculator = tuple[Browser, Process]
 
@@ -214,6 +214,40 @@ def test_saved_design_comes_back_in_every_version(visitor: Visitor) -> None:
     page.click("#nav-saved")
     page.get_by_role("button", name="Open Drive of a test", exact=True).click()
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("90")
+
+
+def test_a_link_from_elsewhere_asks_for_the_token(calculator: Calculator) -> None:
+    context = calculator[0].new_context()
+    page = context.new_page()
+    page.goto(f"{calculator[1].address}#/compare")
+    page.get_by_label("Token").fill(TOKEN)
+    page.get_by_role("button", name="Open").click()
+    page.wait_for_selector(READY["compare"])
+    assert "token" not in page.url
+    context.close()
+
+
+def test_a_design_goes_into_the_bin_and_comes_back(visitor: Visitor) -> None:
+    page = visitor.open("saved")
+    name = page.locator("#saved").get_by_label("Name", exact=True)
+    name.fill("for the bin")
+    page.get_by_role("button", name="Save as a new design").click()
+    page.wait_for_selector("text=This is version 1 of")
+    name.fill("renamed")
+    page.get_by_role("button", name="Save a new version").click()
+    page.get_by_role("button", name="Delete renamed", exact=True).click()
+    row = page.get_by_role("rowheader", name="renamed")
+    row.wait_for(state="detached")
+    page.get_by_label("Bin").check()
+    page.get_by_role("button", name="Put back renamed").click()
+    row.wait_for(state="detached")
+    page.get_by_label("Bin").uncheck()
+    row.wait_for()
+    page.get_by_role("button", name="Delete renamed", exact=True).click()
+    row.wait_for(state="detached")
+    page.get_by_label("Bin").check()
+    page.get_by_role("button", name="Delete for good renamed").click()
+    row.wait_for(state="detached")
 
 
 def test_compare_sorts_pins_and_puts_a_lagging_in(visitor: Visitor) -> None:

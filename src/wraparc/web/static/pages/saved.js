@@ -17,6 +17,7 @@ const state = {
   note: "",
   who: "",
   find: "",
+  bin: false,
   designs: /** @type {Entry[] | null} */ (null),
   open: /** @type {{id: string, versions: Version[]} | null} */ (null),
   /** Which design the name in the box is of. */
@@ -44,7 +45,7 @@ export function update() {
 async function load() {
   try {
     const query = encodeURIComponent(state.find);
-    state.designs = (await ask(`designs?query=${query}&limit=200`)).designs;
+    state.designs = (await ask(`designs?query=${query}&limit=200&bin=${state.bin}`)).designs;
     redraw();
   } catch (x) {
     complain(x);
@@ -77,10 +78,8 @@ async function saveVersion() {
   if (!app.design) return;
   const { id, version, name } = app.design;
   const now = state.name.trim() || name;
-  // the version first: one that is refused must not have renamed the design
-  const made = await ask(`designs/${id}/versions`, { ...body(), base: version });
-  if (now !== name) await ask(`designs/${id}`, { name: now }, { method: "PATCH" });
-  await saved(made, now);
+  // in one request: a version that is refused renames nothing
+  await saved(await ask(`designs/${id}/versions`, { ...body(), name: now, base: version }), now);
 }
 /** @param {Entry} d @param {number} version */
 async function reopen(d, version) {
@@ -98,13 +97,25 @@ async function versions(d) {
   redraw();
 }
 /** @param {Entry} d */
+async function throwAway(d) {
+  await ask(`designs/${d.id}`, undefined, { method: "DELETE" });
+  if (app.design?.id === d.id) look({ design: null });
+  note(`“${d.name}” is in the bin.`);
+  await load();
+  document.getElementById("find-design")?.focus();
+}
+/** @param {Entry} d */
+async function takeBack(d) {
+  await ask(`designs/${d.id}/restore`, undefined, { method: "POST" });
+  note(`“${d.name}” is back.`);
+  await load();
+}
+/** @param {Entry} d */
 async function remove(d) {
   const all = `${d.versions} version${d.versions > 1 ? "s" : ""}`;
   if (!confirm(`Delete “${d.name}” with its ${all}? This cannot be undone.`)) return;
-  await ask(`designs/${d.id}`, undefined, { method: "DELETE" });
-  if (app.design?.id === d.id) look({ design: null });
+  await ask(`designs/${d.id}?final=true`, undefined, { method: "DELETE" });
   await load();
-  document.getElementById("find-design")?.focus();
 }
 
 export const Page = () => [form(), designs()];
@@ -163,6 +174,14 @@ function designs() {
       find();
     },
   };
+  const bin = {
+    type: "checkbox",
+    checked: state.bin,
+    onChange: act((/** @type {any} */ e) => {
+      state.bin = e.target.checked;
+      return load();
+    }),
+  };
   return h(
     "section",
     { class: "card", "aria-label": "Saved designs", key: "designs" },
@@ -171,6 +190,7 @@ function designs() {
       { class: "bar" },
       h("h2", {}, "Saved designs"),
       h("label", {}, "Find", h("input", search)),
+      h("label", {}, h("input", bin), " Bin"),
     ),
     scroll("List of saved designs", state.designs && listing(state.designs)),
   );
@@ -181,7 +201,11 @@ function listing(designs) {
     return h(
       "p",
       { class: "help" },
-      state.find ? "No saved design has this in its name." : "Nothing saved yet.",
+      state.find
+        ? "No saved design has this in its name."
+        : state.bin
+          ? "The bin is empty."
+          : "Nothing saved yet.",
     );
   const heads = ["Name", "Kind", "Versions", "Changed", "By", "Newest note"];
   return h(
@@ -228,9 +252,16 @@ function entry(d) {
     h(
       "td",
       { class: "inline" },
-      press("Open", "Open", () => reopen(d, d.versions)),
-      press("Versions", "Versions of", () => versions(d)),
-      press("Delete", "Delete", () => remove(d)),
+      ...(state.bin
+        ? [
+            press("Put back", "Put back", () => takeBack(d)),
+            press("Delete", "Delete for good", () => remove(d)),
+          ]
+        : [
+            press("Open", "Open", () => reopen(d, d.versions)),
+            press("Versions", "Versions of", () => versions(d)),
+            press("Delete", "Delete", () => throwAway(d)),
+          ]),
     ),
   );
 }
