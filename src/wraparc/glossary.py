@@ -196,7 +196,8 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "creep_global", "u_g", "length", "Global creep",
-        "Part of the exit creep by the uniform rate g, g R phi.",
+        "Part of the exit creep in which the whole belt runs uniformly slower than the pulley "
+        "surface, g R phi.",
     ),
     Quantity(
         "exit_slip", "x(phi)", "length", "Slip at exit",
@@ -205,7 +206,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     Quantity(
         "peak_shear_stress", "tau_max", "pressure", "Peak shear stress",
         "Largest magnitude of the shear stress along the arc, which the bond of the lagging "
-        "must bear.",
+        "has to withstand.",
     ),
     Quantity(
         "peak_shear_angle", "gamma_max", "angle", "Peak shear angle",
@@ -234,6 +235,11 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Exit part of the wrap over which 99 % of the tension change takes place.",
     ),
     Quantity(
+        "k_factor", "k", "spring_rate", "Spring rate of the belt (k factor)",
+        "Spring rate of the belt over its active arc, belt modulus times belt width over the "
+        "length of the active arc, M B/(R phi_a).",
+    ),
+    Quantity(
         "stuck_arc", "phi_0", "angle", "Arc at rest",
         "Entry part of the wrap over which the belt does not slip on the lagging.",
     ),
@@ -255,8 +261,8 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "equivalent_friction", "mu_eq", "number", "Equivalent friction",
-        "Constant friction with the capacity at the creep limit, ln(capacity)/phi; to set "
-        "beside CEMA and DIN values.",
+        "Constant friction with the capacity at the creep limit, ln(capacity)/phi; "
+        "compare it with CEMA and DIN values.",
     ),
     Quantity(
         "least_exit_tension", "T2_min", "force", "Least slack-side tension",

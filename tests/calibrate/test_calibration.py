@@ -143,7 +143,7 @@ def test_the_published_pair(tmp_path: Path) -> None:
     out = tmp_path / "lagging.toml"
     ran = wraparc("calibrate", EXAMPLES / "test-pulley" / "published-pair.toml", "-o", out)
     assert ran.code == 0, ran.err
-    assert "All 2 parameters are told by 2 measured values." in ran.words
+    assert "Both parameters are identified from 2 measured values." in ran.words
     assert "agreement with that proves nothing" in ran.words
     lagging = load_lagging(out)
     assert lagging.provenance.kind is Kind.CALIBRATED
@@ -167,7 +167,7 @@ def test_an_absurd_fit_is_not_returned(tmp_path: Path) -> None:
         "--set", 'parameters=["friction", "peak_slip"]',
     )  # fmt: skip
     assert ran.code == 1
-    assert "The data cannot tell: friction, peak slip. No number is given." in ran.words
+    assert "The data do not identify friction, peak slip; no value is given." in ran.words
     assert "more than 4 times off the drive file" in ran.words
     assert not out.exists()
     assert "was not written" in ran.err

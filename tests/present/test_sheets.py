@@ -106,7 +106,7 @@ def test_the_creep_budget_adds_up() -> None:
 
 def test_the_comparison_holds_closed_forms() -> None:
     """T_slack = Te/(exp(mu phi) - 1), ratio exp(mu phi), slipping arc ln(T1/T2)/mu, at 180 deg."""
-    rows = table(drive_sheet([solved()]), "Beside constant friction")
+    rows = table(drive_sheet([solved()]), "Compared with constant friction")
     assert row(rows, "This load").values == (
         f"{math.log(2.5) / math.pi:.3f}", "2.500", "60.00 kN", "180.0 deg"
     )  # fmt: skip
@@ -115,7 +115,7 @@ def test_the_comparison_holds_closed_forms() -> None:
     slips = math.degrees(math.log(2.5) / 0.35)
     assert cema.values == ("0.35", f"{ratio:.3f}", f"{slack:.2f} kN", f"{slips:.1f} deg")
     dirty = row(rows, "DIN 22101, rubber, wet and dirty")
-    assert dirty.values[3] == "slips through"
+    assert dirty.values[3] == "gross slip"
     assert dirty.level is Level.ATTENTION
     c = solved().arc("head").capacities
     assert row(rows, "At the creep limit").values == (
@@ -140,7 +140,7 @@ def test_a_breakaway_shows_no_state_that_was_not_asked_for() -> None:
     sheet = drive_sheet([solved(150e3, 2e3)])
     titles = [t.title.partition(":")[0] for t in sheet.tables]
     assert titles == [
-        "Checks", "Least slack-side tension", "Capacity", "Beside constant friction", "Inputs",
+        "Checks", "Least slack-side tension", "Capacity", "Compared with constant friction", "Inputs",
     ]  # fmt: skip
 
 
@@ -223,7 +223,7 @@ def test_rigid_parts_and_unknown_speed() -> None:
     inputs = table(sheet, "Inputs")
     assert row(inputs, "Shear modulus").values == ("rigid",)
     energy = table(sheet, "Energy")
-    assert energy.note == "Powers need the speed of the belt."
+    assert energy.note == "Give the belt speed to see powers."
     assert [r.name for r in energy.rows] == ["efficiency", "frictional_energy"]
 
 

@@ -72,8 +72,8 @@ def test_breakaway_of_a_law_that_never_falls() -> None:
     assert told.headline.endswith("choose a lagging with more friction.")
     assert told.sentences[-2:] == (
         f"Asked for T1/T2 = 75.00; the largest the friction can carry is "
-        f"{c.gross_slip_capacity:.2f}, which no finite creep attains (an extrapolation of the "
-        "friction law).",
+        f"{c.gross_slip_capacity:.2f}, approached as creep grows without bound (an extrapolation "
+        "of the friction law).",
         f"At the creep limit it carries T1/T2 = {c.creep_limit_capacity:.3f}.",
     )
 

@@ -160,8 +160,8 @@ def test_sections_come_in_the_order_of_a_note() -> None:
     titles = [section.title for section in make_note(BOTH, HEAD).sections]
     assert titles == [
         "Checks against limits", "Results by load case",
-        "The arc that governs: pulley head, load case full",
-        "Its results: pulley head, load case full", "Inputs and where they came from",
+        "Governing arc: pulley head, load case full",
+        "Governing arc in detail: pulley head, load case full", "Inputs and where they came from",
         "Assumptions", "Equations", "Warnings", "Sources",
     ]  # fmt: skip
 

@@ -227,6 +227,16 @@ class ArcResult(Viewable):
         return self.entry_tension - self.exit_tension
 
     @property
+    def k_factor(self) -> float:
+        """Spring rate of the belt over its active arc, k = M B/(R phi_a) [N/m]; nan without one.
+
+        Equation 7 of B. DeVries, *A model of lagging friction as a function of creep history and
+        wrap pressure*; a change of tension dT shrinks that length of belt by dT/k.
+        """
+        length = self.arc.radius * self.active_arc
+        return self.arc.axial_stiffness / length if length > 0.0 else nan
+
+    @property
     def within_creep_limit(self) -> bool:
         """Whether the magnitude of the exit creep is within the creep limit."""
         return self.status.solved and abs(self.exit_creep) <= self.arc.creep_limit
@@ -240,6 +250,7 @@ class ArcResult(Viewable):
         }
         named["tension_ratio"] = self.tension_ratio
         named["effective_tension"] = self.effective_tension
+        named["k_factor"] = self.k_factor
         for part in (self.capacities, self.energy):
             named.update({f.name: getattr(part, f.name) for f in fields(part)})
         return named

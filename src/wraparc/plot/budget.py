@@ -59,5 +59,8 @@ def draw_budget(ax: "Axes", results: Sequence[ArcResult], system: System, column
 
 def _label(result: ArcResult, name: str, label: str) -> str:
     part = getattr(result, name)
-    share = f", {100.0 * part / result.exit_creep:.0f} %" if result.exit_creep else ""
+    parts = [abs(getattr(result, one)) for one, *_ in _PARTS]
+    # parts that cancel, as on an idle pulley, are no shares of their sum
+    adds_up = 0.0 < sum(parts) <= 1.05 * abs(result.exit_creep)
+    share = f", {100.0 * part / result.exit_creep:.0f} %" if adds_up else ""
     return f"{label} ({GLOSSARY[name].symbol}{share})"

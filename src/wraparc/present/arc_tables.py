@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from wraparc.arc import ArcResult
 from wraparc.checks import Level
+from wraparc.friction import Constant, FrictionLaw, PressurePower
 from wraparc.present.sheet import Row, Table, between, named, percent, row_of
 from wraparc.units import System
 
@@ -24,6 +25,11 @@ def heads(results: Results) -> tuple[str, ...]:
 def belongs(result: ArcResult) -> str:
     """Return where a result belongs, ``pulley head, load case full``."""
     return f"pulley {result.arc.pulley}, load case {result.arc.load_case}"
+
+
+def independent_of_slip(law: FrictionLaw) -> bool:
+    """Return whether friction is the same at any slip: the whole wrap then can slip for good."""
+    return isinstance(law, Constant | PressurePower)
 
 
 def _values(results: Results, of: Callable[[ArcResult], str]) -> tuple[str, ...]:
@@ -57,16 +63,21 @@ def answer_table(results: Results, system: System) -> Table:
         row("peak_shear_angle", where),
         row("peak_shear_stress"),
         pressure,
-        row("mean_friction", "a constant friction over the whole wrap would have to be this"),
-        row("active_arc", "the exit part that takes 99 % of the tension change"),
+        row("mean_friction", "equivalent constant friction over the whole wrap"),
+        row("active_arc", "exit part over which 99 % of the tension change takes place"),
+        *(
+            [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")]
+            if first.exit_creep
+            else []
+        ),
     ]
     if any(result.stuck_arc > 0.0 for result in results):
-        rows.append(row("stuck_arc", "the entry part where the belt does not slip"))
+        rows.append(row("stuck_arc", "entry part where the belt does not slip"))
     if not all(math.isnan(result.outside_tested_share) for result in results):
         rows.append(_outside_row(results))
     if len(results) == 1:
         g = f"{percent(first.entry_creep_ratio)} to {percent(first.exit_creep_ratio)}"
-        note = "the belt runs slower than the lagging surface by this, entry to exit"
+        note = "belt slower than the lagging surface, entry to exit"
         rows.append(Row("Creep ratio", (g,), "g", note))
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results))
 
@@ -97,7 +108,10 @@ def creep_table(results: Results, system: System) -> Table:
     for name, note in (
         ("creep_shrinkage", "the belt sheds tension and shortens"),
         ("creep_compression", "the lagging is squeezed at the entry and recovers"),
-        ("creep_global", "the uniform rest that makes the friction add up"),
+        (
+            "creep_global",
+            "the whole belt runs slower: what friction needs beyond the rest",
+        ),
     ):
         texts = _values(results, lambda r, name=name: creep_part(r, name, system))  # type: ignore[misc]
         row = row_of(name, 0.0)
@@ -109,7 +123,9 @@ def creep_table(results: Results, system: System) -> Table:
 def creep_part(result: ArcResult, name: str, system: System) -> str:
     """Return a part of the creep at the exit with its share of the whole."""
     part = getattr(result, name)
-    if result.exit_creep == 0.0:
+    # parts that cancel, as on an idle pulley, are no shares of their sum
+    parts = (result.creep_shrinkage, result.creep_compression, result.creep_global)
+    if sum(map(abs, parts)) > 1.05 * abs(result.exit_creep):
         return named(name, part, system)
     return f"{named(name, part, system)} ({percent(part / result.exit_creep, 2)})"
 
@@ -130,11 +146,11 @@ def capacity_table(result: ArcResult, system: System) -> Table | None:
 
     rows = [
         ratio("creep_limit_capacity", c.creep_limit_margin, "the design number"),
-        row_of("equivalent_friction", c.equivalent_friction, note="to set beside design values"),
+        row_of("equivalent_friction", c.equivalent_friction, note="compare with design values"),
     ]
     if arc.law.tested is not None:
         slip = named("slip", arc.law.tested.slip_max, system)
-        note = f"where the slip reaches the largest tested, {slip}"
+        note = f"slip at the largest tested, {slip}"
         rows.append(ratio("tested_slip_capacity", c.tested_slip_margin, note))
     rows.append(ratio("gross_slip_capacity", c.gross_slip_margin, _gross_note(result, system)))
     note = (
@@ -151,8 +167,10 @@ def _actual(result: ArcResult) -> float:
 
 def _gross_note(result: ArcResult, system: System) -> str:
     creep = result.capacities.gross_slip_creep
+    if independent_of_slip(result.arc.law):
+        return "the whole wrap slips"
     if math.isinf(creep):
-        return "an extrapolation: no finite creep attains it"
+        return "an extrapolation, approached as creep grows without bound"
     return f"an extrapolation, at {named('gross_slip_creep', creep, system)} of creep"
 
 
@@ -167,9 +185,9 @@ def energy_table(result: ArcResult, system: System) -> Table:
     if not math.isnan(e.efficiency):
         entry = row_of("efficiency", 0.0)
         rows.append(Row(entry.title, (percent(e.efficiency, 4),), entry.symbol, "", "efficiency"))
-    note = "drives wear of lagging and belt"
+    note = "what wears lagging and belt"
     rows.append(row_of("frictional_energy", e.frictional_energy, system=system, note=note))
     if not math.isnan(e.wear_rate):
         rows.append(row_of("wear_rate", e.wear_rate, system=system))
-    needs = "" if result.arc.belt_speed else "Powers need the speed of the belt."
+    needs = "" if result.arc.belt_speed else "Give the belt speed to see powers."
     return Table("Energy and wear", tuple(rows), note=needs)

@@ -40,9 +40,8 @@ def calibrate_sheet(
             "Estimates",
             tuple(rows),
             ("value", "95 % interval", "spread by the data"),
-            "Spread: one standard deviation. Intervals from the curvature at the best fit; where "
-            "the curvature at the drive file's own values says something else, from the profile "
-            "likelihood.",
+            "Spread: one standard deviation. Intervals are from the curvature at the best fit, or "
+            "from the profile likelihood where the curvature at the drive file's values disagrees.",
         ),
         _correlations(found),
         _misfits(found, problem, system),
@@ -63,7 +62,7 @@ def _row(e: Estimate, system: System) -> Row:
     if e.name == "overrun" and math.isfinite(e.spread):
         spread = quantity(e.spread * 1e-4, "length", system)
     if e.value is None or e.low is None or e.high is None:
-        return Row(title, ("not told", "-", spread), level=Level.ATTENTION)
+        return Row(title, ("not identified", "-", spread), level=Level.ATTENTION)
     value, low, high = (quantity(v, dimension, system) for v in (e.value, e.low, e.high))
     note = "from the prior, not from the data" if e.from_prior else ""
     return Row(title, (value, f"{low} to {high}", spread), note=note)
@@ -73,19 +72,20 @@ def _verdict(found: Calibration) -> Verdict:
     untold = [e.name for e in found.estimates if e.value is None]
     if not untold:
         headline = (
-            f"All {len(found.estimates)} parameters are told by {found.data} measured values."
+            f"{'Both' if len(found.estimates) == 2 else f'All {len(found.estimates)}'} parameters "
+            f"are identified from {found.data} measured values."
         )
         if len(found.estimates) == 1:
-            headline = f"The parameter is told by {found.data} measured values."
+            headline = f"The parameter is identified from {found.data} measured values."
         return Verdict(Level.OK, headline, tuple(_mixed_words(found)))
     names = ", ".join(n.replace("_", " ") for n in untold)
     return Verdict(
         Level.ATTENTION,
-        f"The data cannot tell: {names}. No number is given.",
+        f"The data do not identify {names}; no value is given.",
         (
             *_mixed_words(found),
-            "Take some of them out of the parameters, so that they keep the values of the drive "
-            "file; or measure what tells them apart; or give a prior.",
+            "Keep some of them at the values of the drive file, measure something that separates "
+            "them, or give a prior.",
         ),
     )
 
@@ -94,14 +94,14 @@ def _mixed_words(found: Calibration) -> Iterator[str]:
     if found.far:
         names = " and ".join(n.replace("_", " ") for n in found.far)
         yield (
-            f"The best fit puts {names} more than {FAR:g} times off the drive file: such data do "
-            "not tell them, or another input of the drive is wrong."
+            f"The best fit puts {names} more than {FAR:g} times off the drive file: either such "
+            "data cannot identify them, or another input of the drive is wrong."
         )
     if found.loose:
         names = " and ".join(n.replace("_", " ") for n in found.loose)
         yield (
-            f"The data hold {names} too loosely: with the other parameters fitted anew, values far "
-            "from the best fit describe them as well."
+            f"The data constrain {names} too loosely: values far from the best fit describe the "
+            "data as well once the other parameters are refitted."
         )
     for group in found.mixed:
         words = [n.replace("_", " ") for n in group]
@@ -109,7 +109,7 @@ def _mixed_words(found: Calibration) -> Iterator[str]:
             yield f"The data hardly depend on {words[0]}."
         elif words:
             yield (
-                f"The data cannot tell {' and '.join(words)} apart: a change of one is made up for "
+                f"The data cannot separate {' and '.join(words)}: a change in one is compensated "
                 "by the others."
             )
 
@@ -147,11 +147,11 @@ def _remarks(found: Calibration) -> Iterator[str]:
             if abs(r) > _MOST_CORRELATED:
                 yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
     yield (
-        "A calibrated number makes the model meet what it was calibrated to; agreement with that "
-        "proves nothing."
+        "Calibration makes the model agree with the data it was calibrated to; that agreement is "
+        "no validation."
     )
     if any(e.name == "friction" for e in found.estimates):
-        yield "Factors stretch the whole friction law, at every slip and pressure alike."
+        yield "Factors scale the whole friction law, equally at every slip and pressure."
 
 
 def overlay_sheet(

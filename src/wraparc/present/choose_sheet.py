@@ -93,7 +93,7 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
         width = selection.search.drive.belt.width
         tight = named("belt_modulus", lighter.tight_tension / width, system)
         sentences.append(
-            f"The lightest belt of the catalogue that it could do with is {lighter.belt.name}: "
+            f"The lightest catalogue belt that would do is {lighter.belt.name}: "
             f"slack side {named('tension', lighter.slack_tension, system)}, largest tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
         )
@@ -124,7 +124,7 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         )
         rows.append(Row(design_name(selection, i, system), values))
     more = len(selection.ranking) - len(rows)
-    note = "front: nothing cheaper has less creep, or does with less slack-side tension T2"
+    note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
     note += f"; {more} more feasible designs, see --csv" if more > 0 else ""
     return Table(
         "Designs that keep every limit, cheapest first",
@@ -150,8 +150,8 @@ def _rejected(selection: Selection, system: System, most: int) -> Table:
 def _remarks(selection: Selection) -> Iterator[str]:
     search = selection.search
     yield (
-        "Lagging is bought whole: (material + installation) scaled by lagged area, as often as the "
-        f"middle of its life asks for in {search.costing.years:g} years; no interest."
+        "Lagging cost: material and installation, scaled by the lagged area, for as many laggings "
+        f"as wear out in {search.costing.years:g} years at the middle of their life; no interest."
     )
     yield from _slack_remarks(selection)
     if search.costing.tariff is None:
@@ -182,7 +182,7 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
         yield f"The slack-side tension is the least for {words}."
     if sag is None:
         yield (
-            "Belt sag may ask for more slack-side tension; it is not looked at, as limits.sag does "
+            "Belt sag may need more slack-side tension; it is not checked, because limits.sag does "
             "not give the idler spacing and the mass of the belt."
         )
 
@@ -195,7 +195,8 @@ def _sources(selection: Selection) -> Iterator[str]:
         yield f"{lagging.name}, friction: {lagging.source_of('law')}"
         price = search.costing.laggings[lagging.name]
         low, high = price.cost.life_years
-        yield f"{lagging.name}, cost, life {low:g} to {high:g} years: {price.source}"
+        life = f"{low:g} to {high:g}" if low < high else f"{low:g}"
+        yield f"{lagging.name}, cost, life {life} years: {price.source}"
     for condition in search.conditions:
         for lagging in search.laggings:
             if lagging.condition != condition.name:

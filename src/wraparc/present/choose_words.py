@@ -56,7 +56,7 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
     excess = float(held.excess[design])
     if name == "traction":
         by = f"by {percent(excess, 2)}" if math.isfinite(excess) and excess > 2e-3 else ""
-        text = " ".join(p for p in ("breaks away: beyond the largest tension ratio", by) if p)
+        text = " ".join(p for p in ("gross slip: beyond the largest tension ratio", by) if p)
     elif name == "least_slack":
         text = (
             "no slack-side tension with wrap pressures in the tested range keeps the creep limit; "
@@ -103,15 +103,15 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     parts = f"{named('tension', abs(now - then), system)} {words}"
     yield (
         f"Against the take-up of the drive file, {named('tension', now, system)}, the slack side "
-        f"is {parts}; a gravity take-up next to the pulley, of mass 2 T/g, weighs "
-        f"{_mass(now, system)} now and {_mass(then, system)} then."
+        f"is {parts}; the mass of a gravity take-up next to the pulley, 2 T/g, goes from "
+        f"{_mass(now, system)} to {_mass(then, system)}."
     )
     per_width = [quantity(t / width, "force_per_width", system) for t in (tight_now, tight)]
     rating = search.belts[selection.grid.places[2, best]].rating
     share = "" if not rating else f", {percent(tight / width / rating, 3)} of the belt's rating"
     yield (
         f"The largest tension goes from {per_width[0]} to {per_width[1]}{share}: what a belt must "
-        "be rated for. --lightest-belt looks for one."
+        "be rated for; --lightest-belt looks for one."
     )
 
 
@@ -128,8 +128,8 @@ def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[s
     if other is None:
         if len(selection.search.laggings) > 1:
             yield (
-                f"No feasible candidate has a dearer lagging than {design_name(selection, best)}: "
-                "it costs least over its life although none is dearer to buy."
+                f"No feasible candidate has a more expensive lagging than "
+                f"{design_name(selection, best)}, which also costs least over its life."
             )
         return
     more = selection.costs.total[other] - selection.costs.total[best]
@@ -141,6 +141,6 @@ def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[s
     ]
     years = selection.search.costing.years
     yield (
-        f"The next dearer lagging, {design_name(selection, other, system)}, costs "
+        f"The next more expensive lagging, {design_name(selection, other, system)}, costs "
         f"{money(more, currency)} more over {years:g} years; for it {' and '.join(changes)}."
     )

@@ -9,8 +9,6 @@ from wraparc.present.sheet import NONE, Row, Table, between, named
 from wraparc.present.sources import Sources
 from wraparc.units import System, display
 
-_HEADS = ("friction", "T1/T2 up to", "slack side", "slipping arc")
-
 
 def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: Sources) -> Table:
     """Set the arc beside what constant friction asks for."""
@@ -19,7 +17,7 @@ def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: So
     ratio = max(arc.entry_tension, arc.exit_tension) / given
     mean = math.log(ratio) / arc.wrap_angle
     asked = _texts(mean, ratio, given, arc.wrap_angle if mean else 0.0, system)
-    rows = [Row("This load, over the whole wrap", asked)]
+    rows = [Row("This load, whole wrap slipping", asked)]
     if not math.isnan(c.equivalent_friction):
         limit = _texts(
             c.equivalent_friction,
@@ -33,11 +31,13 @@ def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: So
     if lagging.surface:
         note = (
             "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
-            "ln(T1/T2)/mu. Design values are constant and know no creep."
+            "ln(T1/T2)/mu. Design values are constant and take no account of creep."
         )
     else:
-        note = "The lagging does not say what its surface is, so no design values are known of it."
-    return Table("Beside constant friction", tuple(rows), _HEADS, note)
+        note = "The surface of the lagging is not given, so no design values apply."
+    ratio_head = "T1/T2 up to" if arc.side > 0.0 else "T2/T1 up to"
+    heads = ("friction", ratio_head, "slack side", "slipping arc")
+    return Table("Compared with constant friction", tuple(rows), heads, note)
 
 
 def known(result: ArcResult, lagging: Lagging) -> tuple[ClassicalDrive, ...]:
@@ -63,7 +63,7 @@ def _design_row(drive: ClassicalDrive, result: ArcResult, system: System, of: So
         f"{low:.2f}" if low == high else f"{low:.2f}-{high:.2f}",
         _pair("tension_ratio", drive.ratio, system),
         _pair("tension", drive.slack_tension, system),
-        "slips through" if slips else _pair("active_arc", drive.slipping_arc, system),
+        "gross slip" if slips else _pair("active_arc", drive.slipping_arc, system),
     )
     note = of.note(design.provenance)
     title = ", ".join(part for part in (standard, design.surface, design.condition) if part)

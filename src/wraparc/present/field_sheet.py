@@ -51,15 +51,15 @@ def _verdict(found: FieldNumbers) -> Verdict:
 def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
     if found.at_limit is not None and worst > found.at_limit:
         yield (
-            f"As described the drive creeps beyond its limit, which is reached at "
-            f"{percent(found.at_limit)}: healthy here means no worse than described."
+            f"As described, the drive already creeps beyond its limit, which corresponds to "
+            f"{percent(found.at_limit)}; the levels are relative to the drive as described."
         )
     for rule in TRIP_RULES:
         slack = 1.0 - rule.speed_share
         yield (
             f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: "
             f"{slack / worst:.2g} times the healthy one, {slack / found.trip:.2g} times the trip "
-            "level here."
+            "level given here."
         )
 
 
@@ -107,7 +107,7 @@ def _remarks(found: FieldNumbers) -> Iterator[str]:
             "took, to have the wear in a year."
         )
     if found.at_breakaway is None:
-        yield "The law is flat past its peak: no finite creep marks gross slip."
+        yield "The friction law is flat past its peak, so no particular creep marks gross slip."
 
 
 def field_document(found: FieldNumbers) -> dict[str, Any]:

@@ -13,6 +13,8 @@ from wraparc.units import Dimension, System, display, display_unit
 
 #: What stands where there is no number.
 NONE = "-"
+#: Shares below this are rounding of the solution [-].
+_NOTHING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -175,6 +177,8 @@ def percent(share: float, digits: int = 3) -> str:
     """Return a share as percent, `NONE` for nan."""
     if math.isnan(share):
         return NONE
+    if abs(share) < _NOTHING:
+        return "0 %"
     return f"{display(100.0 * share, 'number', digits=digits)} %"
 
 

@@ -196,8 +196,8 @@ def _sensitivity_row(case: CaseResult) -> Row:
 
 def _precision(case: CaseResult) -> str:
     return (
-        f"Tensions continuous to {case.tension_error:.0e}, speeds and torques met to "
-        f"{case.speed_error:.0e}."
+        f"Solved to {case.tension_error:.0e} of the tensions and {case.speed_error:.0e} of speeds "
+        "and torques."
     )
 
 

@@ -114,7 +114,7 @@ def _parts(before: ArcResult, after: ArcResult, system: System) -> Iterator[tupl
     a, b = before.arc, after.arc
     change = after.creep_shrinkage - before.creep_shrinkage
     why = _stiffness_words(a.axial_stiffness, b.axial_stiffness) or (
-        "the tension is shed elsewhere along the arc"
+        "the tension drops at a different place along the arc"
     )
     yield abs(change), _moved("belt shrinkage", before, after, "creep_shrinkage", why, system)
     change = after.creep_compression - before.creep_compression
@@ -152,7 +152,7 @@ def _stiffness_words(before: float, after: float) -> str:
         return ""
     if after > before:
         return f"the belt is {after / before:.3g} times as stiff"
-    return f"the belt is {before / after:.3g} times as soft"
+    return f"the belt is {before / after:.3g} times less stiff"
 
 
 def _global_words(before: ArcResult, after: ArcResult) -> str:
@@ -169,11 +169,10 @@ def _global_words(before: ArcResult, after: ArcResult) -> str:
         )
     if before.arc.shear_compliance != after.arc.shear_compliance:
         into = "more" if more else "less"
-        return f"{into} of the creep goes into shear of the lagging, where it makes no friction"
-    share = "a larger" if more else "a smaller"
+        return f"{into} of the creep goes into shear of the lagging, where it adds no friction"
     return (
-        f"the other sources of creep make {'less' if more else 'more'} of the slip that the "
-        f"friction needs, and the pulley adds {share} rest"
+        f"the other sources of creep supply {'less' if more else 'more'} of the slip that the "
+        f"friction needs, so that global creep has to supply {'more' if more else 'less'}"
     )
 
 

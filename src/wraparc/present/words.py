@@ -8,6 +8,7 @@ from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import Level, judge
 from wraparc.checks import Verdict as Judgement
 from wraparc.drive import CaseKind, Drive, LoadCase, Tensions
+from wraparc.present.arc_tables import independent_of_slip
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named
 from wraparc.units import System
@@ -60,13 +61,16 @@ def _breakaway(result: ArcResult, system: System) -> Iterator[str]:
         ratio, creep = c.gross_slip_capacity, c.gross_slip_creep
         if arc.side < 0.0:
             ratio = 1.0 / ratio
-    end = "which no finite creep attains"
-    if math.isfinite(creep):
-        end = f"at a creep of {named('exit_creep', abs(creep), system)}"
+    end = "approached as creep grows without bound (an extrapolation of the friction law)"
+    if independent_of_slip(arc.law):
+        end = "with the whole wrap slipping"
+    elif math.isfinite(creep):
+        creep_text = named("exit_creep", abs(creep), system)
+        end = f"at a creep of {creep_text} (an extrapolation of the friction law)"
     most = "largest" if arc.side > 0.0 else "smallest"
     yield (
         f"Asked for T1/T2 = {named('tension_ratio', asked)}; the {most} the friction can carry is "
-        f"{named('tension_ratio', ratio)}, {end} (an extrapolation of the friction law)."
+        f"{named('tension_ratio', ratio)}, {end}."
     )
     if not math.isnan(c.creep_limit_capacity):
         limit = c.creep_limit_capacity if arc.side > 0.0 else 1.0 / c.creep_limit_capacity

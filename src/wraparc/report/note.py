@@ -302,14 +302,14 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     if worst.status.solved:
         pictures.append(budget_drawing(drawn, system))
     pictures.append(profile_drawing(drawn, system))
-    yield Section(f"The arc that governs: {belongs(worst)}", drawings=tuple(pictures))
+    yield Section(f"Governing arc: {belongs(worst)}", drawings=tuple(pictures))
     tables = []
     if solved:
         tables += [replace(answer_table(solved, system), title=""), creep_table(solved, system)]
     tables += [t for t in (capacity_table(worst, system), margins_table(first, worst, system)) if t]
     lagging = first.drive.pulley(worst.arc.pulley).lagging
     tables.append(comparison_table(worst, lagging, system, of))
-    yield Section(f"Its results: {belongs(worst)}", tables=tuple(tables))
+    yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
 
 
 def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") -> Iterator[str]:
@@ -319,13 +319,13 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
         "and centrifugal force of the belt left out; diameters over the unloaded lagging."
     )
     yield (
-        "The friction law knows slip and pressure, not speed, temperature or time; it is that of "
-        f"the condition named ({_conditions(drive.pulleys)})."
+        "The friction law depends on slip and pressure, not on speed, temperature or time; it is "
+        f"that of the condition named ({_conditions(drive.pulleys)})."
     )
     if any(p.lagging.law.tested is not None for p in drive.pulleys):
         yield (
-            "Outside the tested pressures the friction is held below the lowest, the traction "
-            "above the highest; that is an extrapolation, and so is slip beyond the tested one."
+            "Below the lowest tested pressure the coefficient of friction is held constant, above "
+            "the highest the traction; both are extrapolations, as is slip beyond the tested range."
         )
     if any(p.recovery for p in drive.pulleys):
         yield "The compressed lagging recovers as the pressure falls, which adds creep."

@@ -84,7 +84,7 @@ export function figures(arc) {
     value: solved ? shown("exit_creep", n.exit_creep) : "–",
     small: solved
       ? `${percent(share)} of the limit ${show(limit, "length")}`
-      : `the belt slips through; the limit is ${show(limit, "length")}`,
+      : `gross slip; the limit is ${show(limit, "length")}`,
     level: arc.levels.creep || arc.level,
   };
   const rows = [creep, ...(solved ? quickFigures(arc) : []), ...lateFigures(arc)];
@@ -143,7 +143,7 @@ export const placeText = (arc, part) =>
   shown("position", part * arc.profile.position[arc.profile.position.length - 1]);
 /** One line for the phone. @param {QuickAnswer} arc */
 export function peek({ numbers, creep_limit, status }) {
-  if (status !== "solved") return " the belt slips through";
+  if (status !== "solved") return " gross slip";
   const share = percent(Math.abs(numbers.exit_creep) / creep_limit);
   return ` creep ${shown("exit_creep", numbers.exit_creep)}, ${share} of the limit`;
 }

@@ -1,0 +1,74 @@
+"""Words that once misled: constant friction, braking pulleys, idle pulleys, the k factor."""
+
+from dataclasses import replace
+
+import pytest
+
+from present.drives import drive, solved
+from wraparc import DriveResult, solve
+from wraparc.drive import Drive
+from wraparc.friction import Constant
+from wraparc.present.drive_sheet import drive_sheet
+from wraparc.present.sheet import Row, percent
+
+
+def constant(entry: float, leaving: float, friction: float) -> DriveResult:
+    base = drive(entry, leaving, overrun=0.0)
+    lagging = replace(base.pulleys[0].lagging, law=Constant(friction_coefficient=friction))
+    described: Drive = replace(base, pulleys=(replace(base.pulleys[0], lagging=lagging),))
+    return solve(described, raise_on_failure=False)
+
+
+def rows(result: DriveResult, table: str) -> dict[str, Row]:
+    found = next(t for t in drive_sheet([result]).tables if t.title.startswith(table))
+    return {row.title: row for row in found.rows}
+
+
+def test_constant_friction_reaches_gross_slip_with_the_whole_wrap_slipping() -> None:
+    """Euler and Eytelwein: exp(0.4 pi) = 3.514, at any creep beyond the onset."""
+    gross = rows(constant(150e3, 60e3, 0.4), "Capacity")["Capacity at gross slip"]
+    assert gross.values == ("3.514",)
+    assert gross.note.endswith("the whole wrap slips")
+    assert "extrapolation" not in gross.note
+    sheet = drive_sheet([constant(150e3, 30e3, 0.4)])
+    assert sheet.verdict is not None
+    told = " ".join((sheet.verdict.headline, *sheet.verdict.sentences))
+    assert "can carry is 3.514, with the whole wrap slipping." in told
+
+
+def test_ratios_of_a_braking_pulley_are_headed_by_the_ratio_that_they_are() -> None:
+    """exp(0.35 pi) = 3.003 is tight side over slack side: T2/T1 where T2 is the tight side."""
+    for entry, leaving, head in ((150e3, 60e3, "T1/T2 up to"), (60e3, 150e3, "T2/T1 up to")):
+        result = solved(entry, leaving)
+        table = next(
+            t for t in drive_sheet([result]).tables if t.title == "Compared with constant friction"
+        )
+        assert table.heads[1] == head
+        assert next(r for r in table.rows if r.title == "CEMA, rubber").values[1] == "3.003"
+
+
+def test_parts_that_cancel_are_no_shares() -> None:
+    """An idle pulley: the overrun and what takes it back again are many times their sum."""
+    for row in rows(solved(100e3, 100e3), "Creep by source").values():
+        assert "%" not in row.values[0]
+    driving = rows(solved(), "Creep by source")
+    assert "%" in driving["Global creep"].values[0]
+
+
+@pytest.mark.parametrize(
+    ("share", "text"), [(-3.64e-17, "0 %"), (0.0, "0 %"), (1e-6, "0.000100 %"), (-0.5, "-50.0 %")]
+)
+def test_rounding_of_the_solution_is_no_share(share: float, text: str) -> None:
+    assert percent(share) == text
+
+
+def test_the_k_factor_is_equation_7_of_the_paper() -> None:
+    """k = belt modulus x belt width / length of the active arc, by hand from the result."""
+    result = solved().arcs[0]
+    arc = result.arc
+    length = result.active_arc * arc.diameter / 2.0
+    assert result.k_factor == pytest.approx(arc.axial_stiffness / length, rel=1e-15)
+    assert result.scalars()["k_factor"] == result.k_factor
+    shown = rows(solved(), "Result")["Spring rate of the belt (k factor)"]
+    assert shown.values == (f"{result.k_factor / 1e3:.0f} kN/m",)
+    assert "equation 7" in shown.note
