@@ -129,3 +129,33 @@ def test_wear_and_wet_keep_the_direction_of_the_model(tmp_path: Path) -> None:
     )  # fmt: skip
     assert found.after[0].exit_creep < found.before.exit_creep
     assert found.after[1].exit_creep < found.before.exit_creep
+
+
+def test_a_new_take_up_tension_says_what_pull_it_implies(tmp_path: Path) -> None:
+    """The file holds T1 = 150 kN and T2 = 60 kN: T2 = 30 kN alone means a pull of 120 kN."""
+    change = "pulley.head.exit_tension=30 kN"
+    ran = wraparc("what-if", drive_file(tmp_path), "--change", change)
+    assert (
+        f"{change}: with T2 from 60.00 kN to 30.00 kN, T1 held, the pull T1 - T2 goes from "
+        "90.00 kN to 120.0 kN; a take-up alone leaves the pull as it is" in ran.words
+    )
+    assert "the pulley works at a larger tension ratio." in ran.words
+    assert "less of the slip that the friction needs" not in ran.words
+    assert "Effective tension Te 90.00 kN 120.0 kN" in " ".join(ran.words.split())
+
+
+def test_a_column_that_fails_is_no_verdict_on_the_drive(tmp_path: Path) -> None:
+    """A bare pulley cannot carry this load; the drive as it is creeps too far, no more."""
+    ran = wraparc("what-if", drive_file(tmp_path), "--bare", "CEMA")
+    assert ran.code == 0
+    assert "ATTENTION  Creep at the exit: as it is 7." in ran.out
+    assert "FAILS  Creep" not in ran.out
+
+
+def test_a_belt_too_stiff_for_the_drum_warns(tmp_path: Path) -> None:
+    """Its maker's least drive pulley is 1000 mm, the drum has 800 mm."""
+    ran = wraparc("what-if", drive_file(tmp_path), "--belt", "Flexsteel ST2000")
+    assert (
+        "Flexsteel ST2000: FAILS: Pulley head, 800.0 mm, is smaller than the least drive pulley of "
+        "belt Flexsteel ST2000, 1000 mm." in ran.words
+    )

@@ -40,7 +40,8 @@ def what_if(
 ) -> int:
     """Show a pulley of a drive FILE before and after changes, with the reason for each.
 
-    Every change is one column of the table, each made to the drive as it is in the file.
+    Every change is one column of the table, each made to the drive as it is in the file. The
+    verdict, and the exit code, are those of the drive as it is; every column has its own.
     """
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.files import load_drive
@@ -69,7 +70,7 @@ def what_if(
         {json_file: json_text(what_if_document(found))} if json_file else {},
         lambda: what_if_sheet(found, title, units),
     )
-    return 0 if all(r.status.solved for r in found.after) else 1
+    return 0 if found.before.status.solved else 1
 
 
 def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> Iterator[Change]:

@@ -4,10 +4,11 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from wraparc.arc import ArcResult
-from wraparc.checks import Level
-from wraparc.choose.what_if import WhatIf
+from wraparc.arc import ArcResult, WrapArc
+from wraparc.checks import Level, judge
+from wraparc.choose.what_if import Change, WhatIf
 from wraparc.drive import Drive
+from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
 from wraparc.present.words import alone, level_of
@@ -15,6 +16,9 @@ from wraparc.present.words import short as shortly
 from wraparc.units import System
 
 _SHOWN = (
+    "entry_tension",
+    "exit_tension",
+    "effective_tension",
     "exit_creep",
     "creep_shrinkage",
     "creep_compression",
@@ -26,7 +30,9 @@ _SHOWN = (
     "equivalent_friction",
     "power_loss",
 )
-_FAILED = frozenset(_SHOWN) - {"creep_limit_capacity", "equivalent_friction"}
+#: rows that stand there only where a change moves them
+_TENSIONS = frozenset({"entry_tension", "exit_tension", "effective_tension"})
+_FAILED = frozenset(_SHOWN) - _TENSIONS - {"creep_limit_capacity", "equivalent_friction"}
 #: parts of the creep that change less than this share of it are not told
 _WORTH_TELLING = 0.02
 
@@ -44,16 +50,20 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         row_of(name, *(_value(r, name) for r in results), system=system)
         for name in _SHOWN
         if not all(math.isnan(_value(r, name)) for r in results)
+        and not (name in _TENSIONS and len({_value(r, name) for r in results}) == 1)
     ]
     least = tuple(shown_least(alone(d, r), system) for d, r in zip(drives, results, strict=True))
     rows.append(Row("Least slack-side tension", least, note="every binding check kept"))
     sentences = []
     for change, after in zip(found.changes, found.after, strict=True):
-        sentences += [f"{change.title}: {s}" for s in reasons(found.before, after, system)]
+        told = (*_missed(found, change, after, system), *reasons(found.before, after, system))
+        sentences += [f"{change.title}: {s}" for s in told]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
-        verdict=Verdict(_level(found), _headline(found, system), tuple(sentences)),
+        verdict=Verdict(
+            level(found.drive, found.before), _headline(found, system), tuple(sentences)
+        ),
         tables=(Table("Before and after", tuple(rows), heads),),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
     )
@@ -75,10 +85,12 @@ def level(drive: Drive, result: ArcResult) -> Level:
     return level_of(alone(drive, result), result)
 
 
-def _level(found: WhatIf) -> Level:
-    """Return the worst level after the changes."""
-    levels = [level(c.drive, a) for c, a in zip(found.changes, found.after, strict=True)]
-    return max(levels, key=lambda one: one.rank)
+def _missed(found: WhatIf, change: Change, after: ArcResult, system: System) -> Iterator[str]:
+    """Yield what a change makes miss a limit that is kept before it: a new belt, a small drum."""
+    already = {check.name for check in judge(alone(found.drive, found.before)).missed}
+    for check in judge(alone(change.drive, after)).missed:
+        if check.name not in already:
+            yield f"{check.level}: {check.sentence(system)}"
 
 
 def _headline(found: WhatIf, system: System) -> str:
@@ -88,21 +100,22 @@ def _headline(found: WhatIf, system: System) -> str:
             parts.append(f"{change.title} {named('exit_creep', after.exit_creep, system)}")
         else:
             parts.append(f"{change.title} {short(change.drive, after)}")
-    before = "breaks away"
+    before = "gross slip"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep, system)
-    return f"Creep at the exit: now {before}; {'; '.join(parts)}."
+    return f"Creep at the exit: as it is {before}; {'; '.join(parts)}."
 
 
 def reasons(before: ArcResult, after: ArcResult, system: System = "si") -> Iterator[str]:
     """Yield why a result differs from another, from the largest part of the creep down."""
+    yield from _tension_words(before.arc, after.arc, system)
     if not after.status.solved:
         most = named("tension_ratio", after.capacities.gross_slip_capacity)
         asked = named("tension_ratio", after.arc.entry_tension / after.arc.exit_tension)
         yield f"its friction carries a tension ratio of {most} at most, and {asked} is asked for."
         return
     if not before.status.solved:
-        yield "it carries the load, which before it did not."
+        yield "it carries the load, which it did not before."
         return
     told = sorted(_parts(before, after, system), key=lambda part: -part[0])
     floor = _WORTH_TELLING * abs(before.exit_creep)
@@ -110,12 +123,36 @@ def reasons(before: ArcResult, after: ArcResult, system: System = "si") -> Itera
     yield from some or ["nothing moves by more than 2 % of the creep."]
 
 
+def _tension_words(before: WrapArc, after: WrapArc, system: System) -> Iterator[str]:
+    """Yield what pull a change of tensions implies: a take-up alone does not change the pull."""
+
+    def of(name: str, arc: WrapArc) -> str:
+        return named(name, getattr(arc, name), system)
+
+    moved = [
+        n for n in ("entry_tension", "exit_tension") if getattr(before, n) != getattr(after, n)
+    ]
+    if not moved:
+        return
+    changes = [f"{GLOSSARY[n].symbol} from {of(n, before)} to {of(n, after)}" for n in moved]
+    pulls = [of("effective_tension", arc) for arc in (before, after)]
+    told = f"with {' and '.join(changes)}"
+    if pulls[0] == pulls[1]:
+        yield f"{told} the pull stays at {pulls[0]}."
+        return
+    held = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
+    other = f", {held} held," if held else ""
+    yield (
+        f"{told}{other} the pull T1 - T2 goes from {pulls[0]} to {pulls[1]}; a take-up alone "
+        "leaves the pull as it is and moves T1 and T2 alike."
+    )
+
+
 def _parts(before: ArcResult, after: ArcResult, system: System) -> Iterator[tuple[float, str]]:
     a, b = before.arc, after.arc
     change = after.creep_shrinkage - before.creep_shrinkage
-    why = _stiffness_words(a.axial_stiffness, b.axial_stiffness) or (
-        "the tension drops at a different place along the arc"
-    )
+    why = _stiffness_words(a.axial_stiffness, b.axial_stiffness) or _pull_words(a, b)
+    why = why or "the tension drops at a different place along the arc"
     yield abs(change), _moved("belt shrinkage", before, after, "creep_shrinkage", why, system)
     change = after.creep_compression - before.creep_compression
     why = "the lagging is compressed " + ("more" if change > 0.0 else "less")
@@ -147,6 +184,14 @@ def _moved(
     return f"{what} goes from {first} to {second}: {why}."
 
 
+def _pull_words(before: WrapArc, after: WrapArc) -> str:
+    """Say that the pulley has to hand over more or less tension, where it has."""
+    first, second = (abs(math.log(a.entry_tension / a.exit_tension)) for a in (before, after))
+    if abs(second - first) <= 1e-6 * max(first, second):
+        return ""
+    return f"the pulley works at a {'larger' if second > first else 'smaller'} tension ratio"
+
+
 def _stiffness_words(before: float, after: float) -> str:
     if before == after:
         return ""
@@ -161,6 +206,9 @@ def _global_words(before: ArcResult, after: ArcResult) -> str:
     pressure = before.arc.wrap_pressure(0.5 * (before.entry_tension + before.exit_tension))
     first, second = (float(r.arc.law.friction(slip, pressure)) for r in (before, after))
     more = after.creep_global > before.creep_global
+    asked = _pull_words(before.arc, after.arc)
+    if asked and more == asked.endswith("larger tension ratio"):
+        return asked
     if abs(second / first - 1.0) > 0.01:
         share = percent(abs(second / first - 1.0), 2)
         word = "more" if second > first else "less"
