@@ -23,7 +23,7 @@ unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE
 # From the cache where it suffices (fast, and works without a network), else from the index.
 sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 
-CHECKED := src tests $(wildcard benchmarks) docs/conf.py
+CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building
 
 .DEFAULT_GOAL := help
 .PHONY: help demo serve test dev format lint types docs system tests bench lock clean
@@ -68,9 +68,10 @@ types: dev
 	@$(BIN)/mypy --strict $(CHECKED)
 	@$(NODE)/tsc --project tsconfig.json
 
-docs: dev ## build the documentation into build/docs, running its code
+docs: dev ## build the documentation into build/docs, running its code; check its links
 	@echo "== docs: sphinx, warnings are errors, every code cell runs"
 	@$(BIN)/python -W ignore -m sphinx -W --keep-going -n -q -E -b html -d build/doctrees docs build/docs
+	@$(BIN)/python docs/building/links.py build/docs README.md CONTRIBUTING.md CHANGELOG.md
 	@echo "documentation: build/docs/index.html"
 
 # Programs that no Python package brings: for the checks of the page, the tests of the calculator

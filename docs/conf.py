@@ -1,6 +1,11 @@
 """Sphinx configuration. Warnings are errors; every code cell is run at build time."""
 
+import sys
+from pathlib import Path
+
 from wraparc.version import __version__
+
+sys.path.insert(0, str(Path(__file__).parent / "building"))
 
 project = "wraparc"
 author = "wraparc developers"
@@ -8,15 +13,18 @@ project_copyright = author
 version = release = __version__
 
 extensions = [
+    "equations",
     "myst_nb",
     "sphinx.ext.autodoc",
-    "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
 ]
-exclude_patterns = ["_build"]
+exclude_patterns = ["_build", "building"]
+html_math_renderer = "katex"
+html_static_path = ["_static"]
+html_css_files = ["start.css"]
 nitpicky = True
-# The classes of other libraries are not documented here.
-nitpick_ignore_regex = [("py:.*", r"(?!wraparc).*")]
+# The classes of other libraries are not documented here, nor those of the kernel.
+nitpick_ignore_regex = [("py:.*", r"(?!wraparc).*"), ("py:.*", r"wraparc\.arc\.kernel\..*")]
 
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
