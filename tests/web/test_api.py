@@ -1,5 +1,6 @@
 """The API gives what the command line gives: the same numbers, texts, files and errors."""
 
+import csv
 import json
 import math
 from collections.abc import Iterator
@@ -307,3 +308,67 @@ def test_the_api_page_and_document_load_nothing_from_elsewhere(api: TestClient) 
     assert "https://" not in page.text
     openapi = api.get(f"{API}/openapi.json").json()
     assert all(path.startswith(API) for path in openapi["paths"])
+
+
+def test_a_bare_curl_gets_a_helpful_sentence(api: TestClient) -> None:
+    # curl -d '{}' sends what forms send
+    form = {"content-type": "application/x-www-form-urlencoded"}
+    told = api.post(f"{API}/solve", content=b"{}", headers=form)
+    assert told.status_code == 415
+    assert "-H 'Content-Type: application/json'" in told.json()["detail"]
+    told = api.post(f"{API}/solve", json={})
+    assert told.status_code == 422
+    assert '{"document": {...}}' in told.json()["detail"]
+    assert "application/toml" in told.json()["detail"]
+
+
+def test_a_drive_file_is_taken_as_it_is(api: TestClient) -> None:
+    text = next(e for e in examples() if e.name == "head-drive-fabric").text
+    toml = {"content-type": "application/toml"}
+    found = api.post(f"{API}/solve", content=text.encode(), headers=toml)
+    assert found.json()["arcs"] == post(api, "/solve", document=document())["arcs"]
+    wrong = api.post(f"{API}/solve", content=b"a = [", headers=toml)
+    assert wrong.status_code == 422
+    assert wrong.json()["problems"][0]["line"] == 1
+    assert api.post(f"{API}/solve", content=b"\xff", headers=toml).status_code == 422
+
+
+def test_spreadsheets_get_lines(api: TestClient) -> None:
+    whole = post(api, "/solve", document=document())
+    for path in ("/solve", "/solve/fast", "/compare"):
+        answer = api.post(API + path, json={"document": document()}, headers={"accept": "text/csv"})
+        assert answer.headers["content-type"] == "text/csv; charset=utf-8"
+        lines = list(csv.DictReader(answer.content.decode("utf-8-sig").splitlines()))
+        assert lines
+        if path == "/solve":
+            assert [line["load_case"] for line in lines] == ["design", "empty", "start"]
+            for line, arc in zip(lines, whole["arcs"], strict=True):
+                assert float(line["exit_creep"]) == arc["numbers"]["exit_creep"]
+    shares = api.post(
+        f"{API}/train",
+        json={"document": document("tandem-fabric")},
+        headers={"accept": "text/csv"},
+    )
+    assert "share" in shares.text.splitlines()[0]
+
+
+def test_no_text_of_a_drive_becomes_a_formula(api: TestClient) -> None:
+    drive = document()
+    drive["pulley"][0]["name"] = "@SUM(1)"
+    drive.pop("load_case", None)
+    body = {"document": drive}
+    found = api.post(f"{API}/solve/fast", json=body, headers={"accept": "text/csv"})
+    assert found.status_code == 200, found.text
+    assert "'@SUM(1)" in found.text
+
+
+def test_the_openapi_document_names_token_types_and_refusals(api: TestClient) -> None:
+    told = api.get(f"{API}/openapi.json").json()
+    assert "HTTPBearer" in told["components"]["securitySchemes"]
+    for path, methods in told["paths"].items():
+        for method, operation in methods.items():
+            assert operation["security"], (path, method)
+            assert {"401", "403", "422", "503"} <= set(operation["responses"])
+            good = next(v for k, v in operation["responses"].items() if k.startswith("2"))
+            typed = good.get("content", {}).get("application/json", {}).get("schema")
+            assert typed != {}, (path, method)  # every JSON answer states its form

@@ -6,9 +6,12 @@ from typing import Any
 import schemathesis
 from hypothesis import HealthCheck, Phase, settings
 from schemathesis.checks import not_a_server_error
-from schemathesis.specs.openapi.checks import response_schema_conformance
+from schemathesis.specs.openapi.checks import (
+    response_schema_conformance,
+    status_code_conformance,
+)
 
-from web.calculators import API
+from web.calculators import API, PATIENCE
 from wraparc.web.app import create_app
 from wraparc.web.settings import Settings
 
@@ -27,8 +30,8 @@ SCHEMA = schemathesis.openapi.from_asgi(f"{API}/openapi.json", _APP, headers=_HO
     suppress_health_check=list(HealthCheck),
 )
 def test_no_request_makes_a_fault(case: Any) -> None:
-    checks = [not_a_server_error, response_schema_conformance]
-    case.call_and_validate(headers=_HOST, checks=checks)
+    checks = [not_a_server_error, response_schema_conformance, status_code_conformance]
+    case.call_and_validate(headers=_HOST, checks=checks, timeout=PATIENCE)
 
 
 def test_the_document_has_every_part_of_the_calculator() -> None:

@@ -38,7 +38,7 @@ def profile_csv(
         columns = dict(result.profile.columns())
         if not first:
             writer.writerow([*_PLACE, *(_head(name, system) for name in columns)])
-        place = tuple(map(_text, (result.arc.load_case, result.arc.pulley, result.method)))
+        place = tuple(map(no_formula, (result.arc.load_case, result.arc.pulley, result.method)))
         scaled = [
             (values / display_unit(GLOSSARY[name].dimension, system)[1]).tolist()
             for name, values in columns.items()
@@ -54,5 +54,6 @@ def _head(name: str, system: System) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _text(name: str) -> str:
+def no_formula(name: str) -> str:
+    """Return a text so that a spreadsheet does not take it for a formula."""
     return f"'{name}" if name.startswith(_FORMULA) else name

@@ -13,6 +13,10 @@ from wraparc.web.answers.shown import Answer
 
 PROBLEM_JSON = "application/problem+json"
 _MOST = 60
+_BODY = (
+    'Send {"document": {...}} with the tables of a drive file, or the file itself with '
+    "-H 'Content-Type: application/toml'; /docs lists what can be asked."
+)
 
 
 class ToldProblem(Answer):
@@ -116,7 +120,9 @@ def request_problems(errors: Sequence[Any]) -> list[Problem]:
         message = str(error["msg"])
         given = error.get("input")
         value = "" if error["type"] in ("missing", "json_invalid") else shown(_small(given))
-        found.append(Problem(key=key, value=value, message=message[:1].lower() + message[1:]))
+        remedy = _BODY if error["type"] == "missing" and key in ("", "document") else ""
+        message = message[:1].lower() + message[1:]
+        found.append(Problem(key=key, value=value, message=message, remedy=remedy))
     return found
 
 

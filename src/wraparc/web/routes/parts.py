@@ -6,9 +6,11 @@ import inspect
 from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any, get_type_hints
 
-from fastapi import APIRouter, Request, Response
+from fastapi import APIRouter, Request, Response, Security
 from fastapi.routing import APIRoute
+from fastapi.security import HTTPBearer
 
+from wraparc.web.answers import rows
 from wraparc.web.database.store import Store
 from wraparc.web.errors import Problems, refused
 from wraparc.web.jobs import Jobs
@@ -18,6 +20,10 @@ from wraparc.web.settings import Settings
 from wraparc.web.work import WHOLE, Function, Workers
 
 JSON = "application/json"
+
+
+#: For the OpenAPI document; the door has looked already.
+_BEARER = HTTPBearer(auto_error=False, description="The token; browsers send it in a cookie.")
 
 
 class State:
@@ -43,7 +49,10 @@ class Route(APIRoute):
     def __init__(self, path: str, endpoint: Callable[..., Any], **more: Any) -> None:
         summary, _, rest = (inspect.getdoc(endpoint) or "").partition("\n")
         more["summary"], more["description"] = summary.rstrip("."), rest.strip()
-        known = {422: "Wrong.", 503: "Busy."} | ({404: "Not there."} if "{" in path else {})
+        known = {401: "No token.", 403: "Not from here.", 422: "Wrong.", 503: "Busy."}
+        known |= {404: "Not there."} if "{" in path else {}
+        if not {"GET", "DELETE"} & set(more.get("methods") or ()):
+            known |= {400: "Not readable.", 413: "Too large.", 415: "Of a type not known here."}
         refusals: dict[int | str, dict[str, Any]] = {
             code: {"model": Problems, "description": text} for code, text in known.items()
         }
@@ -74,7 +83,9 @@ def _tagged(request: Request, answer: Response) -> Response:
 
 def router(prefix: str, tag: str) -> APIRouter:
     """Return a part of the API."""
-    return APIRouter(prefix=f"/api/v1{prefix}", tags=[tag], route_class=Route)
+    return APIRouter(
+        prefix=f"/api/v1{prefix}", tags=[tag], route_class=Route, dependencies=[Security(_BEARER)]
+    )
 
 
 def refuses(*codes: int) -> dict[int | str, dict[str, Any]]:
@@ -103,17 +114,29 @@ def offer(
 ) -> None:
     """Offer what a function gives to a request: its types are the form of both."""
     hints = get_type_hints(function)
+    listed = hints["return"] in rows.WITH_ROWS
 
     async def endpoint(request: Request, asked: Any) -> Response:
         workers, client = state_of(request).workers, client_of(request)
+        lines = listed and rows.MEDIA in request.headers.get("accept", "")
+        question = (rows.csv_of, function, asked) if lines else (function, asked)
         if long(asked):
-            return json_answer(await waited(request, workers.long(client, function, asked)))
-        short = workers.short(client, function, asked, queue=queue)
-        return json_answer(await waited(request, short))
+            work = workers.long(client, *question)
+        else:
+            work = workers.short(client, *question, queue=queue)
+        found = await waited(request, work)
+        return Response(found, media_type=rows.MEDIA) if lines else json_answer(found)
 
     endpoint.__annotations__["asked"] = hints["asked"]
     endpoint.__name__, endpoint.__doc__ = function.__name__, function.__doc__
-    part.add_api_route(path, endpoint, methods=["POST"], response_model=hints["return"])
+    media: dict[int | str, dict[str, Any]] = {200: {"content": {rows.MEDIA: {}}}}
+    part.add_api_route(
+        path,
+        endpoint,
+        methods=["POST"],
+        response_model=hints["return"],
+        responses=media if listed else None,
+    )
 
 
 async def waited(request: Request, work: Awaitable[bytes]) -> bytes:
