@@ -13,6 +13,7 @@ from wraparc.batch.arcs import Arcs
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
 from wraparc.choose.search import Grid, Search
+from wraparc.choose.slack_rules import gross_slip_slack, standard_slack
 from wraparc.drive import Lagging, LoadCase
 
 Array = NDArray[np.float64]
@@ -23,6 +24,8 @@ Solver = Callable[..., Mapping[str, Array]]
 TOLERANCE = 1e-6
 #: designs up to which all are solved precisely; else those this near a limit, and the first ones
 MOST_PRECISE, UNDECIDED, RANKED_PRECISELY = 1000, 3e-3, 100
+#: stands for a tension that no belt has [N]
+_NO_TENSION = 1e12
 #: limits in the order they are told
 LIMITS = (
     "traction",
@@ -32,6 +35,8 @@ LIMITS = (
     "tested_slip_margin",
     "gross_slip_margin",
     "tested_pressure",
+    "gross_slip",
+    "design_standard",
     "least_slack",
     "belt_sag",
     "belt_rating",
@@ -239,9 +244,10 @@ def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.
 
 
 def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tuple[Array, Array]:
-    """Least slack-side tension with which each design keeps the creep limit in every load case.
+    """Least slack-side tension with which each design keeps every check in every load case.
 
-    Not less than the lowest tested wrap pressure and the sag of the belt ask for, where these are
+    The rule of `wraparc.checks.least_tension`: creep, the safety factor on gross slip, a binding
+    design standard, and the lowest tested wrap pressure and the sag of the belt where these are
     limits.
 
     Returns
@@ -260,6 +266,8 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
             if pull == 0.0:
                 continue
             answer = solve(own.arcs(case, condition), capacities=True, precise=True)
+            for asked in (gross_slip_slack, standard_slack):
+                found = np.maximum(found, asked(search, grid, case, condition))
             found = np.maximum(found, answer["least_exit_tension"])  # nan stays nan
             missing = np.isnan(answer["least_exit_tension"])
             most = answer["largest_effective_tension"]
@@ -327,6 +335,7 @@ def _held(
         _of_arc(search, parts, answer)
         if limits.tested_pressure:
             _of_pressure(parts["tested_pressure"], grid.arcs(cases[at], condition))
+        _of_slack(search, grid, parts, cases[at], condition)
     if limits.rating is not None:
         for case in cases:
             parts["belt_rating"].append(_of_rating(search, grid, case))
@@ -341,6 +350,21 @@ def _held(
     if search.least_slack:
         parts["least_slack"].append((shortage, np.ones(n)))
     return {name: _of_parts(pairs, n) for name, pairs in parts.items() if pairs}
+
+
+def _of_slack(
+    search: Search,
+    grid: Grid,
+    parts: dict[str, list[tuple[Array, Array]]],
+    case: LoadCase,
+    condition: int,
+) -> None:
+    """Add what safety against gross slip and a binding standard ask of the slack side."""
+    slack = np.minimum(*grid.tensions(case))
+    for name, rule in (("gross_slip", gross_slip_slack), ("design_standard", standard_slack)):
+        least = rule(search, grid, case, condition)
+        if least.any():
+            parts[name].append((-slack, -np.minimum(least, _NO_TENSION)))
 
 
 def _of_arc(
@@ -376,7 +400,10 @@ def _of_pressure(parts: list[tuple[Array, Array]], arcs: Arcs) -> None:
 
 
 def _of_rating(search: Search, grid: Grid, case: LoadCase) -> tuple[Array, Array]:
-    share = (search.limits.rating or {}).get(case.name, 1.0)
+    share: Array | float | None = (search.limits.rating or {}).get(case.name)
+    if share is None:
+        momentary = np.nan_to_num(_of_belts(search, grid, "momentary_factor"), nan=1.0)
+        share = 1.0 if case.kind == "running" else momentary
     tight = np.maximum(*grid.tensions(case)) / search.drive.belt.width
     return np.asarray(tight), share * _of_belts(search, grid, "rating")
 

@@ -13,6 +13,7 @@ from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
 from wraparc.present.choose_words import (
+    below_standard,
     design_name,
     money,
     next_dearer_words,
@@ -84,7 +85,8 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
     currency, years = selection.search.costing.currency, selection.search.costing.years
     headline = (
         f"Choose {design_name(selection, best, system)} with a slack-side tension of "
-        f"{named('tension', float(selection.slack_tension[best]), system)}: "
+        f"{named('tension', float(selection.slack_tension[best]), system)}"
+        f"{below_standard(selection, best, system)}: "
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
         f"worst creep {named('exit_creep', float(selection.creep[best]), system)}."
     )
@@ -97,7 +99,8 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
             f"slack side {named('tension', lighter.slack_tension, system)}, largest tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
         )
-    return Verdict(Level.OK, headline, tuple(sentences))
+    level = Level.ATTENTION if below_standard(selection, best) else Level.OK
+    return Verdict(level, headline, tuple(sentences))
 
 
 def _heads(selection: Selection, system: System) -> tuple[str, ...]:
@@ -173,7 +176,9 @@ def _remarks(selection: Selection) -> Iterator[str]:
 
 def _slack_remarks(selection: Selection) -> Iterator[str]:
     search, sag = selection.search, selection.search.limits.sag
-    asked = ["creep"] + ["the lowest tested wrap pressure"] * search.limits.tested_pressure
+    asked = ["creep", "the safety against gross slip"] + [
+        "the lowest tested wrap pressure"
+    ] * search.limits.tested_pressure
     if sag is not None:
         least = quantity(sag.tension, "force")
         asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")

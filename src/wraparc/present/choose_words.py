@@ -3,8 +3,9 @@
 import math
 from collections.abc import Iterator
 
+from wraparc.choose.search import Search
 from wraparc.choose.selection import Selection, own_slack
-from wraparc.drive import GRAVITY
+from wraparc.choose.slack_rules import standard_asks
 from wraparc.present.sheet import named, percent, quantity
 from wraparc.units import Dimension, System
 
@@ -17,10 +18,19 @@ _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
     "tested_slip_margin": ("margin to the edge of tested slip", "number", True),
     "gross_slip_margin": ("margin to gross slip", "number", True),
     "tested_pressure": ("wrap pressure", "pressure", False),
+    "gross_slip": ("slack-side tension", "force", True),
+    "design_standard": ("slack-side tension", "force", True),
     "least_slack": ("pull over the largest pull within the creep limit", "number", False),
     "belt_sag": ("slack-side tension", "force", True),
     "belt_rating": ("tension per width", "force_per_width", False),
     "least_pulley_diameter": ("pulley diameter", "length", True),
+}
+
+
+_WHY = {
+    "belt_sag": " for the sag of the belt",
+    "gross_slip": " for the safety against gross slip",
+    "design_standard": " by the design standard",
 }
 
 
@@ -72,8 +82,7 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
         )
     if name in ("least_pulley_diameter", "least_slack"):
         return text
-    if name == "belt_sag":
-        text += " for the sag of the belt"
+    text += _WHY.get(name, "")
     case, condition = selection.place(int(held.where[design]))
     several = len(selection.search.conditions) > 1 and name not in ("belt_rating", "belt_sag")
     return f"{text} [{case}{', ' + condition if several else ''}]"
@@ -82,6 +91,14 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
 def reasons(selection: Selection, design: int, system: System = "si") -> str:
     """Return every limit that a design breaks, in one line."""
     return "; ".join(reason(selection, design, n, system) for n in selection.broken(design))
+
+
+def below_standard(selection: Selection, design: int, system: System = "si") -> str:
+    """Return that a design stands below its design standard; nothing where it does not."""
+    asked, rule = standard_asks(selection.search, selection.grid, design)
+    if asked <= float(selection.slack_tension[design]) * (1.0 + 1e-9):
+        return ""
+    return f", which is below the {named('tension', asked, system)} that {rule} asks for"
 
 
 def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
@@ -103,8 +120,9 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     parts = f"{named('tension', abs(now - then), system)} {words}"
     yield (
         f"Against the take-up of the drive file, {named('tension', now, system)}, the slack side "
-        f"is {parts}; the mass of a gravity take-up next to the pulley, 2 T/g, goes from "
-        f"{_mass(now, system)} to {_mass(then, system)}."
+        f"is {parts}; the mass of a gravity take-up next to the pulley, of sheave ratio "
+        f"{search.drive.criteria.take_up.sheave_ratio:g}, goes from {_mass(search, now, system)} "
+        f"to {_mass(search, then, system)}."
     )
     per_width = [quantity(t / width, "force_per_width", system) for t in (tight_now, tight)]
     rating = search.belts[selection.grid.places[2, best]].rating
@@ -115,8 +133,8 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     )
 
 
-def _mass(tension: float, system: System) -> str:
-    return quantity(2.0 * tension / GRAVITY, "mass", system)
+def _mass(search: Search, tension: float, system: System) -> str:
+    return quantity(search.drive.criteria.take_up.counterweight(tension), "mass", system)
 
 
 def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[str]:
