@@ -29,6 +29,7 @@ _IN_LAGGING = {"thickness": "lagging_thickness"}
 _OF_LAGGING = ("thickness", "shear_modulus", "compression_modulus", "elastic_modulus")
 _ADVANCED = {
     "sources", "provenance", "kind", "least_pulley_diameter", "rating", "condition", "overrun",
+    "momentary_factor", "largest_wrap_pressure", "bond_strength", "fatigue_limit",
     "recovery", "description", "format",
 }  # fmt: skip
 #: Ends of sliders [SI], and whether they go by factors.
