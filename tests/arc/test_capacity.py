@@ -128,7 +128,7 @@ def test_least_slack_tension_is_the_smallest_that_is_enough(name: str, braking: 
         assert not any(carries(arc, least * f) for f in (1e-3, 0.1, 0.3, 0.6, 0.8, 0.95, 1 - 1e-5))
 
 
-@pytest.mark.parametrize("braking", [False])
+@pytest.mark.parametrize("braking", [False, True])
 @pytest.mark.parametrize("law", [RUBBER, SOFTENING])
 def test_the_largest_pull_where_no_slack_tension_is_enough(law: FrictionLaw, braking: bool) -> None:
     arc = replace(ARC, law=law, entry_tension=280e3, exit_tension=20e3, overrun=1e-5)

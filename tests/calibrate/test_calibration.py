@@ -109,10 +109,12 @@ def test_a_prior_is_told_as_a_prior() -> None:
         )
     )
     friction, slip = found.estimates
-    assert friction.from_prior is False or friction.value is None
+    # one number tells either friction or slip, and the prior is no measurement
+    assert (friction.value, friction.from_prior, found.told) == (None, False, False)
     assert slip.value is not None
     assert slip.from_prior
     assert slip.value == pytest.approx(1.0, abs=0.02)
+    assert (slip.low, slip.high) == pytest.approx((1.0 - 1.96 * 0.05, 1.0 + 1.96 * 0.05), abs=0.01)
 
 
 def test_one_number_gives_one_parameter() -> None:

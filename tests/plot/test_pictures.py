@@ -14,7 +14,7 @@ from present.drives import STICKY, drive, marched, solved, sticking
 from wraparc import DriveResult, InputError, MissingExtraError, load_lagging, solve
 from wraparc.plot import Picture, plot, plot_arc, plot_drive, plot_lagging
 from wraparc.plot.profiles import most_friction, outside_spans
-from wraparc.plot.pulley import _places
+from wraparc.plot.pulley import _TURN, _places
 from wraparc.units import System, unit_factor
 
 if TYPE_CHECKING:
@@ -167,6 +167,17 @@ def test_title_answer_and_remarks_are_written() -> None:
     assert "The friction of diamond-rubber is illustrative" in texts[2]
     broken = [text.get_text() for text in plot_drive([solved(150e3, 2e3)]).figure.texts]
     assert broken[1].startswith("Breakaway: the friction cannot carry this load.")
+
+
+def test_a_wrap_beyond_one_turn_is_a_spiral() -> None:
+    """One turn on, a point stands in the same direction, the belt's thickness further out."""
+    arc = solve(drive(wrap_angle=math.radians(420.0)), raise_on_failure=False).arcs[0]
+    (x, y), (there_x, there_y) = _places(arc, np.array([30.0, 390.0]), 1.0)
+    assert math.atan2(there_y, there_x) == pytest.approx(math.atan2(y, x), abs=1e-12)
+    assert math.hypot(there_x, there_y) - math.hypot(x, y) == pytest.approx(_TURN, rel=1e-9)
+    assert _TURN > 0.0
+    (first, last) = _places(solved().arcs[0], np.array([0.0, 180.0]), 1.0)
+    assert math.hypot(*first) == pytest.approx(math.hypot(*last), rel=1e-12)
 
 
 @pytest.mark.parametrize("wrap", [15.0, 240.0, 720.0])

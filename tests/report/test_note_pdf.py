@@ -145,7 +145,12 @@ def test_a_breakaway_is_reported_as_such() -> None:
 def test_several_pulleys_have_a_picture_each(name: str) -> None:
     whole, results = train(name)
     data = pdf(results, HEAD, train=whole)
-    assert len(structure(data, "Figure")) == len(results[0].drive.pulleys) + 2
+    names = [pulley.name for pulley in results[0].drive.pulleys]
+    figures = structure(data, "Figure")
+    assert len(figures) == len(names) + 2
+    for pulley in names:
+        told = f"Pulley {pulley}, ".encode()
+        assert sum(told in element for element in figures) == 1
     assert all(b"/Alt" in element for element in structure(data, "Formula"))
 
 
