@@ -11,11 +11,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from fastapi import Request
 
 from web.calculators import PATIENCE
 from wraparc.errors import InputError, Problem
 from wraparc.web import work
 from wraparc.web.errors import ApiError
+from wraparc.web.routes.parts import waited
 from wraparc.web.turns import Turns
 from wraparc.web.work import Workers
 
@@ -184,6 +186,24 @@ def test_an_abandoned_solve_is_ended_and_makes_room(monkeypatch: pytest.MonkeyPa
                 task.cancel()
             assert unpacked(await found.short("a", os.getpid))
             await until(lambda: sum(worker.alive for worker in found._all) == 1)
+
+    asyncio.run(scenario())
+
+
+def test_what_nobody_waits_for_any_more_is_given_up() -> None:
+    async def scenario() -> None:
+        gone = asyncio.Event()
+
+        async def receive() -> dict[str, Any]:
+            await gone.wait()
+            return {"type": "http.disconnect"}
+
+        work = asyncio.get_running_loop().create_future()
+        waiting = asyncio.create_task(waited(Request({"type": "http"}, receive), work))
+        gone.set()
+        with pytest.raises(ApiError, match="nobody waits"):
+            await waiting
+        assert work.cancelled()
 
     asyncio.run(scenario())
 
