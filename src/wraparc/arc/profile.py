@@ -68,7 +68,7 @@ def active_length(out: Buffer, count: int) -> float:
         return 0.0
     a = (1.0 - exp(out[RECORD * i + 1])) / change
     b = (1.0 - exp(out[RECORD * (i + 1) + 1])) / change
-    w = (0.01 - a) / (b - a)
+    w = (0.01 - a) / (b - a) if b != a else 1.0
     s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i])
     return out[end] - s
 

@@ -22,6 +22,7 @@ from wraparc.arc.kernel.answer import (
     profile_of,
     profile_size,
 )
+from wraparc.arc.kernel.layers import NO_LAYERS
 from wraparc.arc.kernel.quantities import RECORD, SOLVED, Shot, parameters_at, zeros
 from wraparc.arc.solver import capacities_of, result_of
 from wraparc.batch import row
@@ -57,7 +58,7 @@ def solve_one(given: Any, bank: Any, steps: int, points: int, out: Any, found: A
     solved = answer(law, row.geometry_of(given), load, steps)
     if solved.outcome != SOLVED:
         return 0
-    size = profile_size(law, solved.par, steps, points)
+    size = profile_size(law, solved.par, solved.z, steps, points)
     if size > len(out):
         return -size
     records = zeros(size)
@@ -107,7 +108,7 @@ class Compiled:
             plain = Distributed(self.steps, self.points, capacities=False)
             return replace(plain.solve(arc), capacities=capacities)
         par = parameters_at(arc.entry_tension, arc.geometry())
-        solved = Answer(SOLVED, par, 0.0, Shot(*found.tolist()))
+        solved = Answer(SOLVED, par, 0.0, Shot(*found.tolist()), NO_LAYERS)
         records = out[: RECORD * count].tolist()
         return result_of(self.name, arc, solved, records, count, capacities)
 

@@ -17,12 +17,22 @@ from wraparc.arc.kernel.effort import (
     Aim,
     first_guess,
     jumps,
+    lags,
     largest_effort,
     mesh_steps,
     ratio_of,
     shoot_from,
 )
 from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_capacity
+from wraparc.arc.kernel.layers import (
+    NO_LAYERS,
+    NODES,
+    Layers,
+    friction_of_creep,
+    shot_of_layers,
+    solve_layers,
+    trace_layers,
+)
 from wraparc.arc.kernel.quantities import (
     BREAKAWAY,
     RECORD,
@@ -43,6 +53,12 @@ from wraparc.arc.kernel.tension_march import applies, march, open_table, table_s
 from wraparc.arc.profile import sort
 from wraparc.friction.compact import CompactLaw
 
+#: shear-lag lengths beyond which an arc is solved by its layers: fabric and steel cord on rubber
+#: have up to 12
+FAR = 13.0
+#: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
+#: not resolved the law
+LOSS_MISS = 1e-5
 BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
 
 # capacities that may be asked for, to be added up
@@ -50,34 +66,72 @@ CREEP_LIMIT, TESTED_SLIP, LEAST, GROSS_SLIP = 2, 4, 8, 16
 CAPACITIES = CREEP_LIMIT + TESTED_SLIP + LEAST + GROSS_SLIP
 
 
-def solve_tension(
-    law: CompactLaw, par: Parameters, exit_tension: float, steps: int
-) -> tuple[int, float, Shot]:
-    """Effort at which the exit tension is met.
+class Found(NamedTuple):
+    """What `solve_tension` finds.
 
-    Returns
-    -------
-    outcome, z, shot
+    Attributes
+    ----------
+    outcome
         SOLVED; STUCK: the belt does not slip anywhere (z is good to the precision of a difference
         only); BREAKAWAY, see `gross_slip`; UNSOLVED.
+    z
+        Effort; -inf where nothing drives the arc, nan where it is solved by layers.
+    shot
+        The arc at its exit.
+    layers
+        Its layers, where it is solved by them.
     """
+
+    outcome: int
+    z: float
+    shot: Shot
+    layers: Layers
+
+
+def solve_tension(law: CompactLaw, par: Parameters, exit_tension: float, steps: int) -> Found:
+    """Effort at which the exit tension is met."""
     goal = par.side * log(par.entry_tension / exit_tension)
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
         if held:
             end = zone_end(law, par, par.length)[1]
             z = creep / end - 1.0 if end != 0.0 else 0.0
-            return STUCK, z, stuck_shot(law, par, exit_tension, creep, 0, zeros(0))[0]
+            shot, _ = stuck_shot(law, par, exit_tension, creep, 0, zeros(0))
+            return Found(STUCK, z, shot, NO_LAYERS)
     if abs(goal) < NO_PULL and par.kick == 0.0:
-        return SOLVED, -inf, Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return Found(SOLVED, -inf, Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), NO_LAYERS)
+    if not jumps(law) and lags(law, par) > FAR:
+        return by_layers(law, par, exit_tension)
     tight = max(par.entry_tension, exit_tension) / (par.width * par.radius)
     if goal < plateau_capacity(law, tight, par.length / par.radius):
         aim = Aim(TENSION, goal)
         outcome, z, shot = refine(law, par, aim, first_guess(law, par, aim), steps)
         if outcome != BREAKAWAY:
-            return outcome, z, shot
+            found = Found(outcome, z, shot, NO_LAYERS)
+            if jumps(law) or (outcome == SOLVED and loss_miss(law, par, shot) < LOSS_MISS):
+                return found
+            other = by_layers(law, par, exit_tension)
+            return other if other.outcome == SOLVED else found
     z = largest_effort(law, par)
-    return BREAKAWAY, z, shoot_from(law, par, z, steps, 0, zeros(0))[0]
+    shot, _ = shoot_from(law, par, z, steps, 0, zeros(0))
+    return Found(BREAKAWAY, z, shot, NO_LAYERS)
+
+
+def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
+    """Miss of loss = (T1 - T2) (g + (T1 - T2)/(2 EA')), relative to the energies in it."""
+    pull = par.entry_tension * (1.0 - exp(shot.log_tension))
+    exact = pull * (shot.creep_ratio + 0.5 * pull * par.compliance)
+    entry_stress, _ = friction_of_creep(law, par, par.entry_tension, par.kick)
+    leaving, entering = 0.5 * par.shear * shot.stress**2, 0.5 * par.shear * entry_stress**2
+    loss = par.width * (shot.work + leaving - entering)
+    size = max(abs(exact), par.width * (abs(shot.work) + leaving + entering))
+    return abs(loss - exact) / size if size > 0.0 else 0.0
+
+
+def by_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> Found:
+    """`solve_tension` by layers, where no effort at the entry tells what happens at the exit."""
+    outcome, layers = solve_layers(law, par, exit_tension)
+    return Found(outcome, nan, shot_of_layers(law, par, layers), layers)
 
 
 def stuck_shot(
@@ -92,26 +146,65 @@ def stuck_shot(
     return Shot(q, state.slip, creep, tau, state.work, g, length), count
 
 
-def profile_size(law: CompactLaw, par: Parameters, steps: int, points: int) -> int:
+def profile_size(law: CompactLaw, par: Parameters, z: float, steps: int, points: int) -> int:
     """Numbers that the records of `trace` need: points, nodes and kinks."""
+    if z != z:
+        return RECORD * (points + 2 * NODES + 10)
     return RECORD * (points + 4 * mesh_steps(law, par, steps) + 600)
 
 
+class Answer(NamedTuple):
+    """The operating point of an arc.
+
+    Attributes
+    ----------
+    outcome
+        SOLVED, BREAKAWAY or UNSOLVED.
+    par
+        The numbers it was solved with.
+    z, shot, layers
+        As `Found` has them.
+    """
+
+    outcome: int
+    par: Parameters
+    z: float
+    shot: Shot
+    layers: Layers
+
+
+def answer(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
+    """Operating point of an arc, judged by the balance T(phi) = T2."""
+    par = parameters_at(load.entry_tension, geometry)
+    outcome, z, shot, layers = solve_tension(law, par, load.exit_tension, steps)
+    if outcome != BREAKAWAY:
+        miss = load.entry_tension * exp(shot.log_tension) / load.exit_tension - 1.0
+        good = outcome in (SOLVED, STUCK) and abs(miss) <= BALANCE
+        outcome = SOLVED if good else UNSOLVED
+    return Answer(outcome, par, z, shot, layers)
+
+
+def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
+    """The arc of a breakaway with the largest tension ratio that it can carry."""
+    tight = max(load.entry_tension, load.exit_tension)
+    guess = geometry.side * log(load.entry_tension / load.exit_tension)
+    _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, steps)
+    par = parameters_at(entry, geometry)
+    return Answer(BREAKAWAY, par, z, Shot(nan, nan, nan, nan, nan, nan, nan), NO_LAYERS)
+
+
 def trace(
-    law: CompactLaw,
-    par: Parameters,
-    exit_tension: float,
-    z: float,
-    steps: int,
-    points: int,
-    out: Buffer,
+    law: CompactLaw, found: Answer, exit_tension: float, steps: int, points: int, out: Buffer
 ) -> tuple[Shot, int]:
     """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
+    par, z = found.par, found.z
     goal = par.side * log(par.entry_tension / exit_tension)
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
         if held:
             return stuck_shot(law, par, exit_tension, creep, points, out)
+    if z != z:
+        return trace_layers(law, par, found.layers, points, out)
     if applies(law, par) and goal > NO_PULL:
         fine = mesh_steps(law, par, steps)
         table = zeros(table_size(goal, fine))
@@ -127,45 +220,6 @@ def trace(
     return shot, count
 
 
-class Answer(NamedTuple):
-    """The operating point of an arc.
-
-    Attributes
-    ----------
-    outcome
-        SOLVED, BREAKAWAY or UNSOLVED.
-    par
-        The numbers it was solved with.
-    z, shot
-        Effort, and the arc at its exit.
-    """
-
-    outcome: int
-    par: Parameters
-    z: float
-    shot: Shot
-
-
-def answer(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
-    """Operating point of an arc, judged by the balance T(phi) = T2."""
-    par = parameters_at(load.entry_tension, geometry)
-    outcome, z, shot = solve_tension(law, par, load.exit_tension, steps)
-    if outcome != BREAKAWAY:
-        miss = load.entry_tension * exp(shot.log_tension) / load.exit_tension - 1.0
-        good = outcome in (SOLVED, STUCK) and abs(miss) <= BALANCE
-        outcome = SOLVED if good else UNSOLVED
-    return Answer(outcome, par, z, shot)
-
-
-def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
-    """The arc of a breakaway with the largest tension ratio that it can carry."""
-    tight = max(load.entry_tension, load.exit_tension)
-    guess = geometry.side * log(load.entry_tension / load.exit_tension)
-    _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, steps)
-    par = parameters_at(entry, geometry)
-    return Answer(BREAKAWAY, par, z, Shot(nan, nan, nan, nan, nan, nan, nan))
-
-
 def profile_of(
     law: CompactLaw, found: Answer, exit_tension: float, steps: int, points: int, out: Buffer
 ) -> tuple[Shot, int]:
@@ -173,8 +227,8 @@ def profile_of(
 
     `out` has room for `profile_size` zeros; an arc that nothing drives has a profile of them.
     """
-    if found.z > -inf:
-        return trace(law, found.par, exit_tension, found.z, steps, points, out)
+    if found.z != -inf:
+        return trace(law, found, exit_tension, steps, points, out)
     for i in range(points + 1):
         out[RECORD * i] = found.par.length * i / points
     return found.shot, points + 1

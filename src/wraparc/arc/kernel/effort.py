@@ -97,7 +97,12 @@ def lowest_effort(law: CompactLaw, par: Parameters) -> float:
 
 
 def mesh_steps(law: CompactLaw, par: Parameters, steps: int) -> int:
-    """Mesh steps for an arc: more where the belt hands over its tension in a short exit part.
+    """Mesh steps for an arc: more where the belt hands over its tension in a short exit part."""
+    return int(steps * max(1.0, lags(law, par) / LAGS_PER_MESH))
+
+
+def lags(law: CompactLaw, par: Parameters) -> float:
+    """Shear-lag lengths in the arc [-]; 0 for a law without slip before its limit.
 
     Creep grows like exp(s/l) where friction is nearly proportional to slip; l follows from the
     shear of the lagging and the slip at small friction, in series.
@@ -105,7 +110,7 @@ def mesh_steps(law: CompactLaw, par: Parameters, steps: int) -> int:
     p = par.entry_pressure
     segment = segment_of(law, p)
     if law.kind == LIMIT and law.coefficients[3] == 0.0:
-        return steps
+        return 0.0
     if law.kind == LIMIT:
         slip, mu = law.coefficients[3], 1.0 / p
     elif law.kind == TABLE:
@@ -115,7 +120,7 @@ def mesh_steps(law: CompactLaw, par: Parameters, steps: int) -> int:
         slip_pk, mu_pk, _, _ = peak(law, segment, p)
         slip, mu = 0.18 * slip_pk, mu_pk
     lag = sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance))
-    return int(steps * max(1.0, par.length / (LAGS_PER_MESH * lag)))
+    return par.length / lag
 
 
 def value_of(par: Parameters, shot: Shot, of: int) -> float:

@@ -51,6 +51,8 @@ LARGEST_LOG = 50.0  # of T/T1: a trial stage far off the solution may ask for mo
 # law jumps, the square of the miss counts
 CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE, SLIP_CUT_TOLERANCE = 1e-6, 3e-4, 1e-9
 FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each step starts
+MOST_CUTS = 200  # of a mesh step
+WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is like this
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
 
 
@@ -271,12 +273,20 @@ def advance(  # noqa: C901 - one loop over steps and cuts
                 reach = xi**MESH_POWER + cell / (abs(k[1]) * span)
                 h = reach ** (1.0 / MESH_POWER) - xi
         q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
+        tries = 0
+        while not (abs(q1 - q) < WILD_LOG_STEP and abs(x1) < WILD_SLIP) and tries < 40:
+            # a piece of a table continued far outside its cell knows no bounds
+            tries += 1
+            h *= 0.25
+            q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
+        if tries == 40:
+            break
         if not cut:
             p = par.entry_pressure * exp(q1)
             sign = sign if sign * x1 >= 0.0 else -sign
             segment = segment_of(law, p)
             branch = branch_of(law, segment, sign * x1, p)
-        elif switches < 40 and not _within(law, par, segment, branch, q1, sign * x1):
+        elif switches < MOST_CUTS and not _within(law, par, segment, branch, q1, sign * x1):
             switches += 1
             t = xi + h
             r = rates(law, par, g, segment, branch, sign, q1, x1)
