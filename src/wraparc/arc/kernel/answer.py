@@ -101,14 +101,18 @@ def solve_tension(law: CompactLaw, par: Parameters, exit_tension: float, steps: 
     if abs(goal) < NO_PULL and par.kick == 0.0:
         return Found(SOLVED, -inf, Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), NO_LAYERS)
     if not jumps(law) and lags(law, par) > FAR:
-        return by_layers(law, par, exit_tension)
+        far = by_layers(law, par, exit_tension)
+        if far.outcome != UNSOLVED:
+            return far
     tight = max(par.entry_tension, exit_tension) / (par.width * par.radius)
     if goal < plateau_capacity(law, tight, par.length / par.radius):
         aim = Aim(TENSION, goal)
         outcome, z, shot = refine(law, par, aim, first_guess(law, par, aim), steps)
         if outcome != BREAKAWAY:
             found = Found(outcome, z, shot, NO_LAYERS)
-            if jumps(law) or (outcome == SOLVED and loss_miss(law, par, shot) < LOSS_MISS):
+            if outcome == SOLVED and (jumps(law) or loss_miss(law, par, shot) < LOSS_MISS):
+                return found
+            if jumps(law) and par.shear == 0.0:
                 return found
             other = by_layers(law, par, exit_tension)
             return other if other.outcome == SOLVED else found

@@ -41,7 +41,9 @@ from wraparc.arc.kernel.quantities import (
 )
 from wraparc.friction.compact import (
     KNOTS,
+    LIMIT,
     PIECES,
+    PLASTIC,
     SMALLEST,
     CompactLaw,
     branch_of,
@@ -52,7 +54,7 @@ from wraparc.friction.compact import (
 
 FLOOR = 1e-9  # of creep near rest in the creep of the layers: what it changes is its square
 STEP_TOLERANCE = 1e-9  # relative error of a step
-MOST_STEPS = 3000  # of a layer: some 200 are usual
+MOST_STEPS = 800  # of a layer: some 100 are usual
 LARGEST_RATIO = 1.0  # of creep at the entry
 NODES = 400  # of a layer that a profile records at most
 
@@ -104,23 +106,19 @@ def _slip_and_friction(
         if segment >= len(law.edges) - 1 >= 0:
             mu_pk *= law.edges[len(law.edges) - 1] / pressure
         if creep <= slip_pk + ease * mu_pk:
-            # the rising branch: r (1 + k (1 - ln r)) = w
-            k, w = ease * mu_pk / slip_pk, creep / slip_pk
-            r = max(min(w / (1.0 + k * (1.0 - log(max(min(w, 1.0), SMALLEST)))), 1.0), 1e-300)
-            for _ in range(30):
-                lr = log(r)
-                change = (r * (1.0 + k * (1.0 - lr)) - w) / (1.0 - k * lr)
-                r = min(max(r - change, 0.1 * r), 1.0)
-                if abs(change) <= 1e-14 * r:
-                    break
-            return mu_pk * r * (1.0 - log(r)), r * slip_pk
+            return _on_the_rise(slip_pk, mu_pk, ease, creep)
+    if ease > 0.0:
+        # a law that starts with a jump holds the belt: the lagging alone gives way
+        held, _, _ = friction_at(law, segment, PLASTIC if law.kind == LIMIT else 0, 0.0, pressure)
+        if (law.kind != LIMIT or law.coefficients[3] == 0.0) and creep <= ease * held:
+            return creep / ease, 0.0
     low, high = 0.0, creep
     mu = 0.0
-    for _ in range(100):
+    for _ in range(60):
         branch = branch_of(law, segment, x, pressure)
         mu, mu_x, _ = friction_at(law, segment, branch, x, pressure)
         miss = x + ease * mu - creep
-        if abs(miss) <= 1e-14 * creep or high - low <= 1e-15 * creep:
+        if abs(miss) <= 1e-13 * creep or high - low <= 1e-14 * creep:
             break
         if miss > 0.0:
             high = x
@@ -131,6 +129,19 @@ def _slip_and_friction(
         if not low < x < high:
             x = 0.5 * (low + high)
     return mu, x
+
+
+def _on_the_rise(slip_pk: float, mu_pk: float, ease: float, creep: float) -> tuple[float, float]:
+    """The same before the peak of an integral-log law: r (1 + k (1 - ln r)) = w."""
+    k, w = ease * mu_pk / slip_pk, creep / slip_pk
+    r = max(min(w / (1.0 + k * (1.0 - log(max(min(w, 1.0), SMALLEST)))), 1.0), 1e-300)
+    for _ in range(30):
+        lr = log(r)
+        change = (r * (1.0 + k * (1.0 - lr)) - w) / (1.0 - k * lr)
+        r = min(max(r - change, 0.1 * r), 1.0)
+        if abs(change) <= 1e-14 * r:
+            break
+    return mu_pk * r * (1.0 - log(r)), r * slip_pk
 
 
 def _growth(law: CompactLaw, par: Parameters, rest: float, u: float, w: float) -> float:

@@ -56,6 +56,11 @@ WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is li
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
 
 
+def pressure_at(par: Parameters, q: float) -> float:
+    """Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any."""
+    return par.entry_pressure * exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
+
+
 def rates(
     law: CompactLaw,
     par: Parameters,
@@ -149,7 +154,7 @@ def _beyond(
         return q - log(law.edges[segment + 1] / par.entry_pressure) if segment < last else -1.0
     if side == NO_SLIP:
         return -x
-    p = par.entry_pressure * exp(q)
+    p = pressure_at(par, q)
     if side == PREVIOUS_BRANCH:
         return -branch_gap(law, segment, branch - 1, x, p) if branch > 0 else -1.0
     if not _has_next(law, branch):
@@ -223,7 +228,7 @@ def _within(
     law: CompactLaw, par: Parameters, segment: int, branch: int, q: float, x: float
 ) -> bool:
     """Whether a state with slip magnitude x lies in a piece of the law."""
-    p = par.entry_pressure * exp(q)
+    p = pressure_at(par, q)
     last = len(law.edges) - 1
     if x < 0.0 or (segment >= 0 and p < law.edges[segment]):
         return False
@@ -282,7 +287,7 @@ def advance(  # noqa: C901 - one loop over steps and cuts
         if tries == 40:
             break
         if not cut:
-            p = par.entry_pressure * exp(q1)
+            p = pressure_at(par, q1)
             sign = sign if sign * x1 >= 0.0 else -sign
             segment = segment_of(law, p)
             branch = branch_of(law, segment, sign * x1, p)
@@ -355,7 +360,7 @@ def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[fl
     q, x, _, segment, branch, sign = state
     if x == 0.0 and law.kind in (KNOTS, PIECES):
         return 0.0, 0.0
-    p = par.entry_pressure * exp(q)
+    p = pressure_at(par, q)
     mu, _, _ = friction_at(law, segment, branch, sign * x, p)
     tau = sign * mu * p
     return tau, x + par.shear * tau
@@ -363,7 +368,7 @@ def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[fl
 
 def slip_at_entry(law: CompactLaw, par: Parameters, creep: float, q: float) -> float:
     """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
-    p = par.entry_pressure * exp(q)
+    p = pressure_at(par, q)
     shear = par.shear
     segment = segment_of(law, p)
     low, high = 0.0, creep
@@ -394,7 +399,7 @@ def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) ->
     """State a short way s past a point of no slip, where creep grows at `rate` (no kick)."""
     sign = 1.0 if rate > 0.0 else -1.0
     x = slip_at_entry(law, par, abs(rate) * s, q)
-    p = par.entry_pressure * exp(q)
+    p = pressure_at(par, q)
     segment = segment_of(law, p)
     branch = branch_of(law, segment, x, p)
     mu, _, _ = friction_at(law, segment, branch, x, p)
@@ -417,7 +422,7 @@ def _to_zero_slip(
     x = slip_at_entry(law, par, kick, 0.0)
     h = 1.0 / steps
     for i in range(steps - 1):
-        p = par.entry_pressure * exp(q)
+        p = pressure_at(par, q)
         segment = segment_of(law, p)
         branch = branch_of(law, segment, x, p)
         # classical fourth-order step in zeta; the last mesh cell is closed analytically below

@@ -1,0 +1,158 @@
+"""Random drives over all that the readers accept, and an independent judgement of their solutions.
+
+`python tests/arc/wide.py COUNT [SEED]` casts the net once and prints how each drive ended.
+
+A solution is held against the equations themselves, not against another search: between the points
+of its profile the twin of tests/arc/twin.py (creep as the state, laws written out again) integrates
+from one to the next and must arrive there; the ends must have the overrun and both tensions. A
+search of its own would ask the twin for numbers that no march from one end can tell apart on a long
+arc.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from arc.drives import LAWS
+from arc.twin import Twin
+from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.errors import InputError
+from wraparc.friction import FrictionLaw, MeasuredTable
+
+NAMES = (*LAWS, "any table")
+ACCURACY = 1e-5
+
+
+def log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
+    return float(np.exp(rng.uniform(math.log(low), math.log(high))))
+
+
+def any_table(rng: np.random.Generator) -> FrictionLaw:
+    """A table of up to 8 slips and 4 pressures: rising, hardly rising at first, falling, jumping."""
+    m, n = int(rng.integers(2, 9)), int(rng.integers(1, 5))
+    steps = np.exp(rng.uniform(math.log(2e-5), math.log(5e-3), m - 1))
+    slip = np.concatenate([[0.0], np.cumsum(steps)])
+    pressure = np.cumsum(np.exp(rng.uniform(math.log(2e4), math.log(4e5), n)))
+    rise, shape = np.sort(rng.uniform(0.01, 1.2, m)), int(rng.integers(4))
+    if shape != 3:
+        rise[0] = 0.0
+    if shape == 1:
+        rise[1 : m // 2] = np.linspace(1e-5, 1e-3, max(m // 2 - 1, 0))
+    if shape == 2:
+        rise[-1] *= 0.6
+    rows = tuple(tuple((rise * (1.0 - 0.15 * k)).tolist()) for k in range(n))
+    return MeasuredTable(slip=tuple(slip.tolist()), pressure=tuple(pressure.tolist()), values=rows)
+
+
+def wide_arc(name: str, rng: np.random.Generator) -> WrapArc:
+    """Wrap 30-720 deg, belt modulus 1e5-1e10 N/m, lagging 0.1-100 mm, ratio 1 + 1e-9 to 50.
+
+    Raises
+    ------
+    InputError
+        Where the reader refuses the drive.
+    """
+    law = any_table(rng) if name == "any table" else LAWS[name]
+    diameter, width = log_uniform(rng, 0.2, 2.5), log_uniform(rng, 0.3, 3.0)
+    tight = log_uniform(rng, 2e4, 1.5e6) * width * diameter / 2.0
+    side = ("driving", "braking", "idling")[int(rng.choice(3, p=[0.5, 0.35, 0.15]))]
+    ratio = 1.0 + (log_uniform(rng, 1e-9, 1e-3) if side == "idling" else log_uniform(rng, 1e-4, 49))
+    brakes = side == "braking" or (side == "idling" and rng.random() < 0.5)
+    tensions = (tight / ratio, tight) if brakes else (tight, tight / ratio)
+    return WrapArc(
+        law=law,
+        entry_tension=tensions[0],
+        exit_tension=tensions[1],
+        diameter=diameter,
+        width=width,
+        wrap_angle=math.radians(float(rng.uniform(30.0, 720.0))),
+        axial_stiffness=log_uniform(rng, 1e5, 1e10) * width,
+        thickness=log_uniform(rng, 1e-4, 0.1),
+        shear_modulus=log_uniform(rng, 3e5, 1e9),
+        compression_modulus=log_uniform(rng, 2e6, 1e10),
+        overrun=[None, 0.0, 2e-5][int(rng.integers(3))],
+        recovery=bool(rng.random() < 0.7),
+    )
+
+
+def misses(arc: WrapArc, result: ArcResult, most: int = 40) -> float:
+    """Largest miss of the equations along a solution, in units of what is allowed."""
+    twin, p = Twin(arc), result.profile
+    s, u, q = p.position * arc.radius, p.creep, np.log(p.tension / arc.entry_tension)
+    creep, change = float(np.max(np.abs(u))), float(np.max(np.abs(q)))
+    worst = [
+        abs(u[0] - arc.entry_overrun) / creep / ACCURACY,
+        abs(q[0]) / change / ACCURACY,
+        abs(result.exit_tension / arc.exit_tension - 1.0) / 1e-8,
+    ]
+    moving = np.flatnonzero(np.maximum(np.abs(u[1:]), np.abs(u[:-1])) > 1e-6 * creep)
+    for i in moving[:: max(1, len(moving) // most)]:
+        if s[i + 1] - s[i] < 1e-9 * arc.length:
+            continue
+
+        def rates(_: float, y: np.ndarray) -> list[float]:  # type: ignore[type-arg]
+            tension = arc.entry_tension * math.exp(y[0])
+            pressure = twin.pressure(tension)
+            tau, _ = twin.stress(float(y[1]), pressure)
+            return [-tau / (pressure * twin.radius), slope(tension)]
+
+        def slope(tension: float, i: int = int(i)) -> float:
+            # from the rate at the record: g alone is a small difference where the belt rests
+            return result.entry_creep_ratio + (arc.entry_tension - tension) * twin.compliance
+
+        run = solve_ivp(
+            rates, (s[i], s[i + 1]), [q[i], u[i]], method="DOP853", rtol=1e-9, atol=1e-18
+        )
+        worst.append(abs(run.y[1, -1] - u[i + 1]) / creep / ACCURACY)
+        worst.append(abs(run.y[0, -1] - q[i + 1]) / change / ACCURACY)
+    return float(max(worst))
+
+
+def carries_more(arc: WrapArc) -> float:
+    """Largest ln(tight/slack) of the twin over what is asked, for entry creep ratios up to 1."""
+    twin = Twin(arc)
+    goal = abs(math.log(arc.entry_tension / arc.exit_tension))
+    ratios = [twin.integrate(arc.side * g) for g in (1e-3, 1e-2, 0.1, 0.999)]
+    return max(-arc.side * e.log_tension for e in ratios) / goal
+
+
+def verdict(arc: WrapArc) -> tuple[str, float]:
+    """How a drive ends, and the largest miss of its solution."""
+    result = Distributed(capacities=False, points=24).solve(arc)
+    if result.status is not Status.SOLVED:
+        return result.status.name.lower(), 0.0
+    return "solved", misses(arc, result)
+
+
+def main() -> None:
+    count, seed = int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    ends: Counter[str] = Counter()
+    slowest = 0.0
+    for k in range(count):
+        name = NAMES[k % len(NAMES)]
+        start = time.process_time()
+        try:
+            end, miss = verdict(wide_arc(name, np.random.default_rng([seed, k])))
+        except InputError:
+            end, miss = "refused", 0.0
+        except Exception as error:
+            end, miss = type(error).__name__, 0.0
+        slowest = max(slowest, time.process_time() - start)
+        ends[end] += 1
+        if end not in ("solved", "breakaway", "refused") or not miss <= 1.0:
+            print(f"{name}, seed [{seed}, {k}]: {end}, {miss:.3g} times too far", flush=True)
+    print(f"{count} drives: {dict(ends)}, slowest {slowest:.1f} s CPU with its check")
+
+
+if __name__ == "__main__":
+    main()
