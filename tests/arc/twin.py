@@ -61,9 +61,10 @@ def table(law: MeasuredTable) -> Callable[[float], Scalar]:
 
     def at_pressure(p: float) -> Scalar:
         at, held = min(max(p, edges[0]), edges[-1]), min(1.0, edges[-1] / p)
-        i = min(max(bisect_right(edges, at) - 1, 0), len(edges) - 2)
-        w = (at - edges[i]) / (edges[i + 1] - edges[i])
-        low, high = rows[i], rows[i + 1]
+        i = max(min(bisect_right(edges, at) - 1, len(edges) - 2), 0)
+        low, high, w = rows[i], rows[min(i + 1, len(edges) - 1)], 0.0
+        if len(edges) > 1:
+            w = (at - edges[i]) / (edges[i + 1] - edges[i])
         return lambda x: held * ((1 - w) * low(min(x, end)) + w * high(min(x, end)))
 
     return at_pressure

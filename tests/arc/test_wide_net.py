@@ -1,0 +1,49 @@
+"""Solved, breakaway or refused with a reason: every law over all that the readers accept.
+
+Expected values: the equations themselves, integrated between the points of each profile by the twin
+(tests/arc/wide.py), and for a breakaway the twin again, which carries no more at any creep.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from arc.wide import NAMES, carries_more, verdict, wide_arc
+from wraparc.errors import InputError
+
+DRIVES_PER_LAW = 34  # 306 in all
+
+#: law and seed of drives that once failed, and how they end
+FAILED = [
+    ("any table", [1, 26]),
+    ("any table", [1, 53]),
+    ("jump table", [1, 13]),
+    ("elastic-plastic", [2, 70]),
+    ("power", [2, 105]),
+]
+
+
+def ends_well(name: str, seed: list[int]) -> str:
+    try:
+        arc = wide_arc(name, np.random.default_rng(seed))
+    except InputError:
+        return "refused"
+    end, miss = verdict(arc)
+    assert end in ("solved", "breakaway"), (name, seed)
+    assert miss <= 1.0, (name, seed, miss)
+    if end == "breakaway" and name != "any table":
+        assert carries_more(arc) <= 1.0 + 1e-6, (name, seed)
+    return end
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_random_drives_end_well(name: str) -> None:
+    place = NAMES.index(name)
+    ends = [ends_well(name, [7, 1000 * place + k]) for k in range(DRIVES_PER_LAW)]
+    assert ends.count("solved") > DRIVES_PER_LAW // 3
+
+
+@pytest.mark.parametrize(("name", "seed"), FAILED)
+def test_drives_that_once_failed(name: str, seed: list[int]) -> None:
+    assert ends_well(name, seed) == "solved"
