@@ -242,8 +242,8 @@ def _by_halving(arc: WrapArc, limit: float, pull: float, top: float) -> float:
         slack = tight - pull
         entry, leaving = (tight, slack) if arc.side > 0.0 else (slack, tight)
         par = parameters_at(entry, geometry)
-        outcome, _, shot = solve_tension(law, par, leaving, _STEPS)
-        return abs(shot.slip) if outcome == SOLVED else inf
+        found = solve_tension(law, par, leaving, _STEPS)
+        return abs(found.shot.slip) if found.outcome == SOLVED else inf
 
     low, high = pull * (1.0 + 1e-6), top
     if low >= high or slips(high) > limit:
