@@ -10,6 +10,7 @@ there it counts whether those are held back that the data leave open.
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -84,17 +85,27 @@ def table(rows: list[list[bool | None]]) -> dict[str, dict[str, float | None]]:
     }
 
 
-def main(repetitions: list[int]) -> None:
-    """Write the table of each record: of both signals, of creep alone, of the shear angle alone."""
-    courses = clean()
-    records = {
+def first_repetition(record: Any) -> list[list[float | None]]:
+    """Interval and value of each parameter in the first repetition, which the gate does again."""
+    return [[e.low, e.value, e.high] for e in calibrated(0, record).estimates]
+
+
+def kinds(courses: Any) -> dict[str, Any]:
+    """Return the records: of both signals, of creep alone, of the shear angle alone."""
+    return {
         "creep and shear angle": courses,
         "creep alone": {"creep": courses["creep"]},
         "shear angle alone": {"shear_angle": courses["shear_angle"]},
     }
+
+
+def main(repetitions: list[int]) -> None:
+    """Write the table of each record."""
+    records = kinds(clean())
     found = {
         title: {
             "repetitions": count,
+            "first": first_repetition(record),
             "parameters": table([hits(calibrated(seed, record)) for seed in range(count)]),
         }
         for (title, record), count in zip(records.items(), repetitions, strict=True)

@@ -9,7 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from calibrate.coverage import DRIVE, RESULT, TRUTH, calibrated, clean, hits
+from calibrate.coverage import (
+    DRIVE,
+    RESULT,
+    TRUTH,
+    calibrated,
+    clean,
+    first_repetition,
+    hits,
+    kinds,
+)
 from cli.running import wraparc
 from wraparc import InputError, Kind, load_lagging
 from wraparc.calibrate.calibration import (
@@ -40,6 +49,16 @@ def test_five_parameters_come_back_from_a_noisy_record(courses: Any) -> None:
         assert one.mixed == ()
         for e in one.estimates:
             assert e.value == pytest.approx(TRUTH[e.name], rel=0.25)
+
+
+@pytest.mark.parametrize("title", ["creep and shear angle", "creep alone", "shear angle alone"])
+def test_the_long_run_is_one_of_this_program(courses: Any, title: str) -> None:
+    """Its first repetition comes out again; if not: python tests/calibrate/coverage.py 200 60 60"""
+    kept = json.loads(RESULT.read_text("utf-8"))["records"][title]["first"]
+    for now, before in zip(first_repetition(kinds(courses)[title]), kept, strict=True):
+        assert [n is None for n in now] == [b is None for b in before]
+        told = [(n, b) for n, b in zip(now, before, strict=True) if n is not None]
+        assert [n for n, _ in told] == pytest.approx([b for _, b in told], rel=1e-4)
 
 
 def test_the_long_run_covered_the_truth() -> None:
