@@ -7,8 +7,9 @@ import { h } from "../vendor/preact.js";
 
 /** @import { Children, Level, Problem, Table, TableRow, Text, Verdict } from "../types.d.ts" */
 
-/** @type {Record<string, [string, string]>} */
+/** Class and sign of each level. @type {Record<string, [string, string]>} */
 const LEVELS = {
+  "NOT CHECKED": ["", "–"],
   OK: ["good", "✓"],
   ATTENTION: ["warn", "▲"],
   FAILS: ["bad", "✕"],

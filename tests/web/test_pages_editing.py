@@ -1,0 +1,304 @@
+"""Typing, opening, turning back, losing the server: nothing typed is lost or changed silently."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from cli.running import wraparc
+from web.browser import Visitor, browsing
+from web.calculators import Process, document
+
+Calculator = tuple[Browser, Process]
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture(scope="module")
+def calculator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Calculator]:
+    database = tmp_path_factory.mktemp("designs") / "designs.sqlite"
+    with browsing("--database", str(database)) as found:
+        yield found
+
+
+@pytest.fixture
+def visitor(calculator: Calculator) -> Iterator[Visitor]:
+    browser, server = calculator
+    found = Visitor(browser, server.address)
+    yield found
+    found.context.close()
+    assert found.wrong == []
+
+
+def kept(page: Page) -> Any:
+    """Return the design of the newest draft that the browser keeps."""
+    return json.loads(page.evaluate("localStorage.getItem('wraparc.drafts')"))[0]["doc"]
+
+
+def opening(visitor: Visitor, file: Path) -> None:
+    """Open a file from the menu."""
+    with visitor.page.expect_file_chooser() as asked:
+        visitor.page.click("#file > summary")
+        visitor.page.get_by_role("button", name="Open a drive or lagging file").click()
+    asked.value.set_files(file)
+
+
+def unfold(page: Page, words: str) -> None:
+    page.locator("#drive summary", has_text=words).click()
+
+
+def test_names_are_typed_letter_by_letter_and_what_names_them_goes_along(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    unfold(page, "empty")
+    case = page.locator("#f-load_case-0-name")
+    case.fill("")
+    case.press_sequentially("empty belt")
+    expect(case).to_be_focused()
+    expect(case).to_have_value("empty belt")
+    unfold(page, "More of the pulley")
+    name = page.locator("#f-pulley-0-name")
+    name.fill("")
+    name.press_sequentially("tail")
+    name.press("Tab")
+    visitor.solved()
+    doc = kept(page)
+    assert [c["name"] for c in doc["load_case"]] == ["empty belt", "start"]
+    assert [list(c["pulley"]) for c in doc["load_case"]] == [["tail"], ["tail"]]
+    assert doc["load_case"][0]["pulley"]["tail"] == {"entry_tension": "82 kN"}
+    # and the drive is still one that can be solved
+    expect(page.locator("#results [role=alert]")).to_have_text("")
+    # a name that another has is refused where it is typed, and changes nothing
+    case.fill("start")
+    case.press("Tab")
+    expect(page.locator("#f-load_case-0-name-e")).to_contain_text("Another load case")
+    assert kept(page) == doc
+
+
+def test_units_are_a_view_and_the_file_keeps_what_was_typed(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "61.5")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    before = kept(page)
+    page.get_by_label("US", exact=True).check(force=True)
+    expect(page.locator("#f-belt-width")).to_have_value("47.2441")
+    visitor.solved()
+    assert kept(page) == before
+    assert before["belt"]["width"] == "1200 mm"
+    # what is typed in the view is kept in its own unit, and nothing else changes
+    page.fill("#f-pulley-0-diameter", "31.5")
+    page.press("#f-pulley-0-diameter", "Tab")
+    after = kept(page)
+    assert after["pulley"][0]["diameter"] == "31.5 in"
+    after["pulley"][0]["diameter"] = before["pulley"][0]["diameter"]
+    assert after == before
+
+
+@pytest.mark.parametrize(
+    ("name", "told", "shown"),
+    [
+        ("empty.toml", "is empty", "drive"),
+        ("studies/load-cases.toml", "is a study", "study"),
+        ("shear_tests/plan.toml", "is a plan of shear tests", "tests"),
+        ("wet-season/choose.toml", "wraparc choose choose.toml", "drive"),
+        ("wet-season/wet-day-record.toml", "wraparc calibrate wet-day-record.toml", "drive"),
+        ("other.toml", "is no drive file", "drive"),
+    ],
+)
+def test_file_that_is_no_drive_says_what_it_is(
+    visitor: Visitor, tmp_path: Path, name: str, told: str, shown: str
+) -> None:
+    page = visitor.open("drive")
+    file = EXAMPLES / name
+    if not file.exists():
+        file = tmp_path / name
+        file.write_text("" if name == "empty.toml" else "colour = 'red'\n", "utf-8")
+    opening(visitor, file)
+    expect(page.locator("#toast")).to_contain_text(told)
+    expect(page.locator(f"#{shown}")).to_be_visible()
+    if shown == "study":
+        expect(page.locator("#study select").nth(3)).to_have_value("belt.preset")
+        expect(page.locator("#study tbody input").nth(1)).to_have_value(
+            "10 mm, 12 mm, 15 mm, 20 mm"
+        )
+    if shown == "tests":
+        expect(page.locator("#t-lagging-name")).to_have_value("diamond-rubber-virtual")
+    # the page goes on as before
+    page.click("#nav-drive")
+    page.fill("#f-pulley-0-exit_tension", "71")
+    visitor.solved()
+    expect(page.locator("#results [role=alert]")).to_have_text("")
+
+
+def test_back_turns_the_page_and_keeps_the_design(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.solved()
+    page.wait_for_function("location.hash.split('/').length === 3")
+    page.click("#nav-compare")
+    page.wait_for_selector("#compare tbody tr")
+    page.click("#nav-drive")
+    page.fill("#f-pulley-0-exit_tension", "71")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.go_back()
+    expect(page.locator("#compare")).to_be_visible()
+    page.go_back()
+    expect(page.locator("#drive")).to_be_visible()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("71")
+    # undo reaches over pages
+    page.click("#nav-saved")
+    page.click("#undo")
+    page.click("#nav-drive")
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")
+
+
+def test_reload_and_another_window_bring_back_what_was_typed(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "72.5")
+    page.reload()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("72.5")
+    other = visitor.context.new_page()
+    other.goto(visitor.address)
+    other.get_by_role("note").get_by_role("button", name="Open it").click()
+    expect(other.locator("#f-pulley-0-exit_tension")).to_have_value("72.5")
+
+
+def test_new_drive_says_what_is_needed_and_calls_nothing_wrong(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.click("#file > summary")
+    page.get_by_role("button", name="New drive").click()
+    expect(page.locator("#f-belt-width")).to_have_value("")
+    expect(page.locator("#f-pulley-0-entry_tension")).to_be_focused()
+    problems = page.locator("#results [role=alert]")
+    expect(problems).to_contain_text("still needed")
+    assert "FAILS" not in problems.inner_text()
+    # no answer of the drive before stands under the new one
+    expect(page.locator("#results .answer")).to_be_hidden()
+    page.fill("#f-pulley-0-entry_tension", "100")
+    page.fill("#f-pulley-0-exit_tension", "50")
+    page.fill("#f-pulley-0-diameter", "630")
+    page.fill("#f-pulley-0-wrap_angle", "200")
+    page.select_option("#f-pulley-0-lagging", "medium-ceramic")
+    page.select_option("#f-belt-preset", "Plylon Plus 1000/4")
+    page.fill("#f-belt-width", "1000")
+    visitor.solved()
+    expect(problems).to_have_text("")
+    expect(page.locator("#results .answer")).to_be_visible()
+
+
+def test_overtyped_example_does_not_keep_its_name_silently(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    aside = page.locator("#drive .aside")
+    expect(aside).to_have_count(0)
+    page.fill("#f-pulley-0-diameter", "1000")
+    expect(aside).to_contain_text("its title and its 2 load cases")
+    aside.get_by_role("button", name="Take them out").click()
+    expect(page.locator("#f-title")).to_have_value("")
+    assert "load_case" not in kept(page)
+    expect(aside).to_have_count(0)
+
+
+def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> None:
+    # expected: the headline of `wraparc solve`, whichever load case is chosen on the page
+    page = visitor.open("drive")
+    visitor.solved()
+    answer = page.request.post(
+        f"{visitor.address}api/v1/solve",
+        data={"document": document()},
+        headers={"origin": visitor.address.rstrip("/")},
+    ).json()
+    headline = page.locator("#verdict .headline").first
+    for case in ("design", "empty", "start"):
+        page.locator("#pick-case").select_option(index=("design", "empty", "start").index(case))
+        expect(page.locator("#verdict .chosen")).to_contain_text(f"load case {case}")
+        expect(headline).to_contain_text(answer["verdict"]["headline"]["si"])
+        expect(page.locator("#verdict")).to_contain_text(answer["verdict"]["sentences"][0]["si"])
+
+
+def test_best_is_bold_only_where_everything_is_kept(visitor: Visitor) -> None:
+    page = visitor.open("compare")
+    rows = page.locator("#compare tbody tr")
+    failing = rows.filter(has=page.locator(".badge:not(.good)"))
+    passing = rows.filter(has=page.locator(".badge.good"))
+    assert failing.count() >= 1
+    assert passing.count() >= 1
+    assert failing.locator("strong").count() == 0
+    assert passing.locator("strong").count() >= 1
+    # and the focus stays on what was pressed
+    pin = page.get_by_role("button", name="Pin Medium ceramic")
+    pin.click()
+    expect(pin).to_be_focused()
+    expect(pin).to_have_attribute("aria-pressed", "true")
+
+
+def test_idle_drive_shows_no_noise_and_no_alarm(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "150")
+    expect(page.locator("#drive .duty")).to_have_text("idling")
+    visitor.solved()
+    figures = page.locator("#drive .figures").inner_text()
+    assert "e-" not in figures
+    assert "none" not in figures
+    assert "no pull to carry" in figures
+
+
+def test_breakaway_draws_no_state_that_was_not_asked_for(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "2")
+    expect(page.locator("#drive .figures")).to_contain_text("the belt slips through")
+    visitor.solved()
+    expect(page.locator("#drive svg.pulley")).to_be_hidden()
+    expect(page.get_by_role("region", name="Along the wrap")).to_be_hidden()
+    assert "FAILS" in page.inner_text("#verdict")
+    page.fill("#f-pulley-0-exit_tension", "60")
+    expect(page.locator("#drive svg.pulley")).to_be_visible()
+
+
+def test_skip_link_leads_into_the_page_that_is_open(visitor: Visitor) -> None:
+    page = visitor.open("compare")
+    page.locator("#skip").focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("#compare-title")).to_be_focused()
+    expect(page.locator("#compare")).to_be_visible()
+    # on the first page the load is the first thing after it
+    page = visitor.open("drive")
+    page.locator("#skip").focus()
+    for key in ("Enter", "Tab", "Tab"):
+        page.keyboard.press(key)
+    expect(page.locator("#f-pulley-0-entry_tension")).to_be_focused()
+
+
+def test_phone_keyboard_offers_letters_for_units(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    modes = page.eval_on_selector_all(
+        "#drive input[type=text]", "(all) => all.map((e) => e.inputMode)"
+    )
+    assert len(modes) > 10
+    assert set(modes) == {""}
+
+
+def test_server_that_is_gone_and_comes_back(calculator: Calculator) -> None:
+    visitor = Visitor(calculator[0], calculator[1].address)
+    page = visitor.open("drive")
+    visitor.solved()
+    page.route("**/api/v1/**", lambda route: route.abort())
+    page.fill("#f-pulley-0-exit_tension", "75")
+    expect(page.locator(".gone")).to_contain_text("does not answer")
+    assert "cannot be used" not in page.inner_text("#results")
+    assert kept(page)["pulley"][0]["exit_tension"] == "75 kN"
+    page.unroute("**/api/v1/**")
+    expect(page.locator(".gone")).to_have_count(0)
+    visitor.solved()
+    expect(page.locator("#results [role=alert]")).to_have_text("")
+    visitor.context.close()
+
+
+def test_paper_says_what_it_is_and_when(visitor: Visitor, tmp_path: Path) -> None:
+    page = visitor.open("drive")
+    visitor.solved()
+    _, out, _ = wraparc("--version")
+    page.emulate_media(media="print")
+    told = page.locator("#print-head").inner_text()
+    assert out.split()[-1] in told
+    assert "head-drive-fabric" in told
+    assert "printed" in told
