@@ -126,6 +126,25 @@ def test_wrong_input_and_open_menus_are_accessible_too(calculator: Calculator) -
     visitor.context.close()
 
 
+def test_dark_pages_are_accessible_and_paper_stays_light(calculator: Calculator) -> None:
+    visitor = Visitor(*_at(calculator), color_scheme="dark")
+    page = visitor.open("drive")
+    visitor.solved()
+    shade = "getComputedStyle(document.documentElement).getPropertyValue('--paper')"
+    assert page.evaluate(shade) == "#1b222b"
+    assert violations(page) == []
+    page.fill("#f-belt-width", "wide")
+    page.wait_for_selector("#f-belt-width[aria-invalid=true]")
+    assert violations(page) == []
+    for name in ("compare", "train", "saved"):
+        page = visitor.open(name)
+        visitor.painted()
+        assert violations(page) == [], name
+    page.emulate_media(media="print")
+    assert page.evaluate(shade) == "#fff"
+    visitor.context.close()
+
+
 @pytest.mark.parametrize("name", PAGES)
 def test_phone_shows_everything_without_scrolling_sideways(
     calculator: Calculator, name: str, tmp_path: Path

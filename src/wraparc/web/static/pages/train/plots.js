@@ -159,7 +159,7 @@ function cell(v, i, j, lo, hi) {
     text(
       68 + wide * (i + 0.5),
       17 + tall * j,
-      part > 0.72 ? "tx light" : "tx",
+      part > 0.72 ? "tx light" : "tx cell",
       v == null ? "–" : digits(100 * v, 3),
     ),
   ];
