@@ -1,5 +1,6 @@
 // Drafts: the design is kept in this browser after every change, one for each window.
 import { app, isDrive } from "./design.js";
+import { timeOf } from "./units.js";
 
 /** @import { Design, Origin, Saved, Units } from "../types.d.ts" */
 /**
@@ -66,3 +67,6 @@ export const ownDraft = () => drafts().find((d) => d.window === own);
 export const otherDrafts = () => drafts().filter((d) => d.window !== own);
 /** @param {Draft} draft */
 export const forgetDraft = (draft) => store(drafts().filter((d) => d.window !== draft.window));
+/** @param {Draft} d */
+export const draftTitle = (d) =>
+  `${d.doc.title || d.name || "Drive without a title"}, ${timeOf(d.when)}`;

@@ -112,3 +112,6 @@ export function viewed(text, dimension) {
   const [u, k] = unit(dimension);
   return [trim((q.number * f) / k), u];
 }
+/** @param {string | number} time */
+export const timeOf = (time) =>
+  new Date(time).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });

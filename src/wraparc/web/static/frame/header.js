@@ -1,7 +1,7 @@
 // The head of the page: pages, units, undo, the menus File and Report.
 import { copyLink, turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
-import { drafts, forgetDraft, otherDrafts } from "../base/drafts.js";
+import { drafts, draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
 import { act, note } from "../base/server.js";
 import { h } from "../vendor/preact.js";
 import { download, newDrive, openExample, openFile, report } from "./files.js";
@@ -157,14 +157,6 @@ function fileMenu() {
         redraw();
       }),
   ];
-}
-/** @param {import("../base/drafts.js").Draft} d */
-export function draftTitle(d) {
-  const when = new Date(d.when).toLocaleString(undefined, {
-    dateStyle: "medium",
-    timeStyle: "short",
-  });
-  return `${d.doc.title || d.name || "Drive without a title"}, ${when}`;
 }
 /** @type {[keyof typeof head, string][]} */
 const HEADS = [

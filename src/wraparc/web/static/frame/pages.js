@@ -1,6 +1,6 @@
 // The pages by name, and the frame that holds them.
 import { app, redraw, take } from "../base/design.js";
-import { forgetDraft, otherDrafts } from "../base/drafts.js";
+import { draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
 import { complain } from "../base/server.js";
 import { DrivePage } from "../pages/drive.js";
 import { Component, h } from "../vendor/preact.js";
@@ -99,15 +99,10 @@ function offer(draft) {
     forgetDraft(draft);
     close();
   };
-  const title = draft.doc.title || draft.name || "a drive without a title";
-  const when = new Date(draft.when).toLocaleString(undefined, {
-    dateStyle: "medium",
-    timeStyle: "short",
-  });
   return h(
     "div",
     { class: "card aside", role: "note", key: "draft" },
-    h("p", {}, `A draft of “${title}” of ${when} is kept in this browser.`),
+    h("p", {}, `A draft is kept in this browser: ${draftTitle(draft)}.`),
     h(
       "p",
       { class: "inline" },

@@ -3,6 +3,7 @@
 import { turnTo } from "../base/address.js";
 import { app, look, redraw, take } from "../base/design.js";
 import { Advice, act, ask, complain, later, note } from "../base/server.js";
+import { timeOf } from "../base/units.js";
 import { scroll } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
 
@@ -28,9 +29,6 @@ try {
 } catch {
   /* a browser that keeps nothing: the name is typed each time */
 }
-/** @param {string} time */
-const when = (time) =>
-  new Date(time).toLocaleString(undefined, { dateStyle: "medium", timeStyle: "short" });
 
 let listed = false;
 export function update() {
@@ -246,7 +244,7 @@ function entry(d) {
     h("th", { scope: "row" }, d.name),
     h("td", {}, d.kind),
     h("td", {}, String(d.versions)),
-    h("td", {}, when(d.changed)),
+    h("td", {}, timeOf(d.changed)),
     h("td", {}, d.who || "–"),
     h("td", { class: "remark" }, d.note || ""),
     h(
@@ -274,7 +272,7 @@ function versionRow(d) {
     return h(
       "li",
       { key: v.version },
-      `Version ${v.version}, ${when(v.created)}${by}`,
+      `Version ${v.version}, ${timeOf(v.created)}${by}`,
       h("button", { type: "button", "aria-label": name, onClick: open }, "Open"),
     );
   });

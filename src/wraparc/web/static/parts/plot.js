@@ -28,19 +28,3 @@ export class Plot extends Component {
     return h("figure", { ref: this.box, class: this.props.class });
   }
 }
-/**
- * A picture that a function fills; filled anew at every drawing.
- * @extends {Component<{draw: (box: HTMLElement) => void, tag?: string, class?: string}>}
- */
-export class Drawn extends Component {
-  box = createRef();
-  componentDidMount() {
-    this.props.draw(this.box.current);
-  }
-  componentDidUpdate() {
-    this.props.draw(this.box.current);
-  }
-  render() {
-    return h(this.props.tag || "div", { ref: this.box, class: this.props.class });
-  }
-}

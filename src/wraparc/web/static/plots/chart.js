@@ -65,7 +65,6 @@ export class Chart {
 
   /** @param {HTMLElement} box @param {ChartLook} look */
   constructor(box, { title, height = 190, xlabel = "", onpick }) {
-    Object.assign(this, { box, title, height, xlabel });
     this.box = box;
     this.title = title;
     this.height = height;
