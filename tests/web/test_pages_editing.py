@@ -300,17 +300,3 @@ def test_paper_says_what_it_is_and_when(visitor: Visitor, tmp_path: Path) -> Non
     assert out.split()[-1] in told
     assert "head-drive-fabric" in told
     assert "printed" in told
-
-
-def test_deleted_design_is_taken_back_out_of_the_bin(visitor: Visitor) -> None:
-    page = visitor.open("saved")
-    page.fill("#design-name", "To the bin and back")
-    page.get_by_role("button", name="Save as a new design").click()
-    page.get_by_role("button", name="Delete To the bin and back").click()
-    row = page.locator("#saved tbody tr", has_text="To the bin and back")
-    expect(row).to_have_count(0)
-    page.get_by_label("Show the bin").check()
-    page.get_by_role("button", name="Take back To the bin and back").click()
-    expect(row).to_have_count(0)
-    page.get_by_label("Show the bin").uncheck()
-    expect(row).to_have_count(1)

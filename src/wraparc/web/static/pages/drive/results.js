@@ -166,8 +166,8 @@ export class Results extends Component {
 /** @param {QuickAnswer} arc */
 const top = (arc) => [h("div", { id: "verdict", key: "verdict" }, verdicts(arc)), chips(arc)];
 const NO_PICTURE =
-  "No picture: the belt is in gross slip on this pulley, so that there is no state at rest to draw. " +
-  "What the friction can carry stands beside and below.";
+  "No picture: the belt is in gross slip on this pulley, so that there is no state at rest " +
+  "to draw. What the friction can carry stands beside and below.";
 
 /**
  * What keeps the drive from being solved.
