@@ -44,6 +44,8 @@ def test_the_transition_is_found_and_compared(plain: Any) -> None:
     assert transition.pressure == pytest.approx(TRANSITION, rel=0.10)
     assert transition.interval[0] < TRANSITION < transition.interval[1]
     assert transition.in_law
+    told = next(r for r in plain.remarks if r.startswith("transition pressure about"))
+    assert "95 %" not in told  # the interval is too narrow where samples scatter
     # E * roughness / thickness = 6.9 MPa * 0.3 / 12 = 172.5 kPa
     assert any(
         "the saturation estimate E * roughness / thickness is 172 kPa" in r for r in plain.remarks

@@ -218,9 +218,7 @@ def _draw_transitions(
 ) -> None:
     transition = condition.found.transition
     if transition is not None:
-        low, high = transition.interval
         text = f"transition {transition.pressure / _KPA:.0f} kPa" if label else None
-        ax.axvspan(low / _KPA, high / _KPA, color="#cccccc", alpha=0.5, lw=0)
         ax.axvline(transition.pressure / _KPA, color=GREY, lw=0.9, label=text)
     if saturation is not None:
         text = f"saturation estimate {saturation / _KPA:.0f} kPa" if label else None

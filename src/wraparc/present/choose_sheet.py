@@ -119,7 +119,7 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
     for i in map(int, selection.ranking[:most]):
         marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
         values = (
-            *(f"{v[i]:.0f}" for v in (costs.total, costs.lagging, costs.energy)),
+            *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
             number("exit_creep", float(selection.creep[i]), system),
             number("tension", float(selection.slack_tension[i]), system),
             number("belt_modulus", float(selection.tight_tension[i]) / width, system),

@@ -35,8 +35,8 @@ _WHY = {
 
 
 def money(value: float, currency: str) -> str:
-    """Return an amount: whole units of the currency, thousands apart."""
-    return "-" if math.isnan(value) else f"{value:,.0f} {currency}".replace(",", "\u202f")
+    """Return an amount: whole units of the currency, thousands apart as in every count."""
+    return "-" if math.isnan(value) else f"{value:,.0f} {currency}"
 
 
 def design_name(selection: Selection, design: int, system: System = "si") -> str:

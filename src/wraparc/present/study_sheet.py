@@ -253,7 +253,7 @@ def _index_tables(
                 for i in found.inputs
             ]
             note = f"standard deviation {spread}; {found.samples:,} draws"
-            note += f", {found.lost} left out" if found.lost else ""
+            note += f", {found.lost:,} left out" if found.lost else ""
             heads = (f"alone [{CONFIDENCE:.0%}]", f"with others [{CONFIDENCE:.0%}]")
             yield Table(title, tuple(rows), heads, note)
 
@@ -319,7 +319,7 @@ def _remarks(summary: Summary) -> Iterator[str]:
             "more evenly, and mostly nearer to the truth than that."
         )
     if data["sampling"] == "sobol" and data["samples"] & (data["samples"] - 1):
-        yield f"{data['samples']} samples is no power of 2: Sobol points are then less even."
+        yield f"{data['samples']:,} samples is no power of 2: Sobol points are then less even."
 
 
 def study_page(sheet: Sheet, pictures: Sequence[str], summary: Summary) -> str:
