@@ -235,7 +235,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Exit part of the wrap over which 99 % of the tension change takes place.",
     ),
     Quantity(
-        "k_factor", "k", "spring_rate", "Spring rate of the belt (k factor)",
+        "k_factor", "k", "spring_rate", "Spring rate (k factor)",
         "Spring rate of the belt over its active arc, belt modulus times belt width over the "
         "length of the active arc, M B/(R phi_a).",
     ),

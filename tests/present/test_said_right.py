@@ -69,6 +69,6 @@ def test_the_k_factor_is_equation_7_of_the_paper() -> None:
     length = result.active_arc * arc.diameter / 2.0
     assert result.k_factor == pytest.approx(arc.axial_stiffness / length, rel=1e-15)
     assert result.scalars()["k_factor"] == result.k_factor
-    shown = rows(solved(), "Result")["Spring rate of the belt (k factor)"]
+    shown = rows(solved(), "Result")["Spring rate (k factor)"]
     assert shown.values == (f"{result.k_factor / 1e3:.0f} kN/m",)
     assert "equation 7" in shown.note
