@@ -243,7 +243,7 @@ def test_idle_drive_shows_no_noise_of_the_arithmetic(visitor: Visitor) -> None:
 def test_breakaway_draws_no_state_that_was_not_asked_for(visitor: Visitor) -> None:
     page = visitor.open("drive")
     page.fill("#f-pulley-0-exit_tension", "2")
-    expect(page.locator("#drive .figures")).to_contain_text("the belt slips through")
+    expect(page.locator("#drive .figures")).to_contain_text("gross slip")
     visitor.solved()
     expect(page.locator("#drive svg.pulley")).to_be_hidden()
     expect(page.get_by_role("region", name="Along the wrap")).to_be_hidden()
