@@ -425,7 +425,7 @@ def trace_layers(
         march_layer(law, par, found.rest_tension, part, -1.0, True, par.kick, path)
         count = _record_path(law, par, found.rest_tension, g, path, begin, -1.0, points, out, 0)
     elif par.kick == 0.0:
-        _record(law, par, found.rest_tension, g, 0.0, 0.0, 0.0, out, 0)
+        _record(law, par, found.rest_tension, g, 0.0, 0.0, found.ratio, out, 0)
         count = 1
     # the rest in between
     end = max(par.length - out_length, begin)
