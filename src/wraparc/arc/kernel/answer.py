@@ -56,6 +56,7 @@ from wraparc.friction.compact import CompactLaw
 #: shear-lag lengths beyond which an arc is solved by its layers: fabric and steel cord on rubber
 #: have up to 12
 FAR = 13.0
+FAR_FOR_CAPACITIES = 20.0  # the same, beyond which capacities at a creep or slip are not found
 #: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
 #: not resolved the law
 LOSS_MISS = 1e-5
@@ -256,6 +257,8 @@ def find_capacities(
     tight = max(load.entry_tension, load.exit_tension)
     pull = abs(load.entry_tension - load.exit_tension)
     by_creep = by_slip = gross = gross_creep = least = most = nan
+    if lags(law, parameters_at(tight, geometry)) > FAR_FOR_CAPACITIES:
+        return _without_marches(law, geometry, load, parts, steps)
     if parts & (CREEP_LIMIT + LEAST):
         outcome, z, entry, shot = carry(
             law, geometry, tight, Aim(CREEP, load.creep_limit), nan, steps
@@ -282,3 +285,14 @@ def find_capacities(
         if gross_creep <= load.slip_max:
             by_slip = gross
     return Carried(by_creep, by_slip, gross, gross_creep, least, most)
+
+
+def _without_marches(
+    law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int
+) -> Carried:
+    """Capacities of a long arc, where no march from the entry meets a creep at the exit."""
+    gross = gross_creep = nan
+    if parts & GROSS_SLIP and load.steepest_fall == 0.0:
+        tight = max(load.entry_tension, load.exit_tension)
+        gross, gross_creep = largest_ratio(law, geometry, tight, False, steps)
+    return Carried(nan, nan, gross, gross_creep, nan, nan)

@@ -41,6 +41,7 @@ SLIP = 2  # slip at the exit towards the slack side [m]
 #: entry creep ratio where the scale of z turns from logarithmic to linear
 SMALL_RATIO = 1e-7
 LARGEST_RATIO = 1.0
+MOST_LAGS = 100.0  # that a mesh resolves: beyond, layers solve what is not gross slip
 LAGS_PER_MESH = 2.0  # shear-lag lengths that the given number of mesh steps resolves, fitted
 #: creep over the arc that a unit of effort stands for once a rest arc has vanished [m]; the creep
 #: limit of the paper, decides speed only
@@ -98,7 +99,7 @@ def lowest_effort(law: CompactLaw, par: Parameters) -> float:
 
 def mesh_steps(law: CompactLaw, par: Parameters, steps: int) -> int:
     """Mesh steps for an arc: more where the belt hands over its tension in a short exit part."""
-    return int(steps * max(1.0, lags(law, par) / LAGS_PER_MESH))
+    return int(steps * max(1.0, min(lags(law, par), MOST_LAGS) / LAGS_PER_MESH))
 
 
 def lags(law: CompactLaw, par: Parameters) -> float:
