@@ -250,7 +250,7 @@ class Carried(NamedTuple):
     most_pull: float  # where no tension carries the pull [N]
 
 
-def find_capacities(
+def find_capacities(  # noqa: C901 - one part after the other
     law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int
 ) -> Carried:
     """Capacities that are asked for by `parts`."""
