@@ -164,15 +164,10 @@ class PressureFit:
 
 
 def t95(freedom: float) -> float:
-    """Quantile of Student's t for a two-sided 95 % interval (Cornish-Fisher, to 1e-3 from 4 on)."""
-    z = 1.959964
-    n = max(freedom, 1.0)
-    return (
-        z
-        + (z**3 + z) / (4 * n)
-        + (5 * z**5 + 16 * z**3 + 3 * z) / (96 * n**2)
-        + (3 * z**7 + 19 * z**5 + 17 * z**3 - 15 * z) / (384 * n**3)
-    )
+    """Quantile of Student's t for a two-sided 95 % interval; one degree of freedom at least."""
+    from scipy.special import stdtrit
+
+    return float(stdtrit(max(freedom, 1.0), 0.975))
 
 
 def fit_form(
