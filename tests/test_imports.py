@@ -28,7 +28,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("units", "saving", "provenance"),
     ("glossary", "machine_tables"),
     ("schema",),
-    ("friction", "catalogue"),
+    ("friction", "catalogue", "conveyor"),
     ("drive",),
     ("arc", "shear_test"),
     ("files", "batch"),

@@ -32,6 +32,7 @@ EXAMPLE_DRIVES = (
     "head-drive-fabric",
     "steel-cord-drive",
     "test-pulley-calibrated",
+    "uphill-conveyor",
 )
 
 

@@ -1,11 +1,11 @@
 """Descriptions of a drive: frozen, checked, in SI. Nothing here solves anything."""
 
+from wraparc.conveyor import GRAVITY
 from wraparc.drive.belt import Belt
 from wraparc.drive.compression import SHAPES, Block, compression_modulus
 from wraparc.drive.criteria import (
     CASE_KINDS,
     CONDITIONS,
-    GRAVITY,
     STANDARDS,
     TAKE_UPS,
     CaseKind,

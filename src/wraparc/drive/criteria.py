@@ -6,11 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
+from wraparc.conveyor import GRAVITY
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
-#: Standard acceleration of gravity [m/s2].
-GRAVITY = 9.80665
 #: States of a conveyor that differ in their safety factors and in what a belt may bear.
 CASE_KINDS = ("running", "starting", "braking")
 CaseKind = Literal["running", "starting", "braking"]

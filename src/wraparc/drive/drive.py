@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, Protocol, TypeVar
 
+from wraparc.conveyor import Conveyor
 from wraparc.drive.belt import Belt
 from wraparc.drive.criteria import Criteria
 from wraparc.drive.load_case import LoadCase
@@ -38,6 +39,9 @@ class Drive(Viewable):
         Take-up, design standard, safety factors and sag that it is held against.
     description
         Anything worth saying about it.
+    conveyor
+        What the tensions were computed from, or None where they are given. It says where they
+        came from and is no part of what makes two drives equal.
 
     Raises
     ------
@@ -54,6 +58,7 @@ class Drive(Viewable):
     creep_limit: float = CREEP_LIMIT
     criteria: Criteria = field(default_factory=Criteria)
     description: str = ""
+    conveyor: Conveyor | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
         problems = limit_problems(self, self.LIMITS)

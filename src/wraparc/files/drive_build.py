@@ -3,6 +3,8 @@
 from typing import Any
 
 from wraparc import catalogue
+from wraparc.conveyor import Point, wrap_angle
+from wraparc.conveyor.keys import POINT_KEYS
 from wraparc.drive import (
     Belt,
     Criteria,
@@ -19,6 +21,7 @@ from wraparc.schema.origins import own_provenance, read_sources
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
 
+_FROM_PATH = Provenance(note="from the coordinates of the pulleys")
 _PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter")
 # Keys of a lagging that hold numbers.
 _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
@@ -160,8 +163,33 @@ def build_pulley(record: Record, laggings: Laggings, report: Report) -> Pulley |
     )
     if lagging is None:
         return None
-    built: Pulley | None = PULLEY.built(record, report, lagging=lagging, sources=sources)
+    more: dict[str, Any] = {}
+    if "belt_path" in record:
+        wrap = _wrap_of(record, report)
+        if wrap is None:
+            return None
+        more, sources = {"wrap_angle": wrap}, {"wrap_angle": _FROM_PATH, **sources}
+    built: Pulley | None = PULLEY.built(record, report, lagging=lagging, sources=sources, **more)
     return built
+
+
+def _wrap_of(record: Record, report: Report) -> float | None:
+    """Return the wrap angle of a pulley from its belt path, or None after reporting."""
+    path = record["belt_path"]
+    if "wrap_angle" in record:
+        remedy = "Leave one of them out."
+        report.add((*record.place, "wrap_angle"), "belt_path gives it already", remedy)
+        return None
+    if not isinstance(path, Record) or not path.sound() or "diameter" not in record:
+        return None
+
+    def point(given: Record, **more: Any) -> Point:
+        return Point(**{key: given[key] for key in POINT_KEYS if key in given}, **more)
+
+    own = point(path, diameter=record["diameter"])
+    return report.tried(
+        lambda: wrap_angle(point(path["before"]), own, point(path["after"])), path.place
+    )
 
 
 def build_criteria(record: Record, report: Report) -> Criteria:

@@ -5,6 +5,7 @@ from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
 from wraparc.errors import InputError, nearest, shown
+from wraparc.files.conveyor_build import build_conveyor
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.tensions import KEYS, Given, complete, resolve
@@ -86,8 +87,12 @@ def drive_from_document(
     laggings = Laggings(own if isinstance(own, dict) else {}, folder, allow_paths, report)
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
     pulleys = [build_pulley(item, laggings, report) for item in records]
-    cases = _load_cases(record, records, report)
     criteria = build_criteria(record, report)
+    conveyor = None
+    if "conveyor" in document:
+        conveyor, cases = build_conveyor(record, criteria.take_up, report)
+    else:
+        cases = _load_cases(record, records, report)
     report.raise_all()
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     return report.sure(
@@ -97,6 +102,7 @@ def drive_from_document(
             pulleys=tuple(cast(Pulley, pulley) for pulley in pulleys),
             load_cases=cases,
             criteria=criteria,
+            conveyor=conveyor,
             **parts,
         )
     )

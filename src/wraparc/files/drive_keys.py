@@ -1,5 +1,6 @@
 """The keys of a drive file."""
 
+from wraparc.conveyor.keys import BELT_PATH, CONVEYOR
 from wraparc.drive import (
     CASE_KINDS,
     CONDITIONS,
@@ -70,7 +71,8 @@ PULLEY = Table(
     "Pulley",
     need("name", "Name of the pulley.", Name(), example='name = "head"'),
     known("diameter", required=True),
-    known("wrap_angle", required=True, alias="wrap"),
+    known("wrap_angle", required=True, alias="wrap", unless="belt_path"),
+    Entry("belt_path", "Where the pulleys stand, instead of the wrap angle.", BELT_PATH),
     need(
         "lagging",
         "Catalogue name, name of a [lagging.NAME] table, path of a lagging file, or a table.",
@@ -179,6 +181,7 @@ DRIVE = Table(
     ),
     Entry("lagging", "Laggings of this drive, by name.", ByName(LAGGING_GIVEN), title="Laggings"),
     Entry("load_case", "States of the conveyor.", Rows(LOAD_CASE, 1), title="Load cases"),
+    Entry("conveyor", "The load cases by resistances, instead of tensions.", CONVEYOR),
     *CRITERIA,
     Entry("train", kind=Elsewhere()),
     of=Drive,

@@ -7,6 +7,7 @@ from itertools import takewhile
 from typing import Any
 
 from wraparc import catalogue
+from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import (
     DESIGN,
     Belt,
@@ -18,6 +19,7 @@ from wraparc.drive import (
     Pulley,
 )
 from wraparc.errors import InputError, Problem
+from wraparc.files.conveyor_build import conveyor_of
 from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import BELT, CRITERIA, DRIVE
@@ -145,14 +147,17 @@ def _design(drive: Drive) -> Mapping[str, Any]:
 
 def _drive_table(drive: Drive) -> Document:
     design = _design(drive)
+    conveyor = conveyor_of(drive)
     document: Document = {"format": FORMAT}
     document |= {key: text for key in ("title", "description") if (text := getattr(drive, key))}
     document["creep_limit"] = quantity_text(drive.creep_limit, "length")
     document |= _criteria_tables(drive.criteria)
     document["belt"] = _belt_table(drive.belt)
+    if conveyor is not None:
+        document["conveyor"] = CONVEYOR.written(conveyor)
     document["pulley"] = [_pulley_table(pulley, design) for pulley in drive.pulleys]
     cases = [case for case in drive.load_cases if case.name != DESIGN]
-    if cases:
+    if cases and conveyor is None:
         document["load_case"] = [
             {
                 "name": c.name,

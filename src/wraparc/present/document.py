@@ -15,6 +15,7 @@ from wraparc.checks import Level, judge
 from wraparc.drive import Belt, Drive, Lagging
 from wraparc.glossary import GLOSSARY
 from wraparc.present.checks_table import check_data, verdict_document
+from wraparc.present.conveyor_table import conveyor_data
 from wraparc.present.inputs import arc_inputs
 from wraparc.present.least_tension import least_data
 from wraparc.provenance import Provenance
@@ -49,11 +50,13 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     drive = results[0].drive
     told = judge(results[0])
     arcs = [_arc_data(arc, result) for result in results for arc in result]
+    conveyor = conveyor_data(drive)
     return {
         "format": DOCUMENT_FORMAT,
         "program": {"name": "wraparc", "version": __version__},
         "libraries": {"python": _PYTHON, "numpy": np.__version__},
         "drive": _drive_data(drive, file),
+        **({"conveyor": conveyor} if conveyor else {}),
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),

@@ -18,6 +18,7 @@ from wraparc.present.arc_tables import (
     energy_table,
 )
 from wraparc.present.checks_table import check_table
+from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
 from wraparc.present.input_tables import input_table, input_tables
 from wraparc.present.inputs import drive_inputs
@@ -54,6 +55,7 @@ def drive_sheet(
     tables = [check_table(judged or judge(first), system, of)]
     least = least_table(first, system)
     tables += [least] if least else []
+    tables += conveyor_tables(first.drive, system, of)
     tables += [summary_table(results, system)] if len(first) > 1 else []
     for position in detail:
         tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
@@ -77,6 +79,7 @@ def input_sheet(drive: Drive, system: System = "si") -> Sheet:
     told = Verdict(judged.level, f"The drive file is in order: {counted}", judged.sentences(system))
     if judged.missed:
         told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
+    tables = (*conveyor_tables(drive, system, of), *tables)
     found = check_table(judged, system, of, "Checks before anything is solved")
     return Sheet(drive.title or "Drive", "", told, (found, *tables), judged.data, of.listed())
 

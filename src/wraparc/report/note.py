@@ -16,6 +16,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import answer_table, belongs, capacity_table, creep_table
 from wraparc.present.catalogue_sheets import law_table
 from wraparc.present.checks_table import check_table, checks_summary
+from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
 from wraparc.present.drive_sheet import method_remarks
 from wraparc.present.input_tables import input_tables
@@ -201,7 +202,8 @@ def _inputs(
     laggings = {p.lagging.name: p.lagging for p in result.drive.pulleys}
     laws = (law_table(lagging, system) for lagging in laggings.values())
     inputs = note_inputs(result, train)
-    return (*input_tables(inputs, system, of, stated=True), *laws)
+    conveyor = conveyor_tables(result.drive, system, of) if train is None else ()
+    return (*conveyor, *input_tables(inputs, system, of, stated=True), *laws)
 
 
 def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input, ...]:

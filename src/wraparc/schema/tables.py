@@ -48,6 +48,8 @@ class Entry:
         What to write if it is missing; needed where the kind does not tell.
     attribute
         What the class calls it, if not the key.
+    unless
+        Another key that may stand instead of a required one.
     """
 
     key: str
@@ -58,6 +60,7 @@ class Entry:
     alias: str = field(default="", kw_only=True)
     example: str = field(default="", kw_only=True)
     attribute: str = field(default="", kw_only=True)
+    unless: str = field(default="", kw_only=True)
 
     def __post_init__(self) -> None:
         self.title = self.title or self.key.replace("_", " ").capitalize()
@@ -136,7 +139,7 @@ class Table(Kind):
                     record.faulty.add(key)
                 if value is not NOTHING:
                     record[key] = value
-            elif entry.required:
+            elif entry.required and entry.unless not in given:
                 record.faulty.add(key)
                 report.add((*place, key), "missing", missing_remedy(entry))
         return record
@@ -205,7 +208,7 @@ class Table(Kind):
             "type": "object",
             **({"title": self.title} if self.title else {}),
             "properties": properties,
-            "required": [entry.key for entry in self.entries if entry.required],
+            "required": [e.key for e in self.entries if e.required and not e.unless],
             "additionalProperties": False,
         }
 

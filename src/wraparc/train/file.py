@@ -88,6 +88,9 @@ def train_from_document(
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
     pulleys = [build_pulley(item, laggings, report) for item in records]
     _refuse_pulley_tensions(record, records, report)
+    if "conveyor" in record:
+        message = "gives the tensions of one drive, and those of a train stand in [train]"
+        report.add(("conveyor",), message, "Leave one of them out.")
     criteria = build_criteria(record, report)
     report.raise_all()
     # nothing was reported, so nothing is None

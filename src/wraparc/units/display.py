@@ -32,6 +32,7 @@ _SI: dict[Dimension, _Row] = {
     "rotation_speed": ("rpm", ()),
     "mass": ("kg", ()),
     "mass_per_length": ("kg/m", ()),
+    "mass_flow": ("t/h", ()),
     "number": ("", ()),
 }
 
@@ -52,6 +53,7 @@ _US: dict[Dimension, _Row] = _SI | {
     "energy_per_area": ("ft lbf/ft2", ()),
     "mass": ("lbm", ()),
     "mass_per_length": ("lbm/ft", ()),
+    "mass_flow": ("lbm/h", ()),
 }
 
 _ROWS: dict[System, dict[Dimension, _Row]] = {"si": _SI, "us": _US}

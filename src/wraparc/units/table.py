@@ -28,6 +28,7 @@ Dimension = Literal[
     "rotation_speed",
     "mass",
     "mass_per_length",
+    "mass_flow",
     "number",
 ]
 
@@ -62,6 +63,7 @@ DIMENSION_TEXT: dict[Dimension, DimensionText] = {
     "rotation_speed": DimensionText("rad/s", "a rotation speed", "71.6 rpm"),
     "mass": DimensionText("kg", "a mass", "500 kg"),
     "mass_per_length": DimensionText("kg/m", "a mass per length", "22 kg/m"),
+    "mass_flow": DimensionText("kg/s", "a mass flow", "1500 t/h"),
     "number": DimensionText("", "a plain number", "0.35"),
 }
 

@@ -1,0 +1,84 @@
+"""The ``[conveyor]`` table to the load cases of its drive pulley."""
+
+from dataclasses import replace
+from typing import Any
+
+from wraparc.conveyor import Conveyor, State, choices
+from wraparc.conveyor.keys import CONVEYOR
+from wraparc.drive import Drive, LoadCase, TakeUp, Tensions
+from wraparc.errors import InputError
+from wraparc.files.tensions import KEYS
+from wraparc.schema.problems import Report
+from wraparc.schema.tables import Record
+
+_TWICE = "the [conveyor] table gives the tensions already"
+_LEAVE = "Leave it out, or the [conveyor] table."
+
+
+def build_conveyor(
+    record: Record, take_up: TakeUp, report: Report
+) -> tuple[Conveyor | None, tuple[LoadCase, ...]]:
+    """Return the conveyor of a drive file and its load cases; what is wrong is reported."""
+    pulleys = [item for item in record.get("pulley") or () if isinstance(item, Record)]
+    _refuse_tensions(record, pulleys, report)
+    if take_up.fixed:
+        message = "a fixed take-up holds another tension in every load case, and [conveyor] has one"
+        remedy = "Give the tensions of each load case instead of [conveyor]."
+        report.add(("take_up", "kind"), message, remedy, take_up.kind)
+    if len(record.get("pulley") or ()) > 1:
+        message = f"gives the tensions of one drive pulley, and there are {len(record['pulley'])}"
+        report.add(("conveyor",), message, "Put the tensions of a train into [train].")
+    given = record.get("conveyor")
+    if not isinstance(given, Record):
+        return None, ()
+    conveyor = _conveyor(given, record.get("belt"), take_up, report)
+    states = conveyor and report.tried(conveyor.states, given.place, given.raw)
+    if not states or not pulleys or "name" not in pulleys[0]:
+        return conveyor, ()
+    return conveyor, tuple(load_case(state, pulleys[0]["name"]) for state in states)
+
+
+def load_case(state: State, pulley: str) -> LoadCase:
+    """Return a load case of a conveyor as one of its drive pulley."""
+    tensions = Tensions(entry=state.entry, exit=state.exit)
+    kind: Any = state.kind
+    return LoadCase(name=state.name, tensions={pulley: tensions}, kind=kind)
+
+
+def conveyor_of(drive: Drive) -> Conveyor | None:
+    """Return the conveyor of a drive while all its load cases still follow from it, or None."""
+    if drive.conveyor is None or len(drive.pulleys) != 1:
+        return None
+    ratio = drive.criteria.take_up.sheave_ratio
+    try:
+        conveyor = replace(drive.conveyor, speed=drive.belt.speed, sheave_ratio=ratio)
+        states = conveyor.states()
+    except InputError:
+        return None
+    cases = tuple(load_case(state, drive.pulleys[0].name) for state in states)
+    return conveyor if cases == drive.load_cases else None
+
+
+def _conveyor(given: Record, belt: Any, take_up: TakeUp, report: Report) -> Conveyor | None:
+    more: dict[str, Any] = {"sheave_ratio": take_up.sheave_ratio}
+    speed = belt.get("speed") if isinstance(belt, Record) else None
+    if speed is not None:
+        more["speed"] = speed
+    if given.sound():
+        conveyor: Conveyor | None = CONVEYOR.built(given, report, **more)
+        return conveyor
+    # what cannot be built has still to be told with everything else
+    unsure = not isinstance(belt, Record) or not belt.sound("speed")
+    told = choices({*given, *given.faulty, *more, *(("speed",) if unsure else ())})
+    if told:
+        report.take(InputError(told), given.place, given.raw)
+    return None
+
+
+def _refuse_tensions(record: Record, pulleys: list[Record], report: Report) -> None:
+    """Report tensions beside a conveyor, and load cases of one's own."""
+    for pulley in pulleys:
+        for key in (key for key in KEYS if key in pulley):
+            report.add((*pulley.place, key), _TWICE, _LEAVE, pulley.raw[key])
+    if "load_case" in record:
+        report.add(("load_case",), "the [conveyor] table gives the load cases already", _LEAVE)
