@@ -65,6 +65,53 @@ def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> 
     assert len(list((tmp_path / "cache" / "compiled").iterdir())) == 3
 
 
+MARCH = """
+from math import log
+from wraparc.arc.kernel.butcher import to_end, to_fifth, to_fourth, to_last, to_second
+from wraparc.arc.kernel.butcher import to_sixth, to_third
+
+def rate(x):
+    return 0.01 * log(1.0 + x) * x
+
+def entry(x):
+    for _ in range(50):
+        k1 = rate(x)
+        k2 = rate(x + to_second(k1))
+        k3 = rate(x + to_third(k2))
+        k4 = rate(x + to_fourth(k1, k2, k3))
+        k5 = rate(x + to_fifth(k1, k2, k3, k4))
+        k6 = rate(x + to_sixth(k2, k3, k4, k5))
+        k7 = rate(x + to_last(k1, k2, k3, k4, k6))
+        x += to_end(k1, k3, k4, k5, k6, k7)
+    return x
+"""
+
+
+def test_numba_left_as_it_is_gives_the_same_numbers(tmp_path: Path) -> None:
+    """With its private parts untouched: the switch, and the interpreter as the plain way."""
+    package = tmp_path / "source" / "wraparc"
+    shutil.copytree(Path(wraparc.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc"))
+    (package / "batch" / "probe.py").write_text(MARCH, "utf-8")
+    found = []
+    for switch in ("", "1"):
+        run = subprocess.run(
+            [sys.executable, "-B", "-c", RUN, str(package.parent)],
+            capture_output=True,
+            text=True,
+            check=False,
+            env={
+                **os.environ,
+                native.AS_IT_IS: switch,
+                "WRAPARC_CACHE_DIR": str(tmp_path / "cache"),
+            },
+        )
+        compiled, interpreted = map(float, run.stdout.split())
+        assert compiled == interpreted, run.stderr
+        found.append(compiled)
+    assert found[0] == found[1]
+    assert len(list((tmp_path / "cache" / "compiled").iterdir())) == 2
+
+
 def test_the_fingerprint_covers_all_that_is_compiled() -> None:
     entries = (tension_rows, capacity_rows, lane_rows)
     modules = {f.__module__ for entry in entries for f in native.called(entry)}
