@@ -152,8 +152,7 @@ def fingerprint(functions: tuple[FunctionType, ...], options: object = None) -> 
     with open(underlay.__file__, "rb") as file:
         digest.update(file.read())
     about = (numba.__version__, llvmlite.__version__, sys.version, platform.machine(), options)
-    about += (_as_it_is(),)
-    digest.update(repr(about).encode())
+    digest.update(repr((about, _as_it_is())).encode())
     for function in functions:
         constants = {k: v for k, v in _globals(function).items() if _is_plain(v)}
         # of a named tuple the order of its fields
