@@ -216,8 +216,9 @@ function verdicts(arc) {
         words(full.verdict.headline),
       ),
     ];
-  if (!several || !full || answer.foreign)
-    return [h("div", { key: "governing" }, verdict(arc.verdict)), several && own];
+  if (!several) return [h("div", { key: "governing" }, verdict(arc.verdict))];
+  if (!full || answer.foreign)
+    return [h("p", { class: "help", key: "governing" }, "All load cases are being solved."), own];
   const solving = h(
     "p",
     { class: "help" },
