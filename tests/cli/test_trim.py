@@ -112,8 +112,8 @@ def test_drives_that_fight_are_told(tmp_path: Path) -> None:
     ran = wraparc("solve", path)
     assert ran.code == 0
     assert ran.words.startswith(
-        "Tandem head drive, fabric belt ATTENTION The drives carry the load in all 2 load cases, "
-        "every creep within its limit, but work against each other in load case empty."
+        "Tandem head drive, fabric belt ATTENTION Load case empty: The drives work against each "
+        "other with 8.768 kN of pull."
     )
     ran = wraparc("solve", path, "--load-case", "empty")
     pull = solve_train(load_train(path)).cases[1]["second"].arc.effective_tension
