@@ -76,7 +76,7 @@ def test_the_picture(file: Path, tmp_path: Path) -> None:
         ("cost.lagging={rubber={material=5}}", "no lagging among the candidates"),
         ("cost.lagging.full-ceramic={material=5}", "the cost is not complete"),
         ("cost.hours={}", "a tariff, and no load case with hours"),
-        ('condition=[{name="dusty"}]', "nothing is said of its friction when dusty"),
+        ('condition=[{name="dusty"}]', "nothing is published on its friction when dusty"),
         ('candidates.slack_tensions="lest"', "must be an array"),
         ("candidates.slack_tensions=[]", "must have 1 to 100000 entries"),
         ('candidates.diameters=["800"]', "no unit, where a length is needed"),

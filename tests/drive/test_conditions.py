@@ -1,5 +1,7 @@
 """Scaled laws against the law they scale, design ratios against the published values."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -73,13 +75,39 @@ def test_a_condition_marks_where_its_friction_came_from() -> None:
     rubber = load_lagging("diamond-rubber")
     wet = Condition(name="wet", standard="DIN 22101").lagging(rubber)
     assert wet.condition == "wet"
-    assert wet.source_of("law").kind is Kind.PUBLISHED
+    assert wet.source_of("law") == rubber.source_of("law"), "a scaled law stands on the tested one"
+    assert wet.sources["condition"].kind is Kind.PUBLISHED
     assert wet.source_of("thickness") == rubber.source_of("thickness")
     assert Condition(name="dry").lagging(rubber) is rubber
     by_surface = Condition(name="wet", factor=0.9, factors={"rubber": 0.7})
     assert by_surface.factor_of(rubber)[0] == 0.7
-    with pytest.raises(InputError, match="nothing is said of its friction when dusty"):
+    with pytest.raises(InputError, match="nothing is published on its friction when dusty"):
         Condition(name="dusty").lagging(rubber)
+
+
+def test_without_a_standard_the_least_published_ratio_is_taken() -> None:
+    """Ceramic wet: DIN 22101 0.375/0.425, practice 0.45/0.80; rubber 0.35/0.425 and 0.35/0.35."""
+    ceramic, rubber = (load_lagging(n) for n in ("full-ceramic", "diamond-rubber"))
+    factor, source = Condition(name="wet").factor_of(ceramic)
+    assert factor == pytest.approx(0.45 / 0.80)
+    assert "DIN 22101 gives 0.882" in source.note
+    assert Condition(name="wet").factor_of(rubber)[0] == pytest.approx(0.35 / 0.425)
+
+
+def test_a_law_tested_wet_is_scaled_to_dry_by_the_inverse() -> None:
+    rubber = load_lagging("diamond-rubber")
+    wet = Condition(name="wet", standard="DIN 22101").lagging(rubber)
+    factor, _ = Condition(name="dry", standard="DIN 22101").factor_of(wet)
+    assert factor == pytest.approx(0.425 / 0.35)
+
+
+def test_a_law_of_the_condition_is_taken_before_any_is_scaled() -> None:
+    rubber = load_lagging("diamond-rubber")
+    tested = replace(rubber, condition="wet", law=rubber.law.scaled(0.5))
+    assert Condition(name="wet", factor=0.9).of((rubber, tested)) is tested
+    scaled = Condition(name="wet and dirty").of((tested, rubber))
+    expected = 0.275 / 0.425 * rubber.law.friction(5e-3, 2e5)
+    assert scaled.law.friction(5e-3, 2e5) == pytest.approx(float(expected))
 
 
 def test_ten_year_costs_are_the_vendors() -> None:

@@ -180,9 +180,11 @@ def between(low: str, high: str) -> str:
         ),
         (
             '"diamond-rubber"',
-            '"diamond-rubber"\ncondition = "wet"',
-            'pulley.head.condition = "wet": lagging "diamond-rubber" has no law for this '
-            'condition, only for "dry". Choose one of them, or add a law to its file.',
+            '"diamond-rubber"\ncondition = "wett"',
+            'pulley.head.condition = "wett": lagging "diamond-rubber" was tested dry, and nothing '
+            "is published on its friction when wett (covered: of rubber dry, wet, wet and dirty). "
+            'Did you mean "wet"? Give what it leaves of the friction, condition = { name = "wett", '
+            "friction_factor = 0.8 }, or add a law for it to the lagging.",
         ),
         (
             "diamond-rubber",

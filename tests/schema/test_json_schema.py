@@ -77,7 +77,7 @@ def test_what_a_form_needs() -> None:
         "x-bounds-si": [1e-3, 1e3],
     }
     pulley = schema["properties"]["pulley"]["items"]
-    assert pulley["required"] == ["name", "diameter", "wrap_angle", "lagging"]
+    assert pulley["required"] == ["name", "diameter", "lagging"], "or a belt path"
     assert set(pulley["properties"]) >= {"entry_tension", "power", "overrun", "recovery"}
 
 

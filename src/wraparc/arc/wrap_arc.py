@@ -145,7 +145,7 @@ class WrapArc:
     @classmethod
     def of(cls, drive: Drive, pulley: Pulley, case: LoadCase) -> WrapArc:
         """Return the arc of one pulley of a drive in one load case."""
-        lagging, tensions = pulley.lagging, case.tensions[pulley.name]
+        lagging, tensions = pulley.lagging_in(case.condition), case.tensions[pulley.name]
         return cls(
             law=lagging.law,
             entry_tension=tensions.entry,

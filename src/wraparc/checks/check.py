@@ -274,10 +274,10 @@ DATA_WORDS = (
 
 
 def _badness(check: Check) -> tuple[int, float]:
-    """Sort key: worst level first, then the least margin."""
+    """Sort key: worst level first, then the least margin; what binds no design comes last."""
     margin = check.margin
     if math.isnan(margin):
-        margin = -math.inf if check.missed else math.inf
+        margin = -math.inf if check.missed and check.binding else math.inf
     return -check.level.rank, margin
 
 

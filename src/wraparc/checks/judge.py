@@ -36,7 +36,7 @@ def before(drive: Drive) -> Verdict:
     checks += of_drive.usual_sizes(drive)
     checks += (of_drive.pulley_diameter(drive, p) for p in drive.pulleys)
     for case in drive.load_cases:
-        checks += _unsolved(drive, case)
+        checks += _unsolved(drive.in_case(case), case)
     return Verdict(tuple(checks))
 
 
@@ -45,6 +45,7 @@ def _unsolved(drive: Drive, case: LoadCase) -> Iterator[Check]:
         yield of_drive.belt_tension(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)
+        yield from of_drive.condition(case, pulley)
     found = of_drive.sag(drive, case)
     if found is not None:
         yield found
@@ -57,7 +58,7 @@ def _drive(result: DriveResult) -> Iterator[Check]:
     for arc in result:
         by_case.setdefault(arc.arc.load_case, []).append(arc)
     for name, arcs in by_case.items():
-        yield from _case(drive, cases[name], arcs)
+        yield from _case(drive.in_case(cases[name]), cases[name], arcs)
     for pulley in drive.pulleys:
         yield of_drive.pulley_diameter(drive, pulley)
     yield from of_drive.usual_sizes(drive)
@@ -78,6 +79,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_arc.lagging_stress(pulley, result)
         yield from of_drive.tested_pressure(drive, case, pulley)
+        yield from of_drive.condition(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
         balanced = of_arc.balance(result)
         if balanced is not None:

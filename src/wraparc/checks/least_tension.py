@@ -131,7 +131,8 @@ def _of(result: DriveResult) -> LeastTension | None:
     for name, arcs in by_case.items():
         if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in arcs):
             return None
-        for figure in _figures(drive, cases[name], arcs, ends[name]):
+        case = cases[name]
+        for figure in _figures(drive.in_case(case), case, arcs, ends[name]):
             held = worst.get(figure.name)
             if held is None or (figure.tension > held.tension) is figure.at_least:
                 worst[figure.name] = figure

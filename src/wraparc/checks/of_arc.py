@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -234,7 +235,8 @@ def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     title = "Slip speed, tested"
     if tested.slip_speed is None:
         why = "the friction law does not say at which speed it was tested"
-        yield not_checked("tested_slip_speed", title, why, place)
+        unchecked = not_checked("tested_slip_speed", title, why, place)
+        yield replace(unchecked, value=speed, dimension="speed")
     elif math.isnan(speed):
         yield not_checked("tested_slip_speed", title, "the belt speed is not given", place)
     else:

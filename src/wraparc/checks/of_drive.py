@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from wraparc.checks.check import Check, Level, Place, keeps
 from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.conditions import SCALED
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import Dimension
 
@@ -182,6 +183,28 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
             remedy=remedy,
             place=place,
         )
+
+
+def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+    """Ask for attention where a law is scaled to a condition it was not tested in."""
+    lagging = pulley.lagging
+    if SCALED not in lagging.sources:
+        return
+    source = lagging.sources[SCALED]
+    yield Check(
+        name="condition",
+        title=f"Friction of {lagging.name}, {lagging.condition}",
+        level=Level.ATTENTION,
+        place=Place(pulley.name, case.name),
+        source=origin(source),
+        short=f"not tested {lagging.condition}",
+        says=escaped(
+            f"Lagging {lagging.name} was not tested {lagging.condition}: its law is a tested one "
+            f"scaled as a whole ({lagging.notes[-1]})."
+        ),
+        remedy=f"Test the lagging {lagging.condition}, or keep more slack-side tension in hand.",
+        binding=False,
+    )
 
 
 def sag(drive: Drive, case: LoadCase) -> Check | None:

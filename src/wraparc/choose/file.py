@@ -6,12 +6,13 @@ from typing import Any, TypeVar
 
 from wraparc import catalogue
 from wraparc.choose.cost import Costing, Price, catalogue_price
-from wraparc.choose.keys import BELT_COST, CHOOSE, CONDITION, COST, LAGGING_COST, LIMITS
+from wraparc.choose.keys import BELT_COST, CHOOSE, COST, LAGGING_COST, LIMITS
 from wraparc.choose.search import Limits, Search
 from wraparc.drive import Belt, Cost, Drive, Lagging
 from wraparc.drive.changes import belt_of
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import nearest, shown
+from wraparc.files.conditions import condition_of
 from wraparc.files.drive_keys import SAG
 from wraparc.files.drive_parts import check_cases, drive_of, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
@@ -45,7 +46,7 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
     candidates: Record = record["candidates"]
     laggings = _laggings(candidates, drive, pulley, folder, report)
     belts = _belts(candidates, drive, report)
-    conditions = tuple(_condition(r, report) for r in record.get("condition", ()))
+    conditions = tuple(condition_of(r, report) for r in record.get("condition", ()))
     costing = _costing(record["cost"], laggings, drive, report)
     limits = _limits(record.get("limits"), drive, report)
     report.raise_all()
@@ -112,13 +113,6 @@ def _unlike(found: Sequence[_Named], place: Place, report: Report) -> tuple[_Nam
     for name in sorted({name for name in names if names.count(name) > 1}):
         report.add(place, f"{shown(name)} stands there more than once", "Keep one of them.")
     return tuple(found)
-
-
-def _condition(record: Record, report: Report) -> Condition:
-    factors = record.get("friction_factors", {})
-    source = own_provenance(record, report) or Provenance()
-    made: Condition = CONDITION.built(record, report, factors=factors, source=source)
-    return made
 
 
 def _limits(record: Any, drive: Drive, report: Report) -> Limits:

@@ -1,11 +1,10 @@
 """The keys of a choose file."""
 
-from wraparc.catalogue import design_friction, lagging_costs
+from wraparc.catalogue import lagging_costs
 from wraparc.choose.cost import BeltPrice, Costing
 from wraparc.choose.search import Limits
 from wraparc.drive import Cost, Limit, Pulley, Tensions
-from wraparc.drive.conditions import Condition
-from wraparc.files.drive_keys import SAG
+from wraparc.files.drive_keys import CONDITION, SAG
 from wraparc.schema.kinds import ByName, Choice, Flag, Name, Quantity, Rows, Text, WordOr
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
 from wraparc.schema.tables import Entry, Table, limited, need
@@ -13,7 +12,6 @@ from wraparc.schema.tables import Entry, Table, limited, need
 _LENGTH = Quantity("length", Limit("length", open=True))
 _POSITIVE = Quantity("number", Limit("number", open=True))
 _MONEY = Quantity("number", Limit("number"))
-_FACTOR = Quantity("number", Limit("number", open=True, most=2.0))
 _MOST = 1000
 
 CANDIDATES = Table(
@@ -51,17 +49,6 @@ LIMITS = Table(
     Entry("least_pulley_diameter", "Kept if left out.", Flag()),
     Entry("sag", "Not looked at if left out.", SAG, title="Belt sag"),
     of=Limits,
-)
-
-_STANDARDS = tuple(dict.fromkeys(d.standard for d in design_friction() if d.condition))
-CONDITION = Table(
-    "Condition",
-    need("name", "dry, wet, wet and dirty ...", Name()),
-    Entry("friction_factor", "Friction over tested friction.", _FACTOR, attribute="factor"),
-    Entry("friction_factors", "By surface.", ByName(_FACTOR)),
-    Entry("standard", "Take the ratio of its design values for the surface.", Choice(_STANDARDS)),
-    Entry("provenance", "Where the factors came from.", PROVENANCE),
-    of=Condition,
 )
 
 LAGGING_COST = Table(

@@ -26,6 +26,20 @@ def units_option(command: _F) -> _F:
     )(command)
 
 
+def conditions_option(command: _F) -> _F:
+    """Add ``--conditions``."""
+    return click.option(
+        "--conditions",
+        metavar="NAMES",
+        help="Conditions to solve side by side, dry,wet; dusty=0.8 gives the friction left.",
+    )(command)
+
+
+def named_conditions(text: str | None) -> tuple[str, ...]:
+    """Return the conditions of ``--conditions``; none if it was left out."""
+    return () if text is None else tuple(text.split(","))
+
+
 def check_outputs(
     outputs: dict[str, tuple[str | None, tuple[str, ...]]], inputs: Sequence[str] = ()
 ) -> None:

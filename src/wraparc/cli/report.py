@@ -10,7 +10,7 @@ import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
-from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import say
 from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
@@ -22,7 +22,7 @@ from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
 if TYPE_CHECKING:
-    from wraparc.train import TrainResult
+    from wraparc.train import Train, TrainResult
 
 SUFFIXES = (".pdf", ".xlsx", ".md")
 
@@ -38,6 +38,7 @@ SUFFIXES = (".pdf", ".xlsx", ".md")
 )
 @units_option
 @click.option("--case", "--load-case", "case", metavar="NAME", help="Report this load case only.")
+@conditions_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
 @click.option("--title", default="", metavar="TEXT", help="Title; that of the drive unless given.")
@@ -56,6 +57,7 @@ def report(
     output: str,
     units: System,
     case: str | None,
+    conditions: str | None,
     settings: tuple[str, ...],
     creep_limit: str | None,
     title: str,
@@ -82,7 +84,8 @@ def report(
         file=os.path.basename(file),
         paper=paper or ("us-letter" if units == "us" else "a4"),
     )
-    results, train = _solved(file, settings, case, creep_limit)
+    read = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))
+    results, train = _solved(read, file, case, creep_limit)
     _write(output, results, head, units, train)
     return exit_code(results[0] if train is None else train)
 
@@ -95,10 +98,9 @@ def _head(**values: str) -> NoteHead:
 
 
 def _solved(
-    file: str, settings: Sequence[str], case: str | None, creep_limit: str | None
+    read: "Drive | Train", file: str, case: str | None, creep_limit: str | None
 ) -> tuple[list[DriveResult], "TrainResult | None"]:
     """Solve a drive by both methods; a belt with several pulleys as a train."""
-    read = load_drive_or_train(file, overrides=settings)
     if isinstance(read, Drive) and len(read.pulleys) == 1:
         drive = with_limit(with_case(read, case, file), creep_limit)
         return [

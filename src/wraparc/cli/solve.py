@@ -9,7 +9,7 @@ import click
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
-from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, placed, shown
@@ -48,6 +48,7 @@ SOLVED, FAILS, FAULT = 0, 1, 3
     help='Put a value over that of the file: --set pulley.head.exit_tension="55 kN".',
 )
 @click.option("--load-case", metavar="NAME", help="Solve this load case only.")
+@conditions_option
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
 @click.option("--all", "everything", is_flag=True, help="Show every arc in full.")
 @click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
@@ -60,6 +61,7 @@ def solve(
     units: System,
     settings: tuple[str, ...],
     load_case: str | None,
+    conditions: str | None,
     creep_limit: str | None,
     everything: bool,
     json_file: str | None,
@@ -79,7 +81,7 @@ def solve(
     }
     check_outputs(outputs, [file])
     draw = _drawing() if plot_file else None
-    drive = load_drive_or_train(file, overrides=settings)
+    drive = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))
     if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
         train, results = solve_as_train(drive, method, load_case, creep_limit, file)
     else:

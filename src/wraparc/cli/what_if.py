@@ -45,9 +45,11 @@ def what_if(
     """
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.files import load_drive
+    from wraparc.files.conditions import refuse_several
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     drive = load_drive(file)
+    refuse_several(drive, "what-if changes")
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
     with placed("--load-case", file):

@@ -15,7 +15,14 @@ from wraparc.drive.criteria import (
     Sag,
     TakeUp,
 )
-from wraparc.drive.drive import CREEP_LIMIT, MOST_PULLEYS, Drive, repeated
+from wraparc.drive.drive import (
+    CREEP_LIMIT,
+    MOST_PULLEYS,
+    Drive,
+    condition_problems,
+    laggings_of,
+    repeated,
+)
 from wraparc.drive.lagging import SURFACES, Cost, Fit, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
 from wraparc.drive.pulley import Pulley
@@ -49,5 +56,7 @@ __all__ = [
     "TakeUp",
     "Tensions",
     "compression_modulus",
+    "condition_problems",
+    "laggings_of",
     "repeated",
 ]

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from wraparc.catalogue import CatalogueBelt, DesignFriction, belts, design_friction
 from wraparc.drive.belt import Belt
+from wraparc.drive.conditions import Condition
 from wraparc.drive.drive import Drive
 from wraparc.drive.lagging import Lagging
 from wraparc.drive.pulley import Pulley
@@ -23,13 +24,23 @@ def with_pulley(drive: Drive, pulley: Pulley) -> Drive:
 
 
 def with_lagging(drive: Drive, pulley: str, lagging: Lagging) -> Drive:
-    """Return the drive with another lagging on a pulley."""
-    return with_pulley(drive, replace(drive.pulley(pulley), lagging=lagging))
+    """Return the drive with another lagging on a pulley.
+
+    Where load cases have conditions of their own, the lagging is put into them by published values.
+
+    Raises
+    ------
+    InputError
+        If no published value covers one of the conditions.
+    """
+    base = drive.pulley(pulley)
+    conditions = tuple(Condition(name=c.condition).of((lagging,)) for c in base.conditions)
+    return with_pulley(drive, replace(base, lagging=lagging, conditions=conditions))
 
 
 def with_thickness(drive: Drive, pulley: str, thickness: float) -> Drive:
     """Return the drive with a lagging of another thickness [m]; the diameter stays over it."""
-    return with_lagging(drive, pulley, replace(drive.pulley(pulley).lagging, thickness=thickness))
+    return with_pulley(drive, _as_thick(drive.pulley(pulley), thickness))
 
 
 def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
@@ -40,8 +51,15 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
     """
     base = drive.pulley(pulley)
     diameter = base.diameter - 2.0 * (base.lagging.thickness - thickness)
-    lagging = replace(base.lagging, thickness=thickness)
-    return with_pulley(drive, replace(base, lagging=lagging, diameter=diameter))
+    return with_pulley(drive, replace(_as_thick(base, thickness), diameter=diameter))
+
+
+def _as_thick(pulley: Pulley, thickness: float) -> Pulley:
+    """Return a pulley with its lagging of another thickness, in every condition."""
+    lagging, *others = (
+        replace(lagging, thickness=thickness) for lagging in (pulley.lagging, *pulley.conditions)
+    )
+    return replace(pulley, lagging=lagging, conditions=tuple(others))
 
 
 def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:

@@ -1,20 +1,24 @@
-"""Wet, dirty, worn: friction laws in conditions they were not tested in.
+"""Wet, dirty, dusty: friction laws in conditions they were not tested in.
 
 Laws of laggings are measured dry. What water and dirt take away is known of constant design
-values only, so a law is scaled as a whole by a stated factor, with the place it came from.
+values only, so a law is scaled as a whole: by a factor that is given, or by the ratio of published
+design values. Where the factor came from stands in ``sources["condition"]`` of the lagging, and the
+checks ask for attention.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from wraparc.catalogue import DesignFriction, design_friction
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.provenance import Kind, Provenance
 
 DRY = "dry"
+#: Part of a lagging that says where the factor on its tested law came from.
+SCALED = "condition"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -31,7 +35,8 @@ class Condition:
     factors
         The same by surface (``rubber``, ``ceramic`` ...), before `factor`.
     standard
-        Design values whose ratio, this condition over dry, is the factor; `source` is then theirs.
+        Whose design values give the factor, as the ratio of this condition over the tested one;
+        `source` is then theirs. Without one, the least ratio that is published.
     source
         Where the factors came from.
     """
@@ -59,34 +64,83 @@ class Condition:
             lagging,
             law=lagging.law.scaled(factor),
             condition=self.name,
-            sources={**lagging.sources, "law": source},
+            sources={**lagging.sources, SCALED: source},
             fit=None,
             notes=(*lagging.notes, f"{self.name}: friction {factor:.3g} of {lagging.condition}"),
         )
+
+    def of(self, laws: Sequence[Lagging]) -> Lagging:
+        """Return the one of a lagging's laws for this condition, else its dry law scaled.
+
+        Raises
+        ------
+        InputError
+            As for `lagging`.
+        """
+        tested = next((lagging for lagging in laws if lagging.condition == self.name), None)
+        if tested is not None:
+            return tested
+        return self.lagging(next((lag for lag in laws if lag.condition == DRY), laws[0]))
 
     def factor_of(self, lagging: Lagging) -> tuple[float, Provenance]:
         """Friction factor for a lagging [-], and where it came from."""
         if lagging.surface in self.factors:
             return self.factors[lagging.surface], self.source
         if self.standard:
-            return design_ratio(self.standard, lagging.surface, self.name)
+            return design_ratio(self.standard, lagging.surface, self.name, lagging.condition)
         if self.factor is not None:
             return self.factor, self.source
-        if self.name == DRY:
+        if self.name == DRY == lagging.condition:
             return 1.0, Provenance()
-        raise InputError(
-            Problem(
-                key=f"condition.{self.name}",
-                message=f"lagging {shown(lagging.name)} was tested {lagging.condition}, and "
-                f"nothing is said of its friction when {self.name}",
-                remedy='Write friction_factor = 0.8, or standard = "DIN 22101" for the ratio of '
-                "its design values.",
-            )
+        return self._least_published(lagging)
+
+    def _least_published(self, lagging: Lagging) -> tuple[float, Provenance]:
+        """Least ratio that any publication gives for the surface of a lagging [-]."""
+        ratios = []
+        for standard in dict.fromkeys(d.standard for d in design_friction() if d.condition):
+            try:
+                args = standard, lagging.surface, self.name, lagging.condition
+                ratios.append((*design_ratio(*args), standard))
+            except InputError:  # it says nothing of this surface or condition
+                continue
+        if not ratios:
+            raise InputError(self._uncovered(lagging))
+        factor, source, of = min(ratios, key=lambda found: found[0])
+        others = [f"{name} gives {ratio:.3g}" for ratio, _, name in ratios if name != of]
+        note = "; ".join([f"{source.note}; the least of the published ratios", *others])
+        return factor, replace(source, note=note if others else source.note)
+
+    def _uncovered(self, lagging: Lagging) -> Problem:
+        known = _conditions_of(lagging.surface)
+        covered = f"of {lagging.surface} {', '.join(known)}" if known else "of its surface none"
+        if not lagging.surface:
+            covered = "its surface is not said, so that no published value applies"
+        name = shown(self.name)
+        return Problem(
+            key=f"condition.{self.name}",
+            message=f"lagging {shown(lagging.name)} was tested {lagging.condition}, and nothing is "
+            f"published on its friction when {self.name} (covered: {covered})",
+            remedy=" ".join(
+                part
+                for part in (
+                    nearest(self.name, known),
+                    f"Give what it leaves of the friction, condition = {{ name = {name}, "
+                    "friction_factor = 0.8 }, or add a law for it to the lagging.",
+                )
+                if part
+            ),
         )
 
 
-def design_ratio(standard: str, surface: str, condition: str) -> tuple[float, Provenance]:
-    """Friction in a condition over dry friction, by the design values of a standard [-].
+def _conditions_of(surface: str) -> tuple[str, ...]:
+    values = (d for d in design_friction() if d.surface == surface and d.condition)
+    return tuple(dict.fromkeys(d.condition for d in values))
+
+
+def design_ratio(
+    standard: str, surface: str, condition: str, tested: str = DRY
+) -> tuple[float, Provenance]:
+    """Friction in a condition over that in the tested one, by the design values of a standard [-].
 
     The middle of the published values is taken: a ratio of constant coefficients, stretched here
     to a whole friction law, which nobody has measured.
@@ -94,24 +148,25 @@ def design_ratio(standard: str, surface: str, condition: str) -> tuple[float, Pr
     Raises
     ------
     InputError
-        If the standard has no value for the surface in the condition, or dry.
+        If the standard has no value for the surface in either condition.
     """
     there = [d for d in design_friction() if d.standard == standard and d.surface == surface]
     here = next((d for d in there if d.condition == condition), None)
-    dry = next((d for d in there if d.condition == DRY), None)
+    dry = next((d for d in there if d.condition == tested), None)
     if here is None or dry is None:
         known = sorted({d.standard for d in design_friction() if d.condition})
         raise InputError(
             Problem(
                 key=f"condition.{condition}",
                 value=shown(standard),
-                message=f"no design values of surface {shown(surface)} both dry and {condition}",
+                message=f"no design values of surface {shown(surface)} both {tested} and "
+                f"{condition}",
                 remedy=f"{', '.join(known)} have dry, wet, and wet and dirty; or state a factor.",
             )
         )
     note = (
-        f"{surface} {condition} {_ends(here)} over dry {_ends(dry)}, middle values; a ratio of "
-        "constant design values applied to the whole law"
+        f"{surface} {condition} {_ends(here)} over {tested} {_ends(dry)}, middle values; a ratio "
+        "of constant design values applied to the whole law"
     )
     source = Provenance(Kind.PUBLISHED, here.provenance.source, here.provenance.date, note)
     return sum(here.friction) / sum(dry.friction), source

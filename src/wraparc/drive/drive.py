@@ -2,12 +2,13 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import ClassVar, Protocol, TypeVar
+from dataclasses import dataclass, field, replace
+from typing import ClassVar, Protocol, Self, TypeVar
 
 from wraparc.conveyor import Conveyor
 from wraparc.drive.belt import Belt
 from wraparc.drive.criteria import Criteria
+from wraparc.drive.lagging import Lagging
 from wraparc.drive.load_case import LoadCase
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import Problem, no_such, shown
@@ -71,6 +72,7 @@ class Drive(Viewable):
         for case in self.load_cases:
             if case.tensions.keys() != names:
                 problems.append(_wrong_pulleys(case, names))
+            problems += condition_problems(case.name, case.condition, self.pulleys)
         raise_all(problems)
 
     def pulley(self, name: str | None = None) -> Pulley:
@@ -87,9 +89,48 @@ class Drive(Viewable):
         """Return a load case by name, the first for None; errors as for `pulley`."""
         return named("load case", name, self.load_cases)
 
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """Conditions that the load cases name, in their order; empty where none does."""
+        return tuple(dict.fromkeys(c.condition for c in self.load_cases if c.condition))
+
+    @property
+    def laggings(self) -> tuple[Lagging, ...]:
+        """Every lagging of the pulleys once, in every condition that a load case has."""
+        return laggings_of(self.pulleys, [case.condition for case in self.load_cases])
+
+    def in_case(self, case: LoadCase) -> Self:
+        """Return the drive with its laggings in the condition of a load case."""
+        if not case.condition:
+            return self
+        return replace(self, pulleys=tuple(p.in_condition(case.condition) for p in self.pulleys))
+
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""
         return self.creep_limit if pulley.creep_limit is None else pulley.creep_limit
+
+
+def laggings_of(pulleys: Sequence[Pulley], conditions: Iterable[str]) -> tuple[Lagging, ...]:
+    """Return every lagging of pulleys once, by name and condition."""
+    found: dict[tuple[str, str], Lagging] = {}
+    for condition in conditions:
+        for pulley in pulleys:
+            lagging = pulley.lagging_in(condition)
+            found.setdefault((lagging.name, lagging.condition), lagging)
+    return tuple(found.values())
+
+
+def condition_problems(case: str, condition: str, pulleys: Iterable[Pulley]) -> list[Problem]:
+    """Return a problem for every pulley that has no lagging in the condition of a load case."""
+    return [
+        Problem(
+            key=f"load_case.{case}.condition",
+            value=shown(condition),
+            message=f"pulley {shown(p.name)} does not say its lagging in this condition",
+        )
+        for p in pulleys
+        if condition and condition not in (lagging.condition for lagging in p.conditions)
+    ]
 
 
 def repeated(key: str, names: Iterable[str]) -> list[Problem]:

@@ -62,11 +62,14 @@ class LoadCase:
     kind
         ``running``, ``starting`` or ``braking`` (stopping): what safety factors and the belt
         allow. A conveyor that is held back all the time is running.
+    condition
+        Condition of the laggings, ``wet`` ...; empty for that which the pulleys say.
     """
 
     name: str
     tensions: Mapping[str, Tensions] = field(hash=False)
     kind: CaseKind = "running"
+    condition: str = ""
 
     def __post_init__(self) -> None:
         problems = choice_problems(self, {"kind": CASE_KINDS})

@@ -2,8 +2,8 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import ClassVar
+from dataclasses import dataclass, field, replace
+from typing import ClassVar, Self
 
 from wraparc.drive.lagging import Lagging
 from wraparc.provenance import Provenance
@@ -33,6 +33,8 @@ class Pulley:
         Largest creep accepted on this pulley [m], or None for the limit of the drive.
     sources
         Where single numbers came from, by field or tension.
+    conditions
+        The same lagging in the conditions that single load cases name (wet ...).
 
     Raises
     ------
@@ -55,9 +57,29 @@ class Pulley:
     recovery: bool = True
     creep_limit: float | None = None
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
+    conditions: tuple[Lagging, ...] = ()
 
     def __post_init__(self) -> None:
         raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
+
+    def lagging_in(self, condition: str) -> Lagging:
+        """Return the lagging in a condition of `conditions`; its own for an empty name.
+
+        Raises
+        ------
+        KeyError
+            If there is no such condition.
+        """
+        if not condition:
+            return self.lagging
+        try:
+            return next(lagging for lagging in self.conditions if lagging.condition == condition)
+        except StopIteration:
+            raise KeyError(condition) from None
+
+    def in_condition(self, condition: str) -> Self:
+        """Return the pulley with its lagging in a condition; errors as for `lagging_in`."""
+        return replace(self, lagging=self.lagging_in(condition)) if condition else self
 
     @property
     def radius(self) -> float:

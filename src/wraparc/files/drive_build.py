@@ -12,9 +12,10 @@ from wraparc.drive import (
     Pulley,
 )
 from wraparc.errors import InputError, Problem
+from wraparc.files.conditions import Conditions, at_its_place, condition_of
 from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY
 from wraparc.files.lagging_build import build_laggings
-from wraparc.files.lagging_file import is_path, lagging_record, pick_condition
+from wraparc.files.lagging_file import is_path, lagging_record
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_sources
@@ -150,25 +151,35 @@ def _at_home(error: InputError) -> InputError:
     )
 
 
-def build_pulley(record: Record, laggings: Laggings, report: Report) -> Pulley | None:
+def build_pulley(
+    record: Record, laggings: Laggings, conditions: Conditions, report: Report
+) -> Pulley | None:
     """Return the pulley of a ``[[pulley]]`` table, or None after reporting."""
     sources = read_sources(record, (e.key for e in PULLEY.entries), report)
-    conditions: tuple[Lagging, ...] = ()
+    laws: tuple[Lagging, ...] = ()
     if "lagging" in record:
-        conditions = laggings.of(record["lagging"], (*record.place, "lagging"))
-    if not conditions:
+        laws = laggings.of(record["lagging"], (*record.place, "lagging"))
+    if not laws:
         return None
-    lagging = report.tried(
-        lambda: pick_condition(conditions, record.get("condition")), record.place, record.raw
-    )
-    if lagging is None:
+    own = [(c, place) for c, place in conditions.main[:1]]
+    if "condition" in record:
+        place = (*record.place, "condition")
+        own = [(condition_of(record["condition"], report), place)]
+    found = [
+        report.tried(lambda c=c: at_its_place(c, laws), place)  # type: ignore[misc]
+        for c, place in (*own, *conditions.several)
+    ]
+    sure = [lagging for lagging in found if lagging is not None]
+    if len(sure) < len(found):
         return None
-    more: dict[str, Any] = {}
+    lagging = sure[0] if own else laws[0]
+    by_name = {lag.condition: lag for lag in sure[len(own) :]}
+    more: dict[str, Any] = {"conditions": tuple(by_name.values())}
     if "belt_path" in record:
         wrap = _wrap_of(record, report)
         if wrap is None:
             return None
-        more, sources = {"wrap_angle": wrap}, {"wrap_angle": _FROM_PATH, **sources}
+        more["wrap_angle"], sources = wrap, {"wrap_angle": _FROM_PATH, **sources}
     built: Pulley | None = PULLEY.built(record, report, lagging=lagging, sources=sources, **more)
     return built
 

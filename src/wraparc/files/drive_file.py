@@ -5,6 +5,7 @@ from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
 from wraparc.errors import InputError, nearest, shown
+from wraparc.files.conditions import build_conditions, condition_name, in_each_condition
 from wraparc.files.conveyor_build import build_conveyor
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_keys import DRIVE
@@ -86,7 +87,8 @@ def drive_from_document(
     own = record.get("lagging")
     laggings = Laggings(own if isinstance(own, dict) else {}, folder, allow_paths, report)
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
-    pulleys = [build_pulley(item, laggings, report) for item in records]
+    conditions = build_conditions(record, report)
+    pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
     criteria = build_criteria(record, report)
     conveyor = None
     if "conveyor" in document:
@@ -100,7 +102,7 @@ def drive_from_document(
             # nothing was reported, so nothing is None
             belt=cast(Belt, belt),
             pulleys=tuple(cast(Pulley, pulley) for pulley in pulleys),
-            load_cases=cases,
+            load_cases=in_each_condition(cases, conditions),
             criteria=criteria,
             conveyor=conveyor,
             **parts,
@@ -131,8 +133,8 @@ def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[
         whole = sure and case.sound()
         tensions = resolve(given, speed, report, sure=whole)
         if "name" in case:
-            kind = case.get("kind", "running")
-            built.append(LoadCase(name=case["name"], tensions=tensions, kind=kind))
+            more = {"kind": case.get("kind", "running"), "condition": condition_name(case)}
+            built.append(LoadCase(name=case["name"], tensions=tensions, **more))
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())
     return tuple(built)

@@ -1,5 +1,6 @@
 """The keys of a drive file."""
 
+from wraparc.catalogue import design_friction
 from wraparc.conveyor.keys import BELT_PATH, CONVEYOR
 from wraparc.drive import (
     CASE_KINDS,
@@ -10,18 +11,21 @@ from wraparc.drive import (
     Belt,
     DesignStandard,
     Drive,
+    Limit,
     Pulley,
     SafetyFactors,
     Sag,
     TakeUp,
     Tensions,
 )
+from wraparc.drive.conditions import Condition
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.schema.kinds import (
     ByName,
     Choice,
     Elsewhere,
     Name,
+    OneOrMore,
     Quantity,
     Rows,
     Text,
@@ -67,6 +71,19 @@ TENSIONS = (
     ),
 )
 
+_FACTOR = Quantity("number", Limit("number", open=True, most=2.0))
+_STANDARDS = tuple(dict.fromkeys(d.standard for d in design_friction() if d.condition))
+CONDITION = Table(
+    "Condition",
+    need("name", "dry, wet, wet and dirty ...", Name()),
+    Entry("friction_factor", "Friction over tested friction.", _FACTOR, attribute="factor"),
+    Entry("friction_factors", "By surface.", ByName(_FACTOR)),
+    Entry("standard", "Take the ratio of its design values for the surface.", Choice(_STANDARDS)),
+    Entry("provenance", "Where the factors came from.", PROVENANCE),
+    of=Condition,
+)
+_CONDITION = TextOr(Name(), CONDITION)
+
 PULLEY = Table(
     "Pulley",
     need("name", "Name of the pulley.", Name(), example='name = "head"'),
@@ -79,7 +96,7 @@ PULLEY = Table(
         TextOr(Name(500), LAGGING_GIVEN),
         example='lagging = "diamond-rubber"',
     ),
-    Entry("condition", "Which law of the lagging: dry, wet ...", Name()),
+    Entry("condition", "If not that of the drive: dry, wet ...", _CONDITION),
     *TENSIONS,
     known("overrun", WordOr("formula", limited(Pulley, "overrun"))),
     Entry("recovery", "Whether the lagging adds creep as it recovers along the arc."),
@@ -93,6 +110,7 @@ LOAD_CASE = Table(
     need("name", "Name of the case.", Name(), example='name = "start"'),
     Entry("description", "What happens then.", Text(1000, lines=True)),
     Entry("kind", "Running (if left out), starting or braking.", Choice(CASE_KINDS)),
+    Entry("condition", "Dry, wet ...; that of the drive if left out.", _CONDITION),
     Entry(
         "pulley",
         "Tensions by pulley; those not named keep their own.",
@@ -171,6 +189,11 @@ DRIVE = Table(
     Entry("title", "What the drive is called.", Text()),
     Entry("description", "Anything worth saying.", Text(5000, lines=True)),
     known("creep_limit"),
+    Entry(
+        "condition",
+        "Dry, wet, wet and dirty ...; several are solved side by side.",
+        OneOrMore(_CONDITION, 8),
+    ),
     need("belt", "The belt.", BELT, example="a [belt] table"),
     need(
         "pulley",

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 from wraparc.drive import Drive
 from wraparc.errors import shown
+from wraparc.files.conditions import refuse_several
 from wraparc.files.drive_file import load_drive
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
@@ -13,7 +14,13 @@ from wraparc.schema.tables import Record
 def drive_of(record: Record, folder: str, report: Report) -> Drive | None:
     """Return the drive that a file names under ``drive``, or None after reporting."""
     path = os.path.join(folder, record["drive"])
-    return report.tried(lambda: load_drive(path), ("drive",))
+
+    def read() -> Drive:
+        drive = load_drive(path)
+        refuse_several(drive, "this file needs")
+        return drive
+
+    return report.tried(read, ("drive",))
 
 
 def pulley_of(record: Record, drive: Drive, report: Report) -> str:

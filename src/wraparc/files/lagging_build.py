@@ -3,10 +3,11 @@
 from typing import Any
 
 from wraparc.drive import Block, Lagging, compression_modulus
+from wraparc.drive.conditions import SCALED
 from wraparc.files.lagging_keys import BLOCK, COST, FIT, LAGGING_FILE
 from wraparc.files.laws import read_law
 from wraparc.provenance import Provenance
-from wraparc.schema.origins import own_provenance, read_sources
+from wraparc.schema.origins import own_provenance, read_provenance, read_sources
 from wraparc.schema.problems import Report
 from wraparc.schema.tables import Record
 
@@ -45,13 +46,16 @@ def _law_parts(
     law: Record, sources: dict[str, Provenance], notes: tuple[str, ...], report: Report
 ) -> dict[str, Any]:
     """Return what a law gives to its lagging: the law, its condition, fit, notes and sources."""
-    own = own_provenance(law, report)
+    own, scaled = own_provenance(law, report), None
+    if isinstance(law.get("condition_source"), Record):
+        scaled = read_provenance(law["condition_source"], report)
+    parts = {"law": own, SCALED: scaled}
     return {
         "law": read_law(law, report),
         "condition": law.get("condition", "dry"),
         "fit": FIT.built(law.get("fit"), report),
         "notes": (*notes, *law.get("notes", ())),
-        "sources": sources | ({"law": own} if own else {}),
+        "sources": sources | {part: of for part, of in parts.items() if of},
     }
 
 

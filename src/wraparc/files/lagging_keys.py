@@ -96,6 +96,11 @@ TABLE_ROW = Table(
 _LAW = (
     Entry("condition", "State of the surface; dry if left out.", Name()),
     Entry("provenance", "Where this law came from, if elsewhere.", PROVENANCE),
+    Entry(
+        "condition_source",
+        "Of a law that was scaled to its condition: where the factor came from.",
+        PROVENANCE,
+    ),
     Entry("fit", "Statistics of the fit.", FIT),
     Entry("notes", "What a reader must know of this law.", _NOTES),
 )

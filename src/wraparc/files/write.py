@@ -18,6 +18,7 @@ from wraparc.drive import (
     LoadCase,
     Pulley,
 )
+from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, Problem
 from wraparc.files.conveyor_build import conveyor_of
 from wraparc.files.drive_build import Laggings, build_belt
@@ -162,6 +163,7 @@ def _drive_table(drive: Drive) -> Document:
             {
                 "name": c.name,
                 **({} if c.kind == "running" else {"kind": c.kind}),
+                **({"condition": c.condition} if c.condition else {}),
                 "pulley": {name: _tensions(t) for name, t in c.tensions.items()},
             }
             for c in cases
@@ -199,7 +201,7 @@ def _pulley_table(pulley: Pulley, design: Mapping[str, Any]) -> Tables:
     sizes = _quantities(pulley, Pulley.LIMITS)
     table: Tables = {"name": pulley.name}
     table |= {key: sizes.pop(key) for key in ("diameter", "wrap_angle")}
-    table |= _lagging_keys(pulley.lagging)
+    table |= _lagging_keys(pulley.lagging) if not pulley.conditions else _in_conditions(pulley)
     if pulley.name in design:
         table |= _tensions(design[pulley.name])
     table |= sizes
@@ -240,6 +242,12 @@ def _lagging_keys(lagging: Lagging) -> Tables:
     return {"lagging": _lagging_table(lagging)}
 
 
+def _in_conditions(pulley: Pulley) -> Tables:
+    """Return a lagging with a law for each condition that it has."""
+    laws = {lagging.condition: lagging for lagging in (pulley.lagging, *pulley.conditions)}
+    return {"lagging": _lagging_table(tuple(laws.values()))}
+
+
 def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
     several = (laggings,) if isinstance(laggings, Lagging) else tuple(laggings)
     first = several[0]
@@ -270,7 +278,7 @@ def _common(lagging: Lagging) -> Tables:
         table["cost"] = COST.written(lagging.cost)
     if lagging.notes:
         table["notes"] = list(lagging.notes)
-    sources = {key: of for key, of in lagging.sources.items() if key != "law"}
+    sources = {key: of for key, of in lagging.sources.items() if key not in ("law", SCALED)}
     return table | _origins(lagging.provenance, sources)
 
 
@@ -278,6 +286,8 @@ def _law(lagging: Lagging, notes: Sequence[str]) -> Tables:
     table = {"condition": lagging.condition, **law_table(lagging.law)}
     if "law" in lagging.sources:
         table["provenance"] = PROVENANCE.written(lagging.sources["law"])
+    if SCALED in lagging.sources:
+        table["condition_source"] = PROVENANCE.written(lagging.sources[SCALED])
     if notes:
         table["notes"] = list(notes)
     return table | ({"fit": FIT.written(lagging.fit)} if lagging.fit else {})

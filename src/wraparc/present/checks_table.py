@@ -33,7 +33,7 @@ def check_table(
     """
     judged = [c for c in verdict.listed if c.level is not Level.NOT_CHECKED and c.name != "data"]
     rows = tuple(_row(check, system, of) for check in judged)
-    return Table(title, rows, ("found", "limit", "margin"), f"{_NOTE}{_left(verdict)}")
+    return Table(title, rows, ("found", "limit", "margin"), f"{_NOTE}{_left(verdict, system)}")
 
 
 def _row(check: Check, system: System, of: Sources | None) -> Row:
@@ -44,11 +44,16 @@ def _row(check: Check, system: System, of: Sources | None) -> Row:
     return Row(check.title, values, note=note, level=check.level)
 
 
-def _left(verdict: Verdict) -> str:
+def _left(verdict: Verdict, system: System) -> str:
     """Say what was not checked, and why."""
     left = [c for c in verdict.listed if c.level is Level.NOT_CHECKED]
-    told = (f"{c.title[:1].lower()}{c.title[1:]} ({c.short})" for c in left)
+    told = (f"{c.title[:1].lower()}{c.title[1:]} ({_why(c, system)})" for c in left)
     return f" Not checked: {'; '.join(told)}." if left else ""
+
+
+def _why(check: Check, system: System) -> str:
+    found, _ = check.texts(system)
+    return f"{check.short}; here it is {found}" if found else check.short
 
 
 def margin_text(margin: float) -> str:

@@ -15,6 +15,7 @@ from wraparc.checks import Level, judge
 from wraparc.drive import Belt, Drive, Lagging
 from wraparc.glossary import GLOSSARY
 from wraparc.present.checks_table import check_data, verdict_document
+from wraparc.present.conditions_table import conditions_data
 from wraparc.present.conveyor_table import conveyor_data
 from wraparc.present.inputs import arc_inputs
 from wraparc.present.least_tension import least_data
@@ -57,6 +58,7 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         "libraries": {"python": _PYTHON, "numpy": np.__version__},
         "drive": _drive_data(drive, file),
         **({"conveyor": conveyor} if conveyor else {}),
+        **({"conditions": conditions_data(results[0])} if drive.conditions else {}),
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),
@@ -94,7 +96,8 @@ def _arc_data(result: ArcResult, of: DriveResult) -> Data:
     drive = of.drive
     judged = judge(of).at(result.arc.pulley, result.arc.load_case)
     scalars = result.scalars()
-    lagging = drive.pulley(result.arc.pulley).lagging
+    case = drive.load_case(result.arc.load_case)
+    lagging = drive.pulley(result.arc.pulley).lagging_in(case.condition)
     return {
         **_place(result),
         "status": result.status.name.lower(),
@@ -191,9 +194,9 @@ def sources_of(drive: Drive) -> list[Data]:
 
 def _sourced(drive: Drive) -> Iterable[tuple[str, Belt | Lagging]]:
     yield f"belt {drive.belt.name}", drive.belt
-    laggings = {pulley.lagging.name: pulley.lagging for pulley in drive.pulleys}
-    for name, lagging in laggings.items():
-        yield f"lagging {name}", lagging
+    for lagging in drive.laggings:
+        of = f", {lagging.condition}" if drive.conditions else ""
+        yield f"lagging {lagging.name}{of}", lagging
 
 
 def _origin(provenance: Provenance) -> Data:

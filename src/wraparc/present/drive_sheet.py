@@ -18,6 +18,7 @@ from wraparc.present.arc_tables import (
     energy_table,
 )
 from wraparc.present.checks_table import check_table
+from wraparc.present.conditions_table import conditions_table
 from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
 from wraparc.present.input_tables import input_table, input_tables
@@ -52,7 +53,8 @@ def drive_sheet(
     if detail is None:
         detail = [first.arcs.index(first.governing)]
     of = Sources()
-    tables = [check_table(judged or judge(first), system, of)]
+    tables = [conditions_table(first, system)] if first.drive.conditions else []
+    tables.append(check_table(judged or judge(first), system, of))
     least = least_table(first, system)
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, system, of)
@@ -98,7 +100,8 @@ def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
 
 def _arc(result: DriveResult, results: Results, system: System, of: Sources) -> list[Table]:
     first, drive = results[0], result.drive
-    pulley = drive.pulley(first.arc.pulley)
+    case = drive.load_case(first.arc.load_case)
+    lagging = drive.pulley(first.arc.pulley).lagging_in(case.condition)
     solved = tuple(result for result in results if result.status.solved)
     tables = []
     if solved:
@@ -108,7 +111,7 @@ def _arc(result: DriveResult, results: Results, system: System, of: Sources) -> 
         for table in (capacity_table(first, system), margins_table(result, first, system))
         if table
     ]
-    tables.append(comparison_table(first, pulley.lagging, system, of))
+    tables.append(comparison_table(first, lagging, system, of))
     if first.status.solved:
         tables.append(energy_table(first, system))
     tables.append(input_table(drive, first.arc, system, of))

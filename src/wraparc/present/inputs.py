@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from wraparc.arc import WrapArc
 from wraparc.drive import CREEP_LIMIT, Belt, Drive, Lagging, Pulley
+from wraparc.drive.conditions import SCALED
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import percent, quantity
 from wraparc.present.sources import Sources
@@ -84,21 +85,20 @@ def drive_inputs(drive: "Drive | Train", *, divided: bool = False) -> tuple[Inpu
     divided
         Whether the tensions come from dividing the load of a train, and are no inputs.
     """
-    laggings = {pulley.lagging.name: pulley.lagging for pulley in drive.pulleys}
     arcs = []
     if isinstance(drive, Drive) and not divided:
         arcs = [WrapArc.of(drive, p, case) for case in drive.load_cases for p in drive.pulleys]
     return (
         *belt_inputs(drive.belt),
         *(entry for pulley in drive.pulleys for entry in _pulley(drive, pulley)),
-        *(entry for lagging in laggings.values() for entry in lagging_inputs(lagging)),
+        *(e for lagging in drive.laggings for e in lagging_inputs(lagging, drive.conditions)),
         *(entry for arc in arcs for entry in _tensions(drive, arc)),
     )
 
 
 def arc_inputs(drive: Drive, arc: WrapArc) -> tuple[Input, ...]:
     """Return the inputs of one arc of a drive, with what follows from them at once."""
-    pulley = drive.pulley(arc.pulley)
+    pulley = drive.pulley(arc.pulley).in_condition(drive.load_case(arc.load_case).condition)
     pull, ratio = arc.effective_tension, arc.entry_tension / arc.exit_tension
     group = f"Load case {arc.load_case}"
     return (
@@ -163,15 +163,19 @@ def _pulley(
     limit = drive.creep_limit_of(pulley)
     known = _CUSTOMARY if limit == CREEP_LIMIT else _GIVEN
     yield _named(group, "creep_limit", limit, pulley.sources.get("creep_limit", known))
-    lagging, title = f"{pulley.lagging.name} ({pulley.lagging.condition})", pulley.lagging.title
+    conditions = (lagging.condition for lagging in pulley.conditions or (pulley.lagging,))
+    lagging, title = f"{pulley.lagging.name} ({', '.join(conditions)})", pulley.lagging.title
     yield Input(group, "Lagging", lagging, origin=origin("lagging"), remark=title)
 
 
-def lagging_inputs(lagging: Lagging) -> Iterator[Input]:
-    """Yield the inputs of a lagging in its condition."""
-    group = f"Lagging {lagging.name}"
+def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterator[Input]:
+    """Yield the inputs of a lagging in its condition, named where there are several."""
+    group = f"Lagging {lagging.name}" + (f", {lagging.condition}" if conditions else "")
     by_law = lagging.source_of("law")
     yield Input(group, "Friction law", lagging.law.title, symbol="mu(x, p)", origin=by_law)
+    if SCALED in lagging.sources:
+        scaled = lagging.notes[-1]
+        yield Input(group, "Scaled to the condition", scaled, origin=lagging.sources[SCALED])
     for name, key in (
         ("lagging_thickness", "thickness"),
         ("shear_modulus", "shear_modulus"),

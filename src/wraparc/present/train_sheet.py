@@ -55,7 +55,7 @@ def train_sheet(
         Its pulleys by one method or several; as in the train unless given.
     """
     arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail, judge(result))
-    checks = 2 if least_tension(result) else 1
+    checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result, system), *arcs.tables[checks:])
     verdict = train_verdict(result, system)
     return Sheet(arcs.title, arcs.subtitle, verdict, tables, arcs.remarks, arcs.sources)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import Level, judge
 from wraparc.checks import Verdict as Judgement
-from wraparc.drive import CaseKind, Drive, LoadCase, Tensions
+from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.present.arc_tables import independent_of_slip
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named
@@ -47,8 +47,13 @@ def alone(drive: Drive, arc: ArcResult) -> DriveResult:
     """Return one arc as a result to be judged: its pulley, at the tensions it was solved for."""
     name, solved = arc.arc.load_case, arc.arc
     tensions = Tensions(entry=solved.entry_tension, exit=solved.exit_tension)
-    kinds: dict[str, CaseKind] = {case.name: case.kind for case in drive.load_cases}
-    case = LoadCase(name=name, tensions={arc.arc.pulley: tensions}, kind=kinds.get(name, "running"))
+    own = next((case for case in drive.load_cases if case.name == name), None)
+    case = LoadCase(
+        name=name,
+        tensions={arc.arc.pulley: tensions},
+        kind=own.kind if own else "running",
+        condition=own.condition if own else "",
+    )
     pulley = drive.pulley(arc.arc.pulley)
     return DriveResult(replace(drive, pulleys=(pulley,), load_cases=(case,)), (arc,))
 

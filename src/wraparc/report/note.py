@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Literal
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import judge
-from wraparc.drive import Pulley
+from wraparc.drive import Lagging
+from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Equation
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import answer_table, belongs, capacity_table, creep_table
 from wraparc.present.catalogue_sheets import law_table
 from wraparc.present.checks_table import check_table, checks_summary
+from wraparc.present.conditions_table import conditions_table
 from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
 from wraparc.present.drive_sheet import method_remarks
@@ -199,8 +201,7 @@ def _train_verdict(train: "TrainResult", system: System) -> Verdict:
 def _inputs(
     result: DriveResult, system: System, of: Sources, train: "TrainResult | None"
 ) -> tuple[Table, ...]:
-    laggings = {p.lagging.name: p.lagging for p in result.drive.pulleys}
-    laws = (law_table(lagging, system) for lagging in laggings.values())
+    laws = (law_table(lagging, system) for lagging in result.drive.laggings)
     inputs = note_inputs(result, train)
     conveyor = conveyor_tables(result.drive, system, of) if train is None else ()
     return (*conveyor, *input_tables(inputs, system, of, stated=True), *laws)
@@ -219,6 +220,8 @@ def _results_section(
     results: Sequence[DriveResult], system: System, train: "TrainResult | None"
 ) -> Section:
     tables = [_arcs_table(results, system)]
+    if results[0].drive.conditions:
+        tables.append(conditions_table(results[0], system))
     if train is not None:
         from wraparc.present.train_sheet import case_table
 
@@ -309,7 +312,8 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     if solved:
         tables += [replace(answer_table(solved, system), title=""), creep_table(solved, system)]
     tables += [t for t in (capacity_table(worst, system), margins_table(first, worst, system)) if t]
-    lagging = first.drive.pulley(worst.arc.pulley).lagging
+    case = first.drive.load_case(worst.arc.load_case)
+    lagging = first.drive.pulley(worst.arc.pulley).lagging_in(case.condition)
     tables.append(comparison_table(worst, lagging, system, of))
     yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
 
@@ -322,9 +326,14 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
     )
     yield (
         "The friction law depends on slip and pressure, not on speed, temperature or time; it is "
-        f"that of the condition named ({_conditions(drive.pulleys)})."
+        f"that of the condition named ({_conditions(drive.laggings)})."
     )
-    if any(p.lagging.law.tested is not None for p in drive.pulleys):
+    for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
+        yield (
+            f"The law of {lagging.name} when {lagging.condition} is a tested law scaled as a whole "
+            f"({lagging.notes[-1]}; {lagging.sources[SCALED]}): nobody has measured it."
+        )
+    if any(lagging.law.tested is not None for lagging in drive.laggings):
         yield (
             "Below the lowest tested pressure the coefficient of friction is held constant, above "
             "the highest the traction; both are extrapolations, as is slip beyond the tested range."
@@ -343,9 +352,8 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
         )
 
 
-def _conditions(pulleys: Sequence[Pulley]) -> str:
-    names = dict.fromkeys(f"{p.lagging.name}: {p.lagging.condition}" for p in pulleys)
-    return ", ".join(names)
+def _conditions(laggings: Sequence[Lagging]) -> str:
+    return ", ".join(f"{lagging.name}: {lagging.condition}" for lagging in laggings)
 
 
 def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:

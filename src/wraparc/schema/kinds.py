@@ -301,14 +301,14 @@ class Elsewhere(Kind):
 
 @dataclass(eq=False, repr=False)
 class OneOrMore(Kind):
-    """One table, or an array of them; read as a list either way."""
+    """One value of a kind, or an array of them; read as a list either way."""
 
     kind: Kind
     most: int = 50
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return the list."""
-        if isinstance(raw, dict):
+        if not isinstance(raw, list):
             return [self.kind.read(raw, place, report)]
         return Rows(self.kind, 1, self.most).read(raw, place, report)
 

@@ -70,7 +70,13 @@ def _to_digits(values: Array, digits: int) -> Array:
     return np.array([float(f"{v:.{digits}g}") for v in values.ravel()]).reshape(values.shape)
 
 
-def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) -> IntegralLog:
+def law_through(
+    pressure: Array,
+    peaks: Array,
+    tails: Tails,
+    slip_max: float,
+    slip_speed: float | None = None,
+) -> IntegralLog:
     """Return the law with knots at pressures.
 
     Parameters
@@ -83,6 +89,8 @@ def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) ->
         What follows the peak.
     slip_max
         Largest tested slip [m].
+    slip_speed
+        Speed of slip in the tests [m/s], or None where it is not said.
     """
     pressure = rounded(pressure)
     slip, friction = rounded(np.exp(peaks)).T
@@ -101,6 +109,7 @@ def law_through(pressure: Array, peaks: Array, tails: Tails, slip_max: float) ->
             pressure_min=float(pressure[0]),
             pressure_max=float(pressure[-1]),
             slip_max=float(rounded(np.array([slip_max]))[0]),
+            slip_speed=slip_speed,
         ),
     )
 
@@ -153,7 +162,9 @@ def lagging_of(
     else:
         pressure = knot_pressures(found.fit, found.tails)
         peaks, covariance = found.fit.peaks(pressure), found.fit.peak_covariance(pressure)
-    law = law_through(pressure, peaks, found.tails, _slip_max(found))
+    law = law_through(
+        pressure, peaks, found.tails, _slip_max(found), slip_speed(plan, found.condition)
+    )
     statistics = _knot_statistics(law, covariance, found, misfit)
     return Lagging(
         name=plan.name,
@@ -167,6 +178,15 @@ def lagging_of(
         notes=remarks,
         **elasticity(plan),
     )
+
+
+def slip_speed(plan: TestPlan, condition: str) -> float | None:
+    """Fastest crosshead of the tests of a condition [m/s]; None where the plan says none.
+
+    The belt slips on the sample as fast as the crosshead moves, less what the sample shears.
+    """
+    said = [test.speed for test in plan.tests if test.condition == condition]
+    return max((speed for speed in said if speed is not None), default=None)
 
 
 def _slip_max(found: Findings) -> float:

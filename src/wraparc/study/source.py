@@ -13,6 +13,7 @@ from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.drive import Drive, Lagging, Tensions
 from wraparc.errors import InputError
+from wraparc.files.conditions import refuse_several
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.tensions import KEYS, Given, spread
 from wraparc.friction import FrictionLaw
@@ -119,6 +120,7 @@ class DriveSource:
         self.document, self.pulley, self.slow = document, pulley, slow
         self.fields, self.fits = tuple(fields), tuple(fits)
         self.drive = drive_from_document(document, allow_paths=True)
+        refuse_several(self.drive, "a study needs")
         self._read_tensions()
         lagging = self._record_of(pulley).get("lagging")
         own = lagging if isinstance(lagging, str) else ""

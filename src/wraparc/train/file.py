@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import Any, cast
 
 from wraparc.drive import DESIGN, Belt, Drive, Pulley
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import InputError, Problem, nearest, placed, shown
+from wraparc.files.conditions import asking, build_conditions, condition_name, in_each_condition
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.tensions import KEYS, Given, complete, resolve
@@ -51,11 +52,26 @@ def load_train(
 
 
 def load_drive_or_train(
-    path: str | os.PathLike[str], *, overrides: Overrides = (), allow_paths: bool = True
+    path: str | os.PathLike[str],
+    *,
+    overrides: Overrides = (),
+    allow_paths: bool = True,
+    conditions: Sequence[str] = (),
 ) -> Drive | Train:
-    """Return what a drive file describes: a train if it has a ``[train]`` table."""
+    """Return what a drive file describes: a train if it has a ``[train]`` table.
+
+    Parameters
+    ----------
+    path, overrides, allow_paths
+        As for `load_drive`.
+    conditions
+        Conditions to solve it in, ``("dry", "wet")``, whatever the file says of them.
+    """
 
     def read(document: Document, **more: Any) -> Drive | Train:
+        if conditions:
+            with placed("--conditions", str(more.get("file", ""))):
+                document = asking(document, conditions)
         reader = train_from_document if "train" in document else drive_from_document
         return reader(document, **more)
 
@@ -86,7 +102,8 @@ def train_from_document(
     own = record.get("lagging")
     laggings = Laggings(own if isinstance(own, dict) else {}, folder, allow_paths, report)
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
-    pulleys = [build_pulley(item, laggings, report) for item in records]
+    conditions = build_conditions(record, report)
+    pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
     _refuse_pulley_tensions(record, records, report)
     if "conveyor" in record:
         message = "gives the tensions of one drive, and those of a train stand in [train]"
@@ -102,7 +119,7 @@ def train_from_document(
         return Train(
             belt=reader.belt,
             pulleys=reader.actual,
-            cases=tuple(cases),
+            cases=in_each_condition(cases, conditions),
             criteria=criteria,
             nominal_diameters=reader.nominal if reader.actual != tuple(reader.pulleys) else (),
             **parts,
@@ -176,7 +193,12 @@ class _Reader:
             over = table.get("train")
             empty = Record({}, (*table.place, "train"), {})
             case = self._case(table["name"], train, over if over is not None else empty)
-            built.append(case and replace(case, kind=table.get("kind", "running")))
+            built.append(
+                case
+                and replace(
+                    case, kind=table.get("kind", "running"), condition=condition_name(table)
+                )
+            )
         return [case for case in built if case is not None]
 
     def _case(self, name: str, train: Record, over: Record | None) -> TrainCase | None:

@@ -260,6 +260,7 @@ class TrainResult(Viewable):
                 LoadCase(
                     name=result.case.name,
                     kind=result.case.kind,
+                    condition=result.case.condition,
                     tensions={
                         m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
                         for m in result.members

@@ -72,6 +72,7 @@ def solve_train(
 
 def solve_case(train: Train, case: TrainCase, method: Distributed) -> CaseResult:
     """Solve one load case of a train; a failure is told by the status."""
+    train = train.in_case(case)
     setup = Setup.of(train, case)
     division = case.division
     if isinstance(division, Shares | Pulls) or (
@@ -118,6 +119,7 @@ class Setup:
     @classmethod
     def of(cls, train: Train, case: TrainCase) -> Setup:
         """Return a load case of a train, ready for numbers."""
+        train = train.in_case(case)
         arcs = [arc_of(train, case, p, (case.entry_tension,) * 2) for p in train.pulleys]
         lines, reference = _lines(train, case)
         count = len(arcs)

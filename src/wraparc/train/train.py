@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import ClassVar
 
@@ -16,9 +16,12 @@ from wraparc.drive import (
     CaseKind,
     Criteria,
     Drive,
+    Lagging,
     Limit,
     LoadCase,
     Pulley,
+    condition_problems,
+    laggings_of,
     repeated,
 )
 from wraparc.drive.drive import named
@@ -107,8 +110,8 @@ class TrainCase:
     runs
         Rise of tension over the run from each pulley to the next, negative where it falls [N]; 0
         where drives stand together. Empty for none.
-    kind
-        ``running``, ``starting`` or ``braking``, as in `LoadCase`.
+    kind, condition
+        As in `LoadCase`.
     """
 
     LIMITS: ClassVar[dict[str, Limit]] = {
@@ -122,6 +125,7 @@ class TrainCase:
     division: Division
     runs: tuple[float, ...] = ()
     kind: CaseKind = "running"
+    condition: str = ""
 
     def __post_init__(self) -> None:
         raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
@@ -194,6 +198,7 @@ class Train:
         names = [p.name for p in self.pulleys]
         for case in self.cases:
             problems += _case_problems(case, names)
+            problems += condition_problems(case.name, case.condition, self.pulleys)
         raise_all(problems)
 
     @classmethod
@@ -228,6 +233,22 @@ class Train:
         """
         return named("load case", name or None, self.cases, of="the train")
 
+    @property
+    def conditions(self) -> tuple[str, ...]:
+        """Conditions that the load cases name, in their order; empty where none does."""
+        return tuple(dict.fromkeys(c.condition for c in self.cases if c.condition))
+
+    @property
+    def laggings(self) -> tuple[Lagging, ...]:
+        """Every lagging of the pulleys once, in every condition that a load case has."""
+        return laggings_of(self.pulleys, [case.condition for case in self.cases])
+
+    def in_case(self, case: TrainCase) -> Train:
+        """Return the train with its laggings in the condition of a load case."""
+        if not case.condition:
+            return self
+        return replace(self, pulleys=tuple(p.in_condition(case.condition) for p in self.pulleys))
+
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""
         return self.creep_limit if pulley.creep_limit is None else pulley.creep_limit
@@ -243,6 +264,7 @@ def _case_of(drive: Drive, case: LoadCase) -> TrainCase:
         division=Pulls(tuple(pair.effective for pair in pairs)),
         runs=runs if any(runs) else (),
         kind=case.kind,
+        condition=case.condition,
     )
 
 

@@ -37,12 +37,13 @@ def held(result: TrainResult, case: str = "") -> tuple[Train, CaseResult]:
     Drives on motors keep their motors: those have their own way with speeds.
     """
     found = result[case] if case else result.cases[0]
+    train = result.train.in_case(found.case)
+    alone = replace(found.case, condition="")  # the laggings are in it
     if isinstance(found.case.division, Motors):
-        return replace(result.train, cases=(found.case,)), found
+        return replace(train, cases=(alone,)), found
     trims = (m.speed_trim for m in found.members)
-    speeds = tuple(t / d for t, d in zip(trims, result.train.nominal, strict=True))
-    case_held = replace(found.case, division=Speeds(speeds))
-    return replace(result.train, cases=(case_held,)), found
+    speeds = tuple(t / d for t, d in zip(trims, train.nominal, strict=True))
+    return replace(train, cases=(replace(alone, division=Speeds(speeds)),)), found
 
 
 class Walk:

@@ -8,6 +8,7 @@ from wraparc.checks import Level, judge
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.checks_table import check_table
+from wraparc.present.conditions_table import conditions_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
 from wraparc.present.drive_sheet import input_sheet, summary_table
@@ -139,6 +140,7 @@ class SolveAnswer(Answer):
     governing: Place
     verdict: Verdict
     remarks: list[Both]
+    conditions: Table | None
     checks: Table
     least_tension: LeastTension | None
     summary: Table | None
@@ -207,6 +209,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         governing=Place(pulley=governing.pulley, load_case=governing.load_case),
         verdict=(train and train.verdict) or Verdict.both(lambda system: verdict(first, system)),
         remarks=_remarks(first),
+        conditions=_conditions(first),
         checks=tables(lambda system: [check_table(judge(whole), system)], ["checks"])[0],
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
@@ -219,6 +222,12 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         arcs=[_whole_arc(first, a, b) for a, b in zip(first, second, strict=True)],
         train=train,
     )
+
+
+def _conditions(result: DriveResult) -> Table | None:
+    if not result.drive.conditions:
+        return None
+    return tables(lambda system: [conditions_table(result, system)], ["conditions"])[0]
 
 
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:
@@ -289,7 +298,8 @@ def _tables(
     answered: DriveResult, result: ArcResult, paper: ArcResult, system: System, of: Sources
 ) -> list[SheetTable | None]:
     drive = answered.drive
-    pulley = drive.pulley(result.arc.pulley)
+    case = drive.load_case(result.arc.load_case)
+    lagging = drive.pulley(result.arc.pulley).lagging_in(case.condition)
     solved = tuple(r for r in (result, paper) if r.status.solved)
     carried = result.status.solved
     return [
@@ -297,7 +307,7 @@ def _tables(
         creep_table(solved, system) if solved else None,
         capacity_table(result, system),
         margins_table(answered, result, system),
-        comparison_table(result, pulley.lagging, system, of),
+        comparison_table(result, lagging, system, of),
         energy_table(result, system) if carried else None,
         input_table(drive, result.arc, system, of),
     ]

@@ -224,7 +224,7 @@ def _kind_name(path: str, kind: Kind) -> str:
         return "name"
     if type(kind).__name__ == "Text":
         return "text"
-    return "lagging" if isinstance(kind, TextOr) else "table"
+    return _kind_name("", kind.text) if isinstance(kind, TextOr) else "table"
 
 
 def _limits(kind: Kind) -> Data:

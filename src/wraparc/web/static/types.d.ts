@@ -20,6 +20,7 @@ export interface Design {
   pulley: Pulley[];
   lagging?: Record<string, any>;
   load_case?: LoadCase[];
+  condition?: any;
   train?: Record<string, any>;
   [key: string]: any;
 }
@@ -133,6 +134,7 @@ export interface FullAnswer {
   verdict: Verdict;
   governing: { pulley: string; load_case: string };
   arcs: FullArc[];
+  conditions: Table | null;
   checks: Table;
   least_tension: { shown: Text; sentence: Text; level: Level; table: Table } | null;
   summary: Table | null;

@@ -83,7 +83,15 @@ export const redo = () => step(future, past);
 export const history = { back: () => past.length > 0, forth: () => future.length > 0 };
 function inRange() {
   if (app.pulley >= app.doc.pulley.length) app.pulley = 0;
-  if (app.case && !app.doc.load_case?.some((c) => c.name === app.case)) app.case = "";
+  if (app.case && !caseNames(app.doc).includes(app.case)) app.case = "";
+}
+/** Names of the load cases, each in every condition that the drive is solved in.
+ * @param {Design} doc @returns {string[]} */
+export function caseNames(doc) {
+  const named = ["design", ...(doc.load_case || []).map((c) => c.name || "")];
+  const conditions = Array.isArray(doc.condition) && doc.condition.length > 1 ? doc.condition : [];
+  if (!conditions.length) return named;
+  return named.flatMap((name) => conditions.map((c) => `${name}, ${c.name ?? c}`));
 }
 
 /** @param {Design} doc @returns {Units} */

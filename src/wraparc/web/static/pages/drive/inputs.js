@@ -244,6 +244,46 @@ function putBelt(name) {
   change(set(app.doc, ["belt"], next));
 }
 
+/** Conditions that published values cover, one or several side by side. */
+const CONDITIONS = [
+  ["dry"],
+  ["wet"],
+  ["wet and dirty"],
+  ["dry", "wet"],
+  ["dry", "wet", "wet and dirty"],
+];
+function conditions() {
+  const now = JSON.stringify([app.doc.condition ?? []].flat());
+  const known = CONDITIONS.map((names) => JSON.stringify(names));
+  const at = now === "[]" ? -1 : known.indexOf(now);
+  const texts = CONDITIONS.map((names) => names.join(" | "));
+  const put = (/** @type {string} */ k) => {
+    const names = CONDITIONS[+k];
+    edit(["condition"], names && (names.length > 1 ? names : names[0]));
+  };
+  const own = now !== "[]" && at < 0;
+  return h(
+    "div",
+    { class: "field", key: "condition" },
+    h("label", { for: "condition" }, "Condition"),
+    h("span", {}),
+    h(
+      "span",
+      { class: "box" },
+      choose(
+        own ? "own" : at,
+        [
+          [-1, "as the laggings were tested"],
+          ...texts.map((text, k) => /** @type {[number, string]} */ ([k, text])),
+          ...(own ? [/** @type {[string, string]} */ (["own", "as in the file"])] : []),
+        ],
+        put,
+        "condition",
+      ),
+    ),
+  );
+}
+
 function cases() {
   const list = app.doc.load_case || [];
   const add = () => {
@@ -254,6 +294,7 @@ function cases() {
     edit(["load_case"], [...list, { name: freeName("case", names), ...pulleys }]);
   };
   return [
+    conditions(),
     h(
       "p",
       { class: "help", key: "help" },

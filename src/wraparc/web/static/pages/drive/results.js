@@ -1,5 +1,5 @@
 // The answer: the governing verdict, the arc that is chosen, its pictures and tables.
-import { app, look } from "../../base/design.js";
+import { app, caseNames, look } from "../../base/design.js";
 import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
 import { badge, list, table, verdict } from "../../parts/answers.js";
@@ -104,6 +104,7 @@ export class Results extends Component {
         h("figcaption", {}),
         h("div", { class: "bars" }),
       ),
+      answer.full?.conditions && h("div", { key: "conditions" }, table(answer.full.conditions)),
       answer.full && h("div", { key: "checks" }, table(answer.full.checks)),
       answer.full?.least_tension &&
         h("div", { key: "least" }, table(answer.full.least_tension.table)),
@@ -199,7 +200,7 @@ function whatIsWrong(before) {
  * @param {QuickAnswer} arc */
 function verdicts(arc) {
   const { full } = answer;
-  const several = app.doc.pulley.length > 1 || (app.doc.load_case?.length || 0) > 0;
+  const several = app.doc.pulley.length > 1 || caseNames(app.doc).length > 1;
   const chosen = `Shown below: pulley ${arc.pulley}, load case ${arc.load_case}`;
   const own = h(
     "div",
@@ -268,9 +269,7 @@ const keyFigures = (arc) =>
 function picks() {
   const full = whole();
   const names = app.doc.pulley.map((p) => p.name || "");
-  const known = full
-    ? [...new Set(full.arcs.map((a) => a.load_case))]
-    : ["design", ...(app.doc.load_case || []).map((c) => c.name || "")];
+  const known = full ? [...new Set(full.arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const short = (/** @type {string} */ c) => {
     const arc = full?.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley]);
     return arc ? `: ${arc.short}` : "";

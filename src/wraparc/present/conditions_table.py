@@ -1,0 +1,92 @@
+"""The conditions that a drive was solved in, dry and wet for example, side by side."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+from wraparc.arc import DriveResult
+from wraparc.checks import Check, Level, Verdict, judge, least_tension
+from wraparc.present.sheet import NONE, Row, Table, named
+from wraparc.units import System
+
+_NOTE = "Each check at the load case and pulley where it comes off worst in that condition."
+
+
+def by_condition(result: DriveResult) -> dict[str, DriveResult]:
+    """Return a solved drive condition by condition; load cases that name none are left out."""
+    found = {}
+    for condition in result.drive.conditions:
+        cases = tuple(c for c in result.drive.load_cases if c.condition == condition)
+        names = {case.name for case in cases}
+        arcs = tuple(arc for arc in result if arc.arc.load_case in names)
+        found[condition] = DriveResult(replace(result.drive, load_cases=cases), arcs)
+    return found
+
+
+def conditions_table(result: DriveResult, system: System = "si") -> Table:
+    """Return verdict, checks and least slack-side tension with one column for each condition."""
+    parts = by_condition(result)
+    judged = {name: judge(part) for name, part in parts.items()}
+    names: dict[str, None] = {}
+    for verdict in judged.values():
+        names |= dict.fromkeys(c.name for c in verdict.listed if _told(c))
+    words = tuple(str(verdict.level) for verdict in judged.values())
+    rows = [Row("Verdict", words)]
+    rows += [_row(name, tuple(judged.values()), system) for name in names]
+    rows.append(Row("Least slack-side tension", tuple(_least(p, system) for p in parts.values())))
+    return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE)
+
+
+def conditions_data(result: DriveResult) -> list[dict[str, Any]]:
+    """Return the verdict and the least slack-side tension of each condition as plain data [SI]."""
+    told = []
+    for name, part in by_condition(result).items():
+        verdict, least = judge(part), least_tension(part)
+        told.append(
+            {
+                "condition": name,
+                "level": verdict.level.value,
+                "headline": verdict.headline(),
+                "load_cases": [case.name for case in part.drive.load_cases],
+                "checks": {c.name: c.value for c in verdict.listed if _told(c)},
+                "least_tension": None if least is None else least.tension,
+            }
+        )
+    return told
+
+
+def _told(check: Check) -> bool:
+    """Whether a check is one that may differ with the condition."""
+    return check.level is not Level.NOT_CHECKED and check.name not in _SAME
+
+
+#: Checks that no condition changes.
+_SAME = (
+    "data", "usual_sizes", "balance", "condition", "belt_tension", "momentary_tension",
+    "face_pressure", "pulley_diameter", "sag", "tested_pressure_max", "tested_pressure_min",
+    "train_balance",
+)  # fmt: skip
+
+
+def _row(name: str, verdicts: tuple[Verdict, ...], system: System) -> Row:
+    found = [next((c for c in v.listed if c.name == name), None) for v in verdicts]
+    there = [check for check in found if check is not None]
+    texts = tuple(NONE if check is None else _text(check, system) for check in found)
+    limits = tuple(dict.fromkeys(c.bound(system) for c in there))
+    worst = max((c.level for c in there), key=lambda level: level.rank)
+    return Row(there[0].title, texts, note=limits[0] if len(limits) == 1 else "", level=worst)
+
+
+def _text(check: Check, system: System) -> str:
+    value = check.texts(system)[0] or NONE
+    limit = "" if not check.missed else f" ({check.level})"
+    return f"{value}{limit}"
+
+
+def _least(result: DriveResult, system: System) -> str:
+    found = least_tension(result)
+    if found is None:
+        return NONE
+    return "none" if math.isinf(found.tension) else named("tension", found.tension, system)
