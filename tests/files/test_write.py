@@ -71,6 +71,13 @@ def test_catalogue_laggings_read_back_equal(name: str) -> None:
     assert lagging_from_text(lagging_text(laggings)) == laggings
 
 
+def test_a_rigid_belt_reads_back_equal() -> None:
+    drive = load_drive(example("head-drive-fabric"))
+    rigid = replace(drive, belt=replace(drive.belt, name="rigid belt", modulus=float("inf")))
+    assert 'modulus = "rigid"' in drive_text(rigid)
+    assert drive_from_text(drive_text(rigid)) == rigid
+
+
 def test_conditions_of_one_lagging_share_a_file() -> None:
     dry = load_lagging("full-ceramic")
     wet = replace(

@@ -192,12 +192,7 @@ def arcs_of_table(table: Mapping[str, ArrayLike], laggings: Sequence[Lagging] | 
     Parameters
     ----------
     table
-        Columns by their names in the glossary, one number for all rows or one for each [SI]:
-        ``entry_tension``, ``exit_tension``, ``diameter``, ``wrap_angle``, ``belt_width``,
-        ``belt_modulus``; if they are not to come from the lagging ``lagging_thickness``,
-        ``shear_modulus``, ``compression_modulus``, ``wear_coefficient``; and ``overrun`` (nan: by
-        formula), ``recovery`` (1 or 0), ``creep_limit``, ``belt_speed``. With more than one
-        lagging also ``lagging``: names, or places in `laggings`. A pandas DataFrame will do.
+        Columns by their names in the glossary, as for `wraparc.batch.solve_batch` [SI].
     laggings
         The laggings.
 

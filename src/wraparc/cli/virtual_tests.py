@@ -15,6 +15,7 @@ from wraparc.saving import save_file
 from wraparc.schema.emit import document_text
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.shear_test import DIALECTS, Dialect, VirtualRig, run_virtual_test
+from wraparc.shear_test.plan_keys import PLAN
 from wraparc.units import parse_number
 
 _AREA = 0.04
@@ -70,7 +71,7 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
         if dialect.units:
             tests[-1]["units"] = dict(dialect.units)
     plan = folder / "plan.toml"
-    save_file(plan, _HEAD + document_text(_plan(of, tests, said)))
+    save_file(plan, _HEAD + document_text(_plan(of, tests, said), PLAN))
     return plan
 
 

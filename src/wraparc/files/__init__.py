@@ -2,14 +2,19 @@
 
 from typing import TYPE_CHECKING, Any
 
-from wraparc.files.drive_file import drive_from_document, drive_from_text, load_drive
+from wraparc.files.drive_file import (
+    drive_from_document,
+    drive_from_text,
+    load_drive,
+    overridden,
+)
 from wraparc.files.lagging_file import (
     lagging_from_document,
     lagging_from_text,
     load_lagging,
     load_lagging_conditions,
 )
-from wraparc.schema.overrides import overridden, parse_override
+from wraparc.schema.overrides import parse_override
 
 if TYPE_CHECKING:
     from wraparc.files.write import (

@@ -10,7 +10,7 @@ from wraparc.files.conveyor_build import build_conveyor
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.tensions import KEYS, Given, complete, resolve
-from wraparc.schema.overrides import Overrides, load, overridden
+from wraparc.schema.overrides import Overrides, load, put_over
 from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, check_format, parse, read_tables
 from wraparc.schema.tables import Record
@@ -36,7 +36,29 @@ def load_drive(
     InputError
         With everything that is wrong.
     """
-    return load(path, drive_from_document, overrides, allow_paths=allow_paths)
+    return load(path, drive_from_document, overrides, DRIVE, allow_paths=allow_paths)
+
+
+def overridden(document: Document, overrides: Overrides, *, file: str = "") -> Document:
+    """Return the document of a drive file with values put over its own.
+
+    Parameters
+    ----------
+    document
+        Tables of a drive file; it is not changed.
+    overrides
+        By key path or as texts, as for `load_drive`. A table of an array is found by its
+        name or by position. None takes a key away. A path that goes on below the name of a
+        lagging (``pulley.head.lagging.thickness``) makes it a table with that preset.
+    file
+        What to call the document in messages.
+
+    Raises
+    ------
+    InputError
+        If a path leads nowhere, with the names there are.
+    """
+    return put_over(document, overrides, DRIVE, file=file)
 
 
 def drive_from_text(

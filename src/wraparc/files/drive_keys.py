@@ -188,7 +188,7 @@ DRIVE = Table(
     FORMAT_ENTRY,
     Entry("title", "What the drive is called.", Text()),
     Entry("description", "Anything worth saying.", Text(5000, lines=True)),
-    known("creep_limit"),
+    known("creep_limit", stated=True),
     Entry(
         "condition",
         "Dry, wet, wet and dirty ...; several are solved side by side.",

@@ -3,10 +3,16 @@
 import math
 
 from wraparc.drive import SHAPES, SURFACES, Block, Cost, Fit, Lagging, Limit
-from wraparc.friction import Constant, ElasticPlastic, PressurePower
-from wraparc.schema.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text, WordOr
+from wraparc.friction import (
+    Constant,
+    ElasticPlastic,
+    IntegralLog,
+    MeasuredTable,
+    PressurePower,
+)
+from wraparc.schema.kinds import Choice, Name, OneOrMore, Quantity, Rows, Text
 from wraparc.schema.shared_keys import FORMAT_ENTRY, ORIGINS, PROVENANCE, known
-from wraparc.schema.tables import Entry, Table, Variant, limited, need
+from wraparc.schema.tables import Entry, Table, Variant, need
 
 _NUMBER = Quantity("number")
 _NOT_NEGATIVE = Quantity("number", Limit("number"))
@@ -74,6 +80,7 @@ KNOT = Table(
     known("peak_slip", _SLIP, required=True),
     known("post_peak_slope", _SLOPE),
     known("residual_friction", _FRICTION),
+    on_one_line=True,
 )
 
 PIECE = Table(
@@ -84,12 +91,14 @@ PIECE = Table(
     need("b", "Equation of b.", _EQUATION, title="b(p)"),
     Entry("post_peak_slope", "Equation, 0 if left out.", _EQUATION, title="Slope past the peak"),
     Entry("residual_friction", "Equation; the peak friction if left out.", _EQUATION),
+    on_one_line=True,
 )
 
 TABLE_ROW = Table(
     "Row",
     need("pressure", "Pressure of the row.", _PRESSURE, title="Wrap pressure"),
-    need("friction", "Friction at each of the slips.", Rows(_NOT_NEGATIVE, 2)),
+    need("friction", "Friction at each of the slips.", Rows(_NOT_NEGATIVE, 2), attribute="values"),
+    on_one_line=True,
 )
 
 
@@ -138,6 +147,7 @@ LAW = Variant(
             "Largest step between pieces, relative; 0.02 if left out.",
             Quantity("number", Limit("number", most=0.5)),
         ),
+        of=IntegralLog,
     ),
     Table("constant", *_TESTED, _CONSTANT, of=Constant),
     Table(
@@ -170,22 +180,19 @@ LAW = Variant(
             title="Slips",
         ),
         need("rows", "Friction at rising pressures.", Rows(TABLE_ROW, 1, 200)),
+        of=MeasuredTable,
     ),
 )
-
-
-def _rigid_or(key: str) -> WordOr:
-    return WordOr("rigid", limited(Lagging, key), math.inf)
 
 
 _LAGGING = (
     Entry("title", "Name in words.", Text()),
     Entry("description", "What it looks like.", Text(5000, lines=True)),
     Entry("surface", "Material that touches the belt.", Choice(SURFACES)),
-    known("thickness", quantity="lagging_thickness"),
+    known("thickness", quantity="lagging_thickness", stated=True),
     Entry("elastic_modulus", "Young's modulus E of the rubber."),
-    known("shear_modulus", _rigid_or("shear_modulus")),
-    known("compression_modulus", _rigid_or("compression_modulus")),
+    known("shear_modulus", stated=True),
+    known("compression_modulus", stated=True),
     Entry(
         "block", "Shape of the blocks, to estimate the compression modulus.", BLOCK, title="Blocks"
     ),

@@ -1,10 +1,11 @@
 """Friction laws to the tables of a lagging file: the way back of `laws`."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from wraparc.errors import InputError, Problem
-from wraparc.files.lagging_keys import LAW
+from wraparc.files.lagging_keys import KNOT, LAW, TABLE_ROW
 from wraparc.files.trends import trend_text
 from wraparc.friction import (
     CoefficientPieces,
@@ -12,7 +13,6 @@ from wraparc.friction import (
     IntegralLog,
     MeasuredTable,
     Piece,
-    PressureKnots,
 )
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.units import unit_factor
@@ -21,70 +21,50 @@ Tables = dict[str, Any]
 _SLIP_UNITS = ("mm", "m", "in", "cm", "um", "ft")
 
 
-def law_table(law: FrictionLaw) -> Tables:
-    """Return the table of a law, without its condition.
+def law_table(law: FrictionLaw, **more: Any) -> Tables:
+    """Return the table of a law; `more` is what a file says of it besides.
 
     Raises
     ------
     InputError
         If the file format has no word for such a law.
     """
-    if isinstance(law, IntegralLog):
-        return _integral_log(law)
-    if isinstance(law, MeasuredTable):
-        return _measured(law)
     for kind, table in LAW.tables.items():
         if table.of is type(law):
-            return {"kind": kind, **table.written(law), **_tested(law)}
+            return table.written(law, kind=kind, **_tested(law), **_parts(law), **more)
     message = f"a law of the class {type(law).__name__} cannot be written to a file"
     raise InputError(Problem(message=message))
 
 
-def _tested(law: FrictionLaw, own_pressures: bool = False) -> Tables:
+def _tested(law: FrictionLaw) -> Tables:
+    """Return the tested range; pressures that are ends of knots or pieces are not said again."""
     if law.tested is None:
         return {}
     ends = (law.tested.pressure_min, law.tested.pressure_max)
-    pressures = {} if own_pressures else {"tested_pressure": _quantities(ends, "pressure")}
-    table = pressures | {"tested_slip": quantity_text(law.tested.slip_max, "length")}
+    own_ends = isinstance(law, IntegralLog) and len(law.coefficients.pressure) > 1
+    table: Tables = {} if own_ends else {"tested_pressure": _quantities(ends, "pressure")}
+    table["tested_slip"] = quantity_text(law.tested.slip_max, "length")
     if law.tested.slip_speed is not None:
         table["tested_slip_speed"] = quantity_text(law.tested.slip_speed, "speed")
     return table
 
 
+def _parts(law: FrictionLaw) -> Tables:
+    """Return the rows of a law that has some."""
+    if isinstance(law, MeasuredTable):
+        return {"rows": TABLE_ROW.rows(law)}
+    if not isinstance(law, IntegralLog):
+        return {}
+    if isinstance(law.coefficients, CoefficientPieces):
+        return _pieces(law.coefficients)
+    knots = law.coefficients
+    if knots.post_peak_slope:  # without a level to fall to the slope would mean nothing
+        knots = replace(knots, residual_friction=knots.residual_friction or knots.peak_friction)
+    return {"knots": KNOT.rows(knots)}
+
+
 def _quantities(values: Sequence[float], dimension: Any) -> list[str]:
     return [quantity_text(value, dimension) for value in values]
-
-
-def _measured(law: MeasuredTable) -> Tables:
-    return {
-        "kind": "table",
-        "slip": _quantities(law.slip, "length"),
-        "rows": [
-            {"pressure": quantity_text(pressure, "pressure"), "friction": list(row)}
-            for pressure, row in zip(law.pressure, law.values, strict=True)
-        ],
-    }
-
-
-def _integral_log(law: IntegralLog) -> Tables:
-    coefficients = law.coefficients
-    head = {"kind": "integral-log", **_tested(law, len(coefficients.pressure) > 1)}
-    if isinstance(coefficients, PressureKnots):
-        return {**head, "knots": _knots(coefficients)}
-    return {**head, **_pieces(coefficients)}
-
-
-def _knots(knots: PressureKnots) -> list[Tables]:
-    columns = {
-        "pressure": _quantities(knots.pressure, "pressure"),
-        "peak_friction": knots.peak_friction,
-        "peak_slip": _quantities(knots.peak_slip, "length"),
-        "post_peak_slope": _quantities(knots.post_peak_slope, "per_length"),
-        "residual_friction": knots.residual_friction
-        or (knots.peak_friction if knots.post_peak_slope else ()),
-    }
-    columns = {key: column for key, column in columns.items() if column}
-    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
 def _pieces(pieces: CoefficientPieces) -> Tables:
@@ -93,7 +73,7 @@ def _pieces(pieces: CoefficientPieces) -> Tables:
         message = f"no name is known for a unit of slip of {pieces.slip_unit:g} m"
         raise InputError(Problem(message=message))
     ends = _quantities(pieces.pressure, "pressure")
-    rows = [
+    rows: list[Tables] = [
         {"from": low, "to": high, **_piece(piece, pieces.slip_unit)}
         for piece, low, high in zip(pieces.pieces, ends, ends[1:], strict=False)
     ]

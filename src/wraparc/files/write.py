@@ -14,7 +14,6 @@ from wraparc.drive import (
     Criteria,
     Drive,
     Lagging,
-    Limit,
     LoadCase,
     Pulley,
 )
@@ -23,9 +22,9 @@ from wraparc.errors import InputError, Problem
 from wraparc.files.conveyor_build import conveyor_of
 from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
-from wraparc.files.drive_keys import BELT, CRITERIA, DRIVE
+from wraparc.files.drive_keys import BELT, CRITERIA, DRIVE, LOAD_CASE, PULLEY
 from wraparc.files.lagging_file import load_lagging_conditions
-from wraparc.files.lagging_keys import COST, FIT, LAGGING_GIVEN
+from wraparc.files.lagging_keys import FIT, LAGGING_FILE, LAGGING_GIVEN
 from wraparc.files.law_tables import law_table
 from wraparc.provenance import Provenance
 from wraparc.saving import save_file
@@ -50,7 +49,7 @@ def drive_text(drive: Drive, *, like: Document | None = None) -> str:
         A document of the same drive before a change: what still holds is kept as it is
         written there, units and all.
     """
-    return document_text(drive_document(drive, like=like))
+    return document_text(drive_document(drive, like=like), DRIVE)
 
 
 def drive_document(drive: Drive, *, like: Document | None = None) -> Document:
@@ -82,7 +81,7 @@ def lagging_text(laggings: Lagging | Sequence[Lagging]) -> str:
     InputError
         If the laggings differ in more than their laws.
     """
-    return document_text({"format": FORMAT, **_lagging_table(laggings)})
+    return document_text({"format": FORMAT, **_lagging_table(laggings)}, LAGGING_FILE)
 
 
 def save_lagging(laggings: Lagging | Sequence[Lagging], path: str | os.PathLike[str]) -> None:
@@ -149,26 +148,16 @@ def _design(drive: Drive) -> Mapping[str, Any]:
 def _drive_table(drive: Drive) -> Document:
     design = _design(drive)
     conveyor = conveyor_of(drive)
-    document: Document = {"format": FORMAT}
-    document |= {key: text for key in ("title", "description") if (text := getattr(drive, key))}
-    document["creep_limit"] = quantity_text(drive.creep_limit, "length")
-    document |= _criteria_tables(drive.criteria)
-    document["belt"] = _belt_table(drive.belt)
-    if conveyor is not None:
-        document["conveyor"] = CONVEYOR.written(conveyor)
-    document["pulley"] = [_pulley_table(pulley, design) for pulley in drive.pulleys]
-    cases = [case for case in drive.load_cases if case.name != DESIGN]
-    if cases and conveyor is None:
-        document["load_case"] = [
-            {
-                "name": c.name,
-                **({} if c.kind == "running" else {"kind": c.kind}),
-                **({"condition": c.condition} if c.condition else {}),
-                "pulley": {name: _tensions(t) for name, t in c.tensions.items()},
-            }
-            for c in cases
-        ]
-    return document
+    cases = [case for case in drive.load_cases if case.name != DESIGN and conveyor is None]
+    return DRIVE.written(
+        drive,
+        format=FORMAT,
+        belt=_belt_table(drive.belt),
+        pulley=[_pulley_table(pulley, design) for pulley in drive.pulleys],
+        load_case=[_case_table(case) for case in cases] or None,
+        conveyor=CONVEYOR.written(conveyor) if conveyor else None,
+        **_criteria_tables(drive.criteria),
+    )
 
 
 def _criteria_tables(criteria: Criteria) -> Tables:
@@ -179,36 +168,29 @@ def _criteria_tables(criteria: Criteria) -> Tables:
 
 
 def _belt_table(belt: Belt) -> Tables:
-    texts = {key: getattr(belt, key) for key in ("name", "kind")}
-    explicit = {
-        **{key: text for key, text in texts.items() if text},
-        **_quantities(belt, Belt.LIMITS),
-        **_origins(belt.provenance, belt.sources),
-    }
+    table = BELT.written(belt)
     preset = next((b for b in catalogue.belts() if b.name == belt.name), None)
-    if preset is not None:
-        same = {key for key in explicit if getattr(belt, key) == getattr(preset, key, None)}
-        short = {key: value for key, value in explicit.items() if key not in same}
-        short["sources"] = _stated(belt.sources)
-        short = {"preset": preset.name, **{k: v for k, v in short.items() if v}}
-        report = Report()
-        if build_belt(BELT.read(short, (), report), report) == belt:
-            return short
-    return explicit
+    if preset is None:
+        return table
+    usual = BELT.written(preset)
+    short = {key: value for key, value in table.items() if value != usual.get(key)}
+    # reading a preset says by itself that other numbers are given
+    stated = {key: of for key, of in belt.sources.items() if of != Provenance()}
+    short["sources"] = {key: PROVENANCE.written(of) for key, of in stated.items()}
+    short = {"preset": preset.name, **{k: v for k, v in short.items() if v}}
+    report = Report()
+    return short if build_belt(BELT.read(short, (), report), report) == belt else table
 
 
 def _pulley_table(pulley: Pulley, design: Mapping[str, Any]) -> Tables:
-    sizes = _quantities(pulley, Pulley.LIMITS)
-    table: Tables = {"name": pulley.name}
-    table |= {key: sizes.pop(key) for key in ("diameter", "wrap_angle")}
-    table |= _lagging_keys(pulley.lagging) if not pulley.conditions else _in_conditions(pulley)
-    if pulley.name in design:
-        table |= _tensions(design[pulley.name])
-    table |= sizes
-    if not pulley.recovery:
-        table["recovery"] = False
-    sources = _stated(pulley.sources, all_of_them=True)
-    return table | ({"sources": sources} if sources else {})
+    tensions = _tensions(design[pulley.name]) if pulley.name in design else {}
+    lagging = _in_conditions(pulley) if pulley.conditions else _lagging_keys(pulley.lagging)
+    return PULLEY.written(pulley, **lagging, **tensions)
+
+
+def _case_table(case: LoadCase) -> Tables:
+    tensions = {name: _tensions(of) for name, of in case.tensions.items()}
+    return LOAD_CASE.written(case, pulley=tensions)
 
 
 def _tensions(tensions: Any) -> Tables:
@@ -227,10 +209,11 @@ def _lagging_keys(lagging: Lagging) -> Tables:
         return {"lagging": lagging.name}
     if lagging in conditions:
         return {"lagging": lagging.name, "condition": lagging.condition}
+    usual, table = _common(conditions[0]), _common(lagging)
     changed = {
-        key: text
-        for key, text in _quantities(lagging, Lagging.LIMITS).items()
-        if getattr(lagging, key) != getattr(conditions[0], key)
+        key: table[key]
+        for key in Lagging.LIMITS
+        if table.get(key, usual.get(key)) != usual.get(key)
     }
     of_thickness = {key: text for key, text in changed.items() if key == "thickness"}
     for keys in (of_thickness, changed):
@@ -267,55 +250,22 @@ def _shared_notes(laggings: Sequence[Lagging]) -> tuple[str, ...]:
 
 
 def _common(lagging: Lagging) -> Tables:
-    texts = {key: getattr(lagging, key) for key in ("title", "description", "surface")}
-    table: Tables = {"name": lagging.name, **{key: text for key, text in texts.items() if text}}
     moduli = ("shear_modulus", "compression_modulus")
     rigid = lagging.thickness == 0.0 and lagging.elastic_modulus is None
     rigid = rigid and all(getattr(lagging, key) == float("inf") for key in moduli)
-    quantities = _quantities(lagging, Lagging.LIMITS)
-    table |= {key: text for key, text in quantities.items() if not (rigid and key in moduli)}
-    if lagging.cost is not None:
-        table["cost"] = COST.written(lagging.cost)
-    if lagging.notes:
-        table["notes"] = list(lagging.notes)
-    sources = {key: of for key, of in lagging.sources.items() if key not in ("law", SCALED)}
-    return table | _origins(lagging.provenance, sources)
+    of_law = ("law", SCALED)
+    sources = {k: PROVENANCE.written(of) for k, of in lagging.sources.items() if k not in of_law}
+    elsewhere = dict.fromkeys(moduli) if rigid else {}
+    return LAGGING_GIVEN.written(lagging, law=None, sources=sources or None, **elsewhere)
 
 
 def _law(lagging: Lagging, notes: Sequence[str]) -> Tables:
-    table = {"condition": lagging.condition, **law_table(lagging.law)}
-    if "law" in lagging.sources:
-        table["provenance"] = PROVENANCE.written(lagging.sources["law"])
-    if SCALED in lagging.sources:
-        table["condition_source"] = PROVENANCE.written(lagging.sources[SCALED])
-    if notes:
-        table["notes"] = list(notes)
-    return table | ({"fit": FIT.written(lagging.fit)} if lagging.fit else {})
-
-
-def _quantities(thing: object, limits: Mapping[str, Limit]) -> Tables:
-    """Return the numbers of a description that are not None as texts with units."""
-    values = {key: getattr(thing, key) for key in limits}
-    return {
-        key: "rigid" if value == float("inf") else quantity_text(value, limits[key].dimension)
-        for key, value in values.items()
-        if value is not None
-    }
-
-
-def _origins(provenance: Provenance, sources: Mapping[str, Provenance]) -> Tables:
-    tables: Tables = {}
-    if provenance != Provenance():
-        tables["provenance"] = PROVENANCE.written(provenance)
-    if sources:
-        tables["sources"] = _stated(sources, all_of_them=True)
-    return tables
-
-
-def _stated(sources: Mapping[str, Provenance], all_of_them: bool = False) -> Tables:
-    """Return sources as tables; without those that reading a preset makes by itself."""
-    return {
-        key: PROVENANCE.written(of)
-        for key, of in sources.items()
-        if all_of_them or of != Provenance()
-    }
+    own, scaled = lagging.sources.get("law"), lagging.sources.get(SCALED)
+    return law_table(
+        lagging.law,
+        condition=lagging.condition,
+        provenance=PROVENANCE.written(own) if own else None,
+        condition_source=PROVENANCE.written(scaled) if scaled else None,
+        fit=FIT.written(lagging.fit) if lagging.fit else None,
+        notes=list(notes) or None,
+    )

@@ -4,47 +4,54 @@ import textwrap
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from wraparc.schema.below import below, tables_of
+from wraparc.schema.kinds import Kind, TextOr
+
 _WIDTH = 100
-# Tables that read best on a line of their own.
-_ON_ONE_LINE = ("provenance", "knots", "pieces", "rows")
-_UNDER = (("sources",),)
 
 
-def document_text(document: Mapping[str, Any]) -> str:
-    """Return a document as TOML text."""
-    return "\n".join(_table(document, ())).lstrip("\n") + "\n"
+def document_text(document: Mapping[str, Any], table: Kind | None = None) -> str:
+    """Return a document as TOML text; `table`, what it may hold, says what goes on one line."""
+    return "\n".join(_table(document, (), table)).lstrip("\n") + "\n"
 
 
-def _table(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
+def _table(table: Mapping[str, Any], path: tuple[str, ...], kind: Kind | None) -> Iterator[str]:
+    kinds = {key: below(kind, key, table) for key in table}
     later: list[tuple[str, Any]] = []
     for key, value in table.items():
-        if _is_table(key, value, path) or _is_tables(key, value):
+        if _is_table(value, kinds[key]) or _is_tables(value, kinds[key]):
             later.append((key, value))
         else:
             yield f"{_key(key)} = {_value(value)}"
     for key, value in later:
-        below = (*path, key)
-        name = ".".join(map(_key, below))
+        inner = (*path, key)
+        name = ".".join(map(_key, inner))
         if isinstance(value, list):
             for item in value:
                 yield f"\n[[{name}]]"
-                yield from _table(item, below)
+                yield from _table(item, inner, below(kinds[key], 1))
         else:
-            if any(not _is_table(k, v, below) for k, v in value.items()) or not value:
+            of = kinds[key]
+            if any(not _is_table(v, below(of, k, value)) for k, v in value.items()) or not value:
                 yield f"\n[{name}]"
-            yield from _table(value, below)
+            yield from _table(value, inner, of)
 
 
-def _is_table(key: str, value: object, path: tuple[str, ...]) -> bool:
-    if not isinstance(value, Mapping) or key in _ON_ONE_LINE or path[-1:] in _UNDER:
+def _is_table(value: object, kind: Kind | None) -> bool:
+    """Whether a value is written as a table of its own, below a head in brackets."""
+    if not isinstance(value, Mapping) or _on_one_line(kind):
         return False
-    return key != "lagging" or not path or len(_value(value)) > _WIDTH
+    return not isinstance(kind, TextOr) or len(_value(value)) > _WIDTH
 
 
-def _is_tables(key: str, value: object) -> bool:
-    if not isinstance(value, list) or not value or key in _ON_ONE_LINE:
+def _is_tables(value: object, kind: Kind | None) -> bool:
+    if not isinstance(value, list) or not value or _on_one_line(below(kind, 1)):
         return False
     return all(isinstance(item, Mapping) for item in value)
+
+
+def _on_one_line(kind: Kind | None) -> bool:
+    return any(table.on_one_line for table in tables_of(kind))
 
 
 def _value(value: object) -> str:

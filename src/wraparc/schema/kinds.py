@@ -265,6 +265,10 @@ class ByName(Kind):
             if Name().read(name, (*place, name), report) is not NOTHING
         }
 
+    def written(self, value: Any) -> Any:
+        """Return a table by name."""
+        return {name: self.kind.written(item) for name, item in value.items()}
+
     def schema(self) -> dict[str, Any]:
         """An object with free names."""
         return {"type": "object", "additionalProperties": self.kind.schema()}

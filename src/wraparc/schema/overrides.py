@@ -9,16 +9,14 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 from wraparc.errors import InputError, Problem, nearest, shown
-from wraparc.schema.kinds import table_labels
+from wraparc.schema.below import below, own_key
+from wraparc.schema.kinds import Kind, table_labels
 from wraparc.schema.problems import Place, place_text
-from wraparc.schema.shared_keys import ALIASES
 from wraparc.schema.source import Document, parse, read_text
 
 #: By key path, or texts ``PATH=VALUE``.
 Overrides = Mapping[str, object] | Iterable[str]
 
-# Keys whose text is short for a table with that preset.
-_SHORT_FOR_PRESET = ("lagging",)
 _STEP = re.compile(
     r"""(?P<bare>[A-Za-z0-9_-]+) | "(?P<quoted>(?:[^"\\]|\\.)*)" | \[(?P<index>[0-9]{1,6})\]""",
     re.VERBOSE,
@@ -73,7 +71,9 @@ def parse_path(path: str) -> Place:
     return tuple(steps)
 
 
-def overridden(document: Document, overrides: Overrides, *, file: str = "") -> Document:
+def put_over(
+    document: Document, overrides: Overrides, table: Kind | None = None, *, file: str = ""
+) -> Document:
     """Return a document with values put over its own; the document itself is not changed.
 
     Parameters
@@ -82,8 +82,10 @@ def overridden(document: Document, overrides: Overrides, *, file: str = "") -> D
         Tables of a file.
     overrides
         By key path or as texts. A table of an array is found by its name or by position.
-        None takes a key away. A path that goes on below a text that names a preset
+        None takes a key away. A path that goes on below a text that may also be a table
         (``pulley.head.lagging.thickness``) makes it a table with that preset.
+    table
+        What the document may hold: tells other words for keys, and texts that may be tables.
     file
         What to call the document in messages.
 
@@ -97,7 +99,7 @@ def overridden(document: Document, overrides: Overrides, *, file: str = "") -> D
     for path, value in pairs:
         steps = parse_path(path)
         try:
-            result = _put(result, steps, (), value)
+            result = _put(result, steps, (), value, table)
         except InputError as error:
             raise InputError(
                 Problem(message=p.message, remedy=p.remedy, file=file, key=path, value=shown(value))
@@ -106,7 +108,9 @@ def overridden(document: Document, overrides: Overrides, *, file: str = "") -> D
     return dict(result)
 
 
-def read_document(path: str | os.PathLike[str], overrides: Overrides = ()) -> Document:
+def read_document(
+    path: str | os.PathLike[str], overrides: Overrides = (), table: Kind | None = None
+) -> Document:
     """Return the document of a file with values put over its own.
 
     Raises
@@ -115,39 +119,43 @@ def read_document(path: str | os.PathLike[str], overrides: Overrides = ()) -> Do
         If the file cannot be read, is no TOML, or an override does not fit.
     """
     name = os.fspath(path)
-    return overridden(parse(read_text(path), name), overrides, file=name)
+    return put_over(parse(read_text(path), name), overrides, table, file=name)
 
 
 def load(
-    path: str | os.PathLike[str], read: Callable[..., _T], overrides: Overrides = (), **more: Any
+    path: str | os.PathLike[str],
+    read: Callable[..., _T],
+    overrides: Overrides = (),
+    table: Kind | None = None,
+    **more: Any,
 ) -> _T:
     """Return what `read` makes of the document of a file, told its name and its folder."""
     name = os.fspath(path)
-    document = read_document(path, overrides)
+    document = read_document(path, overrides, table)
     return read(document, file=name, folder=os.path.dirname(name), **more)
 
 
-def _put(node: object, steps: Place, done: Place, value: object) -> Any:
+def _put(node: object, steps: Place, done: Place, value: object, kind: Kind | None) -> Any:
     """Return a copy of a node with the value at the place; what is not on the way is shared."""
     if not steps:
         return value
     step, rest = steps[0], steps[1:]
     if isinstance(node, list):
         index = _index(node, step, done)
-        changed = _put(node[index], rest, (*done, step), value)
+        changed = _put(node[index], rest, (*done, step), value, below(kind, index))
         kept = [] if not rest and value is None else [changed]
         return [*node[:index], *kept, *node[index + 1 :]]
-    if isinstance(node, str) and done and done[-1] in _SHORT_FOR_PRESET:
+    if isinstance(node, str) and below(kind, "preset"):
         node = {"preset": node}
     if not isinstance(node, dict) or isinstance(step, int):
         where = f"{place_text(done)} has" if done else "this file has"
         raise InputError(Problem(message=f"{where} nothing called {place_text((step,))}"))
-    if len(done) == 2 and done[0] == "pulley":
-        step = ALIASES.get(step, step)
-        node = {ALIASES.get(key, key): item for key, item in node.items()}
+    step = own_key(kind, step)
+    node = {own_key(kind, key): item for key, item in node.items()}
     if not rest and value is None:
         return {key: item for key, item in node.items() if key != step}
-    return {**node, step: _put(node.get(step, {}), rest, (*done, step), value)}
+    inner = below(kind, step, node)
+    return {**node, step: _put(node.get(step, {}), rest, (*done, step), value, inner)}
 
 
 def _index(rows: list[Any], step: str | int, done: Place) -> int:

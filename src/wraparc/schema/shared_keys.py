@@ -11,9 +11,6 @@ from wraparc.schema.tables import OF_CLASS, Entry, Table, need
 #: The newest format of drive and lagging files that is read, and the one that is written.
 FORMAT = 1
 
-#: Other words for keys, by which they are also read.
-ALIASES = {"wrap": "wrap_angle"}
-
 
 def known(key: str, kind: Kind = OF_CLASS, *, quantity: str = "", **more: Any) -> Entry:
     """Return the entry of a quantity of the glossary, with the words it has there."""
@@ -28,6 +25,7 @@ PROVENANCE = Table(
     Entry("date", "When it was measured, published or retrieved.", Text(60)),
     Entry("note", "What a reader must know before using it.", Text(1000)),
     of=Provenance,
+    on_one_line=True,
 )
 ORIGINS = (
     Entry("provenance", "Where the numbers of this table came from.", PROVENANCE),

@@ -1,11 +1,12 @@
 """Tables of keys: which keys a table may hold, read with everything that is wrong at once."""
 
+import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from typing import Any
 
 from wraparc.errors import nearest, shown
-from wraparc.schema.kinds import Choice, Flag, Kind, Quantity
+from wraparc.schema.kinds import Choice, Flag, Kind, Quantity, WordOr
 from wraparc.schema.limits import Limit
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.units import DIMENSION_TEXT
@@ -50,6 +51,8 @@ class Entry:
         What the class calls it, if not the key.
     unless
         Another key that may stand instead of a required one.
+    stated
+        Whether it is written even where leaving it out would mean the same.
     """
 
     key: str
@@ -61,6 +64,7 @@ class Entry:
     example: str = field(default="", kw_only=True)
     attribute: str = field(default="", kw_only=True)
     unless: str = field(default="", kw_only=True)
+    stated: bool = field(default=False, kw_only=True)
 
     def __post_init__(self) -> None:
         self.title = self.title or self.key.replace("_", " ").capitalize()
@@ -113,10 +117,14 @@ class Table(Kind):
         Its keys, in the order they are shown.
     of
         Class of what it describes, which states limits and what is if a key is left out.
+    on_one_line
+        Whether it reads best written on a line.
     """
 
-    def __init__(self, title: str, *entries: Entry, of: type | None = None) -> None:
-        self.title, self.of = title, of
+    def __init__(
+        self, title: str, *entries: Entry, of: type | None = None, on_one_line: bool = False
+    ) -> None:
+        self.title, self.of, self.on_one_line = title, of, on_one_line
         self.entries = tuple(
             replace(e, kind=_kind_of(of, e.attribute)) if e.kind is OF_CLASS else e for e in entries
         )
@@ -168,15 +176,35 @@ class Table(Kind):
         names = {e.attribute: e.key for e in self.entries}
         return report.tried(lambda: made(**{**values, **more}), record.place, record.raw, names)
 
-    def written(self, thing: Any) -> dict[str, Any]:
-        """Return the table that describes an object, without what is as if left out."""
-        usual = {f.name: f.default for f in fields(thing)}
-        values = {e: getattr(thing, e.attribute) for e in self.entries if e.attribute in usual}
-        return {
-            e.key: e.kind.written(value)
-            for e, value in values.items()
-            if e.required or (value not in (None, ()) and value != usual[e.attribute])
-        }
+    def written(self, value: Any, **instead: Any) -> dict[str, Any]:
+        """Return the table that describes an object, without what is as if left out.
+
+        Parameters
+        ----------
+        value
+            The object.
+        instead
+            What is written under single keys, as it is written; None for nothing.
+        """
+        usual = {f.name: _default(f) for f in fields(value)}
+        table = {}
+        for e in self.entries:
+            if e.key in instead:
+                table[e.key] = instead[e.key]
+            elif e.attribute in usual:
+                own = getattr(value, e.attribute)
+                said = own not in (None, ()) and own != usual[e.attribute]
+                if said or e.required or e.stated:
+                    table[e.key] = e.kind.written(own)
+        return {key: item for key, item in table.items() if item is not None}
+
+    def rows(self, thing: Any) -> list[dict[str, Any]]:
+        """Return an object of columns as the tables of its rows; empty columns are left out."""
+        columns = {e: column for e in self.entries if (column := getattr(thing, e.attribute))}
+        return [
+            {e.key: e.kind.written(value) for e, value in zip(columns, row, strict=True)}
+            for row in zip(*columns.values(), strict=True)
+        ]
 
     def having(self, *entries: Entry) -> "Table":
         """Return the table with other entries in place of those of the same keys."""
@@ -271,11 +299,17 @@ def _kind_of(owner: type | None, attribute: str) -> Kind:
     if owner is None:
         raise TypeError(f"{attribute} has neither a kind nor a class that says it")
     if attribute in getattr(owner, "LIMITS", {}):
-        return limited(owner, attribute)
+        kind = limited(owner, attribute)
+        rigid = kind.limit is not None and kind.limit.rigid
+        return WordOr("rigid", kind, math.inf) if rigid else kind
     types = {f.name: f.type for f in fields(owner)}
     if types[attribute] in (bool, "bool"):
         return Flag()
     raise TypeError(f"{owner.__name__} does not say what {attribute} may be")
+
+
+def _default(of: Field[Any]) -> Any:
+    return of.default if of.default_factory is MISSING else of.default_factory()
 
 
 def _frozen(value: Any) -> Any:

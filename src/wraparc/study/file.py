@@ -14,12 +14,13 @@ from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
-from wraparc.files.drive_file import drive_from_document
+from wraparc.files.drive_file import drive_from_document, overridden
+from wraparc.files.drive_keys import DRIVE
 from wraparc.files.drive_parts import check_cases, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
-from wraparc.schema.overrides import Overrides, load, overridden, read_document
+from wraparc.schema.overrides import Overrides, load, read_document
 from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document, check_format, parse, read_text, read_whole
 from wraparc.schema.tables import Record
@@ -128,7 +129,7 @@ def _plain(document: Document) -> Document:
 def _drive(path: str, record: Record, report: Report) -> tuple[Document, Drive | None]:
     """Return the drive file with the study's settings over it, and its drive."""
     try:
-        document = read_document(path, record.get("set", ()))
+        document = read_document(path, record.get("set", ()), DRIVE)
         whole = self_contained(document, os.path.dirname(path))
         return whole, drive_from_document(whole, file=path, allow_paths=True)
     except InputError as error:

@@ -10,9 +10,9 @@ from wraparc.drive import DESIGN, Belt, Drive, Pulley
 from wraparc.errors import InputError, Problem, nearest, placed, shown
 from wraparc.files.conditions import asking, build_conditions, condition_name, in_each_condition
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
-from wraparc.files.drive_file import drive_from_document
+from wraparc.files.drive_file import drive_from_document, overridden
 from wraparc.files.tensions import KEYS, Given, complete, resolve
-from wraparc.schema.overrides import Overrides, load, overridden
+from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import NOTHING, Report, place_text
 from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
@@ -75,7 +75,7 @@ def load_drive_or_train(
         reader = train_from_document if "train" in document else drive_from_document
         return reader(document, **more)
 
-    return load(path, read, overrides, allow_paths=allow_paths)
+    return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
 
 
 def train_from_text(text: str, *, file: str = "", folder: str = "") -> Train:

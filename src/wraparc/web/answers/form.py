@@ -202,7 +202,8 @@ def _field(entry: Entry, prefix: str, name: str) -> Field:
         required=entry.required,
         advanced=entry.key in _ADVANCED or path.startswith("load_case"),
         options=list(kind.options) if isinstance(kind, Choice) else [],
-        word=worded.word if worded else None,
+        # shown where nothing is given: no belt is rigid by leaving its modulus out
+        word=worded.word if worded and path != "belt.modulus" else None,
         default=_default(path),
         slider=_slider(path),
         **_limits(kind),

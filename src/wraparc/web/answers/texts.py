@@ -10,6 +10,7 @@ from wraparc.schema.emit import document_text
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.shared_keys import FORMAT
 from wraparc.schema.source import Document, parse
+from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
 from wraparc.web.answers.documents import json_like, kind_of, read, without_none
 from wraparc.web.answers.shown import Answer, Both, Data, DriveKind, both
@@ -74,7 +75,7 @@ def write_toml(asked: DocumentRequest) -> WriteAnswer:
     document = asked.document
     state = _state(document)
     try:
-        text = document_text({"format": FORMAT, **without_none(document)})
+        text = document_text({"format": FORMAT, **without_none(document)}, TRAIN_FILE)
         parse(text)
     except (TypeError, ValueError, RecursionError) as error:
         if isinstance(error, InputError):
