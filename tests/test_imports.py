@@ -32,7 +32,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("drive",),
     ("arc", "shear_test"),
     ("files", "batch"),
-    ("train",),
+    ("train", "across"),
     ("checks",),
     ("study", "choose", "calibrate"),
     ("plot", "present"),

@@ -10,6 +10,8 @@ import pytest
 import wraparc
 
 PUBLIC = [
+    "Across",
+    "AcrossResult",
     "ArcResult",
     "BatchResult",
     "Belt",
@@ -25,6 +27,7 @@ PUBLIC = [
     "ElasticPlastic",
     "Energy",
     "FrictionLaw",
+    "GrippingPulley",
     "InputError",
     "IntegralLog",
     "Kind",
@@ -41,12 +44,15 @@ PUBLIC = [
     "Provenance",
     "Pulley",
     "Setting",
+    "SlackBeltError",
     "Status",
     "Tensions",
     "TestedRange",
     "Train",
     "TrainResult",
+    "Transition",
     "Trend",
+    "WidthProfile",
     "WrapArc",
     "WraparcError",
     "__version__",
@@ -54,6 +60,7 @@ PUBLIC = [
     "load_lagging",
     "load_train",
     "solve",
+    "solve_across",
     "solve_batch",
     "solve_train",
 ]

@@ -10,6 +10,7 @@ import typing
 from wraparc import views
 
 if typing.TYPE_CHECKING:
+    from wraparc.across import AcrossResult, solve_across
     from wraparc.arc import (
         ArcResult,
         Capacities,
@@ -24,13 +25,25 @@ if typing.TYPE_CHECKING:
         solve,
     )
     from wraparc.batch import BatchResult, Setting, solve_batch
-    from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Tensions
+    from wraparc.drive import (
+        Across,
+        Belt,
+        Drive,
+        GrippingPulley,
+        Lagging,
+        LoadCase,
+        Pulley,
+        Tensions,
+        Transition,
+        WidthProfile,
+    )
     from wraparc.errors import (
         BreakawayError,
         ConvergenceError,
         InputError,
         MissingExtraError,
         Problem,
+        SlackBeltError,
         WraparcError,
     )
     from wraparc.files import load_drive, load_lagging
@@ -53,6 +66,8 @@ if typing.TYPE_CHECKING:
     from wraparc.version import __version__
 
 __all__ = [
+    "Across",
+    "AcrossResult",
     "ArcResult",
     "BatchResult",
     "Belt",
@@ -68,6 +83,7 @@ __all__ = [
     "ElasticPlastic",
     "Energy",
     "FrictionLaw",
+    "GrippingPulley",
     "InputError",
     "IntegralLog",
     "Kind",
@@ -84,12 +100,15 @@ __all__ = [
     "Provenance",
     "Pulley",
     "Setting",
+    "SlackBeltError",
     "Status",
     "Tensions",
     "TestedRange",
     "Train",
     "TrainResult",
+    "Transition",
     "Trend",
+    "WidthProfile",
     "WrapArc",
     "WraparcError",
     "__version__",
@@ -97,6 +116,7 @@ __all__ = [
     "load_lagging",
     "load_train",
     "solve",
+    "solve_across",
     "solve_batch",
     "solve_train",
 ]
@@ -106,8 +126,14 @@ _ROOMS = {
         "ArcResult Capacities ClassicalDrive Distributed DriveResult Energy PaperMarch Profile "
         "Status WrapArc solve"
     ),
-    "drive": "Belt Drive Lagging LoadCase Pulley Tensions",
-    "errors": ("BreakawayError ConvergenceError InputError MissingExtraError Problem WraparcError"),
+    "across": "AcrossResult solve_across",
+    "drive": (
+        "Across Belt Drive GrippingPulley Lagging LoadCase Pulley Tensions Transition WidthProfile"
+    ),
+    "errors": (
+        "BreakawayError ConvergenceError InputError MissingExtraError Problem SlackBeltError "
+        "WraparcError"
+    ),
     "files": "load_drive load_lagging",
     "friction": (
         "CoefficientPieces Constant ElasticPlastic FrictionLaw IntegralLog MeasuredTable Piece "

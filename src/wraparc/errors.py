@@ -178,5 +178,24 @@ class BreakawayError(WraparcError):
         return str(self.args[0])
 
 
+class SlackBeltError(WraparcError):
+    """A strip of the belt would have to push: it goes slack.
+
+    Parameters
+    ----------
+    message
+        The sentence the user reads, with the strip and by how much.
+    result
+        The result of the failed solve.
+    """
+
+    def __init__(self, message: str, result: Any = None) -> None:
+        super().__init__(message, result)
+        self.result = result
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 class ConvergenceError(WraparcError):
     """A numerical method did not reach its stated accuracy."""

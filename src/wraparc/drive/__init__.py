@@ -1,6 +1,7 @@
 """Descriptions of a drive: frozen, checked, in SI. Nothing here solves anything."""
 
 from wraparc.conveyor import GRAVITY
+from wraparc.drive.across import Across, GrippingPulley, Transition, WidthProfile
 from wraparc.drive.belt import Belt
 from wraparc.drive.compression import SHAPES, Block, compression_modulus
 from wraparc.drive.criteria import (
@@ -39,6 +40,7 @@ __all__ = [
     "STANDARDS",
     "SURFACES",
     "TAKE_UPS",
+    "Across",
     "Belt",
     "Block",
     "CaseKind",
@@ -47,6 +49,7 @@ __all__ = [
     "DesignStandard",
     "Drive",
     "Fit",
+    "GrippingPulley",
     "Lagging",
     "Limit",
     "LoadCase",
@@ -55,6 +58,8 @@ __all__ = [
     "Sag",
     "TakeUp",
     "Tensions",
+    "Transition",
+    "WidthProfile",
     "compression_modulus",
     "condition_problems",
     "laggings_of",

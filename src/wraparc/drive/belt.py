@@ -33,6 +33,9 @@ class Belt:
         Smallest drive pulley at 75-100 % of the rating [m], or None.
     largest_wrap_pressure
         Largest pressure between belt and pulley face, 2 T/(B D) [Pa], or None.
+    in_plane_shear_stiffness
+        G_b t_b, shear force per width over shear strain in the plane of the belt [N/m], or None to
+        estimate it from the carcass; only a belt that is uneven across its width needs it.
     provenance
         Where the numbers came from.
     sources
@@ -52,6 +55,7 @@ class Belt:
         "momentary_factor": Limit("number", least=1.0, most=10.0),
         "least_pulley_diameter": Limit("length", open=True),
         "largest_wrap_pressure": Limit("pressure", open=True),
+        "in_plane_shear_stiffness": Limit("force_per_width", least=1.0, most=1e9),
     }
 
     name: str
@@ -63,6 +67,7 @@ class Belt:
     momentary_factor: float | None = None
     least_pulley_diameter: float | None = None
     largest_wrap_pressure: float | None = None
+    in_plane_shear_stiffness: float | None = None
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
 

@@ -73,6 +73,10 @@ class Drive(Viewable):
             if case.tensions.keys() != names:
                 problems.append(_wrong_pulleys(case, names))
             problems += condition_problems(case.name, case.condition, self.pulleys)
+        for pulley in self.pulleys:
+            if pulley.across is not None:
+                key = f"pulley.{pulley.name}.across"
+                problems += pulley.across.problems(key, self.belt.width)
         raise_all(problems)
 
     def pulley(self, name: str | None = None) -> Pulley:

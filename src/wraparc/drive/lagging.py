@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.drive.compression import Block, compression_modulus
 from wraparc.errors import Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
@@ -158,6 +159,9 @@ class Lagging(Viewable):
         Prices and life, or None.
     fit
         Statistics of the fitted law, or None.
+    block
+        Blocks that the compression modulus was estimated from, or None: how it follows a worn
+        thickness. It is no part of what makes two laggings equal.
     provenance
         Where the lagging's numbers came from.
     sources
@@ -197,6 +201,7 @@ class Lagging(Viewable):
     fatigue_limit: float | None = None
     cost: Cost | None = None
     fit: Fit | None = None
+    block: Block | None = field(default=None, compare=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     notes: tuple[str, ...] = ()
@@ -219,6 +224,18 @@ class Lagging(Viewable):
     def compression_compliance(self) -> float:
         """h/E_c, compression per wrap pressure [m/Pa]."""
         return self.thickness / self.compression_modulus
+
+    def compression_modulus_at(self, thickness: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return E_c where the lagging has another thickness [Pa], shape of `thickness` [m].
+
+        Blocks that are lower bulge less, E_c follows their shape factor; without blocks it stays.
+        """
+        if self.block is None or not math.isfinite(self.compression_modulus):
+            return np.full(thickness.shape, self.compression_modulus)
+        usual = compression_modulus(1.0, self.block)
+        heights = np.maximum(self.block.height + thickness - self.thickness, 1e-4)
+        shaped = [compression_modulus(1.0, replace(self.block, height=h)) for h in heights.tolist()]
+        return self.compression_modulus * np.array(shaped) / usual
 
     def source_of(self, part: str) -> Provenance:
         """Return where one number came from: its own source, else the lagging's."""

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, Self
 
+from wraparc.drive.across import Across
 from wraparc.drive.lagging import Lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
@@ -31,6 +32,8 @@ class Pulley:
         Whether the lagging, recovering as the pressure changes along the arc, adds creep.
     creep_limit
         Largest creep accepted on this pulley [m], or None for the limit of the drive.
+    across
+        What is uneven across the width, or None for an even pulley under an even belt.
     sources
         Where single numbers came from, by field or tension.
     conditions
@@ -56,6 +59,7 @@ class Pulley:
     overrun: float | None = None
     recovery: bool = True
     creep_limit: float | None = None
+    across: Across | None = None
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     conditions: tuple[Lagging, ...] = ()
 

@@ -72,7 +72,7 @@ def _check_conditions(laws: list[Record], report: Report) -> None:
 
 def _elasticity(
     record: Record, sources: dict[str, Provenance], provenance: Provenance, report: Report
-) -> dict[str, float]:
+) -> dict[str, Any]:
     """Return thickness and moduli, those not given estimated from those given.
 
     What is estimated says so in `sources`: G = E/3 of an incompressible rubber, E = 3 G,
@@ -102,14 +102,14 @@ def _elasticity(
 
 def _estimated(
     record: Record, sources: dict[str, Provenance], provenance: Provenance, report: Report
-) -> dict[str, float]:
+) -> dict[str, Any]:
     """Return the moduli that are not given, and say in `sources` how they were estimated."""
 
     def note(part: str, basis: str, text: str) -> None:
         of = sources.get(basis, provenance)
         sources.setdefault(part, Provenance(of.kind, of.source, of.date, f"estimated: {text}"))
 
-    moduli = {}
+    moduli: dict[str, Any] = {}
     if "shear_modulus" not in record:
         moduli["shear_modulus"] = record["elastic_modulus"] / 3.0
         note("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber")
@@ -120,6 +120,7 @@ def _estimated(
         height = {} if "height" in shape else {"height": record["thickness"]}
         block: Block | None = BLOCK.built(shape, report, **height)
         moduli["compression_modulus"] = compression_modulus(young, block) if block else young
+        moduli["block"] = block
         text = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
         note("compression_modulus", "block" if "block" in sources else basis, text)
     return moduli

@@ -1,0 +1,33 @@
+"""Across the width: uneven tension, worn and crowned pulleys, and what wear makes of them."""
+
+from wraparc.across.build import Stiffness, in_plane_stiffness, wide_arc
+from wraparc.across.modes import CAUSES, ModeResponse, mode_response
+from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
+from wraparc.across.screening import DefectShare, Screening, screen
+from wraparc.across.solve import slack_words, solve_across, uneven_pulleys
+from wraparc.across.solver import AcrossSolver
+from wraparc.across.wear import WearHistory, march_wear
+from wraparc.across.wide_arc import WideArc
+
+__all__ = [
+    "CAUSES",
+    "AcrossResult",
+    "AcrossSolver",
+    "AcrossStatus",
+    "DefectShare",
+    "Fields",
+    "ModeResponse",
+    "Screening",
+    "Slack",
+    "Stiffness",
+    "WearHistory",
+    "WideArc",
+    "in_plane_stiffness",
+    "march_wear",
+    "mode_response",
+    "screen",
+    "slack_words",
+    "solve_across",
+    "uneven_pulleys",
+    "wide_arc",
+]

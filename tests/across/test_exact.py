@@ -1,0 +1,333 @@
+"""Exact checks of the belt across its width: closed forms, limits, symmetries, identities."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+
+from across.wides import (
+    CORD,
+    FABRIC,
+    RANGE,
+    RUBBER,
+    SOFTENING,
+    UNLIMITED,
+    braking,
+    crown,
+    mode,
+    wide,
+)
+from wraparc.across.interface import stress_of
+from wraparc.across.result import AcrossResult, AcrossStatus
+from wraparc.across.solver import AcrossSolver
+from wraparc.across.stresses import knots_of, stresses
+from wraparc.across.wide_arc import Array, WideArc
+from wraparc.arc import Distributed, WrapArc
+from wraparc.friction import (
+    CoefficientPieces,
+    Constant,
+    ElasticPlastic,
+    FrictionLaw,
+    MeasuredTable,
+    Piece,
+    PressurePower,
+    Trend,
+)
+from wraparc.friction.integral_log import IntegralLog
+
+LAWS: dict[str, FrictionLaw] = {
+    "rubber": RUBBER,
+    "softening": SOFTENING,
+    "pieces": IntegralLog(
+        coefficients=CoefficientPieces(
+            pressure=(34e3, 690e3),
+            pieces=(
+                Piece(a=Trend(coefficients=(-60.0, 4e-5)), b=Trend(coefficients=(175.0, -1.2e-4))),
+            ),
+        ),
+        tested=RANGE,
+    ),
+    "table": MeasuredTable(
+        slip=(0.0, 1e-3, 4e-3, 12e-3),
+        pressure=(40e3, 200e3, 600e3),
+        values=((0.0, 0.5, 0.9, 1.0), (0.0, 0.4, 0.7, 0.8), (0.0, 0.2, 0.4, 0.5)),
+    ),
+    "jump table": MeasuredTable(
+        slip=(0.0, 1e-3, 4e-3, 10e-3),
+        pressure=(40e3, 200e3, 600e3),
+        values=((0.3, 0.5, 0.7, 0.75), (0.25, 0.4, 0.55, 0.6), (0.15, 0.25, 0.35, 0.4)),
+    ),
+    "constant": Constant(friction_coefficient=0.45),
+    "power": PressurePower(
+        friction_coefficient=0.55, reference_pressure=2e5, exponent=0.3, tested=RANGE
+    ),
+    "elastic-plastic": ElasticPlastic(stiffness=4e8, friction_coefficient=0.5),
+}
+
+
+def solved(given: WideArc, steps: int = 48) -> AcrossResult:
+    result = AcrossSolver(steps).solve(given)
+    assert result.status is AcrossStatus.SOLVED
+    return result
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_stress_by_the_public_friction_of_the_law(name: str) -> None:
+    """Source: u = x + (h/G) mu(x, p) p with the law as the public calls it; differences."""
+    law, c = LAWS[name], 5.2e-9
+    compact = law.compact()
+    u = np.array([-7e-3, -1e-3, -2e-5, 3e-6, 4e-4, 2.5e-3, 9e-3, 0.03])
+    p = np.array([20e3, 90e3, 150e3, 250e3, 330e3, 400e3, 500e3, 800e3])
+    rows = [stress_of(compact, c, a, b) for a, b in zip(u.tolist(), p.tolist(), strict=True)]
+    tau, by_u, by_p, x = np.array(rows).T
+    assert u == pytest.approx(x + c * tau, abs=1e-15, rel=1e-9)
+    sliding = np.abs(x) > 0.0
+    assert tau[sliding] == pytest.approx((law.friction(x, p) * p)[sliding], rel=1e-9)
+    assert np.all(np.abs(tau) <= np.abs(law.friction(np.sign(u) * 1e9, p)) * p + 1e9 * sliding)
+    du, dp = 1e-5 * u, 1e-5 * p
+    for j in range(len(u)):
+        a, b = (stress_of(compact, c, u[j] + k * du[j], p[j]).stress for k in (-1, 1))
+        assert (b - a) / (2.0 * du[j]) == pytest.approx(by_u[j], rel=1e-4, abs=1.0)
+        a, b = (stress_of(compact, c, u[j], p[j] + k * dp[j]).stress for k in (-1, 1))
+        assert (b - a) / (2.0 * dp[j]) == pytest.approx(by_p[j], rel=1e-4, abs=1e-6)
+    together = stresses(compact, knots_of(compact), np.full(len(u), c), u, p)
+    assert together == pytest.approx(np.array([tau, by_u, by_p, x]), rel=1e-8, abs=1e-15)
+
+
+def test_a_strip_without_pressure_carries_nothing() -> None:
+    law = RUBBER.compact()
+    both = stresses(law, knots_of(law), np.full(5, 5e-9), np.full(5, 1e-3), np.full(5, -1.0))
+    assert np.all(both[:3] == 0.0)
+    assert stress_of(RUBBER.compact(), 5e-9, 1e-3, -1.0).stress == 0.0
+
+
+@pytest.mark.parametrize("arc", [FABRIC, braking(FABRIC), replace(CORD, overrun=None)])
+def test_an_even_belt_is_that_of_the_arc(arc: WrapArc) -> None:
+    """Source: the static solver, another march in another state."""
+    even = Distributed(steps=200, capacities=False).solve(arc)
+    found = solved(wide(arc, strips=4))
+    g = found.entry_creep_ratio
+    assert g == pytest.approx(np.full(4, even.entry_creep_ratio), rel=6e-6, abs=1e-8)
+    assert found.exit_creep == pytest.approx(np.full(4, even.exit_creep), rel=6e-6)
+    assert found.exit_slip == pytest.approx(np.full(4, even.exit_slip), rel=6e-6)
+    energy = even.energy.frictional_energy
+    assert found.frictional_energy == pytest.approx(np.full(4, energy), rel=6e-6)
+
+
+def test_an_even_belt_on_a_fine_mesh() -> None:
+    """Source: the static solver; 400 steps."""
+    even = Distributed(steps=768, capacities=False).solve(FABRIC)
+    found = solved(wide(FABRIC, strips=4), steps=400)
+    assert found.exit_creep[0] == pytest.approx(even.exit_creep, rel=1e-8)
+    assert found.exit_slip[0] == pytest.approx(even.exit_slip, rel=1e-8)
+
+
+ENDS = {
+    "far": {},
+    "gripping": {"length_before": 0.8, "length_after": 3.0},
+    "endless": {"length_before": 5.0, "length_after": 1e9},
+}
+
+
+@pytest.mark.parametrize(
+    ("number", "ends", "coupled"),
+    [(1, "far", True), (6, "gripping", True), (3, "endless", False)],
+)
+def test_unlimited_friction_is_linear(number: int, ends: str, coupled: bool) -> None:
+    """Source: a mode is two linear equations; their matrix exponential (and, for far spans, the
+    closed form of the page on the width)."""
+    n, a, e1, e2, f = 8, 0.3e-3, 2e-4, -1e-4, 4e3
+    lengths = {key: np.full(n - 1, value) for key, value in ENDS[ends].items()}
+    arc = replace(FABRIC, law=UNLIMITED)
+    shape = mode(number, n)
+    given = wide(
+        arc, n, radius_deviation=a * shape, entry_misfit=e1 * shape, exit_misfit=e2 * shape,
+        entry_profile=f * shape, **lengths,
+    )  # fmt: skip
+    stiffness = 1e5 if coupled else 0.0
+    given = replace(given, shear_stiffness=stiffness)
+    found = solved(given, steps=96)
+
+    m, k = given.belt_modulus, arc.shear_modulus / arc.thickness
+    wave = number * math.pi / arc.width
+    soft = 1.0 / m + arc.thickness / (arc.radius**2 * arc.compression_modulus)
+    s = stiffness * wave**2
+    before, after = given.length_before[number - 1], given.length_after[number - 1]
+    # (t, u, 1)' for a unit of t1 and for the constant
+    ends_by = []
+    for t1 in (0.0, 1.0):
+        lag1 = e1 - before * (t1 - f) / m
+        rate = np.array([[0.0, -k - s, -s * lag1], [-soft, 0.0, a / arc.radius], [0.0, 0.0, 0.0]])
+        ends_by.append(expm(rate * arc.length) @ np.array([t1, 0.0, 1.0]))
+    path = [e1 + e2 + y[1] + (before * (f - t1) - after * y[0]) / m
+            for t1, y in zip((0.0, 1.0), ends_by, strict=True)]  # fmt: skip
+    t1 = -path[0] / (path[1] - path[0])
+    t2 = ends_by[0][0] + t1 * (ends_by[1][0] - ends_by[0][0])
+    scale = abs(t1) + abs(t2)
+    assert _mode(found.entry_tension, number) == pytest.approx(t1, abs=1e-7 * scale)
+    assert _mode(found.exit_tension, number) == pytest.approx(t2, abs=1e-7 * scale)
+    if ends == "far" and coupled:
+        lam = before
+        length = math.sqrt(1.0 / soft / (k + m / lam**2))
+        q, r, mm = arc.length / length, length / lam, m * soft
+        den = 1.0 - mm * r**2 + (1.0 + mm * r**2) * math.cosh(q) + (1.0 + mm) * r * math.sinh(q)
+        crowned = wide(arc, n, radius_deviation=a * shape)
+        alone = (math.cosh(q) - 1.0 + mm * r * math.sinh(q)) / den * a / (arc.radius * soft)
+        assert _mode(solved(crowned, 96).entry_tension, number) == pytest.approx(alone, rel=1e-6)
+
+
+def _mode(values: Array, number: int) -> float:
+    n = len(values)
+    return float(mode(number, n) @ values) * 2.0 / n
+
+
+def test_without_shear_every_strip_is_a_belt_of_its_own() -> None:
+    """Source: the static solver for each strip at its own tensions and drum number."""
+    n = 6
+    held = {"length_before": np.full(n - 1, 2.0), "length_after": np.full(n - 1, 1.5)}
+    given = wide(FABRIC, n, 0.0, radius_deviation=crown(1e-3, n), entry_misfit=1e-4 * mode(1, n),
+                 **held)  # fmt: skip
+    found = solved(given, steps=96)
+    m, e = given.belt_modulus, given.entry_misfit
+    rise = found.exit_creep - found.fields.creep[0]
+    path = (2.0 * found.entry_tension + 1.5 * found.exit_tension) / m - rise - e
+    assert np.ptp(path) < 1e-12
+    for j in range(n):
+        strip = replace(
+            FABRIC,
+            entry_tension=float(found.entry_tension[j]) * FABRIC.width,
+            exit_tension=float(found.exit_tension[j]) * FABRIC.width,
+        )
+        even = Distributed(capacities=False).solve(strip)
+        assert found.entry_creep_ratio[j] == pytest.approx(even.entry_creep_ratio, rel=1e-4)
+        assert found.exit_creep[j] == pytest.approx(even.exit_creep, rel=1e-6)
+
+
+def test_little_shear_comes_near_none() -> None:
+    """Source: the same spans without shear; the distance falls as the shear."""
+    n = 6
+    held = {"length_before": np.full(n - 1, 2.0), "length_after": np.full(n - 1, 1.5)}
+    tensions = [
+        solved(wide(FABRIC, n, s, radius_deviation=crown(1e-3, n), **held)).entry_tension
+        for s in (0.0, 100.0, 1000.0)
+    ]
+    near, far = (np.max(np.abs(t - tensions[0])) for t in tensions[1:])
+    assert far / near == pytest.approx(10.0, rel=0.02)
+
+
+def test_a_belt_that_does_not_shear() -> None:
+    """Source: a_n M'/R inside, 1/(1 + sqrt(M'/M)) of it at both tangents, S to infinity."""
+    arc = replace(FABRIC, law=UNLIMITED)
+    given = wide(arc, 4, 2e9, radius_deviation=1e-4 * mode(1, 4))
+    found = solved(given)
+    soft = 1.0 / given.compliance[0]
+    inside = soft * 1e-4 / arc.radius
+    middle = int(np.searchsorted(found.angle, 0.5 * math.pi))
+    assert _mode(found.fields.tension[middle], 1) == pytest.approx(inside, rel=0.02)
+    tangent = inside / (1.0 + math.sqrt(soft / given.belt_modulus))
+    assert _mode(found.entry_tension, 1) == pytest.approx(tangent, rel=0.02)
+    assert _mode(found.exit_tension, 1) == pytest.approx(tangent, rel=0.02)
+
+
+def test_constant_friction_strip_by_strip() -> None:
+    """Source: stick by shear lag, then Euler's law, at the tension and drum number of a strip.
+
+    The strip begins to slip inside a step of the march, which costs its order.
+    """
+    n, mu = 6, 0.45
+    arc = replace(FABRIC, law=Constant(friction_coefficient=mu))
+    held = {"length_before": np.full(n - 1, 2.0), "length_after": np.full(n - 1, 1.5)}
+    given = wide(arc, n, 0.0, radius_deviation=crown(0.4e-3, n), **held)
+    found = solved(given, steps=200)
+    c, deviation = arc.shear_compliance, np.ptp(found.exit_tension)
+    for j in range(n):
+        soft = 1.0 / given.compliance[j]
+        free = soft * (found.drum_number + given.radius_deviation[j] / arc.radius)
+        lag, t1 = math.sqrt(soft * c), found.entry_tension[j]
+        s = np.linspace(0.0, arc.length, 200001)
+        t = free - (free - t1) * np.cosh(s / lag)
+        over = (free - t1) * np.sinh(s / lag) / lag - mu * t / arc.radius
+        i = int(np.argmax(over > 0.0))
+        sj = s[i - 1] + (s[i] - s[i - 1]) * over[i - 1] / (over[i - 1] - over[i])
+        tj = free - (free - t1) * math.cosh(sj / lag)
+        t2 = tj * math.exp(-mu * (arc.length - sj) / arc.radius)
+        uj = c * mu * tj / arc.radius
+        u2 = uj + free * (arc.length - sj) / soft - arc.radius * (tj - t2) / (mu * soft)
+        assert found.exit_tension[j] == pytest.approx(t2, abs=3e-3 * deviation)
+        assert found.exit_creep[j] == pytest.approx(u2, rel=1e-3)
+
+
+CASES: list[tuple[str, WrapArc, float]] = [
+    ("driving", FABRIC, 5e-9),
+    ("braking", braking(FABRIC), 5e-9),
+    ("idling", replace(FABRIC, exit_tension=149.9e3), 5e-9),
+    ("kick, no recovery", replace(CORD, overrun=None, recovery=False), 5e-8),
+]
+
+
+@pytest.mark.parametrize(("name", "arc", "miss"), CASES, ids=[c[0] for c in CASES])
+def test_energy_forces_and_reading(name: str, arc: WrapArc, miss: float) -> None:
+    """Source: exact balances: of energy (see the model), and T1 - T2 = int int tau."""
+    n = 6
+    more: dict[str, Any] = {"radius_deviation": crown(1e-3, n), "entry_misfit": 2e-4 * mode(1, n)}
+    found = solved(wide(arc, n, **more), steps=96)
+    assert found.identity_error < miss
+    # Simpson's rule in the variable of the mesh, s = L xi^4
+    xi = np.linspace(0.0, 1.0, 97)
+    rate = 4.0 * arc.length * xi**3 * np.mean(found.fields.shear_stress, axis=1) * arc.width
+    weights = np.where(np.arange(97) % 2 == 1, 4.0, 2.0)
+    weights[0] = weights[-1] = 1.0
+    pull = float(weights @ rate) / (3.0 * 96)
+    assert pull == pytest.approx(arc.effective_tension, rel=2e-5)
+    assert np.mean(found.exit_tension) * arc.width == pytest.approx(arc.exit_tension, rel=1e-10)
+
+
+def test_mirror_constants_and_scale() -> None:
+    """Source: symmetries of the equations."""
+    n = 8
+    shape = 1e-3 * mode(1, n) + 0.5e-3 * mode(3, n)
+    base = wide(FABRIC, n, radius_deviation=shape, exit_misfit=1e-4 * mode(2, n))
+    found = solved(base)
+    other = solved(replace(base, radius_deviation=shape[::-1]))
+    assert other.entry_tension[::-1] == pytest.approx(found.entry_tension, rel=1e-10)
+    moved = replace(base, radius_deviation=shape + 1e-3, exit_misfit=base.exit_misfit + 1e-3)
+    assert solved(moved).exit_tension == pytest.approx(found.exit_tension, rel=1e-9)
+    assert solved(moved).drum_number == pytest.approx(found.drum_number - 1e-3 / 0.4, rel=1e-9)
+    double = replace(
+        FABRIC, width=2.4, entry_tension=300e3, exit_tension=120e3,
+        axial_stiffness=2.0 * FABRIC.axial_stiffness,
+    )  # fmt: skip
+    again = solved(wide(double, n, 4e5, radius_deviation=shape, exit_misfit=1e-4 * mode(2, n)))
+    assert again.entry_tension == pytest.approx(found.entry_tension, rel=1e-10)
+    assert again.exit_tension == pytest.approx(found.exit_tension, rel=1e-10)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_every_law_is_solved(name: str) -> None:
+    """Every law, jumps included; the balance of energy holds."""
+    arc = braking(FABRIC) if name in ("power", "softening") else FABRIC
+    loaded = replace(arc, law=LAWS[name], entry_tension=0.8 * arc.entry_tension + 30e3)
+    found = solved(wide(loaded, 5, radius_deviation=crown(0.5e-3, 5)))
+    assert found.identity_error < 2e-4  # a kink of the law lies inside a step
+    assert found.iterations <= 12
+
+
+def test_what_makes_a_strip_slack_is_said() -> None:
+    """A build-up of 30 mm on a quarter of the face; nothing is clipped."""
+    n = 8
+    found = AcrossSolver(24).solve(wide(FABRIC, n, radius_deviation=30e-3 * (np.arange(n) > 5)))
+    assert found.status is AcrossStatus.SLACK
+    assert found.slack is not None
+    assert 0.1 < found.slack.share < 0.5
+    assert found.slack.tension < 0.0
+    assert abs(found.slack.position) < 0.6
+
+
+def test_breakaway_is_that_of_the_even_belt() -> None:
+    arc = replace(FABRIC, exit_tension=5e3, law=Constant(friction_coefficient=0.3))
+    assert AcrossSolver().solve(wide(arc, 4)).status is AcrossStatus.BREAKAWAY
