@@ -142,7 +142,7 @@ def test_unlimited_friction_is_linear(number: int, ends: str, coupled: bool) -> 
     """Source: a mode is two linear equations; their matrix exponential (and, for far spans, the
     closed form of the page on the width)."""
     n, a, e1, e2, f = 8, 0.3e-3, 2e-4, -1e-4, 4e3
-    lengths = {key: np.full(n - 1, value) for key, value in ENDS[ends].items()}
+    lengths: dict[str, Any] = {key: np.full(n - 1, value) for key, value in ENDS[ends].items()}
     arc = replace(FABRIC, law=UNLIMITED)
     shape = mode(number, n)
     given = wide(

@@ -74,7 +74,7 @@ def test_what_is_not_linear_falls_as_the_square() -> None:
     def miss(size: float) -> float:
         found = AcrossSolver().solve(_deviating(given, "radius", size * shape))
         got = float(shape @ found.entry_tension) / 3.0 / size
-        return abs(got / slope - 1.0)
+        return abs(got / float(slope) - 1.0)
 
     assert miss(0.8e-3) / miss(0.4e-3) == pytest.approx(4.0, rel=0.1)
 

@@ -12,14 +12,15 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import scipy.sparse
 from numpy.typing import NDArray
-from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
 from wraparc.across.wide_arc import WideArc
 from wraparc.friction import FrictionLaw
 
 Array = NDArray[np.float64]
+sparse: Any = scipy.sparse  # its types know no mixed blocks
 
 
 def stress(law: FrictionLaw, compliance: float, creep: Array, pressure: Array) -> Array:
@@ -123,7 +124,7 @@ class Twin:
             whole: Any = sparse.block_array(
                 [[jacobian, column[:, None]], [gauge[None, :], None]], format="csc"
             )
-            step = spsolve(whole, -np.append(miss, gauge @ lag))
+            step: Any = spsolve(whole, -np.append(miss, float(gauge @ lag)))
             lag, drum = lag + step[:-1], drum + float(step[-1])
             if np.max(np.abs(miss)) < 1e-5 * arc.entry_tension / arc.width:
                 break
