@@ -214,8 +214,7 @@ def test_a_console_that_lacks_letters_shows_others(tmp_path: Path, encoding: str
 def test_what_is_piped_is_plain_text(tmp_path: Path) -> None:
     """No colour codes, no drawn lines, no blanks at line ends: whatever the words need is words."""
     ran = wraparc_process("solve", drive_file(tmp_path))
-    text = ran.stdout.decode("utf-8").replace("\u2212", "-")  # the minus sign of margins
-    assert text.isascii()
+    text = ran.stdout.decode("ascii")
     assert "\x1b" not in text
     assert all(line == line.rstrip() for line in text.splitlines())
     assert max(map(len, text.splitlines())) <= 110
@@ -223,7 +222,7 @@ def test_what_is_piped_is_plain_text(tmp_path: Path) -> None:
 
 def test_the_width_of_a_pipe_can_be_given(tmp_path: Path) -> None:
     ran = wraparc_process("solve", drive_file(tmp_path), env=os.environ | {"COLUMNS": "80"})
-    text = ran.stdout.decode("utf-8")
+    text = ran.stdout.decode("ascii")
     assert max(map(len, text.splitlines())) <= 80
     for words in ("Slip at exit", "2.500", "150.0", "carries"):
         assert words in " ".join(text.split())

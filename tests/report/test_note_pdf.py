@@ -74,6 +74,7 @@ def test_the_paper_is_the_one_asked_for(note: bytes) -> None:
     assert media_box(note) == pytest.approx([0, 0, 595.28, 841.89], abs=0.01)
     letter = pdf(BOTH, replace(HEAD, paper="us-letter"), system="us")
     assert media_box(letter) == pytest.approx([0, 0, 612, 792])
+    # letter is 18 mm shorter than A4: the last sources and the box to sign go over to a fifth page
     assert 2 <= pages(letter) <= 5
 
 

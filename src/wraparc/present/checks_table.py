@@ -64,7 +64,7 @@ def margin_text(margin: float) -> str:
         return "> +99.9 %"
     if abs(margin) < _SAME:
         return "0 %"
-    return f"{100.0 * margin:+.3g} %".replace("-", "−")
+    return f"{100.0 * margin:+.3g} %"
 
 
 def checks_summary(verdict: Verdict) -> str:
