@@ -69,6 +69,10 @@ class FieldNumbers:
         Frictional energy per area of lagging in a year [J/m2].
     passes_per_year
         Passages under the belt in a year.
+    diameter
+        Over the lagging, that the levels are for [m].
+    depth
+        Depth of lagging that may be worn off [m].
     """
 
     healthy: Mapping[str, tuple[float, float]] = field(hash=False)
@@ -80,6 +84,32 @@ class FieldNumbers:
     life_years: float
     energy_per_year: float
     passes_per_year: float
+    diameter: float
+    depth: float
+
+    @property
+    def worst(self) -> float:
+        """Largest healthy difference [-]."""
+        return max(max(abs(a), abs(b)) for a, b in self.healthy.values())
+
+    def seen(self, difference: float, worn: float) -> float:
+        """Difference that shaft speed and the unworn diameter show, by a worn lagging [-].
+
+        1 - (1 - d)(1 - 2 w/D): the drum is smaller than it is taken to be, and the belt slower.
+
+        Parameters
+        ----------
+        difference
+            True difference d of drum and belt over the drum [-].
+        worn
+            Depth w worn off since the diameter was measured [m].
+        """
+        return 1.0 - (1.0 - difference) * (1.0 - 2.0 * worn / self.diameter)
+
+    @property
+    def wear_to_alarm(self) -> float:
+        """Depth worn since the diameter was measured that alarms by itself [m]."""
+        return 0.5 * self.diameter * (1.0 - (1.0 - self.alarm) / (1.0 - self.worst))
 
 
 def passes(speed: float, diameter: float, hours: float) -> float:
@@ -186,6 +216,8 @@ def field_numbers(
         life_years=life,
         energy_per_year=energy,
         passes_per_year=turns,
+        diameter=next(iter(results.values())).arc.diameter,
+        depth=depth,
     )
 
 

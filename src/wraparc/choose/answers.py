@@ -17,13 +17,14 @@ ANSWERS = (
     "exit_creep",
     "peak_shear_stress",
     "power_loss",
+    "frictional_energy",
     "creep_limit_margin",
     "tested_slip_margin",
     "gross_slip_margin",
     "least_exit_tension",
     "largest_effective_tension",
 )
-_OF_CAPACITY = ANSWERS[3:]
+_OF_CAPACITY = ANSWERS[4:]
 
 
 def solve_columns(arcs: Arcs, *, capacities: bool, precise: bool = False) -> Mapping[str, Array]:

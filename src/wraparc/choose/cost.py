@@ -78,7 +78,9 @@ def purchases(years: float, life_years: ArrayLike) -> Array:
     return np.ceil(years / np.asarray(life_years, float) - 1e-9)
 
 
-def lagging_cost(cost: Cost, area: ArrayLike, years: float) -> tuple[Array, Array, Array]:
+def lagging_cost(
+    cost: Cost, area: ArrayLike, years: float, life: ArrayLike = math.nan
+) -> tuple[Array, Array, Array]:
     """Cost of a lagging over the years: at the middle, the longest and the shortest life.
 
     (material + installation) * area / (area of the price) * times bought.
@@ -91,6 +93,9 @@ def lagging_cost(cost: Cost, area: ArrayLike, years: float) -> tuple[Array, Arra
         Lagged area pi D W [m2], any shape.
     years
         Years that are counted.
+    life
+        Life by the energy that wears the lagging, in place of that of the vendor [years]; nan
+        where it is not known.
 
     Returns
     -------
@@ -99,7 +104,11 @@ def lagging_cost(cost: Cost, area: ArrayLike, years: float) -> tuple[Array, Arra
     """
     each = (cost.material + cost.installation) * np.asarray(area, float) / cost.area
     low, high = cost.life_years
-    middle, least, most = (each * purchases(years, v) for v in ((low + high) / 2, high, low))
+    known = np.asarray(life, float)
+    middle, least, most = (
+        each * purchases(years, np.where(np.isnan(known), v, known))
+        for v in ((low + high) / 2, high, low)
+    )
     return middle, least, most
 
 

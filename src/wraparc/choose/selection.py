@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.wear import HOUR, WORN_SHARE
 from wraparc.batch.arcs import Arcs
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
@@ -444,14 +445,35 @@ def _area(search: Search, grid: Grid) -> Array:
     return np.asarray(math.pi * grid.diameter * face)
 
 
+def _lives(search: Search, grid: Grid, dry: Sequence[Mapping[str, Array]]) -> Array:
+    """Life of every lagging by the energy that wears it [years]; nan where it cannot be told.
+
+    Half the thickness may be worn off; hours are those of the costs, by load case.
+    """
+    known = [lag.wear_coefficient for lag in search.laggings]
+    coefficient = np.array([math.nan if k is None else k for k in known])[grid.places[0]]
+    speeds = np.array([math.nan if b.speed is None else b.speed for b in search.belts])
+    passes = speeds[grid.places[2]] * HOUR / (math.pi * grid.diameter)
+    energy = np.zeros(len(grid))
+    for case, answer in zip(search.drive.load_cases, dry, strict=True):
+        hours = search.costing.hours.get(case.name, 0.0)
+        if hours > 0.0:
+            energy = energy + hours * passes * np.abs(answer["frictional_energy"])
+    worn = coefficient * energy
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(worn > 0.0, WORN_SHARE * grid.thickness / worn, np.nan)
+
+
 def _costs(search: Search, grid: Grid, dry: Sequence[Mapping[str, Array]]) -> Costs:
     """Cost of every design; energy by the first condition."""
     c, n = search.costing, len(grid)
     area = _area(search, grid)
     parts = np.zeros((3, n))
+    life = _lives(search, grid, dry)
     for place, lagging in enumerate(search.laggings):
         mine = grid.places[0] == place
-        parts[:, mine] = lagging_cost(c.laggings[lagging.name].cost, area[mine], c.years)
+        cost = c.laggings[lagging.name].cost
+        parts[:, mine] = lagging_cost(cost, area[mine], c.years, life[mine])
     belts = np.zeros(len(search.belts))
     for place, belt in enumerate(search.belts):
         if belt.name in c.belts:

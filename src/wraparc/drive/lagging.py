@@ -151,6 +151,8 @@ class Lagging(Viewable):
         Young's modulus E of the rubber [Pa], or None.
     wear_coefficient
         Worn volume per frictional energy [m3/J], or None.
+    belt_energy_share
+        Part of the frictional energy that the belt takes, the lagging taking the rest [-], or None.
     bond_strength
         Shear stress that the lagging and its bond may bear steadily [Pa], or None.
     fatigue_limit
@@ -183,6 +185,7 @@ class Lagging(Viewable):
         "compression_modulus": Limit("pressure", least=1.0, rigid=True),
         "elastic_modulus": Limit("pressure", least=1.0),
         "wear_coefficient": Limit("wear_coefficient"),
+        "belt_energy_share": Limit("number", most=1.0),
         "bond_strength": Limit("pressure", open=True),
         "fatigue_limit": Limit("pressure", open=True),
     }
@@ -197,6 +200,7 @@ class Lagging(Viewable):
     surface: str = ""
     elastic_modulus: float | None = None
     wear_coefficient: float | None = None
+    belt_energy_share: float | None = None
     bond_strength: float | None = None
     fatigue_limit: float | None = None
     cost: Cost | None = None

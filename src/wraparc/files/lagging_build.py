@@ -14,7 +14,7 @@ from wraparc.schema.tables import Record
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
 _SAME = (
     "name", "title", "description", "surface", "elastic_modulus", "wear_coefficient",
-    "bond_strength", "fatigue_limit",
+    "belt_energy_share", "bond_strength", "fatigue_limit",
 )  # fmt: skip
 _MEASURED = ("thickness", "shear_modulus", "compression_modulus")
 _ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")

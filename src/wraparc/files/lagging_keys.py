@@ -197,6 +197,7 @@ _LAGGING = (
         "block", "Shape of the blocks, to estimate the compression modulus.", BLOCK, title="Blocks"
     ),
     known("wear_coefficient"),
+    Entry("belt_energy_share", "Part of the frictional energy that the belt takes."),
     Entry(
         "bond_strength",
         "Shear stress that the lagging and its bond may bear steadily.",

@@ -156,6 +156,15 @@ def _remarks(selection: Selection) -> Iterator[str]:
         "Lagging cost: material and installation, scaled by the lagged area, for as many laggings "
         f"as wear out in {search.costing.years:g} years at the middle of their life; no interest."
     )
+    by_wear = [lag.name for lag in search.laggings if lag.wear_coefficient is not None]
+    by_vendor = [lag.name for lag in search.laggings if lag.wear_coefficient is None]
+    if by_wear:
+        yield f"Life by frictional energy and wear coefficient: {', '.join(by_wear)}."
+    if by_vendor:
+        yield (
+            f"The life of {', '.join(by_vendor)} is that of the vendor, the same at every creep: "
+            "no wear coefficient is known, which would make it follow the frictional energy."
+        )
     yield from _slack_remarks(selection)
     if search.costing.tariff is None:
         yield "Energy lost to creep is left out: no tariff is given."

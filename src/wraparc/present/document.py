@@ -19,6 +19,7 @@ from wraparc.present.conditions_table import conditions_data
 from wraparc.present.conveyor_table import conveyor_data
 from wraparc.present.inputs import arc_inputs
 from wraparc.present.least_tension import least_data
+from wraparc.present.wear_table import life_data
 from wraparc.provenance import Provenance
 from wraparc.units import DIMENSION_TEXT
 from wraparc.version import __version__
@@ -109,6 +110,7 @@ def _arc_data(result: ArcResult, of: DriveResult) -> Data:
         **scalars,
         "unbounded": [name for name, value in scalars.items() if math.isinf(value)],
         "classical": [_classical_data(c) for c in classical_drives(result.arc, lagging)],
+        "wear": life_data(result, lagging),
         "profile": {name: column.tolist() for name, column in result.profile.columns()},
     }
 

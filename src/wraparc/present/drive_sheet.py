@@ -26,6 +26,7 @@ from wraparc.present.inputs import drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, percent
 from wraparc.present.sources import Sources
+from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone, level_of, short, verdict
 from wraparc.units import System, display_unit
 
@@ -114,6 +115,8 @@ def _arc(result: DriveResult, results: Results, system: System, of: Sources) -> 
     tables.append(comparison_table(first, lagging, system, of))
     if first.status.solved:
         tables.append(energy_table(first, system))
+        found = (wear_table(first, lagging, system), life_table(first, lagging, system, of))
+        tables += [table for table in found if table]
     tables.append(input_table(drive, first.arc, system, of))
     return tables
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level
-from wraparc.present.sheet import Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.units import System
 
 
@@ -28,15 +28,15 @@ def field_sheet(
     return Sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
-        verdict=_verdict(found),
-        tables=(speeds, _levels(found), *_wear(found, wear_source, system)),
+        verdict=_verdict(found, system),
+        tables=(speeds, _levels(found, system), *_wear(found, wear_source, system)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )
 
 
-def _verdict(found: FieldNumbers) -> Verdict:
-    worst = max(max(map(abs, pair)) for pair in found.healthy.values())
+def _verdict(found: FieldNumbers, system: System) -> Verdict:
+    worst = found.worst
     level = Level.OK
     if found.at_limit is not None and worst > found.at_limit:
         level = Level.ATTENTION
@@ -44,7 +44,20 @@ def _verdict(found: FieldNumbers) -> Verdict:
         level,
         f"A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "
         f"{percent(found.alarm)}, trip at {percent(found.trip)}.",
-        tuple(_rules(found, worst)),
+        (*_rules(found, worst), _circumference(found, system)),
+    )
+
+
+def _circumference(found: FieldNumbers, system: System) -> str:
+    """Say that wear of the lagging shows as a difference, and when to measure the drum again."""
+    worn, again = (quantity(share * found.wear_to_alarm, "length", system) for share in (1.0, 0.25))
+    moved = percent(2.0 * found.depth / found.diameter)
+    depth = quantity(found.depth, "length", system)
+    return (
+        f"These levels need the drum speed from a measured circumference: {worn} of wear since it "
+        f"was measured raises the alarm by itself, and {depth} moves every difference by {moved}. "
+        f"Measure the circumference again for every {again} worn off, or measure the drum's "
+        "surface instead of its shaft."
     )
 
 
@@ -63,19 +76,29 @@ def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
         )
 
 
-def _levels(found: FieldNumbers) -> Table:
-    rows = []
+def _levels(found: FieldNumbers, system: System) -> Table:
+    def row(title: str, share: float, symbol: str = "", note: str = "") -> Row:
+        return Row(title, (percent(share), percent(found.seen(share, found.depth))), symbol, note)
+
+    rows = [row("Healthy, at most", found.worst)]
     if found.at_limit is not None:
-        rows.append(Row("At the creep limit", (percent(found.at_limit),), "g2"))
-    rows.append(Row("Alarm", (percent(found.alarm),), note="at the creep limit, or 1.25 healthy"))
-    rows.append(Row("Trip", (percent(found.trip),), note="twice the alarm, or gross slip"))
+        rows.append(row("At the creep limit", found.at_limit, "g2"))
+    rows.append(row("Alarm", found.alarm, note="at the creep limit, or 1.25 healthy"))
+    rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
     if found.at_breakaway is not None:
         note = "creep at gross slip over the wrap length; an extrapolation"
-        rows.append(Row("Gross slip", (percent(found.at_breakaway),), note=note))
+        rows.append(row("Gross slip", found.at_breakaway, note=note))
     rows += [
-        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share),)) for rule in TRIP_RULES
+        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE))
+        for rule in TRIP_RULES
     ]
-    return Table("Alarm and trip levels", tuple(rows))
+    depth = quantity(found.depth, "length", system)
+    heads = ("circumference measured", f"{depth} worn since")
+    note = (
+        "The second column is what shaft speed times the circumference before the wear shows: set "
+        "a level by the first, and keep the circumference measured."
+    )
+    return Table("Alarm and trip levels", tuple(rows), heads, note)
 
 
 def _wear(found: FieldNumbers, source: str, system: System) -> Iterator[Table]:
@@ -122,6 +145,8 @@ def field_document(found: FieldNumbers) -> dict[str, Any]:
         "at_gross_slip": found.at_breakaway,
         "alarm": found.alarm,
         "trip": found.trip,
+        "alarm_when_worn": found.seen(found.alarm, found.depth),
+        "wear_to_alarm": found.wear_to_alarm,
         "customary_trips": {r.name: 1.0 - r.speed_share for r in TRIP_RULES},
         "wear_per_year": found.wear_per_year,
         "life_years": found.life_years,

@@ -26,6 +26,7 @@ from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
 from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent, started
 from wraparc.present.sources import Sources
+from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import level_of, short, verdict
 from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
 from wraparc.report.equations import equations
@@ -315,6 +316,8 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     case = first.drive.load_case(worst.arc.load_case)
     lagging = first.drive.pulley(worst.arc.pulley).lagging_in(case.condition)
     tables.append(comparison_table(worst, lagging, system, of))
+    found = (wear_table(worst, lagging, system), life_table(worst, lagging, system, of))
+    tables += [table for table in found if table]
     yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
 
 

@@ -14,6 +14,7 @@ from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import NONE, named, percent
+from wraparc.present.wear_table import life_data
 from wraparc.present.words import alone, level_of, short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
@@ -272,13 +273,17 @@ def _cost(
     if price is None:
         notes.append(f"no price in {asked.currency} is known")
     else:
-        middle, least, most = lagging_cost(price.cost, area, years)
+        life = _life(lagging, result, asked.hours)
+        middle, least, most = lagging_cost(price.cost, area, years, life)
         bought = float(middle)
         low, high = price.cost.life_years
-        notes.append(
-            f"{_money(float(least))} to {_money(float(most))} for a life of {high:g} to {low:g} "
-            f"years; {price.source}"
-        )
+        if math.isnan(life):
+            notes.append(
+                f"{_money(float(least))} to {_money(float(most))} for the vendor's life of "
+                f"{high:g} to {low:g} years, whatever the creep; {price.source}"
+            )
+        else:
+            notes.append(f"life {life:.3g} years by its wear coefficient; {price.source}")
     tariff, loss = asked.tariff, result.energy.power_loss
     if tariff is not None and result.status.solved and math.isfinite(loss):
         energy = float(energy_cost(loss, asked.hours, tariff, years))
@@ -287,6 +292,14 @@ def _cost(
     total = bought if tariff is None else bought + energy
     cells = {"cost_lagging": bought, "cost_energy": energy, "cost_total": total}
     return {key: _cost_cell(value) for key, value in cells.items()}, "; ".join(notes)
+
+
+def _life(lagging: Lagging, result: ArcResult, hours: float) -> float:
+    """Return the life by the energy that wears a lagging [years]; nan where it is not known."""
+    data = life_data(result, lagging)
+    if data is None or data["life_hours"] is None or hours <= 0.0:
+        return math.nan
+    return float(data["life_hours"]) / hours
 
 
 def _price(lagging: Lagging, currency: str) -> Price | None:

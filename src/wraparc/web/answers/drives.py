@@ -23,6 +23,7 @@ from wraparc.present.least_tension import (
 from wraparc.present.sheet import Table as SheetTable
 from wraparc.present.sources import Sources
 from wraparc.present.train_sheet import train_input_sheet
+from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import short, verdict
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
@@ -54,7 +55,9 @@ from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
-TABLES = ("answer", "creep", "capacity", "margins", "comparison", "energy", "inputs")
+TABLES = (
+    "answer", "creep", "capacity", "margins", "comparison", "energy", "wear", "life", "inputs",
+)  # fmt: skip
 
 
 class Arc(Answer):
@@ -309,5 +312,7 @@ def _tables(
         margins_table(answered, result, system),
         comparison_table(result, lagging, system, of),
         energy_table(result, system) if carried else None,
+        wear_table(result, lagging, system),
+        life_table(result, lagging, system, of),
         input_table(drive, result.arc, system, of),
     ]

@@ -1,0 +1,130 @@
+"""Wear along the wrap, and the life of the lagging beside the lives that vendors state."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from wraparc.arc import ArcResult
+from wraparc.arc.wear import (
+    WORN_SHARE,
+    coefficient_of_life,
+    frictional_power,
+    passes_per_hour,
+    wear_life,
+)
+from wraparc.catalogue import lagging_costs
+from wraparc.drive import Lagging
+from wraparc.present.sheet import NONE, Row, Table, quantity
+from wraparc.present.sources import Sources
+from wraparc.units import System
+
+#: Hours of running in a year that a life in years is counted by, where nothing else is said.
+HOURS = 6000.0
+_LIFE = "life of a lagging as its vendor states it"
+
+
+def wear_table(result: ArcResult, lagging: Lagging, system: System = "si") -> Table | None:
+    """Return the frictional power by place along the wrap; None without a belt speed."""
+    edges, power = frictional_power(result)
+    if not result.status.solved or math.isnan(power[0]):
+        return None
+    share = lagging.belt_energy_share
+    rows = []
+    for start, end, mean in zip(edges[:-1], edges[1:], power, strict=True):
+        split = () if share is None else (share * mean, (1.0 - share) * mean)
+        values = tuple(quantity(float(v), "power_per_area", system) for v in (mean, *split))
+        ends = tuple(quantity(float(angle), "angle", system) for angle in (start, end))
+        rows.append(Row(f"{ends[0].rpartition(' ')[0]} to {ends[1]}", values))
+    heads = ("frictional power",) if share is None else ("frictional power", "belt", "lagging")
+    split_note = (
+        "How it divides between belt and lagging is not said (belt_energy_share of the lagging)."
+        if share is None
+        else f"Divided by belt_energy_share = {share:g} of the lagging, "
+        f"{lagging.source_of('belt_energy_share')}."
+    )
+    note = f"By place from the entry: shear stress times the speed of slip. {split_note}"
+    return Table("Wear along the wrap", tuple(rows), heads, note)
+
+
+def life_table(
+    result: ArcResult, lagging: Lagging, system: System = "si", of: Sources | None = None
+) -> Table | None:
+    """Return passes, wear and life of the lagging, beside vendors' lives; None without a speed."""
+    data = life_data(result, lagging)
+    if data is None:
+        return None
+    rows = [Row("Passes of the lagging under the belt", (f"{data['passes_per_hour']:.4g} 1/h",))]
+    depth = quantity(data["depth"], "length", system)
+    if data["life_hours"] is not None:
+        k = quantity(data["coefficient"], "wear_coefficient", system)
+        source = str(lagging.source_of("wear_coefficient"))
+        rows.append(Row("Wear coefficient", (k,), note=source))
+        life = _life(data["life_hours"])
+        rows.append(Row(f"Life until {depth} is worn off", (life,), note=_years_note()))
+    rows += [_vendor_row(vendor, system, of) for vendor in data["vendors"]]
+    note = f"Depth that may be worn off: half the thickness, {depth}."
+    if data["life_hours"] is None:
+        note += (
+            " The life follows from a wear coefficient, which nobody publishes: calibrate it to a "
+            "measured wear (wraparc field --measured-wear), or give wear_coefficient."
+        )
+    return Table("Life of the lagging", tuple(rows), note=note)
+
+
+def _vendor_row(vendor: dict[str, Any], system: System, of: Sources | None) -> Row:
+    low, high = (quantity(v, "wear_coefficient", system) for v in vendor["coefficient"])
+    ends = high if low == high else f"{low.partition(' ')[0]} to {high}"
+    least, most = vendor["years"]
+    years = f"over {least:g}" if least == most else f"{least:g} to {most:g}"
+    number = "" if of is None else of.number(f"{_LIFE}: {vendor['source']}")
+    note = f"whatever the creep; here it would take a wear coefficient of {ends} {number}"
+    return Row(f"Vendor's life, {vendor['name']}", (f"{years} years",), note=note.strip())
+
+
+def life_data(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:
+    """Return passes, energy, life and what vendors' lives stand for, as plain data [SI]."""
+    speed, depth = result.arc.belt_speed, WORN_SHARE * lagging.thickness
+    energy = abs(result.energy.frictional_energy)
+    if speed is None or not result.status.solved or depth <= 0.0 or not energy > 0.0:
+        return None
+    passes = passes_per_hour(speed, result.arc.diameter)
+    edges, power = frictional_power(result)
+    k = lagging.wear_coefficient
+    return {
+        "passes_per_hour": passes,
+        "frictional_energy": energy,
+        "position": edges.tolist(),
+        "frictional_power": power.tolist(),
+        "belt_energy_share": lagging.belt_energy_share,
+        "depth": depth,
+        "coefficient": k,
+        "life_hours": None if k is None else wear_life(depth, k, energy, passes),
+        "vendors": list(_vendors(lagging, depth, energy, passes)),
+    }
+
+
+def _vendors(
+    lagging: Lagging, depth: float, energy: float, passes: float
+) -> Iterator[dict[str, Any]]:
+    for row in lagging_costs():
+        if row.surface == lagging.surface:
+            low, high = row.life_years
+            ends = (coefficient_of_life(depth, HOURS * y, energy, passes) for y in (high, low))
+            yield {
+                "name": row.name,
+                "years": [low, high],
+                "coefficient": list(ends),
+                "source": str(row.provenance),
+            }
+
+
+def _life(hours: float) -> str:
+    if math.isinf(hours):
+        return NONE
+    return f"{hours:,.0f} h" if hours < 1e6 else f"{hours:.3g} h"
+
+
+def _years_note() -> str:
+    return f"frictional energy times wear coefficient; a year has {HOURS:,.0f} h of running here"
