@@ -24,15 +24,9 @@ from wraparc.arc.kernel.effort import (
     shoot_from,
 )
 from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_capacity
-from wraparc.arc.kernel.layers import (
-    NO_LAYERS,
-    NODES,
-    Layers,
-    friction_of_creep,
-    shot_of_layers,
-    solve_layers,
-    trace_layers,
-)
+from wraparc.arc.kernel.layer_march import friction_of_creep
+from wraparc.arc.kernel.layer_profile import NODES, trace_layers
+from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
 from wraparc.arc.kernel.quantities import (
     BREAKAWAY,
     RECORD,
@@ -49,7 +43,8 @@ from wraparc.arc.kernel.quantities import (
 )
 from wraparc.arc.kernel.search import NO_PULL, TOLERANCE, refine, tension_shot
 from wraparc.arc.kernel.stick import held_exit, stick_slip, zone_creep_ratio, zone_end
-from wraparc.arc.kernel.tension_march import applies, march, open_table, table_size
+from wraparc.arc.kernel.tension_march import march
+from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.arc.profile import sort
 from wraparc.friction.compact import CompactLaw
 

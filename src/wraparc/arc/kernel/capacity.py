@@ -20,7 +20,7 @@ from wraparc.arc.kernel.quantities import (
     zeros,
 )
 from wraparc.arc.kernel.search import LARGEST_LOG, TOLERANCE, attempt, refine
-from wraparc.arc.kernel.tension_march import applies, open_table, table_size
+from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw
 
 MEET_STEPS = 12  # mesh steps of a first search; decides speed only

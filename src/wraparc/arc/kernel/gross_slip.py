@@ -18,7 +18,7 @@ from wraparc.arc.kernel.effort import (
 )
 from wraparc.arc.kernel.quantities import Buffer, Geometry, Parameters, parameters_at, zeros
 from wraparc.arc.kernel.search import LARGEST_LOG, carried_ratio, climb
-from wraparc.arc.kernel.tension_march import applies, open_table, table_size
+from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
 
 PEAK_STEPS = 12  # mesh steps of a first search of the largest ratio; decides speed only

@@ -1,245 +1,48 @@
 """March around one wrap arc from the entry nip to the exit nip, for a given entry creep ratio.
 
-State: q = ln(T / T1), the logarithm of tension, and x, the slip (sections "The equations" and "The
-numerical method" of the documentation). With p = p1 e^q and tau = mu(|x|, p) p sign(x):
+Every function of the kernel takes and returns plain numbers, so that one source runs in the
+interpreter and compiled. A law arrives as (kind, edges, coefficients, law.slips), see
+:mod:`wraparc.friction.compact`; the drive as the tuple `par` made by
+:func:`wraparc.arc.kernel.quantities.parameters_at`.
 
-    dq/ds = -tau / (p R)
-    dx/ds = (g + (T1 - T) C + c (mu + p mu_p) mu p / R) / (1 + c p mu_x)
-
-C = 1/EA', c = h/G. Every function here takes and returns plain numbers, so that one source runs in
-the interpreter and compiled. A law arrives as (kind, edges, coefficients, law.slips), see
-:mod:`wraparc.friction.compact`; the drive as the tuple `par` made by :func:`parameters`.
-
-Steps are sixth order (J. C. Butcher, J. Austral. Math. Soc. 4 (1964) 179-194, 7 stages) on the mesh
-s = L xi^4, which resolves the logarithmic slope of the law at x = 0. A step uses one piece of the
-law throughout; where it ends in another piece, it is cut at the boundary.
+A step (:mod:`wraparc.arc.kernel.step`) uses one piece of the law throughout; where it ends in
+another piece, it is cut at the boundary (:mod:`wraparc.arc.kernel.cut`).
 """
 
 from __future__ import annotations
 
 from math import exp, inf, log
 
-from wraparc.arc.kernel.butcher import (
-    to_end,
-    to_fifth,
-    to_fourth,
-    to_last,
-    to_second,
-    to_sixth,
-    to_third,
+from wraparc.arc.kernel.cut import (
+    LOWER_EDGE,
+    NEXT_BRANCH,
+    NO_SLIP,
+    PREVIOUS_BRANCH,
+    UPPER_EDGE,
+    beyond,
+    cut_tolerance,
+    first_crossing,
+    within,
 )
 from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, State, zeros
+from wraparc.arc.kernel.step import LARGEST_LOG, MESH_POWER, pressure_at, rates, step
 from wraparc.friction.compact import (
-    ELASTIC,
     KNOTS,
     LIMIT,
     PIECES,
-    RISE,
     SMALLEST,
     TABLE,
     CompactLaw,
-    branch_gap,
     branch_of,
     friction_at,
     peak,
     segment_of,
 )
 
-MESH_POWER = 4
-LARGEST_LOG = 50.0  # of T/T1: a trial stage far off the solution may ask for more
-# how near a cut lands on a boundary of the law (ln p, or slip [m]): where only the curvature of the
-# law jumps, the square of the miss counts
-CUT_TOLERANCE, SMOOTH_CUT_TOLERANCE, SLIP_CUT_TOLERANCE = 1e-6, 3e-4, 1e-9
 FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each step starts
 MOST_CUTS = 200  # of a mesh step
 WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is like this
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
-
-
-def pressure_at(par: Parameters, q: float) -> float:
-    """Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any."""
-    return par.entry_pressure * exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
-
-
-def rates(
-    law: CompactLaw,
-    par: Parameters,
-    g: float,
-    segment: int,
-    branch: int,
-    sign: float,
-    q: float,
-    x: float,
-) -> tuple[float, float, float]:
-    """dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law."""
-    radius, shear = par.radius, par.shear
-    e = exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
-    p = par.entry_pressure * e
-    mu, mu_x, mu_p = friction_at(law, segment, branch, x * sign, p)
-    dq = -mu / radius
-    dx = g + par.entry_tension * (1.0 - e) * par.compliance
-    if shear > 0.0:
-        sp = shear * p
-        dx = (dx + sp * (mu + p * mu_p) * mu / radius) / (1.0 + sp * mu_x)
-    return sign * dq, dx, sign * mu * p * dx
-
-
-def step(
-    law: CompactLaw,
-    par: Parameters,
-    g: float,
-    segment: int,
-    branch: int,
-    sign: float,
-    q: float,
-    x: float,
-    span: float,
-    xi: float,
-    h: float,
-    k1: tuple[float, float, float],
-) -> tuple[float, float, float]:
-    """One step of length h in xi with the rates k1 at its start: q, x and friction work done."""
-    # ds in h at the five places of the stages
-    f = MESH_POWER * span
-    z = xi * xi * xi * f * h
-    a1, b1, w1 = k1[0] * z, k1[1] * z, k1[2] * z
-    t = xi + h / 3.0
-    z3 = t * t * t * f * h
-    r = rates(law, par, g, segment, branch, sign, q + to_second(a1), x + to_second(b1))
-    a2, b2 = r[0] * z3, r[1] * z3
-    t = xi + h * 2.0 / 3.0
-    z = t * t * t * f * h
-    r = rates(law, par, g, segment, branch, sign, q + to_third(a2), x + to_third(b2))
-    a3, b3, w3 = r[0] * z, r[1] * z, r[2] * z
-    q4, x4 = q + to_fourth(a1, a2, a3), x + to_fourth(b1, b2, b3)
-    r = rates(law, par, g, segment, branch, sign, q4, x4)
-    a4, b4, w4 = r[0] * z3, r[1] * z3, r[2] * z3
-    t = xi + 0.5 * h
-    z = t * t * t * f * h
-    q5, x5 = q + to_fifth(a1, a2, a3, a4), x + to_fifth(b1, b2, b3, b4)
-    r = rates(law, par, g, segment, branch, sign, q5, x5)
-    a5, b5, w5 = r[0] * z, r[1] * z, r[2] * z
-    q6, x6 = q + to_sixth(a2, a3, a4, a5), x + to_sixth(b2, b3, b4, b5)
-    r = rates(law, par, g, segment, branch, sign, q6, x6)
-    a6, b6, w6 = r[0] * z, r[1] * z, r[2] * z
-    t = xi + h
-    z = t * t * t * f * h
-    q7, x7 = q + to_last(a1, a2, a3, a4, a6), x + to_last(b1, b2, b3, b4, b6)
-    r = rates(law, par, g, segment, branch, sign, q7, x7)
-    a7, b7, w7 = r[0] * z, r[1] * z, r[2] * z
-    return (
-        q + to_end(a1, a3, a4, a5, a6, a7),
-        x + to_end(b1, b3, b4, b5, b6, b7),
-        to_end(w1, w3, w4, w5, w6, w7),
-    )
-
-
-def hermite(f: float, h: float, a: float, da: float, b: float, db: float) -> float:
-    """Cubic through a and b with slopes da and db over h, at the fraction f."""
-    e = 1.0 - f
-    return e * e * ((1.0 + 2.0 * f) * a + f * h * da) + f * f * ((3.0 - 2.0 * f) * b - e * h * db)
-
-
-LOWER_EDGE, UPPER_EDGE, NO_SLIP, PREVIOUS_BRANCH, NEXT_BRANCH = range(5)
-
-
-def _beyond(
-    law: CompactLaw, par: Parameters, segment: int, branch: int, side: int, q: float, x: float
-) -> float:
-    """How far a state with slip magnitude x is beyond one side of a piece; negative inside."""
-    last = len(law.edges) - 1
-    if side == LOWER_EDGE:
-        return log(law.edges[segment] / par.entry_pressure) - q if segment >= 0 else -1.0
-    if side == UPPER_EDGE:
-        return q - log(law.edges[segment + 1] / par.entry_pressure) if segment < last else -1.0
-    if side == NO_SLIP:
-        return -x
-    p = pressure_at(par, q)
-    if side == PREVIOUS_BRANCH:
-        return -branch_gap(law, segment, branch - 1, x, p) if branch > 0 else -1.0
-    if not _has_next(law, branch):
-        return -1.0
-    return branch_gap(law, segment, branch, x, p)
-
-
-def _first_crossing(
-    law: CompactLaw,
-    par: Parameters,
-    segment: int,
-    branch: int,
-    sign: float,
-    h: float,
-    start: tuple[float, float, float, float],
-    end: tuple[float, float, float, float],
-) -> tuple[float, int]:
-    """Where a step first leaves its piece: the fraction of the step and the side crossed.
-
-    start and end are q, x and their slopes in xi. A fraction of 1 means that it does not leave.
-    """
-    first, crossed = 1.0, -1
-    for side in range(5):
-        fb = _beyond(law, par, segment, branch, side, end[0], sign * end[1])
-        if fb <= 0.0:
-            continue
-        a, b = 0.0, 1.0
-        fa = _beyond(law, par, segment, branch, side, start[0], sign * start[1])
-        if fa >= 0.0:
-            b = 0.0
-        else:
-            # regula falsi (Illinois) on the Hermite cubics of the step
-            for _ in range(60):
-                m = (a * fb - b * fa) / (fb - fa)
-                qm = hermite(m, h, start[0], start[2], end[0], end[2])
-                xm = hermite(m, h, start[1], start[3], end[1], end[3])
-                fm = _beyond(law, par, segment, branch, side, qm, sign * xm)
-                if fm * fb <= 0.0:
-                    a, fa = b, fb
-                else:
-                    fa *= 0.5
-                b, fb = m, fm
-                if abs(b - a) < 1e-12 or fm == 0.0:
-                    break
-        if b < first:
-            first, crossed = b, side
-    return first, crossed
-
-
-def _has_next(law: CompactLaw, branch: int) -> bool:
-    """Whether a branch ends at larger slips."""
-    if law.kind == LIMIT:
-        return branch == ELASTIC
-    if law.kind == TABLE:
-        return branch < len(law.slips) - 1
-    return branch < 2
-
-
-def _cut_tolerance(law: CompactLaw, segment: int, side: int) -> float:
-    """How near a cut must land: inner knots of pressure only bend the law's slope."""
-    last = len(law.edges) - 1
-    smooth = law.kind == KNOTS and (
-        (side == LOWER_EDGE and segment > 0) or (side == UPPER_EDGE and 0 <= segment < last - 1)
-    )
-    if side in (LOWER_EDGE, UPPER_EDGE):
-        return SMOOTH_CUT_TOLERANCE if smooth else CUT_TOLERANCE
-    return SLIP_CUT_TOLERANCE
-
-
-def _within(
-    law: CompactLaw, par: Parameters, segment: int, branch: int, q: float, x: float
-) -> bool:
-    """Whether a state with slip magnitude x lies in a piece of the law."""
-    p = pressure_at(par, q)
-    last = len(law.edges) - 1
-    if x < 0.0 or (segment >= 0 and p < law.edges[segment]):
-        return False
-    if segment < last and p >= law.edges[segment + 1]:
-        return False
-    if branch == RISE and law.kind in (KNOTS, PIECES):
-        return x <= peak(law, segment, p)[0]
-    return (
-        _beyond(law, par, segment, branch, PREVIOUS_BRANCH, q, x) <= 0.0
-        and _beyond(law, par, segment, branch, NEXT_BRANCH, q, x) <= 0.0
-    )
 
 
 def advance(  # noqa: C901 - one loop over steps and cuts
@@ -291,12 +94,12 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             sign = sign if sign * x1 >= 0.0 else -sign
             segment = segment_of(law, p)
             branch = branch_of(law, segment, sign * x1, p)
-        elif switches < MOST_CUTS and not _within(law, par, segment, branch, q1, sign * x1):
+        elif switches < MOST_CUTS and not within(law, par, segment, branch, q1, sign * x1):
             switches += 1
             t = xi + h
             r = rates(law, par, g, segment, branch, sign, q1, x1)
             j1 = MESH_POWER * span * t * t * t
-            f, side = _first_crossing(
+            f, side = first_crossing(
                 law,
                 par,
                 segment,
@@ -307,12 +110,12 @@ def advance(  # noqa: C901 - one loop over steps and cuts
                 (q1, x1, r[0] * j1, r[1] * j1),
             )
             if f > 0.0:
-                tolerance = _cut_tolerance(law, segment, side)
-                f_last, gap_last = 0.0, _beyond(law, par, segment, branch, side, q, sign * x)
+                tolerance = cut_tolerance(law, segment, side)
+                f_last, gap_last = 0.0, beyond(law, par, segment, branch, side, q, sign * x)
                 for _ in range(4):
                     # land on the boundary: the cubic misses it a little, secant steps do not
                     q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h * f, k)
-                    gap = _beyond(law, par, segment, branch, side, q1, sign * x1)
+                    gap = beyond(law, par, segment, branch, side, q1, sign * x1)
                     if abs(gap) < tolerance or gap == gap_last:
                         break
                     f_next = f - gap * (f - f_last) / (gap - gap_last)

@@ -27,7 +27,7 @@ from wraparc.arc.kernel.quantities import (
     Shot,
     zeros,
 )
-from wraparc.arc.kernel.tension_march import applies, open_table, table_size
+from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw
 
 LARGEST_LOG = 8.0  # largest |ln(T1/T2)| that a march in tension goes to
