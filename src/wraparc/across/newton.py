@@ -21,7 +21,7 @@ import numpy as np
 from wraparc.across.march import Strips, march
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import ArcResult
-from wraparc.arc.kernel.march import MESH_POWER
+from wraparc.arc.kernel.step import MESH_POWER
 from wraparc.friction.compact import CompactLaw
 
 #: logarithm of the growth of errors over one piece of the arc; decides speed and safety only
