@@ -46,7 +46,7 @@ if typing.TYPE_CHECKING:
         SlackBeltError,
         WraparcError,
     )
-    from wraparc.files import load_drive, load_lagging
+    from wraparc.files import load_lagging
     from wraparc.friction import (
         CoefficientPieces,
         Constant,
@@ -62,7 +62,7 @@ if typing.TYPE_CHECKING:
     )
     from wraparc.provenance import Kind, Provenance
     from wraparc.train import Train, TrainResult, solve_train
-    from wraparc.train.file import load_train
+    from wraparc.train.file import load_drive, load_train
     from wraparc.version import __version__
 
 __all__ = [
@@ -134,7 +134,7 @@ _ROOMS = {
         "BreakawayError ConvergenceError InputError MissingExtraError Problem SlackBeltError "
         "WraparcError"
     ),
-    "files": "load_drive load_lagging",
+    "files": "load_lagging",
     "friction": (
         "CoefficientPieces Constant ElasticPlastic FrictionLaw IntegralLog MeasuredTable Piece "
         "PressureKnots PressurePower TestedRange Trend"
@@ -142,7 +142,7 @@ _ROOMS = {
     "provenance": "Kind Provenance",
     "batch": "BatchResult Setting solve_batch",
     "train": "Train TrainResult solve_train",
-    "train.file": "load_train",
+    "train.file": "load_drive load_train",
     "version": "__version__",
 }
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}

@@ -71,6 +71,13 @@ def test_catalogue_laggings_read_back_equal(name: str) -> None:
     assert lagging_from_text(lagging_text(laggings)) == laggings
 
 
+def test_a_changed_catalogue_lagging_reads_back_equal() -> None:
+    """Its modulus stands there, and no longer the blocks that it was estimated from."""
+    lagging = replace(load_lagging("diamond-rubber"), bond_strength=1e5)
+    assert lagging.block is not None
+    assert lagging_from_text(lagging_text(lagging)) == (lagging,)
+
+
 def test_a_rigid_belt_reads_back_equal() -> None:
     drive = load_drive(example("head-drive-fabric"))
     rigid = replace(drive, belt=replace(drive.belt, name="rigid belt", modulus=float("inf")))

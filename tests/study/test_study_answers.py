@@ -11,6 +11,7 @@ import pytest
 from study.studies import EXAMPLES, FRICTION, TAKE_UP, study_of
 from study.test_study_run import CONDITIONS, small
 from wraparc.arc import Distributed, WrapArc
+from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
 from wraparc.schema.source import parse, read_text
@@ -101,7 +102,7 @@ def test_many_draws_are_thinned_evenly() -> None:
     numbers = rng.normal(size=(20, 50_000))
     for part in numbers:
         status = np.zeros(len(part), dtype=np.int64)
-        gathered.take(status, np.ones(len(part), dtype=bool), {"exit_creep": part})
+        gathered.take(status, np.ones(len(part), dtype=bool), status, {"exit_creep": part})
     group = gathered.group(levels={}, load_case="a", condition="", share=None)
     assert sum(map(len, gathered.kept["exit_creep"])) <= 100_000
     assert group.known["exit_creep"] == 1_000_000
@@ -120,6 +121,8 @@ def test_breakaways_are_counted_and_have_a_creep_without_bound(tmp_path: Path) -
     assert first.breakaway.value == 1.0
     assert first.over_limit.value == 1.0
     assert first.percentiles["exit_creep"][0] == math.inf
+    assert first.judged.share(Level.FAILS).value == 1.0
+    assert first.judged.missed == {"gross_slip": 8}
 
 
 def test_a_file_that_is_no_results(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 from study.studies import FRICTION, SAMPLING, TAKE_UP, study_of
 from wraparc.errors import InputError
 from wraparc.study.file import load_study
+from wraparc.study.parameter_study import JUDGED
 
 NORMAL = {"field": "belt.modulus", "distribution": "normal", "mean": "12 MN/m"}
 
@@ -21,7 +22,7 @@ BAD: list[tuple[list[dict[str, Any]], dict[str, Any], str]] = [
     ([{**TAKE_UP, "field": "pulley..x"}], {}, "no key path"),
     ([{**TAKE_UP, "field": "belt.width.x"}], {}, "belt.width is a value, with nothing below it"),
     ([{"field": "belt", "values": ["x"]}], {}, "the field is a table, not a value"),
-    ([{"field": "belt.rating", "values": ["90 kN/m", "200 kN/m"]}], {}, "changes nothing on pull"),
+    ([{"field": "description", "values": ["one", "another"]}], {}, "changes nothing on pull"),
     ([{**TAKE_UP, "to": "90 kPa"}], {}, "a pressure, where a force is needed"),
     ([{**TAKE_UP, "to": "40 kN"}], {}, "must differ from the first"),
     ([{**TAKE_UP, "count": 1}], {}, "must be a whole number from 2"),
@@ -133,3 +134,11 @@ def test_the_examples_can_be_read(name: str) -> None:
     asked = load_study(path)
     assert asked.study.rows >= 24
     assert any("illustrative" in source for source in asked.sources)
+
+
+def test_what_changes_the_verdict_alone_may_be_varied() -> None:
+    axis = {"field": "belt.rating", "values": ["90 kN/m", "200 kN/m"]}
+    columns = study_of(axis).study.solve(0, 2)
+    assert [JUDGED["verdict"][code] for code in columns["verdict"]] == ["FAILS", "OK"]
+    assert JUDGED["governing"][columns["governing"][0]] == "belt_tension"
+    assert columns["exit_creep"][0] == columns["exit_creep"][1]

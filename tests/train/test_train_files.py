@@ -289,5 +289,5 @@ def test_tensions_of_single_pulleys_are_refused() -> None:
 
 
 def test_a_plain_drive_reader_says_what_the_file_is() -> None:
-    with pytest.raises(InputError, match="Read the file with load_train"):
+    with pytest.raises(InputError, match="Read it with wraparc"):
         drive_from_text(text('speeds = "equal"'))

@@ -1,4 +1,4 @@
-"""Numbers read off a marched profile: order, peak shear stress, active arc, share outside tests.
+"""Numbers read off a marched profile: order, peak stress, active arc, slip, share outside tests.
 
 Plain numbers and buffers only, like the march: compiled for batches. A profile is `count` records
 of (s, q, slip, creep, shear stress, friction work, kink), see :mod:`wraparc.arc.kernel.march`.
@@ -6,7 +6,7 @@ of (s, q, slip, creep, shear stress, friction work, kink), see :mod:`wraparc.arc
 
 from __future__ import annotations
 
-from math import exp
+from math import exp, nan
 
 from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters
 
@@ -71,6 +71,26 @@ def active_length(out: Buffer, count: int) -> float:
     w = (0.01 - a) / (b - a) if b != a else 1.0
     s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i])
     return out[end] - s
+
+
+def largest_slip(out: Buffer, count: int) -> float:
+    """Largest magnitude of slip along the arc [m]."""
+    most = 0.0
+    for i in range(count):
+        most = max(most, abs(out[RECORD * i + 2]))
+    return most
+
+
+def steepest_slip(out: Buffer, count: int, length: float) -> float:
+    """Largest change of slip along the arc per length [-]; times the belt speed, the slip speed."""
+    most = nan
+    for i in range(count - 1):
+        a, b = RECORD * i, RECORD * (i + 1)
+        step = out[b] - out[a]
+        if step > 1e-9 * length:  # records of a kink may coincide
+            change = abs(out[b + 2] - out[a + 2]) / step
+            most = change if most != most else max(most, change)
+    return most
 
 
 def share_outside(

@@ -12,6 +12,9 @@ from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
 
+#: Overrun by formula over delta sqrt(delta/R) [-].
+OVERRUN = 1.25
+
 
 @dataclass(frozen=True, kw_only=True)
 class WrapArc:
@@ -233,13 +236,18 @@ class WrapArc:
         """x_c, the slip at the entry nip that is used [m]."""
         if self.overrun is not None:
             return self.overrun
-        return 1.25 * self.compression * math.sqrt(self.compression / self.radius)
+        return OVERRUN * self.compression * math.sqrt(self.compression / self.radius)
+
+    @property
+    def _overrun_coefficient(self) -> float:
+        """Overrun over the entry pressure to the power 1.5, 0 where it is given [m/Pa^1.5]."""
+        if self.overrun is not None:
+            return 0.0
+        found: float = OVERRUN * self.compression_compliance**1.5 / math.sqrt(self.radius)
+        return found
 
     def geometry(self) -> Geometry:
         """Numbers of the arc for the march, but for the entry tension."""
-        coefficient = 0.0
-        if self.overrun is None:
-            coefficient = 1.25 * self.compression_compliance**1.5 / math.sqrt(self.radius)
         return Geometry(
             self.side,
             self.radius,
@@ -248,7 +256,7 @@ class WrapArc:
             self.compliance,
             self.shear_compliance,
             self.overrun or 0.0,
-            coefficient,
+            self._overrun_coefficient,
             self.law.compact().onset_compliance,
         )
 

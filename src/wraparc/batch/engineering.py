@@ -46,6 +46,7 @@ _FOUND = {place: k for k, place in enumerate(FOUND)}
 _MAIN = (
     (row.EXIT_CREEP, slot.EXIT_CREEP),
     (row.EXIT_SLIP, slot.EXIT_X),
+    (row.LARGEST_SLIP, slot.EXIT_X),  # of a driving arc it grows all along
     (row.EXIT_STRESS, slot.EXIT_STRESS),
     (row.ENTRY_STRESS, slot.ENTRY_STRESS),
     (row.CREEP_RATIO, slot.G),
@@ -69,7 +70,7 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
     Returns
     -------
     found, handed_over
-        Shapes (n, 19) and (n,).
+        Shapes (n, 21) and (n,).
     """
     batch = _Batch(arcs)
     batch.find_gross(parts)
@@ -109,6 +110,8 @@ class _Batch:
         self.found[:, row.OUTCOME] = np.where(refused, REFUSED, SOLVED)
         self.pressure, self.softens, self.live = pressure, softens, ~refused
         self.fit = self.live & (self.laws.row[arcs.law] >= 0) & (self.of("side") > 0.0)
+        # lanes do not look for the slip speed, which a law that states its own is held against
+        self.fit &= np.isnan(arcs.laws.tested_speed[arcs.law])
         self.left[self.live & ~self.fit] = row.EVERYTHING
 
     def of(self, name: str) -> Array:

@@ -36,6 +36,8 @@ class LawBank:
     tested
         Lowest and highest tested pressure and largest tested slip, nan without a tested range,
         shape (m, 3) [Pa, Pa, m].
+    tested_speed
+        Slip speed of the tests, nan where it is not stated, shape (m,) [m/s].
     """
 
     kind: Integers
@@ -44,6 +46,7 @@ class LawBank:
     onset_compliance: Array
     steepest_fall: Array
     tested: Array
+    tested_speed: Array
 
     def __len__(self) -> int:
         return len(self.kind)
@@ -60,6 +63,7 @@ class LawBank:
             onset_compliance=np.array([c.onset_compliance for c in compact], dtype=float),
             steepest_fall=np.array([law.steepest_fall() for law in laws], dtype=float),
             tested=np.array([_tested(law) for law in laws], dtype=float).reshape(-1, 3),
+            tested_speed=np.array([_tested_speed(law) for law in laws], dtype=float),
         )
 
     @property
@@ -86,12 +90,18 @@ class LawBank:
             onset_compliance=self.onset_compliance[index],
             steepest_fall=self.steepest_fall[index],
             tested=self.tested[index],
+            tested_speed=self.tested_speed[index],
         )
 
 
 def _tested(law: FrictionLaw) -> tuple[float, float, float]:
     t = law.tested
     return (nan, nan, nan) if t is None else (t.pressure_min, t.pressure_max, t.slip_max)
+
+
+def _tested_speed(law: FrictionLaw) -> float:
+    speed = law.tested.slip_speed if law.tested is not None else None
+    return nan if speed is None else speed
 
 
 def _packed(laws: Sequence[CompactLaw]) -> tuple[Array, Integers]:

@@ -49,7 +49,7 @@ def law_of(bank: Any, which: int) -> CompactLaw:
 
 
 def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
-    """Rows of results (see :mod:`wraparc.batch.row`) of every arc, shape (n, 19).
+    """Rows of results (see :mod:`wraparc.batch.row`) of every arc, shape (n, 21).
 
     Parameters
     ----------

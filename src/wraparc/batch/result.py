@@ -48,7 +48,7 @@ class BatchResult(Mapping[str, Array]):
     arcs
         What was solved.
     found
-        Rows of the kernel's numbers, shape (n, 19).
+        Rows of the kernel's numbers, shape (n, 21).
     """
 
     arcs: Arcs
@@ -81,6 +81,18 @@ class BatchResult(Mapping[str, Array]):
         """Which arcs cannot, shape (n,)."""
         flags: Flags = self.found[:, row.OUTCOME] == BREAKAWAY
         return flags
+
+    @property
+    def largest_slip(self) -> Array:
+        """Largest slip along each arc, shape (n,) [m]."""
+        slip: Array = self.found[:, row.LARGEST_SLIP]
+        return slip
+
+    @property
+    def slip_speed(self) -> Array:
+        """Largest speed of the belt on the lagging, nan where nobody looked, shape (n,) [m/s]."""
+        speed: Array = self.arcs.belt_speed * self.found[:, row.STEEPEST_SLIP]
+        return speed
 
     def to_frame(self) -> pd.DataFrame:
         """Return the columns as a pandas DataFrame.

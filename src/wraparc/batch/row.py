@@ -30,7 +30,13 @@ from wraparc.arc.kernel.quantities import (
     zeros,
 )
 from wraparc.arc.kernel.stick import onset_stress
-from wraparc.arc.profile import active_length, peak_stress, share_outside
+from wraparc.arc.profile import (
+    active_length,
+    largest_slip,
+    peak_stress,
+    share_outside,
+    steepest_slip,
+)
 from wraparc.friction.compact import CompactLaw
 
 #: what is wanted of an arc, to be added up with the capacities
@@ -61,12 +67,14 @@ INPUTS = (*Geometry._fields, *Load._fields)
     GROSS_CREEP,
     LEAST_SLACK,  # [N]
     MOST_PULL,  # [N]
-) = range(19)
-FOUND_NUMBERS = 19
+    LARGEST_SLIP,  # along the arc [m]
+    STEEPEST_SLIP,  # along the arc [-]; the lanes do not look for it
+) = range(21)
+FOUND_NUMBERS = 21
 
 #: places that each part fills
 PLACES = {
-    TENSIONS: tuple(range(OUTCOME, OUTSIDE + 1)),
+    TENSIONS: (*range(OUTCOME, OUTSIDE + 1), LARGEST_SLIP, STEEPEST_SLIP),
     CREEP_LIMIT: (CREEP_CAPACITY,),
     TESTED_SLIP: (SLIP_CAPACITY,),
     LEAST: (LEAST_SLACK, MOST_PULL),
@@ -153,6 +161,8 @@ def find_tensions(
     found[STUCK_LENGTH], found[ENTRY_STRESS] = shot.stuck_length, out[4]
     found[PEAK_STRESS], found[PEAK_AT] = peak_stress(out, count)
     found[ACTIVE] = active_length(out, count)
+    found[LARGEST_SLIP] = largest_slip(out, count)
+    found[STEEPEST_SLIP] = steepest_slip(out, count, par.length)
     if load.pressure_min == load.pressure_min:
         found[OUTSIDE] = share_outside(
             par, out, count, load.pressure_min, load.pressure_max, load.slip_max

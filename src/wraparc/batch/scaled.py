@@ -44,6 +44,8 @@ FOUND_POWERS = {
     row.PEAK_AT: (-1, 0),
     row.ACTIVE: (-1, 0),
     row.GROSS_CREEP: (0, 1),
+    row.LARGEST_SLIP: (0, 1),
+    row.STEEPEST_SLIP: (1, 1),
 }
 
 

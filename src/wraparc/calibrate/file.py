@@ -8,7 +8,6 @@ from wraparc.calibrate.calibration import PARAMETERS, QUANTITIES, Number, Prior,
 from wraparc.calibrate.fold import Folded, fold
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.drive import Drive, Limit
-from wraparc.files.drive_parts import case_of, drive_of
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text
@@ -20,6 +19,7 @@ from wraparc.schema.source import Document, read_whole
 from wraparc.schema.tables import Entry, Record, Table, need
 from wraparc.shear_test import DELIMITER_NAMES
 from wraparc.shear_test.plan_keys import Column
+from wraparc.train.drive_parts import case_of, drive_of
 from wraparc.units import Dimension, parse_quantity
 
 METHODS = {"distributed": Distributed, "paper": PaperMarch}

@@ -20,8 +20,10 @@ from wraparc.checks.check import Check, Level, Place, Verdict, keeps
 from wraparc.checks.gross_slip import Margins, margins, margins_of
 from wraparc.checks.judge import before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
+from wraparc.checks.rules import RULES
 
 __all__ = [
+    "RULES",
     "Check",
     "Figure",
     "LeastTension",

@@ -7,9 +7,14 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.units import Dimension, System, display
+
+_Number = TypeVar("_Number", float, NDArray[np.float64])
 
 #: Digits that two numbers are told apart by, and the most that are shown to tell them apart.
 DIGITS, MOST_DIGITS = 4, 9
@@ -41,6 +46,11 @@ def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
     """Whether a value keeps its limit, compared in the digits that are shown."""
     within = value <= limit if at_most else value >= limit
     return within or same_shown(value, limit)
+
+
+def margin_to(value: _Number, limit: _Number, *, at_most: bool) -> _Number:
+    """How far a value is from its limit, over the limit: positive on the safe side [-]."""
+    return (1.0 if at_most else -1.0) * (1.0 - value / limit)
 
 
 class Place(NamedTuple):
@@ -119,7 +129,7 @@ class Check:
             return math.nan
         if math.isinf(self.value):
             return math.nan if self.at_most else math.inf
-        return (1.0 if self.at_most else -1.0) * (1.0 - self.value / self.limit)
+        return margin_to(self.value, self.limit, at_most=self.at_most)
 
     @property
     def missed(self) -> bool:

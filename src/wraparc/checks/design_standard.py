@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.arc import wrap_factor
 from wraparc.catalogue import design_friction
 from wraparc.drive import DesignStandard, Lagging, TakeUp
+
+Array = NDArray[np.float64]
 
 #: CEMA's drive factor Cw of a single pulley with a manual take-up, by wrap angle [deg]. CEMA gives
 #: its values for an automatic take-up in the same table; they are 1/(exp(mu phi) - 1) with a
@@ -16,6 +21,7 @@ MANUAL_WRAP_FACTORS = {
     "bare": ((180.0, 1.2), (200.0, 1.0), (210.0, 1.0), (220.0, 0.9), (240.0, 0.8)),
     "lagged": ((180.0, 0.8), (200.0, 0.7), (210.0, 0.7), (220.0, 0.6), (240.0, 0.6)),
 }
+_ROUNDING = 1e-9  # of angles in degrees
 MANUAL_SOURCE = "CEMA, Belt Conveyors for Bulk Materials, table of the drive factor Cw"
 
 
@@ -55,35 +61,78 @@ def asked(
     wrap_angle
         phi [rad].
     """
-    name = standard.name or "CEMA"
-    if name == "none":
+    if standard.name == "none":
         return None
+    if _by_table(standard, take_up, lagging):
+        return _manual(lagging, wrap_angle)
+    friction, found = _friction(standard, lagging)
+    if friction is None:
+        return found
+    return replace(found, wrap_factor=wrap_factor(friction, wrap_angle))
+
+
+def wrap_factors(
+    standard: DesignStandard, take_up: TakeUp, lagging: Lagging, wrap_angle: Array
+) -> Array:
+    """Return the wrap factors that `asked` finds, nan for none, shape (n,) [-].
+
+    Parameters
+    ----------
+    standard, take_up, lagging
+        As there.
+    wrap_angle
+        phi, shape (n,) [rad].
+    """
+    none = np.full(len(wrap_angle), math.nan)
+    if standard.name == "none":
+        return none
+    if _by_table(standard, take_up, lagging):
+        first, factor = np.array(_rows(lagging)).T
+        angle = np.degrees(wrap_angle)
+        row = np.searchsorted(first, angle + _ROUNDING, side="right") - 1
+        inside = (row >= 0) & (angle <= first[-1] + _ROUNDING)
+        return np.where(inside, factor[np.maximum(row, 0)], none)
+    friction, _ = _friction(standard, lagging)
+    return none if friction is None else 1.0 / np.expm1(friction * wrap_angle)
+
+
+def _by_table(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> bool:
+    """Whether CEMA's table of manual take-ups holds."""
+    cema = standard.friction is None and (standard.name or "CEMA") == "CEMA"
+    return cema and take_up.fixed and bool(lagging.surface)
+
+
+def _friction(standard: DesignStandard, lagging: Lagging) -> tuple[float | None, Asked]:
+    """Return the friction that a standard designs with, and what to say of it."""
+    name = standard.name or "CEMA"
     if standard.friction is not None:
         rule = f"your own rule, friction {standard.friction:.2f}"
-        return Asked(rule, wrap_factor(standard.friction, wrap_angle), "given")
+        return standard.friction, Asked(rule, math.nan, "given")
     if not lagging.surface:
-        return _silent(name, f"lagging {lagging.name} does not say what its surface is")
-    if name == "CEMA" and take_up.fixed:
-        return _manual(lagging, wrap_angle)
+        return None, _silent(name, f"lagging {lagging.name} does not say what its surface is")
     condition = standard.condition or lagging.condition
     found = [d for d in design_friction() if d.standard == name and d.surface == lagging.surface]
     value = next((d for d in found if d.condition in ("", condition)), None)
     if value is None:
-        return _silent(name, f"it has no value for {lagging.surface} when {condition}")
+        return None, _silent(name, f"it has no value for {lagging.surface} when {condition}")
     friction = value.friction[0]
     stated = ", ".join(part for part in (value.surface, value.condition) if part)
     rule = f"{name}, friction {friction:.2f} ({stated})"
-    return Asked(rule, wrap_factor(friction, wrap_angle), str(value.provenance))
+    return friction, Asked(rule, math.nan, str(value.provenance))
+
+
+def _rows(lagging: Lagging) -> tuple[tuple[float, float], ...]:
+    return MANUAL_WRAP_FACTORS["bare" if lagging.surface == "bare" else "lagged"]
 
 
 def _manual(lagging: Lagging, wrap_angle: float) -> Asked:
-    rows = MANUAL_WRAP_FACTORS["bare" if lagging.surface == "bare" else "lagged"]
+    rows = _rows(lagging)
     angle = math.degrees(wrap_angle)
-    if not rows[0][0] - 1e-9 <= angle <= rows[-1][0] + 1e-9:
+    if not rows[0][0] - _ROUNDING <= angle <= rows[-1][0] + _ROUNDING:
         ends = f"{rows[0][0]:g} to {rows[-1][0]:g} degrees"
         return _silent("CEMA", f"its factors for manual take-ups are for wraps of {ends}")
     # between two rows the factor of the smaller wrap: the table is rounded to steps
-    factor = next(value for row, value in reversed(rows) if row <= angle + 1e-9)
+    factor = next(value for row, value in reversed(rows) if row <= angle + _ROUNDING)
     return Asked(f"CEMA, manual take-up, Cw {factor:g}", factor, MANUAL_SOURCE)
 
 

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+from numpy.typing import NDArray
+
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.arc.kernel.gross_slip import largest_ratio, plateau_capacity
+from wraparc.arc.kernel import gross_slip as kernel
+
+Array = NDArray[np.float64]
 
 nan, inf = math.nan, math.inf
 _STEPS = 24
 #: Shares of the rise of pull that the tight end gives up when the take-up holds each.
 SLACK_HELD, BOTH_HELD, TIGHT_HELD = 0.0, 0.5, 1.0
-_TOLERANCE = 1e-10
-_ROUNDS = 200
 
 
 class Grip:
@@ -33,10 +36,9 @@ class Grip:
     """
 
     def __init__(self, arc: WrapArc, ratio: float = nan) -> None:
-        self._law, self._arc = arc.law.compact(), arc
+        self.law, self._arc = arc.law.compact(), arc
         #: Whether friction falls past its peak, so that the offset holds near one tension only.
         self.softens = arc.law.steepest_fall() < 0.0
-        self._area = arc.width * arc.radius
         self._known = math.log(ratio) if ratio > 0.0 else nan
         self._at = max(arc.entry_tension, arc.exit_tension)
 
@@ -47,24 +49,30 @@ class Grip:
         known = self._known
         if math.isnan(known):
             geometry = self._arc.geometry()
-            known = largest_ratio(self._law, geometry, self._at, True, _STEPS)[0]
-        return known - self._plateau(self._at)
+            known = kernel.largest_ratio(self.law, geometry, self._at, True, _STEPS)[0]
+        pressure = self._at / (self._arc.width * self._arc.radius)
+        return known - kernel.plateau_capacity(self.law, pressure, self._arc.wrap_angle)
 
-    def _plateau(self, tight: float) -> float:
-        return plateau_capacity(self._law, tight / self._area, self._arc.wrap_angle)
+    @cached_property
+    def numbers(self) -> kernel.Grip:
+        """What the kernel knows of it."""
+        arc = self._arc
+        return kernel.Grip(arc.wrap_angle, arc.width * arc.radius, self._offset)
 
     def __call__(self, tight: float) -> float:
         """Return ln(tight/slack) at gross slip for a tension of the tight side [N]."""
-        return max(self._plateau(tight) + self._offset, 0.0)
+        return kernel.carried_log(self.law, self.numbers, tight)
 
     def tight_for(self, pull: float) -> float:
         """Return the tension of the tight side that just carries a pull at gross slip [N].
 
-        The root of T (1 - exp(-q(T))) = pull; inf if no tension carries it.
+        The root of ln(T/(T - pull)) = q(T); inf if no tension carries it.
         """
         if pull <= 0.0:
             return 0.0
-        return _root(lambda t: t * -math.expm1(-self(t)) - pull, pull, 1e4 * pull)
+        # in units of the pull: T = k pull
+        line = kernel.Line(pull, 0.0, pull, pull)
+        return pull * kernel.slip_place(self.law, self.numbers, line, -1.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -95,16 +103,27 @@ def rises(arcs: Sequence[ArcResult], index: int, held: float = SLACK_HELD) -> Ri
     held
         Part of the growth that the tight end gives up: `SLACK_HELD`, `BOTH_HELD` or `TIGHT_HELD`.
     """
-    pulls = [r.arc.effective_tension for r in arcs]
-    total = math.fsum(pulls)
-    if total >= 0.0:
-        entry, leaving = math.fsum(pulls[index:]), math.fsum(pulls[index + 1 :])
-    else:
-        entry, leaving = -math.fsum(pulls[:index]), -math.fsum(pulls[: index + 1])
-    entry, leaving = entry - held * abs(total), leaving - held * abs(total)
-    if arcs[index].arc.side > 0.0:
-        return Rise(entry, leaving)
-    return Rise(leaving, entry)
+    pulls = np.array([[r.arc.effective_tension] for r in arcs])
+    tight, slack = rises_of(pulls, index, np.array([held]))
+    return Rise(float(tight[0]), float(slack[0]))
+
+
+def rises_of(pulls: Array, index: int, held: Array) -> tuple[Array, Array]:
+    """Return the same of many drives: growth of the tight and of the slack side, (n,) each [N].
+
+    Parameters
+    ----------
+    pulls
+        Effective tension of every pulley in belt order, shape (pulleys, n) [N].
+    index, held
+        As for `rises`, `held` of shape (n,).
+    """
+    total = pulls.sum(axis=0)
+    behind, ahead = pulls[index + 1 :].sum(axis=0), pulls[:index].sum(axis=0)
+    entry = np.where(total >= 0.0, pulls[index] + behind, -ahead) - held * np.abs(total)
+    leaving = np.where(total >= 0.0, behind, -ahead - pulls[index]) - held * np.abs(total)
+    driving = pulls[index] >= 0.0
+    return np.where(driving, entry, leaving), np.where(driving, leaving, entry)
 
 
 def pull_factor(arc: WrapArc, grip: Grip, rise: Rise) -> float:
@@ -116,48 +135,8 @@ def pull_factor(arc: WrapArc, grip: Grip, rise: Rise) -> float:
     slack = min(arc.entry_tension, arc.exit_tension)
     if tight == slack:
         return inf
-
-    def miss(k: float) -> float:
-        t, s = tight + (k - 1.0) * rise.tight, slack + (k - 1.0) * rise.slack
-        if s <= 0.0 or t <= 0.0:
-            return 50.0
-        return math.log(t / s) - grip(t)
-
-    return _root(miss, 0.0, 1e4)
-
-
-def _root(miss: Callable[[float], float], low: float, high: float) -> float:
-    """Smallest root that bracketing from below finds; inf if there is none up to `high`."""
-    a, f_a = low, miss(low) if low else -1.0
-    step = max(low, 1.0)
-    b = a + step
-    f_b = miss(b)
-    while f_b < 0.0:
-        a, f_a = b, f_b
-        step *= 1.6
-        b += step
-        if b > high:
-            return inf
-        f_b = miss(b)
-    side = 0
-    for _ in range(_ROUNDS):  # false position (Illinois)
-        if b - a <= _TOLERANCE * b:
-            break
-        c = (a * f_b - b * f_a) / (f_b - f_a)
-        if not a < c < b:
-            c = 0.5 * (a + b)
-        f = miss(c)
-        if abs(f) < 1e-14:
-            return c
-        if f < 0.0:
-            a, f_a = c, f
-            f_b = 0.5 * f_b if side < 0 else f_b
-            side = -1
-        else:
-            b, f_b = c, f
-            f_a = 0.5 * f_a if side > 0 else f_a
-            side = 1
-    return 0.5 * (a + b)
+    line = kernel.Line(tight, slack, rise.tight, rise.slack)
+    return kernel.slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import CaseResult, TrainResult, TrainStatus
 
@@ -128,12 +129,11 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
     error = max(case.tension_error, case.speed_error)
     if case.status.solved:
         yield of_drive.judged(
-            "train_balance",
+            RULES["train_balance"],
             "Tensions, speeds and torques of the train agree",
             error,
             TRAIN_BALANCE,
             "number",
-            Level.FAULT,
             source="tolerance of the program",
             short="out of balance",
             says="Tensions, speeds and torques of the train miss each other by {value}.",

@@ -16,7 +16,8 @@ from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, Grip, grip_of, rises
-from wraparc.checks.of_arc import IDLE, design_slack
+from wraparc.checks.of_arc import design_slack
+from wraparc.checks.rules import IDLE, tension_factor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
@@ -194,8 +195,7 @@ def _pressures(
         title, most = "Pressure on the pulley face", belt.largest_wrap_pressure * area
         yield Figure("face_pressure", title, of_tight + most, place, at_least=False)
     if belt.rating is not None:
-        factor = 1.0 if case.kind == "running" else belt.momentary_factor or 1.0
-        most = of_tight + factor * belt.rating * belt.width
+        most = of_tight + tension_factor(belt, case.kind) * belt.rating * belt.width
         yield Figure("belt_tension", "Belt tension", most, place, at_least=False)
 
 

@@ -21,13 +21,12 @@ from wraparc.checks.of_drive import (
     origin,
     tests_of,
 )
+from wraparc.checks.rules import IDLE, NO_GRIP, RULES, standard_rule, start_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
 BALANCE = 1e-4
-#: Pull over tension that counts as none [-].
-IDLE = 1e-6
 OWN_FACTORS = "taken where the drive file says nothing"
 
 
@@ -36,7 +35,8 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
     result = arcs[index]
     safety, take_up = drive.criteria.safety, drive.criteria.take_up
     factor = safety.of(case.kind)
-    name, title = "gross_slip", f"Safety against gross slip, {case.kind}"
+    rule, title = RULES["gross_slip"], f"Safety against gross slip, {case.kind}"
+    name = rule.name
     place = Place(result.arc.pulley, case.name)
     source = f"safety factor {case.kind}: {safety.source or OWN_FACTORS}"
     if result.status is Status.UNSOLVED:
@@ -50,7 +50,7 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
     k = pull_factor(result.arc, grip_of(result), rises(arcs, index, held))
     if result.status is Status.BREAKAWAY:
         return Check(
-            name=name, title=title, level=Level.FAILS, value=min(k, 1.0), limit=factor,
+            name=name, title=title, level=NO_GRIP, value=min(k, 1.0), limit=factor,
             at_most=False, source=source, short="gross slip",
             says="Gross slip: the friction carries {value} of the pull at most, whatever the "
             "creep.",
@@ -60,13 +60,11 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         )  # fmt: skip
     kept = "T1 + T2 held (fixed take-up)" if take_up.fixed else "T2 held (gravity take-up)"
     return judged(
-        name,
+        rule,
         title,
         max(k, 1.0),
         factor,
         "number",
-        Level.ATTENTION,
-        at_most=False,
         source=source,
         short="near gross slip",
         says=f"Gross slip comes at {{value}} times the pull, {kept}: less than the safety factor "
@@ -94,13 +92,11 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
     if criteria.standard.start_factor != 1.0 and case.kind == "running":
         start = f" for {criteria.standard.start_factor:g} times the pull"
     return judged(
-        "design_standard",
+        standard_rule(criteria),
         f"Slack side by {found.rule}",
         slack,
         limit,
         "force",
-        Level.FAILS if criteria.standard.binding else Level.ATTENTION,
-        at_most=False,
         source=found.source,
         short="below standard",
         says=f"The slack side, {{value}}, is below the {{limit}} that {found.rule} asks "
@@ -114,8 +110,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
 
 def design_slack(drive: Drive, case: LoadCase, result: ArcResult, factor: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
-    start = drive.criteria.standard.start_factor if case.kind == "running" else 1.0
-    return factor * start * abs(result.arc.effective_tension)
+    return factor * start_factor(drive.criteria, case.kind) * abs(result.arc.effective_tension)
 
 
 def creep(drive: Drive, result: ArcResult) -> Check | None:
@@ -124,12 +119,11 @@ def creep(drive: Drive, result: ArcResult) -> Check | None:
         return None
     limit = result.arc.creep_limit
     return judged(
-        "creep",
+        RULES["creep"],
         "Creep at exit",
         abs(result.exit_creep),
         limit,
         "length",
-        Level.ATTENTION,
         place=Place(result.arc.pulley, result.arc.load_case),
         source="conservative limit, 1/4 in; B. DeVries, A model of lagging friction"
         if limit == CREEP_LIMIT
@@ -197,12 +191,11 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
             yield not_checked(name, title, why, place)
             continue
         yield judged(
-            name,
+            RULES[name],
             title,
             result.peak_shear_stress,
             limit,
             "pressure",
-            Level.ATTENTION,
             source=origin(lagging.source_of(key)),
             short=short,
             says=says,
@@ -218,12 +211,11 @@ def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
         return
     place = Place(pulley.name, result.arc.load_case)
     yield judged(
-        "tested_slip",
+        RULES["tested_slip"],
         "Largest slip, tested",
         float(np.abs(result.profile.slip).max()),
         tested.slip_max,
         "length",
-        Level.ATTENTION,
         source=tests_of(pulley),
         short="slip beyond tests",
         says=f"The slip {{value}} is beyond the {{limit}} that lagging {pulley.lagging.name} was "
@@ -241,12 +233,11 @@ def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
         yield not_checked("tested_slip_speed", title, "the belt speed is not given", place)
     else:
         yield judged(
-            "tested_slip_speed",
+            RULES["tested_slip_speed"],
             title,
             speed,
             tested.slip_speed,
             "speed",
-            Level.ATTENTION,
             source=tests_of(pulley),
             short="slips faster than tests",
             says="The belt slips at up to {value}, where the tests of lagging "
@@ -284,12 +275,11 @@ def balance(result: ArcResult) -> Check | None:
     scale = max(exact, 1e-6 * arc.entry_tension * (abs(g) + arc.entry_tension * arc.compliance))
     value = abs(error) * told / scale if scale > 0.0 else 0.0
     return judged(
-        "balance",
+        RULES["balance"],
         "Energy balance of the solution",
         value,
         BALANCE,
         "number",
-        Level.FAULT,
         source="tolerance of the program",
         short="out of balance",
         says="The energy balance of the solution misses by {value}, more than {limit}.",

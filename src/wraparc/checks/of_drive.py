@@ -6,18 +6,12 @@ import math
 from collections.abc import Iterator, Mapping
 
 from wraparc.checks.check import Check, Level, Place, keeps
+from wraparc.checks.rules import RULES, USUAL, Rule, tension_factor, tension_rule, wrap_pressure
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.drive.conditions import SCALED
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import Dimension
 
-# Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
-_USUAL: dict[str, tuple[Dimension, float, float]] = {
-    "width": ("length", 0.2, 4.0),
-    "modulus": ("force_per_width", 1e5, 1e9),
-    "speed": ("speed", 0.05, 15.0),
-    "diameter": ("length", 0.15, 3.0),
-}
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
@@ -30,7 +24,7 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
     things += [(f"pulley {p.name}", p.name, p, "diameter") for p in drive.pulleys]
     odd = False
     for owner, pulley, thing, name in things:
-        dimension, least, most = _USUAL[name]
+        dimension, least, most = USUAL[name]
         value = getattr(thing, name)
         if value is None or least <= value <= most:
             continue
@@ -38,7 +32,7 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
         yield Check(
             name="usual_sizes",
             title=f"Usual {name}",
-            level=Level.ATTENTION,
+            level=RULES["usual_sizes"].missed,
             place=Place(pulley),
             value=value,
             limit=most if value > most else least,
@@ -65,12 +59,12 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
     belt, tensions = drive.belt, case.tensions[pulley.name]
     momentary = case.kind != "running"
     title = "Belt tension, momentary" if momentary else "Belt tension, running"
-    name = "momentary_tension" if momentary else "belt_tension"
+    rule = tension_rule(case.kind)
     value = max(tensions.entry, tensions.exit)
     place = Place(pulley.name, case.name)
     if belt.rating is None:
-        return not_checked(name, title, "the rating of the belt is not given", place)
-    factor = (belt.momentary_factor or 1.0) if momentary else 1.0
+        return not_checked(rule.name, title, "the rating of the belt is not given", place)
+    factor = tension_factor(belt, case.kind)
     limit = factor * belt.rating * belt.width
     said = f"its rating times {factor:g}" if factor != 1.0 else "its rating"
     remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or "
@@ -82,12 +76,11 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         )
     share = 100.0 * value / (belt.rating * belt.width)
     return judged(
-        name,
+        rule,
         title,
         value,
         limit,
         "force",
-        Level.FAILS,
         source=f"rating of the belt{f' times {factor:g}' if factor != 1.0 else ''}: "
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
@@ -109,13 +102,11 @@ def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
             Place(pulley.name),
         )
     return judged(
-        "pulley_diameter",
+        RULES["pulley_diameter"],
         title,
         pulley.diameter,
         belt.least_pulley_diameter,
         "length",
-        Level.FAILS,
-        at_most=False,
         place=Place(pulley.name),
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
         short="pulley too small",
@@ -133,14 +124,13 @@ def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         why = "the largest wrap pressure of the belt is not given"
         return not_checked("face_pressure", title, why, place)
     tensions = case.tensions[pulley.name]
-    value = 2.0 * max(tensions.entry, tensions.exit) / (belt.width * pulley.diameter)
+    value = wrap_pressure(max(tensions.entry, tensions.exit), belt.width, pulley.diameter)
     return judged(
-        "face_pressure",
+        RULES["face_pressure"],
         title,
         value,
         belt.largest_wrap_pressure,
         "pressure",
-        Level.ATTENTION,
         source=origin(belt.sources.get("largest_wrap_pressure", belt.provenance)),
         short="face pressure",
         says="The belt presses on the pulley face with {value}, more than the {limit} that it may.",
@@ -158,24 +148,21 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
         yield not_checked("tested_pressure", "Wrap pressure within the tests", why, place)
         return
     tensions = case.tensions[pulley.name]
-    area = drive.belt.width * pulley.diameter
-    for name, title, tension, limit, at_most, remedy in (
+    for name, title, tension, limit, remedy in (
         ("tested_pressure_max", "Largest wrap pressure, tested",
-         max(tensions.entry, tensions.exit), tested.pressure_max, True,
+         max(tensions.entry, tensions.exit), tested.pressure_max,
          "Lower the tension, take a larger or wider pulley, or test the lagging at this pressure."),
         ("tested_pressure_min", "Least wrap pressure, tested",
-         min(tensions.entry, tensions.exit), tested.pressure_min, False,
+         min(tensions.entry, tensions.exit), tested.pressure_min,
          "Raise the slack-side tension, or test the lagging at this pressure."),
     ):  # fmt: skip
-        more = "above" if at_most else "below"
+        more = "above" if RULES[name].at_most else "below"
         yield judged(
-            name,
+            RULES[name],
             title,
-            2.0 * tension / area,
+            wrap_pressure(tension, drive.belt.width, pulley.diameter),
             limit,
             "pressure",
-            Level.ATTENTION,
-            at_most=at_most,
             source=tests_of(pulley),
             short=f"pressure {more} tests",
             says=f"The wrap pressure {{value}} is {more} the {{limit}} that lagging "
@@ -192,7 +179,7 @@ def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
         return
     source = lagging.sources[SCALED]
     yield Check(
-        name="condition",
+        name=RULES["condition"].name,
         title=f"Friction of {lagging.name}, {lagging.condition}",
         level=Level.ATTENTION,
         place=Place(pulley.name, case.name),
@@ -218,13 +205,11 @@ def sag(drive: Drive, case: LoadCase) -> Check | None:
         why = "idler spacing and mass are not given"
         return not_checked("sag", title, why, Place(pulley, case.name))
     return judged(
-        "sag",
+        RULES["sag"],
         title,
         tension,
         limits.tension,
         "force",
-        Level.ATTENTION,
-        at_most=False,
         place=Place(pulley, case.name),
         source=limits.SOURCE,
         short="sags",
@@ -318,32 +303,30 @@ def not_checked(name: str, title: str, why: str, place: Place) -> Check:
 
 
 def judged(
-    name: str,
+    rule: Rule,
     title: str,
     value: float,
     limit: float,
     dimension: Dimension,
-    missed: Level,
     *,
     place: Place,
     source: str = "",
-    at_most: bool = True,
     says: str = "",
     remedy: str = "",
     short: str = "",
     binding: bool = True,
     more: Mapping[str, tuple[float, Dimension]] | None = None,
 ) -> Check:
-    """Return a check of a value against its limit: OK or, if it does not keep it, `missed`."""
-    kept = not math.isnan(value) and keeps(value, limit, at_most=at_most)
+    """Return a check of a value against its limit: OK, or what its rule says where it misses."""
+    kept = not math.isnan(value) and keeps(value, limit, at_most=rule.at_most)
     return Check(
-        name=name,
+        name=rule.name,
         title=title,
-        level=Level.OK if kept else missed,
+        level=Level.OK if kept else rule.missed,
         value=value,
         limit=limit,
         dimension=dimension,
-        at_most=at_most,
+        at_most=rule.at_most,
         says="" if kept else says,
         remedy="" if kept else remedy,
         short="" if kept else short,

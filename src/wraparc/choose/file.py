@@ -14,7 +14,6 @@ from wraparc.drive.conditions import DRY, Condition
 from wraparc.errors import nearest, shown
 from wraparc.files.conditions import condition_of
 from wraparc.files.drive_keys import SAG
-from wraparc.files.drive_parts import check_cases, drive_of, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
@@ -22,6 +21,7 @@ from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.source import Document, read_whole
 from wraparc.schema.tables import Record
+from wraparc.train.drive_parts import check_cases, drive_of, pulley_of
 
 _T = TypeVar("_T")
 _COST_KEYS = ("material", "installation", "area", "life_years")

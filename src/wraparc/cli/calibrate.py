@@ -146,7 +146,7 @@ def virtual_record(
     from wraparc.arc import Distributed, WrapArc
     from wraparc.calibrate.virtual_pulley import record_text
     from wraparc.calibrate.virtual_pulley import virtual_record as make
-    from wraparc.files import load_drive
+    from wraparc.train.file import load_drive
 
     check_outputs({"OUTPUT": (output, (".csv",))}, [file])
     drive = load_drive(file)

@@ -36,9 +36,9 @@ def family(
     """
     from wraparc.arc import WrapArc
     from wraparc.arc.family import tension_ratio_family
-    from wraparc.files import load_drive
     from wraparc.present.document import json_text
     from wraparc.present.family_sheet import family_document, family_sheet
+    from wraparc.train.file import load_drive
 
     suffixes = (".svg", ".png", ".pdf")
     check_outputs({"--json": (json_file, (".json",)), "--plot": (plot_file, suffixes)}, [file])

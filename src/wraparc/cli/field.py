@@ -41,7 +41,7 @@ def field(
     **said: str | None,
 ) -> int:
     """Tell what to expect of the drive in a FILE: speeds to measure, levels to set, wear."""
-    from wraparc.files import load_drive
+    from wraparc.train.file import load_drive
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     drive = load_drive(file, overrides=settings)

@@ -44,8 +44,8 @@ def what_if(
     verdict, and the exit code, are those of the drive as it is; every column has its own.
     """
     from wraparc.choose.what_if import what_if as solve_both
-    from wraparc.files import load_drive
     from wraparc.files.conditions import refuse_several
+    from wraparc.train.file import load_drive
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     drive = load_drive(file)
@@ -78,7 +78,8 @@ def what_if(
 def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> Iterator[Change]:
     from wraparc import catalogue
     from wraparc.drive import changes as study
-    from wraparc.files import load_drive, load_lagging
+    from wraparc.files import load_lagging
+    from wraparc.train.file import load_drive
 
     if said["other_carcass"]:
         row = study.other_carcass(drive.belt)

@@ -101,7 +101,7 @@ def drive_from_document(
         check_format(document, file)
         report = Report(file)
         message = "a train of drives on one belt, which is no plain drive"
-        report.add(("train",), message, "Read the file with load_train.")
+        report.add(("train",), message, "Read it with wraparc.load_train or wraparc.load_drive.")
         report.raise_all()
     record, report = read_tables(DRIVE, document, file)
     belt_record = record.get("belt")

@@ -255,7 +255,7 @@ def _common(lagging: Lagging) -> Tables:
     rigid = rigid and all(getattr(lagging, key) == float("inf") for key in moduli)
     of_law = ("law", SCALED)
     sources = {k: PROVENANCE.written(of) for k, of in lagging.sources.items() if k not in of_law}
-    elsewhere = dict.fromkeys(moduli) if rigid else {}
+    elsewhere = dict.fromkeys((*moduli, "block") if rigid else ("block",))  # the modulus is there
     return LAGGING_GIVEN.written(lagging, law=None, sources=sources or None, **elsewhere)
 
 

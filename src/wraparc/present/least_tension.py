@@ -4,22 +4,10 @@ import math
 from typing import Any
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import Figure, LeastTension, Level, least_tension, margins_of
+from wraparc.checks import RULES, Figure, LeastTension, Level, least_tension, margins_of
 from wraparc.present.sheet import NONE, Row, Table, named, quantity
 from wraparc.train import TrainResult
 from wraparc.units import System
-
-_WHY = {
-    "creep": "the creep limit",
-    "gross_slip": "the safety against gross slip",
-    "tested_pressure_min": "the least wrap pressure tested",
-    "tested_slip": "the largest slip tested",
-    "sag": "the sag of the belt",
-    "design_standard": "the design standard",
-    "tested_pressure_max": "the largest wrap pressure tested",
-    "belt_tension": "the rating of the belt",
-    "face_pressure": "the pressure on the pulley face",
-}
 
 
 def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> str:
@@ -29,7 +17,7 @@ def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> 
         return ""
     least, given = (named("tension", value, system) for value in (found.tension, found.given))
     governs = found.governing
-    why = _WHY[governs.name]
+    why = RULES[governs.name].what
     if math.isinf(found.tension):
         return _none(found, result, system)
     text = (
@@ -48,12 +36,13 @@ def _none(found: LeastTension, result: DriveResult | TrainResult, system: System
     if math.isinf(governs.tension) or top is None:
         return (
             f"No slack-side tension with wrap pressures in the tested range keeps "
-            f"{_WHY[governs.name]} ({governs.place}){_most(result, governs, system)}."
+            f"{RULES[governs.name].what} ({governs.place}){_most(result, governs, system)}."
         )
     asked, most = (named("tension", f.tension, system) for f in (governs, top))
     return (
-        f"No slack-side tension keeps every binding check: {_WHY[governs.name]} asks for {asked} "
-        f"({governs.place}), and {_WHY[top.name]} allows {most} ({top.place})."
+        "No slack-side tension keeps every binding check: "
+        f"{RULES[governs.name].what} asks for {asked} "
+        f"({governs.place}), and {RULES[top.name].what} allows {most} ({top.place})."
     )
 
 

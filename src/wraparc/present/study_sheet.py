@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from wraparc.checks import Level
+from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.page import sheet_page
 from wraparc.present.sheet import (
@@ -22,7 +22,15 @@ from wraparc.present.sheet import (
     percent,
     quantity,
 )
-from wraparc.study.monte_carlo import CONFIDENCE, PERCENTS, Group, Share, Summary, over_conditions
+from wraparc.study.monte_carlo import (
+    CONFIDENCE,
+    PERCENTS,
+    Group,
+    Judged,
+    Share,
+    Summary,
+    over_conditions,
+)
 from wraparc.study.sensitivity import Indices, Swing
 from wraparc.units import DIMENSION_TEXT, Dimension, System, display_unit
 
@@ -32,6 +40,7 @@ Global = Mapping[tuple[str, str], Mapping[str, Indices]]
 #: Results that a table of groups shows the percentiles of.
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
 _MOST_ROWS = 60
+_BAD = (Level.FAILS, Level.ATTENTION)
 _SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
 
 
@@ -72,7 +81,7 @@ def study_sheet(
     return Sheet(
         title=str(data["title"]),
         subtitle=_subtitle(data),
-        verdict=_verdict(summary, system),
+        verdict=_verdict(summary),
         tables=tuple(tables),
         remarks=(*_remarks(summary), *remarks),
         sources=tuple(sources),
@@ -87,10 +96,10 @@ def _subtitle(data: Mapping[str, Any]) -> str:
     return f"{data['designs']:,} designs{times}{drawn}; {data['setting']} setting, {setting}."
 
 
-def _verdict(summary: Summary, system: System) -> Verdict:
-    counts, total = summary.counts, sum(summary.counts.values())
+def _verdict(summary: Summary) -> Verdict:
+    counts, judged, total = summary.counts, summary.judged, sum(summary.counts.values())
     solved, away = counts["solved"], counts["breakaway"]
-    sentences = []
+    sentences = [f"{solved:,} carry their load, {away:,} break away."]
     for word, why in (
         ("refused", "the friction law is unfit for their arc"),
         ("invalid", "their tensions or sizes cannot be"),
@@ -98,15 +107,37 @@ def _verdict(summary: Summary, system: System) -> Verdict:
     ):
         if counts[word]:
             sentences.append(f"{counts[word]:,} rows have no answer: {why}.")
-    within = sum(g.answered - g.over_limit.count for g in summary.groups)
     if summary.groups:
-        sentences.insert(
-            0, f"{within:,} of {solved + away:,} keep the creep limit ({_share(within, total)})."
-        )
-    bad = within < total if summary.groups else bool(sentences or away)
-    level = Level.ATTENTION if bad else Level.OK
-    headline = f"{total:,} rows: {solved:,} solved, {away:,} break away."
-    return Verdict(level, headline, tuple(sentences))
+        within = sum(g.answered - g.over_limit.count for g in summary.groups)
+        share = _share(within, total)
+        sentences.insert(1, f"{within:,} of {solved + away:,} keep the creep limit ({share}).")
+    missed = judged.missed
+    level = Level.ATTENTION if missed or judged.total < total else Level.OK
+    if judged.share(Level.FAILS).count == total:
+        level = Level.FAILS
+    ground = summary.data.get("ground", "") if level is Level.OK else ""
+    headline = f"{total:,} rows: {_ends(judged)}."
+    if missed:
+        name, most = next(iter(missed.items()))
+        of = "all of them" if len(missed) == 1 else f"{_share(most, sum(missed.values()))} of them"
+        headline = f"{headline[:-1]}; {RULES[name].what} governs {of}."
+    return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
+
+
+def _ends(judged: Judged) -> str:
+    """Say which part of the rows fails, needs attention, keeps every check."""
+    parts = []
+    for level, one in (
+        (Level.FAULT, "could not be solved"),
+        (Level.FAILS, "fail"),
+        (Level.ATTENTION, "need attention"),
+        (Level.OK, "keep every check"),
+    ):
+        share = judged.share(level)
+        if share.count:
+            whole = "all" if share.count == judged.total else percent(share.value)
+            parts.append(f"{whole} {one}")
+    return ", ".join(parts) or "none could be judged"
 
 
 def _share(part: int, total: int) -> str:
@@ -157,14 +188,16 @@ def _chances(
     title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None], system: System
 ) -> Table:
     outputs = [n for n in _SHOWN[:2] if n in groups[0].percentiles]
-    heads = ["breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]"]
+    heads = ["fails", "attention", "breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]"]
     for name in outputs:
         unit, _ = display_unit(GLOSSARY[name].dimension, system)
         short = {"exit_creep": "creep", "least_exit_tension": "least T2"}[name]
         heads += [f"{short} {p:g} % [{unit}]" for p in PERCENTS[1:3]]
     rows = []
     for group in groups[:_MOST_ROWS]:
-        cells = [percent(group.breakaway.value), _with_interval(group.over_limit)]
+        cells = [percent(group.judged.share(level).value) for level in _BAD]
+        cells.append(percent(group.breakaway.value))
+        cells.append(_with_interval(group.over_limit))
         for name in outputs:
             of = group.percentiles[name]
             cells += [number(name, value, system) for value in of[1:3]]
@@ -192,14 +225,19 @@ def _values(
         heads.append(f"{GLOSSARY[name].title}{f' [{unit}]' if unit else ''}")
     rows = []
     for group in groups[:_MOST_ROWS]:
-        word = next(word for word, count in group.counts.items() if count)
-        over = group.over_limit.count and word == "solved"
-        cells = ["over the limit" if over else word]
+        cells = [_answer(group)]
         cells += [number(name, group.percentiles[name][1], system) for name in names]
         rows.append(Row(_name(group, units, system), tuple(cells)))
     more = len(groups) - len(rows)
     note = f"{more} more designs are in the file" if more > 0 else ""
     return Table(title, tuple(rows), tuple(heads), note)
+
+
+def _answer(group: Group) -> str:
+    """Say how a single design ends: its verdict with what governs it, or why there is none."""
+    for verdict, name in group.judged.counts:
+        return verdict if verdict == str(Level.OK) else f"{verdict}: {RULES[name].what}"
+    return next(word for word, count in group.counts.items() if count)
 
 
 def _together(
@@ -339,6 +377,7 @@ def study_document(
         "study": {key: value for key, value in summary.data.items() if key != "input"},
         "input": summary.data["input"],
         "counts": dict(summary.counts),
+        "judged": _judged_data(summary.judged),
         "confidence": CONFIDENCE,
         "percents": list(PERCENTS),
         "groups": [_group_data(group) for group in summary.groups],
@@ -372,6 +411,7 @@ def _group_data(group: Group) -> dict[str, Any]:
         "counts": dict(group.counts),
         "breakaway": _share_data(group.breakaway),
         "over_limit": _share_data(group.over_limit),
+        "judged": _judged_data(group.judged),
         "percentiles": {name: list(values) for name, values in group.percentiles.items()},
         "known": dict(group.known),
         "convergence": [
@@ -383,6 +423,10 @@ def _group_data(group: Group) -> dict[str, Any]:
             for step in group.steps
         ],
     }
+
+
+def _judged_data(judged: Judged) -> dict[str, Any]:
+    return {"verdicts": judged.verdicts, "governing": judged.missed}
 
 
 def _share_data(share: Share) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -12,11 +12,11 @@ import numpy as np
 from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
+from wraparc.checks import before
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
-from wraparc.files.drive_file import drive_from_document, overridden
+from wraparc.files.drive_file import overridden
 from wraparc.files.drive_keys import DRIVE
-from wraparc.files.drive_parts import check_cases, pulley_of
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
@@ -28,10 +28,12 @@ from wraparc.study.fields import SCALING
 from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
 from wraparc.study.fitted import DrawnFit
 from wraparc.study.keys import STUDY
-from wraparc.study.parameter_study import OUTPUTS, Condition, Study
+from wraparc.study.parameter_study import OUTPUTS, Condition, Rows, Study
 from wraparc.study.plan import Drawn, DrawnField, Levels, Plan, Saltelli, Sweep
 from wraparc.study.sampling import SAMPLINGS
 from wraparc.study.source import DriveSource, Field
+from wraparc.train.drive_parts import check_cases, pulley_of
+from wraparc.train.file import any_drive_from_document
 
 #: Results whose sensitivity is shown where the file names none.
 SENSITIVE = ("creep_limit_margin", "exit_creep")
@@ -109,6 +111,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         setting=Setting(record.get("setting", Setting.ENGINEERING.value)),
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
+        ground=before(drive).qualifier,
     )
     return StudyFile(
         study=study,
@@ -131,7 +134,7 @@ def _drive(path: str, record: Record, report: Report) -> tuple[Document, Drive |
     try:
         document = read_document(path, record.get("set", ()), DRIVE)
         whole = self_contained(document, os.path.dirname(path))
-        return whole, drive_from_document(whole, file=path, allow_paths=True)
+        return whole, any_drive_from_document(whole, file=path, allow_paths=True)
     except InputError as error:
         report.take(error, ("drive",))
         return {}, None
@@ -302,8 +305,8 @@ def _differs(
         for case in loads:
             other = told.rows({}, 1, case)
             one = source.rows({field.name: np.array([value])}, 1, case)
-            differs |= not _same(one.arcs, other.arcs)
-            changes |= not _same(source.rows({}, 1, case).arcs, other.arcs)
+            differs |= not _same(one, other)
+            changes |= not _same(source.rows({}, 1, case), other)
     if not changes and len(trials) > 1:
         message = f"changes nothing on pulley {source.pulley} in these load cases"
         report.add(place, message, "Take it out, or name another load case or pulley.")
@@ -325,12 +328,16 @@ def _trials(axis: Levels | DrawnField) -> list[float]:
     return sorted({min(numbers), max(numbers)})
 
 
-def _same(one: Any, other: Any) -> bool:
-    """Whether two single arcs are the same, law included."""
-    numbers = (np.array([getattr(a, name)[0] for name in COLUMNS]) for a in (one, other))
-    a, b = numbers
+def _same(one: Rows, other: Rows) -> bool:
+    """Whether two single arcs are the same, with their laws and what they are held against."""
+    numbers = [
+        [getattr(rows.arcs, name)[0] for name in COLUMNS]
+        + [getattr(rows.held, f.name)[0] for f in fields(rows.held)]
+        for rows in (one, other)
+    ]
+    a, b = np.array(numbers, dtype=float)
     close = np.allclose(a, b, rtol=1e-12, atol=0.0, equal_nan=True)
-    laws = [x.laws.compact(int(x.law[0])) for x in (one, other)]
+    laws = [rows.arcs.laws.compact(int(rows.arcs.law[0])) for rows in (one, other)]
     return bool(close) and all(np.array_equal(p, q) for p, q in zip(*laws, strict=True))
 
 

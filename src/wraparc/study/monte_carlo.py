@@ -15,12 +15,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.checks import Level
 from wraparc.study.parameter_study import (
     BREAKAWAY,
     DESIGN,
+    GOVERNING,
+    JUDGED,
     SOLVED,
     STATUS,
     STATUS_WORDS,
+    VERDICT,
     WITHIN,
 )
 from wraparc.study.parquet import batches, read_data
@@ -40,6 +44,8 @@ WITHOUT_BOUND = ("exit_creep", "exit_slip", "least_exit_tension")
 #: Most groups that are told apart.
 MOST_GROUPS = 400
 CONFIDENCE = 0.95
+_CHECKS = len(JUDGED[GOVERNING])
+_PAIRS = len(JUDGED[VERDICT]) * _CHECKS
 
 
 @dataclass(frozen=True)
@@ -95,6 +101,45 @@ class Step:
     over_limit: Share
 
 
+@dataclass(frozen=True)
+class Judged:
+    """How many rows have which verdict, and what governs them.
+
+    Attributes
+    ----------
+    counts
+        Rows by verdict and governing check.
+    """
+
+    counts: Mapping[tuple[str, str], int] = field(default_factory=dict)
+
+    @property
+    def verdicts(self) -> dict[str, int]:
+        """Rows by verdict."""
+        found: dict[str, int] = {}
+        for (verdict, _), count in self.counts.items():
+            found[verdict] = found.get(verdict, 0) + count
+        return found
+
+    @property
+    def total(self) -> int:
+        """Rows with a verdict."""
+        return sum(self.counts.values())
+
+    def share(self, level: Level) -> Share:
+        """Return the part of the rows that ends so."""
+        return Share(self.verdicts.get(str(level), 0), self.total)
+
+    @property
+    def missed(self) -> dict[str, int]:
+        """Rows that are not OK by the check that governs them, the most first."""
+        found: dict[str, int] = {}
+        for (verdict, name), count in self.counts.items():
+            if verdict != str(Level.OK):
+                found[name] = found.get(name, 0) + count
+        return dict(sorted(found.items(), key=lambda item: -item[1]))
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Group:
     """The draws at one combination of levels, load case and condition.
@@ -111,6 +156,8 @@ class Group:
         Rows by their status.
     over_limit
         Rows that break away or creep beyond the creep limit, of those that have an answer.
+    judged
+        Rows by verdict and by the check that governs them, of those that have one.
     percentiles
         By result: values at `PERCENTS` of the rows with an answer; of those that have the number,
         but for results of `WITHOUT_BOUND`, which are infinite where there is none [SI].
@@ -126,6 +173,7 @@ class Group:
     share: float | None
     counts: Mapping[str, int]
     over_limit: Share
+    judged: Judged
     percentiles: Mapping[str, tuple[float, ...]]
     known: Mapping[str, int]
     steps: tuple[Step, ...]
@@ -151,6 +199,8 @@ class Summary:
         What the file says of the study.
     counts
         Rows by their status.
+    judged
+        Rows by verdict and by the check that governs them.
     groups
         One for each combination of levels, load case and condition; none where there are more
         than `MOST_GROUPS`.
@@ -158,6 +208,7 @@ class Summary:
 
     data: Mapping[str, Any]
     counts: Mapping[str, int]
+    judged: Judged
     groups: tuple[Group, ...]
 
     @property
@@ -192,14 +243,18 @@ class _Collected:
     most: int = KEPT
     counts: Array = field(default_factory=lambda: np.zeros(len(STATUS_WORDS)))
     over: int = 0
+    judged: Array = field(default_factory=lambda: np.zeros(_PAIRS))
     kept: dict[str, list[Array]] = field(default_factory=dict)
     known: dict[str, int] = field(default_factory=dict)
     seen: dict[str, int] = field(default_factory=dict)
     thinned: dict[str, int] = field(default_factory=dict)
     marks: list[tuple[int, int, int]] = field(default_factory=list)  # draws, breakaways, over
 
-    def take(self, status: Integers, within: Flags, values: Mapping[str, Array]) -> None:
+    def take(
+        self, status: Integers, within: Flags, judged: Integers, values: Mapping[str, Array]
+    ) -> None:
         """Add rows in the order of their draws."""
+        self.judged += np.bincount(judged, minlength=_PAIRS)
         answered = (status == SOLVED) | (status == BREAKAWAY)
         away, over = (status == BREAKAWAY), answered & ~within
         self._mark(answered, away, over)
@@ -247,6 +302,7 @@ class _Collected:
         return Group(
             counts=counts,
             over_limit=Share(self.over, answered),
+            judged=_judged(self.judged),
             percentiles=percentiles,
             known={name: self.known.get(name, 0) for name in self.outputs},
             steps=tuple(Step(n, Share(b, n), Share(o, n)) for n, b, o in marks),
@@ -278,10 +334,13 @@ def summarise(path: str | os.PathLike[str]) -> Summary:
     most = max(LEAST_KEPT, KEPT // max(1, combinations * len(cases) * len(outputs)))
     collected: dict[tuple[int, int], _Collected] = {}
     per_combination = data["designs"] // max(1, combinations)
-    columns = [DESIGN, STATUS, WITHIN, *([] if many else outputs)]
+    columns = [DESIGN, STATUS, WITHIN, *JUDGED, *([] if many else outputs)]
+    judged = np.zeros(_PAIRS)
     for batch in batches(path, columns):
         status = batch[STATUS][0]
         counts += np.bincount(status, minlength=len(STATUS_WORDS))
+        pairs = batch[VERDICT][0] * _CHECKS + batch[GOVERNING][0]
+        judged += np.bincount(pairs, minlength=_PAIRS)
         if many:
             continue
         combination = batch[DESIGN] // per_combination
@@ -290,12 +349,23 @@ def summarise(path: str | os.PathLike[str]) -> Summary:
             rows = (combination == key[0]) & (case == key[1])
             group = collected.setdefault(key, _Collected(outputs, most))
             values = {name: batch[name][rows] for name in outputs}
-            group.take(status[rows], batch[WITHIN][rows], values)
+            group.take(status[rows], batch[WITHIN][rows], pairs[rows], values)
     return Summary(
         data=data,
         counts={w: int(n) for w, n in zip(STATUS_WORDS, counts, strict=True)},
+        judged=_judged(judged),
         groups=tuple(_groups(data, cases, collected)),
     )
+
+
+def _judged(pairs: Array) -> Judged:
+    """Return counts by the codes of verdict and check as counts by their words."""
+    found = {}
+    for code in np.flatnonzero(pairs):
+        verdict, check = divmod(int(code), _CHECKS)
+        if verdict:
+            found[JUDGED[VERDICT][verdict], JUDGED[GOVERNING][check]] = int(pairs[code])
+    return Judged(found)
 
 
 def _cases(data: Mapping[str, Any]) -> list[tuple[str, str, float | None]]:

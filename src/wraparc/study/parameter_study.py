@@ -15,6 +15,7 @@ from wraparc.arc import Capacities
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
+from wraparc.checks.of_rows import LEVELS, NAMES, Held, judge_rows
 from wraparc.provenance import Provenance
 from wraparc.study.distributions import Distribution
 from wraparc.study.plan import DrawnField, Plan, Values
@@ -34,7 +35,12 @@ SOLVED, BREAKAWAY, INVALID = 0, 1, 4
 #: Columns that say which row it is.
 DESIGN, LOAD_CASE, CONDITION, STATUS = "design", "load_case", "condition", "status"
 FRICTION_FACTOR = "friction_factor"
-WITHIN = "within_creep_limit"
+WITHIN, VERDICT, GOVERNING = "within_creep_limit", "verdict", "governing"
+#: Words of the columns of the verdict, by their codes.
+JUDGED: Mapping[str, tuple[str, ...]] = {
+    VERDICT: tuple(str(level) for level in LEVELS),
+    GOVERNING: NAMES,
+}
 
 #: Results that are kept where the study does not name others.
 OUTPUTS = (
@@ -66,6 +72,8 @@ class Rows:
     ----------
     arcs
         One arc for each design.
+    held
+        What the checks hold them against.
     valid
         Which of them are a drive at all; the numbers of the others mean nothing.
     friction_factor, slip_factor
@@ -73,6 +81,7 @@ class Rows:
     """
 
     arcs: Arcs
+    held: Held
     valid: Flags
     friction_factor: Array
     slip_factor: Array
@@ -148,6 +157,8 @@ class Study:
         Results that are kept, by their names in the glossary.
     description
         The input as plain data, for the fingerprint and for readers of the results.
+    ground
+        What data an OK stands on, ``on illustrative data``.
     """
 
     title: str
@@ -158,6 +169,7 @@ class Study:
     setting: Setting = Setting.ENGINEERING
     outputs: tuple[str, ...] = OUTPUTS
     description: Mapping[str, Any] = field(default_factory=dict)
+    ground: str = ""
 
     @property
     def cases(self) -> tuple[tuple[str, Condition | None], ...]:
@@ -230,7 +242,7 @@ class Study:
         if condition is not None:
             factor = factor * condition.factor(values, size)
         good = np.flatnonzero(rows.valid)
-        solved = self._solved(rows.arcs.rows(good), factor[good], rows.slip_factor[good], progress)
+        solved = self._solved(rows, good, factor, progress)
         columns: Columns = {}
         if self.conditions:
             columns[FRICTION_FACTOR] = factor
@@ -240,31 +252,42 @@ class Study:
         within = np.zeros(size, dtype=bool)
         within[good] = np.abs(solved["exit_creep"]) <= rows.arcs.creep_limit[good]
         columns[WITHIN] = within & (status == SOLVED)
+        for name in JUDGED:
+            columns[name] = np.zeros(size, dtype=np.int8)
+            columns[name][good] = solved[name]
         for name in self.outputs:
             columns[name] = np.full(size, np.nan)
             columns[name][good] = solved[name]
         return columns
 
     def _solved(
-        self, arcs: Arcs, friction: Array, slip: Array, progress: Progress | None
+        self, rows: Rows, good: NDArray[np.int64], factor: Array, progress: Progress | None
     ) -> Mapping[str, NDArray[Any]]:
-        """Results that are kept; many laws are solved a few at a time, for the memory they take."""
+        """Results that are kept, and the verdicts, of the rows that are drives.
+
+        Many laws are solved a few at a time, for the memory they take.
+        """
+        arcs = rows.arcs
         wanted = dict.fromkeys((STATUS, "exit_creep", *self.outputs))
-        size = _MOST_OWN_LAWS if len(arcs.laws) > _MOST_OWN_LAWS else max(1, len(arcs))
+        own = len(arcs.laws) > _MOST_OWN_LAWS
+        size = _MOST_OWN_LAWS if own else max(1, len(good))
+        # the verdict asks for the capacity at gross slip, which has no closed form where it falls
         capacities = not CAPACITY_OUTPUTS.isdisjoint(self.outputs)
+        capacities |= bool(np.any(arcs.laws.steepest_fall < 0.0))
         found = []
-        for begin in range(0, max(1, len(arcs)), size):
-            some = slice(begin, begin + size)
-            part = arcs.rows(some)
-            if len(arcs.laws) > _MOST_OWN_LAWS:
+        for begin in range(0, max(1, len(good)), size):
+            some = good[begin : begin + size]
+            part, friction = arcs.rows(some), factor[some]
+            if own:
                 part = part.with_laws(np.unique(part.law))
             solved = solve_scaled(
                 part,
-                friction[some],
-                slip[some],
+                friction,
+                rows.slip_factor[some],
                 setting=self.setting,
                 capacities=capacities,
                 progress=progress,
             )
-            found.append({name: solved[name] for name in wanted})
-        return {name: np.concatenate([part[name] for part in found]) for name in wanted}
+            judged = judge_rows(solved, rows.held.rows(some), friction)
+            found.append({n: solved[n] for n in wanted} | dict(zip(JUDGED, judged, strict=True)))
+        return {name: np.concatenate([part[name] for part in found]) for name in found[0]}

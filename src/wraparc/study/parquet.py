@@ -21,6 +21,7 @@ from wraparc.study.parameter_study import (
     CONDITION,
     DESIGN,
     FRICTION_FACTOR,
+    JUDGED,
     LOAD_CASE,
     STATUS,
     STATUS_WORDS,
@@ -48,7 +49,7 @@ def require_pyarrow() -> Any:
 
 def words_of(study: Study) -> dict[str, tuple[str, ...]]:
     """Columns that hold words, and the words by their places."""
-    words: dict[str, tuple[str, ...]] = {LOAD_CASE: study.load_cases, STATUS: STATUS_WORDS}
+    words = {LOAD_CASE: study.load_cases, STATUS: STATUS_WORDS, **JUDGED}
     if study.conditions:
         words[CONDITION] = tuple(c.name for c in study.conditions)
     for axis in study.plan.levels:
@@ -83,7 +84,7 @@ def schema_of(study: Study) -> Any:
     axes = list(dict.fromkeys([*levels, *(n for n in units if n not in study.outputs)]))
     first = [DESIGN, LOAD_CASE, *([CONDITION] if study.conditions else []), *axes]
     fields = []
-    for name in (*first, STATUS, WITHIN, *study.outputs):
+    for name in (*first, STATUS, WITHIN, *JUDGED, *study.outputs):
         if name in words:
             fields.append(pa.field(name, word))
         elif name == DESIGN:
@@ -114,6 +115,7 @@ def study_data(study: Study) -> dict[str, Any]:
         "conditions": {c.name: c.share for c in study.conditions},
         "setting": study.setting.value,
         "outputs": list(study.outputs),
+        "ground": study.ground,
         "input": study.description,
     }
 

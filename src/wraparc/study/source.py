@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
+from wraparc.checks.of_rows import held_by
 from wraparc.drive import Drive, Lagging, Tensions
 from wraparc.errors import InputError
 from wraparc.files.conditions import refuse_several
-from wraparc.files.drive_file import drive_from_document
 from wraparc.files.tensions import KEYS, Given, spread
 from wraparc.friction import FrictionLaw
 from wraparc.schema.problems import Place, Report, place_text
@@ -24,6 +24,7 @@ from wraparc.study.fields import FRICTION_FACTOR, SLIP_FACTOR
 from wraparc.study.fitted import DrawnFit, with_peaks
 from wraparc.study.parameter_study import Rows
 from wraparc.study.plan import Levels, Values
+from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import DIMENSION_TEXT, Dimension
 
@@ -83,10 +84,11 @@ class Field:
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """What a drive says of the pulley, but for its tensions."""
+    """What a drive says of the pulley, and the drive."""
 
     columns: Mapping[str, float]
     law: FrictionLaw
+    drive: Drive
 
 
 class DriveSource:
@@ -119,7 +121,9 @@ class DriveSource:
     ) -> None:
         self.document, self.pulley, self.slow = document, pulley, slow
         self.fields, self.fits = tuple(fields), tuple(fits)
-        self.drive = drive_from_document(document, allow_paths=True)
+        # whether tensions stand at the pulleys, or follow from a train or a conveyor
+        self._at_pulleys = not {"train", "conveyor"} & document.keys()
+        self.drive = any_drive_from_document(document, allow_paths=True)
         refuse_several(self.drive, "a study needs")
         self._read_tensions()
         lagging = self._record_of(pulley).get("lagging")
@@ -136,7 +140,8 @@ class DriveSource:
         self._others = tuple(
             f
             for f in self.fields
-            if f.name not in fast and (f.name in slow or not _is_tension(f.place, pulley))
+            if f.name not in fast
+            and (f.name in slow or not self._at_pulleys or not _is_tension(f.place, pulley))
         )
         self._kept: dict[tuple[float, ...], _Base | None] = {}
 
@@ -172,16 +177,23 @@ class DriveSource:
         for field, column in self._columns.items():
             if field in values:
                 columns[column] = np.asarray(values[field], dtype=float)
-        entry, exit_ = self._tensions(values, size, load_case)
-        most = Tensions.LIMITS["entry"].most
-        for tension in (entry, exit_):
+        drives = [b.drive for b in known]
+        if self._at_pulleys:
+            entries, exits = self._tensions(values, size, load_case)
+        else:
+            entries, exits = (e[:, which] for e in self._tensions_of(drives, load_case))
+        index, most = self._names.index(self.pulley), Tensions.LIMITS["entry"].most
+        entry, leaving = entries[index], exits[index]
+        for tension in (entry, leaving):
             valid &= (tension > 0.0) & (tension <= most)
         columns["entry_tension"] = np.where(valid, entry, 2.0)
-        columns["exit_tension"] = np.where(valid, exit_, 1.0)
+        columns["exit_tension"] = np.where(valid, leaving, 1.0)
         laws, law = self._laws([b.law for b in known], which, values, size)
+        arcs = Arcs(laws=LawBank.of(laws), law=law, **columns)
         ones = np.ones(size)
         return Rows(
-            arcs=Arcs(laws=LawBank.of(laws), law=law, **columns),
+            arcs=arcs,
+            held=held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
             valid=valid,
             friction_factor=values.get(self._scaling.get(FRICTION_FACTOR, ""), ones),
             slip_factor=values.get(self._scaling.get(SLIP_FACTOR, ""), ones),
@@ -221,7 +233,7 @@ class DriveSource:
                 self._kept.clear()
             given = {place_text(f.place): f.given(v) for f, v in zip(others, key, strict=True)}
             try:
-                drive = drive_from_document(self.document, overrides=given, allow_paths=True)
+                drive = any_drive_from_document(self.document, overrides=given, allow_paths=True)
                 self._kept[key] = self._base(drive)
             except InputError:
                 self._kept[key] = None
@@ -246,10 +258,10 @@ class DriveSource:
             "creep_limit": drive.creep_limit_of(pulley),
             "belt_speed": nan if speed is None else speed,
         }
-        return _Base(columns, lagging.law)
+        return _Base(columns, lagging.law, drive)
 
     def _tensions(self, values: Values, size: int, load_case: str) -> tuple[Array, Array]:
-        """Entry and exit tensions of the pulley, by the rules of drive files."""
+        """Entry and exit tensions of all pulleys, by the rules of drive files, (pulleys, size)."""
         at = {f.place: values[f.name] for f in self.fields if f.name in values}
         speed: Any = at.get(("belt", "speed"), self.drive.belt.speed)
         given = []
@@ -260,12 +272,20 @@ class DriveSource:
             given.append(Given(name, (), numbers, {}, diameter))
         if load_case in self._cases:
             given = [self._in_case(item, load_case, at) for item in given]
-        entry, exit_ = spread(given, speed)[self._names.index(self.pulley)]
         missing = float("nan")
-        return (
-            np.broadcast_to(missing if entry is None else entry, (size,)).astype(float),
-            np.broadcast_to(missing if exit_ is None else exit_, (size,)).astype(float),
-        )
+        pairs = [
+            [np.broadcast_to(missing if end is None else end, (size,)) for end in pair]
+            for pair in spread(given, speed)
+        ]
+        found = np.array(pairs, dtype=float)
+        return found[:, 0], found[:, 1]
+
+    def _tensions_of(self, drives: Sequence[Drive], load_case: str) -> tuple[Array, Array]:
+        """Entry and exit tensions of all pulleys of some drives, shape (pulleys, drives) each."""
+        cases = [drive.load_case(load_case).tensions for drive in drives]
+        pairs = [[(t[name].entry, t[name].exit) for t in cases] for name in self._names]
+        found = np.array(pairs, dtype=float)
+        return found[:, :, 0], found[:, :, 1]
 
     def _in_case(self, item: Given, case: str, at: Mapping[Place, Array]) -> Given:
         tables = self._cases[case].get("pulley", {})

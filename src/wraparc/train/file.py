@@ -16,6 +16,7 @@ from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import NOTHING, Report, place_text
 from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
+from wraparc.train.as_drive import as_drive
 from wraparc.train.keys import EQUAL, MOTOR, TRAIN_FILE
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.train.train import Division, Motors, Shares, Speeds, Train, TrainCase
@@ -76,6 +77,39 @@ def load_drive_or_train(
         return reader(document, **more)
 
     return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
+
+
+def load_drive(
+    path: str | os.PathLike[str], *, overrides: Overrides = (), allow_paths: bool = True
+) -> Drive:
+    """Return the drive of a drive file, with the tensions of every pulley.
+
+    A train comes with the tensions that its load divides into; where speeds or motors divide it,
+    it is solved for them.
+
+    Parameters
+    ----------
+    path
+        The file, TOML or JSON.
+    overrides
+        Values put over those of the file, ``KEY=VALUE`` or by key path.
+    allow_paths
+        Whether a lagging may be named by the path of its file.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    return load(path, any_drive_from_document, overrides, allow_paths=allow_paths)
+
+
+def any_drive_from_document(document: Document, **more: Any) -> Drive:
+    """Return the drive of a drive file that is already parsed, see `load_drive`."""
+    whole = overridden(document, more.pop("overrides", ()), file=more.get("file", ""))
+    if "train" in whole:
+        return as_drive(train_from_document(whole, **more))
+    return drive_from_document(whole, **more)
 
 
 def train_from_text(text: str, *, file: str = "", folder: str = "") -> Train:

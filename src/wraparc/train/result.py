@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from enum import StrEnum
 from math import isfinite, nan
@@ -249,24 +249,30 @@ class TrainResult(Viewable):
 
     def drive_result(self) -> DriveResult:
         """Return the pulleys one by one, as `wraparc.solve` gives them for a drive."""
-        drive = Drive(
-            title=self.train.title,
-            description=self.train.description,
-            belt=self.train.belt,
-            pulleys=self.train.pulleys,
-            creep_limit=self.train.creep_limit,
-            criteria=self.train.criteria,
-            load_cases=tuple(
-                LoadCase(
-                    name=result.case.name,
-                    kind=result.case.kind,
-                    condition=result.case.condition,
-                    tensions={
-                        m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
-                        for m in result.members
-                    },
-                )
-                for result in self.cases
-            ),
-        )
-        return DriveResult(drive, tuple(m.arc for case in self.cases for m in case.members))
+        cases = [
+            LoadCase(
+                name=result.case.name,
+                kind=result.case.kind,
+                condition=result.case.condition,
+                tensions={
+                    m.name: Tensions(entry=m.arc.entry_tension, exit=m.arc.exit_tension)
+                    for m in result.members
+                },
+            )
+            for result in self.cases
+        ]
+        arcs = tuple(m.arc for case in self.cases for m in case.members)
+        return DriveResult(drive_with(self.train, cases), arcs)
+
+
+def drive_with(train: Train, cases: Sequence[LoadCase]) -> Drive:
+    """Return the drive that a train is with the tensions of its pulleys."""
+    return Drive(
+        title=train.title,
+        description=train.description,
+        belt=train.belt,
+        pulleys=train.pulleys,
+        creep_limit=train.creep_limit,
+        criteria=train.criteria,
+        load_cases=tuple(cases),
+    )

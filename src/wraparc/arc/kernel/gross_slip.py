@@ -7,6 +7,7 @@ held tension is at the exit, so that the entry tension is an unknown too.
 from __future__ import annotations
 
 from math import exp, inf, log
+from typing import NamedTuple
 
 from wraparc.arc.kernel.effort import (
     TENSION,
@@ -22,6 +23,8 @@ from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
 
 PEAK_STEPS = 12  # mesh steps of a first search of the largest ratio; decides speed only
+_NO_SLACK = 50.0  # miss of a place where the slack side has no tension left
+_ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-10, 1.6
 
 
 def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
@@ -67,6 +70,87 @@ def _plateau_angle(law: CompactLaw, pressure: float, segment: int, q: float, spa
         p = pressure * exp(-q - 0.5 * span * (1.0 + node))
         total += weight / plateau_at(law, segment, p)
     return 0.5 * span * total
+
+
+class Grip(NamedTuple):
+    """What friction can carry on an arc, but for its law.
+
+    Attributes
+    ----------
+    wrap_angle
+        phi [rad].
+    area
+        B R, tension over wrap pressure [m2].
+    offset
+        ln(tight/slack) that it carries beyond that of the plateau, < 0 where friction falls past
+        its peak [-].
+    """
+
+    wrap_angle: float
+    area: float
+    offset: float
+
+
+class Line(NamedTuple):
+    """Tensions of an arc along a line: those at k = 1, and how they grow with k [N]."""
+
+    tight: float
+    slack: float
+    tight_rise: float
+    slack_rise: float
+
+
+def carried_log(law: CompactLaw, grip: Grip, tight: float) -> float:
+    """Largest ln(tight/slack) that friction carries with the tight side at a tension [N]."""
+    q = plateau_capacity(law, tight / grip.area, grip.wrap_angle) + grip.offset
+    return max(q, 0.0)
+
+
+def excess_log(law: CompactLaw, grip: Grip, line: Line, k: float) -> float:
+    """ln(tight/slack) at a place of a line less what friction carries there [-]."""
+    tight = line.tight + (k - 1.0) * line.tight_rise
+    slack = line.slack + (k - 1.0) * line.slack_rise
+    if tight <= 0.0 or slack <= 0.0:
+        return _NO_SLACK
+    return log(tight / slack) - carried_log(law, grip, tight)
+
+
+def slip_place(law: CompactLaw, grip: Grip, line: Line, way: float, low: float) -> float:
+    """Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards.
+
+    Bracketed in growing steps, then by false position (Illinois); inf if there is none up to 1e4
+    times `low`, or 1e4.
+    """
+    a, f_a, step = low, -1.0, max(low, 1.0)
+    high = 1e4 * step
+    b = a + step
+    f_b = way * excess_log(law, grip, line, b)
+    while f_b < 0.0:
+        a, f_a = b, f_b
+        step *= _GROWTH
+        b += step
+        if b > high:
+            return inf
+        f_b = way * excess_log(law, grip, line, b)
+    side = 0
+    for _ in range(_ROUNDS):
+        if b - a <= _TOLERANCE * b:
+            break
+        c = (a * f_b - b * f_a) / (f_b - f_a)
+        if not a < c < b:
+            c = 0.5 * (a + b)
+        f = way * excess_log(law, grip, line, c)
+        if abs(f) < 1e-14:
+            return c
+        if f < 0.0:
+            a, f_a = c, f
+            f_b = 0.5 * f_b if side < 0 else f_b
+            side = -1
+        else:
+            b, f_b = c, f
+            f_a = 0.5 * f_a if side > 0 else f_a
+            side = 1
+    return 0.5 * (a + b)
 
 
 def largest_ratio(

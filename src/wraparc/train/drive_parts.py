@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from wraparc.drive import Drive
 from wraparc.errors import shown
 from wraparc.files.conditions import refuse_several
-from wraparc.files.drive_file import load_drive
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
+from wraparc.train.file import load_drive
 
 
 def drive_of(record: Record, folder: str, report: Report) -> Drive | None:

@@ -1,0 +1,35 @@
+"""Verdicts of random drives, row by row and one by one: python benchmarks/verdicts.py [drives].
+
+Prints the drives that end otherwise in columns than alone, and how all of them ended. The gate runs
+the same with 20 (tests/checks/test_of_rows.py).
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).parents[1] / "tests")  # its `arc`, not the benchmark of it
+
+
+def main() -> None:
+    from checks.test_of_rows import of_rows, one_by_one, random_pairs
+
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 300
+    ends: Counter[tuple[str, str]] = Counter()
+    unlike = 0
+    for number, drive in enumerate(random_pairs(count)):
+        many, one = of_rows(drive), one_by_one(drive)
+        ends[one] += 1
+        if many != one:
+            unlike += 1
+            print(f"drive {number}: {many} in columns, {one} alone", flush=True)
+    for (level, name), of in sorted(ends.items()):
+        print(f"{level:12} {name:20} {of}")
+    print(f"{unlike} of {count} unlike")
+    sys.exit(1 if unlike else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,309 @@
+"""The checks of many arcs at once, by the same rules: a verdict and what governs it, row by row."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
+from wraparc.batch import BatchResult
+from wraparc.batch.arcs import Arcs
+from wraparc.batch.pull_factors import pull_factors
+from wraparc.checks.check import Level, keeps, margin_to
+from wraparc.checks.design_standard import wrap_factors
+from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, rises_of
+from wraparc.checks.rules import (
+    IDLE,
+    NO_GRIP,
+    RULES,
+    USUAL,
+    start_factor,
+    tension_factor,
+    wrap_pressure,
+)
+from wraparc.drive import Drive
+from wraparc.drive.conditions import SCALED
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Codes = NDArray[np.int8]
+
+#: Words of a verdict by its code; a row that is no drive at all is not checked.
+LEVELS = tuple(Level)
+#: Checks by their code: what governs a row. "" where nothing could be checked.
+NAMES = ("", *(name for name in RULES if name not in ("balance", "train_balance")))
+#: Relative distance within which two numbers may be the same in the digits that are shown.
+_NEAR = 2e-3
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Held:
+    """What arcs are held against beside their laws, columns of shape (n,), nan where nothing is.
+
+    Attributes
+    ----------
+    safety
+        Safety factor on gross slip [-].
+    tight_rise, slack_rise
+        How the tensions grow with the pull of the whole drive, see `rises` [N].
+    standard
+        Slack-side tension that the design standard asks for [N].
+    binding
+        Whether the standard binds.
+    belt_tension, momentary_tension
+        Largest tension: one of them, by the kind of the load case [N].
+    face_pressure, bond_stress, fatigue_stress
+        Largest pressures and stresses [Pa].
+    slack, sag
+        Tension of the slack end of the whole drive where the belt leaves it here, and the least of
+        it [N].
+    diameter
+        Least diameter [m].
+    scaled
+        Whether the law was not tested in its condition, but scaled to it.
+    """
+
+    safety: Array
+    tight_rise: Array
+    slack_rise: Array
+    standard: Array
+    binding: Flags
+    belt_tension: Array
+    momentary_tension: Array
+    face_pressure: Array
+    bond_stress: Array
+    fatigue_stress: Array
+    slack: Array
+    sag: Array
+    diameter: Array
+    scaled: Flags
+
+    def rows(self, which: slice | NDArray[np.int64]) -> Held:
+        """Return some of the rows."""
+        return replace(self, **{f.name: getattr(self, f.name)[which] for f in fields(self)})
+
+
+def held_by(
+    drives: Sequence[Drive],
+    which: NDArray[np.int64],
+    pulley: str,
+    load_case: str,
+    arcs: Arcs,
+    tensions: tuple[Array, Array],
+) -> Held:
+    """Return what arcs are held against.
+
+    Parameters
+    ----------
+    drives, which
+        Drives, and that of each arc, shape (n,); their tensions do not count.
+    pulley, load_case
+        Names in all of them.
+    arcs
+        The arcs of the pulley.
+    tensions
+        Entry and exit tensions of all pulleys, shape (pulleys, n) each [N].
+    """
+    entry, leaving = tensions
+    index = [p.name for p in drives[0].pulleys].index(pulley)
+    numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
+    safety, fixed, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled = (
+        column[which] for column in numbers
+    )
+    held = np.where(fixed > 0.0, BOTH_HELD, SLACK_HELD)
+    tight_rise, slack_rise = rises_of(entry - leaving, index, held)
+    driving = entry[0] >= leaving[-1]
+    slack = np.full(len(arcs), math.nan)
+    for place, end, side in ((len(entry) - 1, leaving[-1], driving), (0, entry[0], ~driving)):
+        if place == index:
+            slack = np.where(side, end, slack)
+    return Held(
+        safety=safety,
+        tight_rise=tight_rise,
+        slack_rise=slack_rise,
+        standard=_factors(drives, which, pulley, arcs.wrap_angle)
+        * (start * np.abs(arcs.entry_tension - arcs.exit_tension)),
+        binding=binding > 0.0,
+        belt_tension=running * arcs.belt_width,
+        momentary_tension=momentary * arcs.belt_width,
+        face_pressure=face,
+        bond_stress=bond,
+        fatigue_stress=fatigue,
+        slack=slack,
+        sag=sag,
+        diameter=least,
+        scaled=scaled > 0.0,
+    )
+
+
+def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, ...]:
+    criteria, belt, kind = drive.criteria, drive.belt, drive.load_case(load_case).kind
+    lagging = drive.pulley(pulley).lagging
+    allowed = tension_factor(belt, kind) * belt.rating if belt.rating is not None else None
+    return (
+        criteria.safety.of(kind),
+        float(criteria.take_up.fixed),
+        start_factor(criteria, kind),
+        float(criteria.standard.binding),
+        allowed if kind == "running" else None,
+        allowed if kind != "running" else None,
+        belt.largest_wrap_pressure,
+        lagging.bond_strength,
+        lagging.fatigue_limit,
+        criteria.sag.tension if criteria.sag is not None else None,
+        belt.least_pulley_diameter,
+        float(SCALED in lagging.sources),
+    )
+
+
+def _factors(
+    drives: Sequence[Drive], which: NDArray[np.int64], pulley: str, wrap_angle: Array
+) -> Array:
+    """Wrap factors of the design standard, shape (n,) [-]; drives that agree in it at once."""
+    found = np.full(len(which), math.nan)
+    alike: dict[object, list[int]] = {}
+    for place, drive in enumerate(drives):
+        criteria, lagging = drive.criteria, drive.pulley(pulley).lagging
+        key = (criteria.standard, criteria.take_up, lagging.surface, lagging.condition)
+        alike.setdefault(key, []).append(place)
+    for places in alike.values():
+        of, rows = drives[places[0]], np.flatnonzero(np.isin(which, places))
+        criteria, lagging = of.criteria, of.pulley(pulley).lagging
+        found[rows] = wrap_factors(criteria.standard, criteria.take_up, lagging, wrap_angle[rows])
+    return found
+
+
+def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple[Codes, Codes]:
+    """Return the verdict of every arc and the check that governs it.
+
+    As `judge` finds them for one pulley in one load case, but for the energy balance of the
+    solution, which a batch does not report.
+
+    Parameters
+    ----------
+    solved
+        The arcs, solved, with capacities where friction falls past its peak.
+    held
+        What they are held against.
+    friction_factor
+        Factor on the friction of each law, shape (n,) [-].
+
+    Returns
+    -------
+    level, governing
+        Places in `LEVELS` and `NAMES`, shape (n,) each.
+    """
+    n = len(solved.arcs)
+    level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
+    least = np.full(n, math.inf)
+    for name, ranks, margins in _checks(solved, held, friction_factor):
+        worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
+        worse |= (ranks > 0) & (governing == 0)
+        level = np.where(worse, ranks, level).astype(np.int8)
+        least = np.where(worse, margins, least)
+        governing = np.where(worse, NAMES.index(name), governing).astype(np.int8)
+    lost = solved["status"] == REFUSED
+    level[lost], governing[lost] = 0, 0
+    return level, governing
+
+
+def _checks(
+    solved: BatchResult, held: Held, friction_factor: Array
+) -> Iterator[tuple[str, Array, Array]]:
+    """Yield name, rank of the level and margin of every check in the order of `RULES`."""
+    yield _gross_slip(solved, held, friction_factor)
+    for name, value, limit in _compared(solved, held):
+        missed = np.full(len(value), RULES[name].missed.rank)
+        if name == "design_standard":
+            missed[held.binding] = Level.FAILS.rank
+        at_most = RULES[name].at_most
+        yield name, *_ranks(value, limit, missed, at_most=at_most)
+        if name == "tested_pressure_min":
+            told = RULES["condition"].missed.rank
+            yield "condition", np.where(held.scaled, told, 0), np.full(len(value), -math.inf)
+    yield _usual_sizes(solved.arcs)
+
+
+def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Array]]:
+    """Yield name, value and limit of what is compared; a limit of nan is none."""
+    arcs = solved.arcs
+    tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
+    slack = np.minimum(arcs.entry_tension, arcs.exit_tension)
+    low, high, slip_max = arcs.laws.tested[arcs.law].T
+    speed, pulls = arcs.laws.tested_speed[arcs.law], ~_idle(arcs)
+    yield "design_standard", slack, np.where(pulls, held.standard, math.nan)
+    yield "creep", np.abs(solved["exit_creep"]), _where(solved.solved, arcs.creep_limit)
+    yield "belt_tension", tight, held.belt_tension
+    yield "momentary_tension", tight, held.momentary_tension
+    pressure = wrap_pressure(tight, arcs.belt_width, arcs.diameter)
+    yield "face_pressure", pressure, held.face_pressure
+    stress = solved["peak_shear_stress"]
+    yield "bond_stress", stress, _where(solved.solved, held.bond_stress)
+    yield "fatigue_stress", stress, _where(solved.solved, held.fatigue_stress)
+    yield "tested_pressure_max", pressure, high
+    yield "tested_pressure_min", wrap_pressure(slack, arcs.belt_width, arcs.diameter), low
+    yield "tested_slip", solved.largest_slip, _where(solved.solved, slip_max)
+    slips = solved.slip_speed
+    yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)
+    yield "sag", held.slack, _where(~np.isnan(held.slack), held.sag)
+    yield "pulley_diameter", arcs.diameter, held.diameter
+
+
+def _where(there: Flags, limit: Array) -> Array:
+    return np.where(there, limit, math.nan)
+
+
+def _idle(arcs: Arcs) -> Flags:
+    return np.asarray(np.abs(arcs.entry_tension - arcs.exit_tension) <= IDLE * arcs.entry_tension)
+
+
+def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple[Array, Array]:
+    """Rank of the level and margin of a check; 0 where nothing is compared."""
+    compared = ~np.isnan(limit)
+    kept = (value <= limit) if at_most else (value >= limit)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        margins = margin_to(value, limit, at_most=at_most)
+    near = np.flatnonzero(compared & ~kept & (np.abs(margins) < _NEAR))
+    for i in near:  # few: the digits decide
+        kept[i] = keeps(float(value[i]), float(limit[i]), at_most=at_most)
+    ranks = np.where(kept, Level.OK.rank, missed)
+    margins = np.where(np.isnan(margins), np.where(kept, math.inf, -math.inf), margins)
+    return np.where(compared, ranks, 0), np.where(compared, margins, math.inf)
+
+
+def _gross_slip(
+    solved: BatchResult, held: Held, friction_factor: Array
+) -> tuple[str, Array, Array]:
+    """Return name, rank and margin of the safety against gross slip."""
+    arcs, status, limit = solved.arcs, solved["status"], held.safety
+    capacity = solved["gross_slip_capacity"]
+    factor = pull_factors(arcs, friction_factor, capacity, (held.tight_rise, held.slack_rise))
+    gone = status == BREAKAWAY
+    factor = np.where(gone, np.minimum(factor, 1.0), np.maximum(factor, 1.0))
+    missed = np.full(len(factor), RULES["gross_slip"].missed.rank)
+    ranks, margins = _ranks(factor, limit, missed, at_most=False)
+    ranks = np.where(gone, NO_GRIP.rank, ranks)
+    idle = _idle(arcs) & (status == SOLVED)
+    ranks, margins = np.where(idle, Level.OK.rank, ranks), np.where(idle, math.inf, margins)
+    fault = status == UNSOLVED
+    ranks = np.where(fault, Level.FAULT.rank, ranks)
+    return "gross_slip", ranks, np.where(fault, -math.inf, margins)
+
+
+def _usual_sizes(arcs: Arcs) -> tuple[str, Array, Array]:
+    """Return name, rank and margin of the sizes that conveyor drives have."""
+    ranks = np.full(len(arcs), Level.OK.rank)
+    margins = np.full(len(arcs), math.inf)
+    columns = {"width": arcs.belt_width, "modulus": arcs.belt_modulus,
+               "speed": arcs.belt_speed, "diameter": arcs.diameter}  # fmt: skip
+    for name, value in columns.items():
+        _, least, most = USUAL[name]
+        low, high = value < least, value > most
+        found = np.where(high, 1.0 - value / most, np.where(low, value / least - 1.0, math.inf))
+        ranks = np.where(low | high, RULES["usual_sizes"].missed.rank, ranks)
+        margins = np.minimum(margins, found)
+    return "usual_sizes", ranks, margins

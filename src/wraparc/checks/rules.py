@@ -1,0 +1,104 @@
+"""What each check allows: its sense and what missing it means, once for one drive and for many.
+
+The numbers that are compared stand here too, as functions of plain numbers or of columns.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.checks.check import Level
+from wraparc.drive import Belt, Criteria
+from wraparc.units import Dimension
+
+_Number = TypeVar("_Number", float, NDArray[np.float64])
+
+#: Pull over tension that counts as none [-].
+IDLE = 1e-6
+#: Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
+USUAL: dict[str, tuple[Dimension, float, float]] = {
+    "width": ("length", 0.2, 4.0),
+    "modulus": ("force_per_width", 1e5, 1e9),
+    "speed": ("speed", 0.05, 15.0),
+    "diameter": ("length", 0.15, 3.0),
+}
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One check.
+
+    Attributes
+    ----------
+    name
+        Its key, the same in every door.
+    what
+        What sets the limit, in words.
+    missed
+        Level where it is not kept.
+    at_most
+        Whether the limit is an upper one.
+    """
+
+    name: str
+    what: str
+    missed: Level = Level.ATTENTION
+    at_most: bool = True
+
+
+#: The checks of an arc in the order they are told; the balance of the solution is none of a row.
+RULES = {
+    rule.name: rule
+    for rule in (
+        Rule("gross_slip", "the safety against gross slip", at_most=False),
+        Rule("design_standard", "the design standard", at_most=False),
+        Rule("creep", "the creep limit"),
+        Rule("belt_tension", "the rating of the belt", Level.FAILS),
+        Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),
+        Rule("face_pressure", "the pressure on the pulley face"),
+        Rule("bond_stress", "the bond strength of the lagging"),
+        Rule("fatigue_stress", "the fatigue limit of the lagging"),
+        Rule("tested_pressure_max", "the largest wrap pressure tested"),
+        Rule("tested_pressure_min", "the least wrap pressure tested", at_most=False),
+        Rule("condition", "friction that was not tested in the condition"),
+        Rule("tested_slip", "the largest slip tested"),
+        Rule("tested_slip_speed", "the slip speed tested"),
+        Rule("balance", "the energy balance", Level.FAULT),
+        Rule("sag", "the sag of the belt", at_most=False),
+        Rule("pulley_diameter", "the least pulley of the belt", Level.FAILS, at_most=False),
+        Rule("usual_sizes", "usual sizes"),
+        Rule("train_balance", "the balance of the train", Level.FAULT),
+    )
+}
+#: Where gross slip cannot be avoided, whatever its safety factor.
+NO_GRIP = Level.FAILS
+
+
+def standard_rule(criteria: Criteria) -> Rule:
+    """Return the rule of the design standard: it fails a drive only if it binds."""
+    rule = RULES["design_standard"]
+    return replace(rule, missed=Level.FAILS) if criteria.standard.binding else rule
+
+
+def tension_rule(kind: str) -> Rule:
+    """Return the rule of the belt tension in a kind of load case."""
+    return RULES["belt_tension" if kind == "running" else "momentary_tension"]
+
+
+def tension_factor(belt: Belt, kind: str) -> float:
+    """Tension allowed in a kind of load case over the rating of the belt [-]."""
+    return 1.0 if kind == "running" else belt.momentary_factor or 1.0
+
+
+def start_factor(criteria: Criteria, kind: str) -> float:
+    """Pull that the design standard is applied to over that of a load case [-]."""
+    return criteria.standard.start_factor if kind == "running" else 1.0
+
+
+def wrap_pressure(tension: _Number, width: _Number, diameter: _Number) -> _Number:
+    """Pressure of the belt on the pulley, 2 T/(B D) [Pa]."""
+    return 2.0 * tension / (width * diameter)

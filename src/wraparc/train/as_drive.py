@@ -1,0 +1,53 @@
+"""A train as a drive: its pulleys one by one, at the tensions that its load divides into."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from wraparc.arc import Distributed
+from wraparc.drive import Drive, LoadCase, Tensions
+from wraparc.errors import InputError, Problem
+from wraparc.train.result import drive_with
+from wraparc.train.solve import solve_case
+from wraparc.train.train import Pulls, Shares, Train, TrainCase, tensions_at
+
+
+def as_drive(train: Train) -> Drive:
+    """Return a train as a drive with the tensions of every pulley.
+
+    Where shares or pulls are given the tensions follow; where speeds or motors divide the load the
+    train is solved for them.
+
+    Raises
+    ------
+    InputError
+        If a load case has no solution, with the reason.
+    """
+    problems: list[Problem] = []
+    cases = []
+    for case in train.cases:
+        try:
+            pairs = _pairs(train, case)
+        except InputError as error:
+            problems += error.problems
+            continue
+        names = [p.name for p in train.pulleys]
+        tensions = {n: Tensions(entry=a, exit=b) for n, (a, b) in zip(names, pairs, strict=True)}
+        made = LoadCase(name=case.name, kind=case.kind, condition=case.condition, tensions=tensions)
+        cases.append(made)
+    if problems:
+        raise InputError(problems)
+    return drive_with(train, cases)
+
+
+def _pairs(train: Train, case: TrainCase) -> Sequence[tuple[float, float]]:
+    division, total = case.division, case.effective_tension
+    if isinstance(division, Shares):
+        return tensions_at(case, [f * total for f in division.fractions])
+    if isinstance(division, Pulls):
+        return tensions_at(case, division.effective_tensions)
+    solved = solve_case(train, case, Distributed(capacities=False))
+    if not solved.status.solved:
+        message = f"load case {case.name}: {solved.reason} {solved.status}"
+        raise InputError(Problem(key="train", message=message))
+    return [(m.arc.entry_tension, m.arc.exit_tension) for m in solved]

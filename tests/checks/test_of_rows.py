@@ -1,0 +1,172 @@
+"""Verdicts of many rows at once are those of the drives one by one.
+
+Expected values are the judgement of each drive, solved by the interpreted kernel.
+"""
+
+import math
+from collections import Counter
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arc.drives import SOFTENING
+from checks.test_least_tension import random_drives
+from checks.test_rows import NONE, WIDE, lagging, quiet
+from wraparc import Drive, IntegralLog, Pulley, Tensions, load_lagging, solve
+from wraparc.arc import Distributed
+from wraparc.batch import precise, pull_factors
+from wraparc.batch.precise import solve_precisely
+from wraparc.batch.result import BatchResult
+from wraparc.batch.row import EVERYTHING, TENSIONS
+from wraparc.catalogue import design_friction
+from wraparc.checks import Check, judge
+from wraparc.checks.design_standard import asked, wrap_factors
+from wraparc.checks.of_rows import LEVELS, NAMES, judge_rows
+from wraparc.drive import Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
+from wraparc.files import drive_from_document
+from wraparc.files.write import drive_document
+from wraparc.study.source import DriveSource
+
+QUICK = Distributed(capacities=False)
+
+
+@pytest.fixture(autouse=True)
+def plainly(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the interpreter: few rows are not worth compiling for."""
+    if "compiled" not in request.node.name:
+        monkeypatch.setattr(precise, "available", lambda: False)
+        monkeypatch.setattr(pull_factors, "available", lambda: False)
+
+
+def of_rows(of: Drive, pulley: str = "head", document: Any = None) -> tuple[str, str]:
+    """Verdict and governing check of a pulley in the first load case, by columns."""
+    rows = DriveSource(document or drive_document(of), pulley, ()).rows(
+        {}, 1, of.load_cases[0].name
+    )
+    softens = rows.arcs.laws.steepest_fall[0] < 0.0
+    found = solve_precisely(rows.arcs, EVERYTHING if softens else TENSIONS)
+    level, governing = judge_rows(BatchResult(rows.arcs, found), rows.held, np.ones(1))
+    return str(LEVELS[level[0]]), NAMES[governing[0]]
+
+
+def one_by_one(of: Drive, pulley: str = "head") -> tuple[str, str]:
+    result = solve(of, method=QUICK, raise_on_failure=False)
+    verdict = judge(result).at(pulley, of.load_cases[0].name)
+    assert isinstance(verdict.governing, Check)
+    return str(verdict.level), verdict.governing.name
+
+
+def random_pairs(count: int, seed: int = 8) -> list[Drive]:
+    """Return drives of one and two pulleys on every kind of limit, near to where each is missed."""
+    rng = np.random.default_rng(seed)
+    found = []
+    for of in random_drives(count, seed):
+        (case,) = of.load_cases
+        t = case.tensions["head"]
+        belt = replace(
+            of.belt,
+            rating=max(t.entry, t.exit) / 1.2 * float(rng.uniform(0.6, 1.6)),
+            momentary_factor=float(rng.choice([1.0, 1.4])),
+            largest_wrap_pressure=float(rng.uniform(2e5, 6e5)) if rng.uniform() < 0.5 else None,
+            least_pulley_diameter=float(rng.uniform(0.3, 1.0)) if rng.uniform() < 0.5 else None,
+        )
+        head = of.pulleys[0]
+        law = head.lagging.law
+        tested = law.tested
+        if isinstance(law, IntegralLog) and tested is not None and rng.uniform() < 0.4:
+            law = replace(law, tested=replace(tested, slip_speed=float(rng.uniform(1e-3, 0.05))))
+        lag = replace(
+            head.lagging,
+            law=law,
+            bond_strength=float(rng.uniform(2e4, 3e5)) if rng.uniform() < 0.5 else None,
+            fatigue_limit=float(rng.uniform(2e4, 3e5)) if rng.uniform() < 0.5 else None,
+        )
+        pulleys: tuple[Pulley, ...] = (replace(head, lagging=lag),)
+        tensions = dict(case.tensions)
+        if rng.uniform() < 0.4:
+            pulleys = (*pulleys, replace(head, name="second"))
+            tensions["second"] = Tensions(entry=t.exit, exit=t.exit * float(rng.uniform(0.8, 1.2)))
+        cases = (replace(case, tensions=tensions),)
+        found.append(replace(of, belt=belt, pulleys=pulleys, load_cases=cases))
+    return found
+
+
+@pytest.mark.parametrize("start", [0, 10])
+def test_random_drives_end_alike_row_by_row(start: int) -> None:
+    """20 of them; `benchmarks/verdicts.py` has 300."""
+    ends: Counter[tuple[str, str]] = Counter()
+    for of in random_pairs(20)[start : start + 10]:
+        assert of_rows(of) == one_by_one(of)
+        ends[of_rows(of)] += 1
+    assert len(ends) >= 4  # not always the same
+
+
+SOFT = load_lagging("diamond-rubber")
+CASES: list[tuple[str, Drive]] = [
+    ("gross_slip", quiet(lagging=lagging(0.35), entry=90e3, leaving=40e3, creep_limit=1.0)),
+    ("gross_slip", quiet(lagging=lagging(0.2), entry=90e3, leaving=40e3)),  # breaks away
+    ("design_standard", quiet(entry=100e3, leaving=30e3, creep_limit=1.0, criteria=Criteria(
+        standard=DesignStandard(name="CEMA", binding=True, start_factor=1.5)))),
+    ("creep", quiet(creep_limit=1e-4)),
+    ("belt_tension", quiet(belt={"rating": 80e3})),
+    ("momentary_tension", quiet(belt={"rating": 80e3}, kind="starting")),
+    ("face_pressure", quiet(belt={"largest_wrap_pressure": 1e5})),
+    ("pulley_diameter", quiet(belt={"least_pulley_diameter": 1.0})),
+    ("usual_sizes", quiet(belt={"speed": 30.0})),
+    ("bond_stress", quiet(lagging=lagging(bond_strength=1e3))),
+    ("fatigue_stress", quiet(lagging=lagging(fatigue_limit=1e3))),
+    ("tested_pressure_max", quiet(lagging=lagging(tested=replace(WIDE, pressure_max=1e5)))),
+    ("tested_pressure_min", quiet(lagging=lagging(tested=replace(WIDE, pressure_min=150e3)))),
+    ("tested_slip", quiet(lagging=lagging(tested=replace(WIDE, slip_max=1e-5)))),
+    ("tested_slip_speed", quiet(lagging=lagging(tested=replace(WIDE, slip_speed=1e-6)))),
+    ("sag", quiet(criteria=replace(NONE, sag=Sag(spacing=5.0, line_mass=300.0)))),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "of"), CASES)
+def test_each_check_governs_a_row_where_it_governs_the_drive(name: str, of: Drive) -> None:
+    assert one_by_one(of)[1] == name
+    assert of_rows(of) == one_by_one(of)
+
+
+def test_where_friction_falls_past_its_peak_the_margin_is_the_same() -> None:
+    assert SOFTENING.steepest_fall() < 0.0
+    of = quiet(lagging=replace(SOFT, law=SOFTENING), entry=150e3, leaving=50e3,
+               criteria=replace(NONE, safety=SafetyFactors(running=9.0)))  # fmt: skip
+    assert one_by_one(of) == ("ATTENTION", "gross_slip")
+    assert of_rows(of) == one_by_one(of)
+
+
+def test_a_law_scaled_to_its_condition_asks_for_attention_in_rows_too() -> None:
+    document = drive_document(quiet(lagging=SOFT)) | {"condition": "wet"}
+    of = drive_from_document(document)
+    assert one_by_one(of) == ("ATTENTION", "condition")
+    assert of_rows(of, document=document) == one_by_one(of)
+
+
+def test_compiled_pull_factors_are_those_of_the_interpreter(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    of = quiet(lagging=replace(SOFT, law=SOFTENING), entry=150e3, leaving=50e3)
+    rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
+    asked_for = (rows.arcs, np.array([0.9]), np.array([5.0]), (np.array([1e5]), np.array([2e4])))
+    found = pull_factors.pull_factors(*asked_for)
+    monkeypatch.setattr(pull_factors, "available", lambda: False)
+    np.testing.assert_array_equal(found, pull_factors.pull_factors(*asked_for))
+    assert 1.0 < found[0] < 10.0
+
+
+@pytest.mark.parametrize("fixed", [False, True])
+@pytest.mark.parametrize("standard", ["CEMA", "DIN 22101", "own", "none"])
+def test_wrap_factors_of_columns_are_those_of_the_standard(standard: str, fixed: bool) -> None:
+    rule = DesignStandard(name=standard, friction=0.3 if standard == "own" else None)
+    take_up = TakeUp(kind="fixed" if fixed else "")
+    angles = np.radians([150.0, 180.0, 195.0, 200.0, 219.999999, 220.0, 240.0, 250.0])
+    surfaces = {d.surface for d in design_friction()}
+    for surface in sorted(surfaces | {""}):
+        lag = replace(SOFT, surface=surface)
+        one = [asked(rule, take_up, lag, float(a)) for a in angles]
+        expected = [math.nan if a is None else a.wrap_factor for a in one]
+        np.testing.assert_allclose(wrap_factors(rule, take_up, lag, angles), expected, rtol=1e-14)
