@@ -1,0 +1,274 @@
+// The files of a testing machine: dropped, read, and what they do not tell themselves.
+import { redraw } from "../../base/design.js";
+import { Advice, act, ask, Refused, refusal, sentence } from "../../base/server.js";
+import { list, scroll, table } from "../../parts/answers.js";
+import { valueIn } from "../../parts/choose.js";
+import { h } from "../../vendor/preact.js";
+import { asRead } from "./plots.js";
+
+/** @import { Problem, Table, Text } from "../../types.d.ts" */
+/**
+ * @typedef {{name: string, unit: string, role: string}} Column
+ * @typedef {{id: string, name: string, read: boolean, columns: Column[], problems: Problem[],
+ *   refused: Problem[] | null, notes: Text[], tables: Table[], choices: any,
+ *   preview: {travel: number[], force: number[]} | null, pressure_guess: string,
+ *   [key: string]: any}} TestFile
+ */
+
+const ROLES = [
+  ["travel", "Travel"],
+  ["force", "Pulling force"],
+  ["normal_force", "Normal force"],
+  ["time", "Time"],
+];
+
+export const session = {
+  id: /** @type {string | null} */ (null),
+  files: /** @type {TestFile[]} */ ([]),
+  chosen: /** @type {string | null} */ (null),
+  over: false,
+};
+
+/** Ask within the session; one that ran out begins anew, its files are then gone.
+ * @param {string} path @param {any} [body] @param {any} [how] */
+export async function within(path, body, how) {
+  try {
+    session.id ??= (await ask("tests", {})).session;
+    return await ask(`tests/${session.id}/${path}`, body, how);
+  } catch (x) {
+    if (!(x instanceof Refused) || x.status !== 404) throw x;
+    Object.assign(session, { id: null, files: [] });
+    redraw();
+    throw new Advice(
+      "The calculator no longer has the tests (it keeps them for half an hour after the last " +
+        "use, and not when it is started anew): drop the files again.",
+    );
+  }
+}
+/** @param {FileList | null | undefined} chosen */
+async function send(chosen) {
+  if (!chosen?.length) return;
+  const data = new FormData();
+  for (const f of chosen) data.append("files", f, f.name);
+  await take((await within("files", data)).files);
+}
+const example = async () => take((await within("example", {})).files);
+/** @param {TestFile[]} found */
+async function take(found) {
+  for (const f of found) {
+    const i = session.files.findIndex((x) => x.id === f.id);
+    if (i < 0) session.files.push(f);
+    else session.files[i] = f;
+  }
+  for (const f of found)
+    if (f.read && !f.pressure && f.pressure_guess) await say(f, { pressure: f.pressure_guess });
+  redraw();
+}
+/** Say something of a file that it does not tell itself. @param {TestFile} f @param {any} more */
+async function say(f, more) {
+  const told = {
+    pressure: f.pressure || null,
+    normal_force: f.normal_force || null,
+    condition: f.condition || "dry",
+    repeat: f.repeat || "",
+    sample: f.sample || "",
+    choices: f.choices || {},
+    ...more,
+  };
+  try {
+    const now = await within(`files/${f.id}`, told, { method: "PUT" });
+    const i = session.files.findIndex((x) => x.id === f.id);
+    session.files[i] = { ...f, refused: null, ...now };
+  } catch (x) {
+    Object.assign(f, more, { refused: refusal(x) });
+  }
+  redraw();
+}
+/** @param {TestFile} f */
+async function remove(f) {
+  await within(`files/${f.id}`, undefined, { method: "DELETE" });
+  const i = session.files.indexOf(f);
+  session.files.splice(i, 1);
+  redraw();
+  const next = session.files[Math.min(i, session.files.length - 1)];
+  document.getElementById(next ? `remove-${next.id}` : "choose-files")?.focus();
+}
+
+export function drop() {
+  const over = (/** @type {boolean} */ on) => (/** @type {DragEvent} */ e) => {
+    e.preventDefault();
+    session.over = on;
+    redraw();
+  };
+  const input = {
+    type: "file",
+    multiple: true,
+    id: "test-files",
+    class: "away",
+    tabIndex: -1,
+    "aria-label": "Files of the testing machine",
+    onChange: act((e) => send(/** @type {HTMLInputElement} */ (e.currentTarget).files)),
+  };
+  const choose = () => document.getElementById("test-files")?.click();
+  return h(
+    "div",
+    {
+      class: `drop${session.over ? " over" : ""}`,
+      key: "drop",
+      onDragOver: over(true),
+      onDragLeave: over(false),
+      onDrop: (e) => {
+        over(false)(e);
+        act(() => send(e.dataTransfer?.files))(e);
+      },
+    },
+    h("p", {}, "Drop the files of the testing machine here: text or Excel, one test a file."),
+    h("input", input),
+    h(
+      "p",
+      { class: "inline drop-buttons" },
+      h(
+        "button",
+        { type: "button", class: "main", id: "choose-files", onClick: choose },
+        "Choose files …",
+      ),
+      h("button", { type: "button", onClick: act(example) }, "Try it with made-up tests"),
+    ),
+  );
+}
+export function files() {
+  const n = session.files.length;
+  const heads = ["File", "Read as", "Set pressure", "Condition"];
+  return h(
+    "section",
+    { class: "card", "aria-label": "Tests", key: "files" },
+    h("h2", {}, `${n} ${n === 1 ? "test" : "tests"}`),
+    scroll(
+      "Files of tests",
+      h(
+        "table",
+        { class: "grid-table" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            heads.map((t) => h("th", { scope: "col", key: t }, t)),
+            h("td", {}),
+          ),
+        ),
+        h("tbody", {}, session.files.map(fileRow)),
+      ),
+    ),
+  );
+}
+/** @param {TestFile} f */
+function fileRow(f) {
+  const open = session.chosen === f.id;
+  const unfold = () => {
+    session.chosen = open ? null : f.id;
+    redraw();
+  };
+  const as = (f.columns || []).filter((c) => c.role).map(columnText);
+  return h(
+    "tr",
+    { class: open ? "pinned" : "", key: f.id },
+    h(
+      "th",
+      { scope: "row" },
+      h("button", { type: "button", "aria-expanded": open, onClick: unfold }, f.name),
+    ),
+    h(
+      "td",
+      { class: f.read ? "" : "bad" },
+      f.read ? as.join(", ") : h("b", {}, "not understood yet"),
+      [...(f.problems || []), ...(f.refused || [])].map((p, i) =>
+        h("p", { class: "error", key: i }, sentence(p)),
+      ),
+    ),
+    h("td", { class: f.refused ? "wrong" : "" }, box(f, "pressure", "Set pressure", 9)),
+    h("td", {}, box(f, "condition", "Condition", 7)),
+    h(
+      "td",
+      {},
+      h(
+        "button",
+        {
+          type: "button",
+          id: `remove-${f.id}`,
+          "aria-label": `Remove ${f.name}`,
+          onClick: act(() => remove(f)),
+        },
+        "✕",
+      ),
+    ),
+  );
+}
+/** @param {Column} c */
+const columnText = (c) => `${c.role.replace("_", " ")}: ${c.name}${c.unit ? ` [${c.unit}]` : ""}`;
+/** @param {TestFile} f @param {string} key @param {string} label @param {number} size */
+const box = (f, key, label, size) =>
+  h("input", {
+    type: "text",
+    size,
+    value: f[key] || "",
+    "aria-label": `${label} of ${f.name}`,
+    "aria-invalid": Boolean(f.refused?.some((p) => p.path.includes(key))),
+    onChange: act((e) => {
+      const text = /** @type {HTMLInputElement} */ (e.currentTarget).value.trim();
+      return say(f, { [key]: text || (key === "condition" ? "dry" : null) });
+    }),
+  });
+/** The file that is unfolded, or the first that is not understood. */
+export function details() {
+  const f =
+    session.files.find((x) => x.id === session.chosen) || session.files.find((x) => !x.read);
+  if (!f) return null;
+  return h(
+    "section",
+    { class: "card", "aria-label": f.name, key: `details-${f.id}` },
+    h("h2", {}, f.name),
+    h(
+      "div",
+      { class: "cols" },
+      h("div", {}, f.preview && asRead(f.preview), choices(f), list(f.notes, "help")),
+      h(
+        "div",
+        {},
+        (f.tables || []).map((t) => table(t)),
+      ),
+    ),
+  );
+}
+/** @param {TestFile} f */
+function choices(f) {
+  const c = f.choices || {};
+  const names = [["", "as found"], ...(f.columns || []).map((x) => [x.name, x.name])];
+  const put = (/** @type {any} */ more) => say(f, { choices: { ...c, ...more } });
+  const role = (/** @type {string[]} */ [key, label]) =>
+    h(
+      "label",
+      { key },
+      label,
+      h(
+        "select",
+        { value: c[key] || "", onChange: act((e) => put({ [key]: valueIn(e) || null })) },
+        names.map(([v, t]) => h("option", { value: v, key: v }, t)),
+      ),
+    );
+  const unit = (/** @type {Column} */ x) =>
+    h(
+      "label",
+      { key: x.name },
+      `Unit of ${x.name}`,
+      h("input", {
+        type: "text",
+        size: 6,
+        value: c.units?.[x.name] || "",
+        onChange: act((e) => put({ units: { ...c.units, [x.name]: valueIn(e).trim() } })),
+      }),
+    );
+  const unitless = (f.columns || []).filter((x) => !x.unit || c.units?.[x.name]);
+  return h("div", { class: "bar" }, ROLES.map(role), unitless.map(unit));
+}

@@ -1,0 +1,127 @@
+// The form of a test plan: lagging, rig and fit.
+import { h } from "../../vendor/preact.js";
+
+/** @typedef {{key: string, label: string, value?: string, help?: string, list?: string[]}} Row */
+/** @type {Record<string, Row[]>} */
+const ROWS = {
+  lagging: [
+    {
+      key: "name",
+      label: "Name",
+      value: "my-lagging",
+      help: "Name that drive files ask for it by.",
+    },
+    { key: "title", label: "Title" },
+    {
+      key: "surface",
+      label: "Surface",
+      value: "rubber",
+      list: ["", "bare", "rubber", "polyurethane", "ceramic"],
+    },
+    { key: "thickness", label: "Thickness", value: "12 mm" },
+    { key: "shear_modulus", label: "Shear modulus G", value: "2.3 MPa" },
+    { key: "compression_modulus", label: "Compression modulus E_c", value: "10 MPa" },
+    {
+      key: "roughness",
+      label: "Roughness",
+      help: "Of lagging and belt together, for the saturation estimate.",
+    },
+  ],
+  rig: [
+    { key: "sample_area", label: "Area of one face", value: "0.04 m2" },
+    { key: "faces", label: "Faces that slide", value: "2", list: ["2", "1"] },
+    {
+      key: "compliance",
+      label: "Compliance of the rig",
+      help: "The rig's own travel for a force, such as 0.02 mm/kN.",
+    },
+  ],
+  fit: [
+    { key: "pieces", label: "Pieces over pressure", list: ["", "1", "2"] },
+    { key: "transition_pressure", label: "Transition pressure", help: "Estimated if left empty." },
+    { key: "remove_shear", label: "Take off the sample's own shear", list: ["", "true", "false"] },
+  ],
+};
+const TITLES = { lagging: "Lagging", rig: "Rig", fit: "Fit" };
+/** @type {Record<string, string>} */
+const LIST_WORDS = { "": "as found best", true: "yes", false: "no" };
+
+/** What is typed, by part and key. */
+const typed = /** @type {Record<string, Record<string, string>>} */ (
+  Object.fromEntries(
+    Object.entries(ROWS).map(([part, rows]) => [
+      part,
+      Object.fromEntries(rows.map((r) => [r.key, r.value || ""])),
+    ]),
+  )
+);
+/** Take lagging, rig and fit of a test plan into the form. @param {any} plan */
+export function openPlan(plan) {
+  for (const part of Object.keys(ROWS))
+    for (const { key } of ROWS[part])
+      if (plan[part]?.[key] !== undefined) typed[part][key] = String(plan[part][key]);
+}
+
+/** What is typed of a part of the plan; numbers and truth values as such. @param {string} part */
+export function said(part) {
+  const given = Object.entries(typed[part]).filter(([, v]) => v.trim());
+  const numbers = ["faces", "pieces"];
+  return Object.fromEntries(
+    given.map(([k, v]) => [
+      k,
+      numbers.includes(k) ? +v : v === "true" || v === "false" ? v === "true" : v.trim(),
+    ]),
+  );
+}
+/** @param {string} path */
+export function rowOf(path) {
+  const [part, key] = (path || "").split(".");
+  return ROWS[part]?.some((r) => r.key === key);
+}
+/** The form. @param {Record<string, string>} marks what is wrong with a row, by part and key */
+export const planForm = (marks) =>
+  h(
+    "form",
+    {
+      class: "inputs",
+      "aria-label": "Lagging and rig",
+      onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
+    },
+    Object.entries(TITLES).map(([part, title]) =>
+      h(
+        "fieldset",
+        { key: part },
+        h("legend", {}, title),
+        ROWS[part].map((r) => row(part, r, marks[`${part}.${r.key}`])),
+      ),
+    ),
+  );
+/** @param {string} part @param {Row} r @param {string | undefined} problem */
+function row(part, r, problem) {
+  const id = `t-${part}-${r.key}`;
+  const common = {
+    id,
+    value: typed[part][r.key],
+    "aria-invalid": Boolean(problem),
+    "aria-describedby": `${id}-e`,
+    onInput: (/** @type {any} */ e) => {
+      typed[part][r.key] = e.currentTarget.value;
+    },
+  };
+  const options = r.list?.map((x) => h("option", { value: x, key: x }, LIST_WORDS[x] ?? x));
+  return h(
+    "div",
+    { class: `field${problem ? " wrong" : ""}`, key: r.key },
+    h("label", { for: id }, r.label),
+    h("span", {}),
+    h(
+      "span",
+      { class: "box" },
+      options
+        ? h("select", common, options)
+        : h("input", { ...common, type: "text", autocomplete: "off" }),
+    ),
+    r.help && h("p", { class: "help" }, r.help),
+    h("p", { class: "error", id: `${id}-e` }, problem),
+  );
+}
