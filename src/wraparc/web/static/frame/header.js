@@ -4,7 +4,7 @@ import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { drafts, draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
 import { act, note } from "../base/server.js";
 import { h } from "../vendor/preact.js";
-import { download, newDrive, openExample, openFile, report } from "./files.js";
+import { download, newDrive, openExample, report } from "./files.js";
 import { openDraft, PAGES } from "./pages.js";
 
 /** @import { Children, Units } from "../types.d.ts" */
@@ -112,7 +112,10 @@ function choose() {
   input.accept = ".toml";
   input.addEventListener(
     "change",
-    act(async () => input.files?.[0] && openFile(input.files[0])),
+    act(async () => {
+      const file = input.files?.[0];
+      if (file) await (await import("./opening.js")).openFile(file);
+    }),
   );
   input.click();
 }
