@@ -17,6 +17,7 @@ The functions are written for plain floats, so that one source runs interpreted 
 from __future__ import annotations
 
 from collections.abc import MutableSequence
+from itertools import pairwise
 from math import log
 from typing import NamedTuple
 
@@ -95,11 +96,9 @@ def has_memory(law: FrictionLaw) -> bool:
     slips = [row * law.slip[-1] / 200.0 for row in range(201)]
     for pressure in law.pressure:
         values = [float(law.friction(x, pressure)) for x in slips]
-        rises = [b - a for a, b in zip(values, values[1:], strict=False)]
+        rises = [b - a for a, b in pairwise(values)]
         small = 1e-9 * max(values)
-        if min(rises) < -small or any(
-            b > a + small for a, b in zip(rises, rises[1:], strict=False)
-        ):
+        if min(rises) < -small or any(b > a + small for a, b in pairwise(rises)):
             return False
     return True
 
@@ -156,26 +155,29 @@ def shared(law: CompactLaw, b: Backbone, c: float, w: float, guess: float) -> fl
         return 0.0
     if c == 0.0:
         return w
-    z = guess
-    if law.kind != TABLE:
-        top = b.peak_slip + c * b.strength
-        if w >= top:
-            return w - c * b.strength
-        k = c * b.strength / b.peak_slip
-        most = w / (b.peak_slip * (1.0 + k))  # 1 - ln r is at least 1
-        r = min(z / b.peak_slip, most)
-        if r <= 0.0:
-            r = most / (1.0 + k * (1.0 - log(max(most, _SMALLEST))))
-        goal = w / b.peak_slip
-        for _ in range(60):
-            lr = log(r)
-            step = (goal - r - k * (r - r * lr)) / (1.0 - k * lr)
-            r = r + step if r + step > 0.0 else 0.05 * r
-            if abs(step) <= 1e-8 * r:
-                break
-        return r * b.peak_slip
-    if not 0.0 < z < w:
-        z = 0.5 * w
+    if law.kind == TABLE:
+        return shared_of_table(law, b, c, w, guess)
+    top = b.peak_slip + c * b.strength
+    if w >= top:
+        return w - c * b.strength
+    k = c * b.strength / b.peak_slip
+    goal = w / b.peak_slip
+    most = goal / (1.0 + k)  # 1 - ln r is at least 1
+    r = min(guess / b.peak_slip, most)
+    if r <= 0.0:
+        r = most / (1.0 + k * (1.0 - log(max(most, _SMALLEST))))
+    for _ in range(60):
+        lr = log(r)
+        step = (goal - r - k * (r - r * lr)) / (1.0 - k * lr)
+        r = r + step if r + step > 0.0 else 0.05 * r
+        if abs(step) <= 1e-8 * r:
+            break
+    return r * b.peak_slip
+
+
+def shared_of_table(law: CompactLaw, b: Backbone, c: float, w: float, guess: float) -> float:
+    """Slip z of :func:`shared` for a measured table [m]."""
+    z = guess if 0.0 < guess < w else 0.5 * w
     for _ in range(60):
         value, slope, _ = loaded(law, b, z)
         step = (w - z - c * value) / (1.0 + c * slope)

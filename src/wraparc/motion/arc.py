@@ -1,0 +1,298 @@
+"""One arc in time: the pieces of lagging on the wrap, carried along with the belt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc import WrapArc
+from wraparc.batch.native import available, compiled
+from wraparc.errors import InputError, Problem
+from wraparc.friction.compact import LIMIT, CompactLaw
+from wraparc.friction.memory import MOST_TURNS, has_memory
+from wraparc.motion import arc_kernel as k
+
+Array = NDArray[np.float64]
+
+#: Travel of a step below which a drum stands [m].
+STANDS = 1e-10
+#: Steps of Newton's method for one arc alone, and how far it goes.
+_ITERATIONS, _SETTLED = 40, 1e-10
+
+
+@dataclass
+class MovingArc:
+    """An arc that moves: its pieces, what they remember, and where Newton's method stands.
+
+    The only thing in this room that changes: a march owns its arcs.
+
+    Attributes
+    ----------
+    arc
+        What it is; its tensions do not matter.
+    points
+        Pieces on the wrap.
+    travel, m
+        S and m [m].
+    entry, exit
+        Tensions at the nips [N].
+    wrapped
+        W = int a T ds over the wrap [m].
+    lifted
+        int rho ds over the wrap [m2].
+    work
+        Friction work so far [J].
+    """
+
+    arc: WrapArc
+    points: int = 100
+    travel: float = 0.0
+    m: float = 0.0
+    entry: float = field(init=False)
+    exit: float = field(init=False)
+    wrapped: float = 0.0
+    lifted: float = 0.0
+    work: float = 0.0
+    give: float = field(init=False)
+    rise: float = 0.0
+
+    def __post_init__(self) -> None:
+        arc = self.arc
+        _refuse(arc)
+        self.entry = self.exit = arc.exit_tension
+        self.give = arc.compliance
+        self.law, self.shape = law_of(arc), shape_of(arc)
+        self.spacing = arc.length / self.points
+        room = 6 * self.points + 40
+        self.rows = np.zeros((room, k.COLUMNS))
+        self.turns = np.zeros((room, MOST_TURNS + 2))
+        self.counts = np.zeros(room, dtype=np.int64)
+        self.span = np.zeros(3, dtype=np.int64)
+        self.at, self.out = np.zeros(6), np.zeros(k.ANSWERS)
+        fast = available()
+        self._sweep: Any = compiled(k.sweep) if fast else k.sweep
+        self._keep: Any = compiled(k.keep) if fast else k.keep
+        self.lay_at_rest(arc.exit_tension)
+
+    def lay_at_rest(self, tension: float) -> None:
+        """Put fresh pieces under a belt of one tension that has not crept."""
+        n = self.points + 2
+        self.rows[:], self.counts[:] = 0.0, 0
+        place = self.travel - self.spacing * np.arange(n - 1, -1, -1)
+        self.rows[:n, k.TRAVEL], self.rows[:n, k.GIVE] = place, self.give
+        self.rows[:n, k.TENSION] = tension
+        self.rows[:n, k.SHORT] = self.give * tension * (self.travel - place)
+        self.rows[:n, k.KEPT] = self.m - self.rows[:n, k.SHORT]
+        self.span[:] = 0, n - 1, 0
+        self.entry = self.exit = tension
+        self.wrapped = self.give * tension * self.shape.length
+        self._drop(self.travel)
+
+    # --- one step, in three parts: begin, sweep as often as needed, finish ---
+
+    def begin(self, travel: float) -> None:
+        """Begin a step that will end at about a travel [m]: the nip, and a first guess."""
+        ahead = travel - self.travel
+        moving = ahead > STANDS
+        nip = int(self.span[1])
+        if nip + 3 >= len(self.rows):
+            nip = self._shift()
+        row = self.rows[nip]
+        if moving:
+            stood = abs(self.m - row[k.KEPT] - row[k.SLIP] - self.shape.shear * row[k.STRESS])
+            jumped = not self.span[2] and abs(self.m - row[k.KEPT] - self.overrun(self.entry))
+            if jumped > 1e-9 and stood < 1e-6:  # old and fresh contact meet here
+                nip += 1
+                self.span[1] = nip
+                self._fresh(nip, self.m - self.overrun(self.entry))
+                nip += 1
+                self.span[1] = nip
+            self._fresh(nip, 0.0)
+        self.span[2] = int(moving)
+        first = int(self.span[0])
+        part = self.rows[first : nip + 1]
+        if moving:
+            part[:, k.SHORT] += part[:, k.GIVE] * part[:, k.TENSION] * ahead
+            part[:-1, k.TENSION] -= self.shape.width * part[:-1, k.STRESS] * ahead
+            np.maximum(part[:, k.TENSION], 0.1 * self.exit, out=part[:, k.TENSION])
+            part[-1, k.SHORT] = 0.0
+        self.at[5] = 0.0
+
+    def sweep(self, travel: float, m: float, exit_tension: float) -> Array:
+        """One Newton step for the end of the step; see :mod:`wraparc.motion.arc_kernel`."""
+        at = self.at
+        if self.span[2]:
+            self._drop(travel)
+            self.rows[self.span[1], k.TRAVEL] = travel
+        at[3], at[4] = m - at[1], exit_tension - at[2]
+        at[0], at[1], at[2] = travel if self.span[2] else self.travel, m, exit_tension
+        self._sweep(
+            self.law, self.shape, self.rows, self.turns, self.counts, self.span, at, self.out
+        )
+        at[5] = 1.0
+        return self.out
+
+    def finish(self, m: float, exit_tension: float) -> None:
+        """Take the step for good."""
+        out, at = self.out, self.at
+        travel = float(at[0])
+        dm, dx = m - at[1], exit_tension - at[2]
+        self.work += self._keep(
+            self.shape, self.rows, self.turns, self.counts, self.span, travel
+        )
+        part = self.rows[self.span[0] : self.span[1] + 1]
+        part[:, k.TENSION] += part[:, k.T_0] + part[:, k.T_M] * dm + part[:, k.T_X] * dx
+        part[:, k.SHORT] += part[:, k.I_0] + part[:, k.I_M] * dm + part[:, k.I_X] * dx
+        self.entry = float(out[k.IN] + out[k.IN_M] * dm + out[k.IN_X] * dx)
+        self.wrapped = float(out[k.WRAPPED] + out[k.WRAPPED_M] * dm + out[k.WRAPPED_X] * dx)
+        self.lifted = float(out[k.LIFTED])
+        self.travel, self.m, self.exit = travel, m, exit_tension
+        nip = int(self.span[1])
+        row = self.rows[nip]
+        if self.span[2]:
+            row[k.KEPT] = m - self.overrun(self.entry)
+            row[k.GIVE], row[k.RISE] = self.give, self.rise
+            if travel - self.rows[nip - 1, k.TRAVEL] >= 0.999 * self.spacing:
+                self.span[1] = nip + 1
+                self.rows[nip + 1] = row
+                self.turns[nip + 1], self.counts[nip + 1] = self.turns[nip], self.counts[nip]
+
+    # --- with the tensions at both nips held, nothing depends on time ---
+
+    def roll(self, ahead: float, entry: float, exit_tension: float) -> None:
+        """Travel on with given tensions at both nips [N].
+
+        Raises
+        ------
+        ArithmeticError
+            If there is no creep with which the arc holds them.
+        """
+        self.begin(self.travel + ahead)
+        m, travel = self.m + (self._creep_rate() * ahead), self.travel + ahead
+        for _ in range(_ITERATIONS):
+            out = self.sweep(travel, m, exit_tension)
+            dm = (entry - out[k.IN]) / out[k.IN_M] if out[k.IN_M] != 0.0 else np.inf
+            if not abs(dm) < 0.1:
+                raise ArithmeticError
+            m += dm
+            if abs(dm) < 1e-14 + 1e-9 * self.spacing and self._largest_change(dm) < _SETTLED:
+                break
+        else:
+            raise ArithmeticError
+        self._slope = (m - self.m) / ahead if ahead > STANDS else 0.0
+        self.finish(m, exit_tension)
+
+    _slope = 0.0
+
+    def _creep_rate(self) -> float:
+        return self._slope
+
+    def settle(self, entry: float, exit_tension: float, wraps: float = 3.0) -> None:
+        """Bring the arc into its steady state between two tensions."""
+        for i in range(1, 21):  # the pull is put on little by little while the belt travels
+            self.roll(
+                2.0 * self.spacing, exit_tension + (entry - exit_tension) * i / 20.0, exit_tension
+            )
+        for _ in range(int(wraps * self.points)):
+            self.roll(self.spacing, entry, exit_tension)
+        self.work = 0.0
+
+    def _largest_change(self, dm: float) -> float:
+        part = self.rows[self.span[0] : self.span[1] + 1]
+        return float(np.max(np.abs(part[:, k.T_0] + part[:, k.T_M] * dm) / part[:, k.TENSION]))
+
+    # --- what it is like ---
+
+    def overrun(self, tension: float) -> float:
+        """x_c at an entry tension [m]."""
+        pressure = 2.0 * tension / (self.shape.width * self.shape.diameter)
+        return float(self.shape.kick + self.shape.kick_coefficient * max(pressure, 0.0) ** 1.5)
+
+    def place(self) -> Array:
+        """Positions on the wrap of the pieces, from the entry nip to the exit nip [m]."""
+        part = self.rows[self.span[0] : self.span[1] + 1]
+        s = self.travel - part[::-1, k.TRAVEL]
+        s[-1] = self.shape.length
+        return np.asarray(s)
+
+    def along(self, column: int) -> Array:
+        """Values at :meth:`place`; the last one is interpolated at the exit nip."""
+        part = self.rows[self.span[0] : self.span[1] + 1][::-1]
+        values = np.array(part[:, column])
+        s = self.travel - part[:, k.TRAVEL]
+        w = (self.shape.length - s[-2]) / (s[-1] - s[-2])
+        values[-1] = values[-2] + w * (values[-1] - values[-2])
+        return values
+
+    def creep(self) -> Array:
+        """u at :meth:`place`, x + c tau [m]."""
+        return self.along(k.SLIP) + self.shape.shear * self.along(k.STRESS)
+
+    # --- housekeeping ---
+
+    def _fresh(self, j: int, kept: float) -> None:
+        row = self.rows[j]
+        tension = self.rows[j - 1, k.TENSION] if row[k.TENSION] == 0.0 else row[k.TENSION]
+        row[:] = 0.0
+        row[k.TENSION], row[k.KEPT], row[k.TRAVEL] = tension, kept, self.travel
+        row[k.GIVE], row[k.RISE] = self.give, self.rise
+        self.counts[j] = 0
+
+    def _drop(self, travel: float) -> None:
+        first = int(self.span[0])
+        while (
+            first + 2 < self.span[1]
+            and travel - self.rows[first + 1, k.TRAVEL] >= self.shape.length
+        ):
+            first += 1
+        self.span[0] = first
+
+    def _shift(self) -> int:
+        first, nip = int(self.span[0]), int(self.span[1])
+        n = nip - first + 1
+        for table in (self.rows, self.turns, self.counts):
+            table[:n] = table[first : nip + 1].copy()
+        self.rows[n:, k.TENSION] = 0.0
+        self.span[0], self.span[1] = 0, n - 1
+        return n - 1
+
+
+def law_of(arc: WrapArc) -> CompactLaw:
+    """Return the law of an arc in arrays, as compiled code takes it."""
+    law = arc.law.compact()
+    edges, coefficients, slips = (
+        np.array(v, dtype=float) for v in (law.edges, law.coefficients, law.slips)
+    )
+    return CompactLaw(law.kind, edges, coefficients, slips, law.onset_compliance)
+
+
+def shape_of(arc: WrapArc) -> k.Shape:
+    """Return what of an arc stays the same in time."""
+    g = arc.geometry()
+    return k.Shape(arc.width, arc.diameter, arc.length, g.shear, g.kick, g.kick_coefficient)
+
+
+def _refuse(arc: WrapArc) -> None:
+    where = f"{arc.pulley}.lagging" if arc.pulley else "lagging"
+    law = arc.law.compact()
+    if not has_memory(arc.law):
+        raise InputError(
+            Problem(
+                key=where,
+                message="the measured table does not rise from 0 along a concave curve, so that "
+                "its unloading is not known",
+                remedy="Fit an integral-log law to it, or smooth it.",
+            )
+        )
+    if law.kind == LIMIT and arc.shear_compliance + law.onset_compliance == 0.0:
+        raise InputError(
+            Problem(
+                key=where,
+                message="friction that holds without slip on a lagging that does not shear has no "
+                "unique creep in time",
+                remedy="Give the thickness and the shear modulus of the lagging.",
+            )
+        )
