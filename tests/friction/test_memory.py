@@ -35,7 +35,17 @@ class Material:
     def try_(self, u: float, p: float) -> Point:
         a = self.at
         return moved(
-            self.law, self.c, u, p, self.turns, self.count, a.side, a.slip, a.stress, self.reach
+            self.law,
+            self.c,
+            u,
+            p,
+            self.turns,
+            self.count,
+            a.side,
+            a.slip,
+            a.stress,
+            self.reach,
+            1.0,
         )
 
     def to(self, u: float, p: float) -> float:

@@ -103,8 +103,18 @@ def has_memory(law: FrictionLaw) -> bool:
     return True
 
 
-def backbone_at(law: CompactLaw, pressure: float, reach: float) -> Backbone:
-    """First loading of a law at a pressure [Pa] after a largest slip [m]."""
+def backbone_at(law: CompactLaw, pressure: float, reach: float, share: float = 1.0) -> Backbone:
+    """First loading of a law, times a share, at a pressure [Pa] after a largest slip [m]."""
+    b = dry_backbone(law, pressure, reach)
+    if share == 1.0:
+        return b
+    return Backbone(
+        b.segment, pressure, share * b.strength, share * b.strength_p, b.peak_slip, b.peak_slip_p
+    )
+
+
+def dry_backbone(law: CompactLaw, pressure: float, reach: float) -> Backbone:
+    """First loading of a law as it is."""
     edges = law.edges
     last = len(edges) - 1
     segment = segment_of(law, pressure)
@@ -134,7 +144,8 @@ def loaded(law: CompactLaw, b: Backbone, z: float) -> tuple[float, float, float]
     if law.kind == TABLE:
         branch = branch_of(law, b.segment, z, b.pressure)
         mu, mu_x, mu_p = friction_at(law, b.segment, branch, z, b.pressure)
-        return mu * b.pressure, mu_x * b.pressure, mu + b.pressure * mu_p
+        p = b.strength * b.pressure  # of a table the strength is a share of it
+        return mu * p, mu_x * p, b.strength * (mu + b.pressure * mu_p)
     r = z / b.peak_slip
     if r >= 1.0:
         return b.strength, 0.0, b.strength_p
@@ -188,45 +199,44 @@ def shared_of_table(law: CompactLaw, b: Backbone, c: float, w: float, guess: flo
 
 
 def virgin(
-    law: CompactLaw, pressure: float, c: float, u: float, side: float, guess: float
+    law: CompactLaw, pressure: float, c: float, u: float, side: float, guess: float, share: float
 ) -> Point:
     """Return the state of a point that has slipped one way only, at a creep u of that side."""
-    b = backbone_at(law, pressure, 0.0)
+    b = backbone_at(law, pressure, 0.0, share)
     w = side * u
     if w <= 0.0:
         return Point(0.0, 0.0, 0.0 if c == 0.0 else 1.0 / c, 0.0, 0, side)
     if law.kind != TABLE and w > b.peak_slip + c * b.strength:
-        return past_peak(law, b, c, w, side)
+        return past_peak(law, b, c, w, side, share)
     z = shared(law, b, c, w, guess)
     f, f_z, f_p = loaded(law, b, z)
     give = 1.0 + c * f_z
     return Point(side * z, side * f, f_z / give, side * f_p / give, 0, side)
 
 
-def past_peak(law: CompactLaw, b: Backbone, c: float, w: float, side: float) -> Point:
+def past_peak(law: CompactLaw, b: Backbone, c: float, w: float, side: float, share: float) -> Point:
     """Return the state of a point on the straight line past the peak or at the residual level."""
     slope, residual, _, _ = tail(law, b.segment, b.pressure)
-    mu = b.strength / b.pressure
-    share = 1.0  # above the tested pressures friction falls as 1/p
+    push = share * b.pressure
     last = len(law.edges) - 1
-    if last >= 0 and b.segment >= last:
-        share = law.edges[last] / b.pressure
-    fall = slope * share * b.pressure
+    if last >= 0 and b.segment >= last:  # above the tested pressures the traction is held
+        push = share * law.edges[last]
+    fall = slope * push
     z = (w - c * (b.strength - fall * b.peak_slip)) / (1.0 + c * fall)
-    least = min(residual * share, mu) * b.pressure
+    least = min(residual * push, b.strength)
     if b.strength + fall * (z - b.peak_slip) <= least:
         fall = 0.0
         z = w - c * least
-    at = backbone_at(law, b.pressure, z)
+    at = backbone_at(law, b.pressure, z, share)
     give = 1.0 + c * fall
     return Point(side * z, side * at.strength, fall / give, side * at.strength_p / give, 0, side)
 
 
 def stuck_or_sliding(
-    law: CompactLaw, pressure: float, c: float, u: float, slip: float, stress: float
+    law: CompactLaw, pressure: float, c: float, u: float, slip: float, stress: float, share: float
 ) -> Point:
     """Return mapping of a law with a limit: one element, elastic until the limit is reached."""
-    b = backbone_at(law, pressure, 0.0)
+    b = backbone_at(law, pressure, 0.0, share)
     give = c + law.onset_compliance
     trial = stress + (u - slip - c * stress) / give
     if abs(trial) <= b.strength:
@@ -246,6 +256,7 @@ def moved(
     slip: float,
     stress: float,
     reach: float,
+    share: float,
 ) -> Point:
     """State of a material point after its creep and pressure have changed.
 
@@ -264,28 +275,30 @@ def moved(
         Direction, slip [m] and shear stress [Pa] before.
     reach
         Largest slip so far [m].
+    share
+        Part of the friction that is there: less than 1 on a wet patch [-].
 
     Returns
     -------
     The new state; nothing else is changed, so that a solver can try.
     """
     if law.kind == LIMIT:
-        return stuck_or_sliding(law, pressure, c, u, slip, stress)
+        return stuck_or_sliding(law, pressure, c, u, slip, stress, share)
     if side == 0.0:
         side = 1.0 if u >= 0.0 else -1.0
         count = 0
     if count == 0:
-        point = virgin(law, pressure, c, u, side, abs(slip))
+        point = virgin(law, pressure, c, u, side, abs(slip), share)
         if side * (point.slip - slip) >= -LEAST_TURN and side * u >= 0.0:
             return point
         if abs(slip) < LEAST_TURN:
-            return virgin(law, pressure, c, u, -side, 0.0)
+            return virgin(law, pressure, c, u, -side, 0.0, share)
         turns[0] = slip
         count, side = 1, -side
         turned = True
     else:
         turned = False
-    b = backbone_at(law, pressure, reach)
+    b = backbone_at(law, pressure, reach, share)
     while count > 0:
         base, base_p = carried(law, b, turns, count)
         top = turns[count - 1]
@@ -313,7 +326,7 @@ def moved(
         give = 1.0 + c * f_z
         tau = base + 2.0 * side * f
         return Point(x, tau, f_z / give, (base_p + 2.0 * side * f_p) / give, count, side)
-    return virgin(law, pressure, c, u, side, abs(slip))
+    return virgin(law, pressure, c, u, side, abs(slip), share)
 
 
 def carried(

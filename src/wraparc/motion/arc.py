@@ -45,6 +45,9 @@ class MovingArc:
         int rho ds over the wrap [m2].
     work
         Friction work so far [J].
+    give, rise, dry
+        What the piece at the nip gets: compliance of belt and lagging recovery [1/N], extra
+        radius [m], share of the friction [-].
     """
 
     arc: WrapArc
@@ -58,6 +61,7 @@ class MovingArc:
     work: float = 0.0
     give: float = field(init=False)
     rise: float = 0.0
+    dry: float = 1.0
 
     def __post_init__(self) -> None:
         arc = self.arc
@@ -83,7 +87,7 @@ class MovingArc:
         self.rows[:], self.counts[:] = 0.0, 0
         place = self.travel - self.spacing * np.arange(n - 1, -1, -1)
         self.rows[:n, k.TRAVEL], self.rows[:n, k.GIVE] = place, self.give
-        self.rows[:n, k.TENSION] = tension
+        self.rows[:n, k.TENSION], self.rows[:n, k.DRY] = tension, 1.0
         self.rows[:n, k.SHORT] = self.give * tension * (self.travel - place)
         self.rows[:n, k.KEPT] = self.m - self.rows[:n, k.SHORT]
         self.span[:] = 0, n - 1, 0
@@ -140,9 +144,7 @@ class MovingArc:
         out, at = self.out, self.at
         travel = float(at[0])
         dm, dx = m - at[1], exit_tension - at[2]
-        self.work += self._keep(
-            self.shape, self.rows, self.turns, self.counts, self.span, travel
-        )
+        self.work += self._keep(self.shape, self.rows, self.turns, self.counts, self.span, travel)
         part = self.rows[self.span[0] : self.span[1] + 1]
         part[:, k.TENSION] += part[:, k.T_0] + part[:, k.T_M] * dm + part[:, k.T_X] * dx
         part[:, k.SHORT] += part[:, k.I_0] + part[:, k.I_M] * dm + part[:, k.I_X] * dx
@@ -154,7 +156,7 @@ class MovingArc:
         row = self.rows[nip]
         if self.span[2]:
             row[k.KEPT] = m - self.overrun(self.entry)
-            row[k.GIVE], row[k.RISE] = self.give, self.rise
+            row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
             if travel - self.rows[nip - 1, k.TRAVEL] >= 0.999 * self.spacing:
                 self.span[1] = nip + 1
                 self.rows[nip + 1] = row
@@ -238,7 +240,7 @@ class MovingArc:
         tension = self.rows[j - 1, k.TENSION] if row[k.TENSION] == 0.0 else row[k.TENSION]
         row[:] = 0.0
         row[k.TENSION], row[k.KEPT], row[k.TRAVEL] = tension, kept, self.travel
-        row[k.GIVE], row[k.RISE] = self.give, self.rise
+        row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
         self.counts[j] = 0
 
     def _drop(self, travel: float) -> None:

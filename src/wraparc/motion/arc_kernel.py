@@ -28,14 +28,15 @@ from wraparc.friction.memory import moved, shortened
     KEPT,  # n [m]
     GIVE,  # a, compliance of belt and lagging recovery [1/N]
     RISE,  # rho, extra radius [m]
+    DRY,  # share of the friction that is there: less than 1 on a wet patch [-]
     SLIP, STRESS, SIDE, REACH,  # of the friction: x [m], tau [Pa], direction, largest slip [m]
     TENSION, SHORT,  # T [N], I [m]
     NEW_SLIP, NEW_STRESS, NEW_SIDE, NEW_TURNS,
     BY_CREEP, BY_TENSION,  # K [Pa/m], P [1/m2]
     T_0, I_0, T_M, I_M, T_X, I_X,  # changes of T, I: of the residual, by m, by the exit tension
     ALPHA, BETA, GAMMA_0, GAMMA_M, GAMMA_X,
-) = range(27)  # fmt: skip
-COLUMNS = 27
+) = range(28)  # fmt: skip
+COLUMNS = 28
 
 #: What a sweep returns in its array: the arc as an affine map, and how far it is from settled.
 (IN, IN_M, IN_X, WRAPPED, WRAPPED_M, WRAPPED_X, LIFTED, CHANGE, EXIT_STRESS, EXIT_CREEP) = range(10)
@@ -84,7 +85,7 @@ def points(
             u = m - row[KEPT] - row[SHORT]
         at = moved(
             law, shape.shear, u, pressure, turns[j], counts[j], row[SIDE], row[SLIP],
-            row[STRESS], row[REACH],
+            row[STRESS], row[REACH], row[DRY],
         )  # fmt: skip
         row[NEW_SLIP], row[NEW_STRESS], row[NEW_SIDE] = at.slip, at.stress, at.side
         row[NEW_TURNS] = at.turns
@@ -177,9 +178,7 @@ def exit_cell(shape: Shape, rows: Any, span: Any, travel: float, exit_tension: f
     near, far = e * (1.0 - 0.5 * f), e * 0.5 * f
     # T_u - near tau_u - far tau_d = T_out, with T_d and I_d by the equations of the cell
     miss = up[TENSION] - near * up[NEW_STRESS] - far * down[NEW_STRESS] - exit_tension
-    one, two = carry(
-        shape.width, down, up, -far * down[BY_TENSION], far * down[BY_CREEP], 0.0
-    )
+    one, two = carry(shape.width, down, up, -far * down[BY_TENSION], far * down[BY_CREEP], 0.0)
     b, a_down, a_up = 0.5 * shape.width * h, 0.5 * h * down[GIVE], 0.5 * h * up[GIVE]
     cell = down[TENSION] - up[TENSION] + b * (down[NEW_STRESS] + up[NEW_STRESS])
     short = down[SHORT] - up[SHORT] - a_down * down[TENSION] - a_up * up[TENSION]
@@ -187,16 +186,12 @@ def exit_cell(shape: Shape, rows: Any, span: Any, travel: float, exit_tension: f
     up[BETA] = near * up[BY_CREEP] + one * b * up[BY_CREEP] + two
     up[GAMMA_0] = -miss + one * cell + two * short
     up[GAMMA_M] = (
-        near * up[BY_CREEP]
-        + far * down[BY_CREEP]
-        + one * b * (up[BY_CREEP] + down[BY_CREEP])
+        near * up[BY_CREEP] + far * down[BY_CREEP] + one * b * (up[BY_CREEP] + down[BY_CREEP])
     )
     up[GAMMA_X] = 1.0
 
 
-def back(
-    shape: Shape, rows: Any, span: Any, travel: float, exit_tension: float, out: Any
-) -> None:
+def back(shape: Shape, rows: Any, span: Any, travel: float, exit_tension: float, out: Any) -> None:
     """From the nip, where I = 0, to the exit: the changes of every row, and the answers."""
     nip = rows[span[1]]
     nip[T_0] = nip[GAMMA_0] / nip[ALPHA]
@@ -252,17 +247,13 @@ def beyond(width: float, down: Any, up: Any) -> None:
     down[T_X], down[I_X] = (t_x - m12 * i_x) / det, (a_down * t_x + m11 * i_x) / det
 
 
-def leaving(
-    shape: Shape, down: Any, up: Any, travel: float, exit_tension: float, out: Any
-) -> None:
+def leaving(shape: Shape, down: Any, up: Any, travel: float, exit_tension: float, out: Any) -> None:
     """W = I at the exit nip with its slopes, and what the belt leaves with."""
     h = up[TRAVEL] - down[TRAVEL]
     f = (shape.length - travel + up[TRAVEL]) / h
     a_up = 0.5 * f * h * up[GIVE]
     a_out = 0.5 * f * h * (up[GIVE] + f * (down[GIVE] - up[GIVE]))
-    out[WRAPPED] = (
-        up[SHORT] + up[I_0] + a_up * (up[TENSION] + up[T_0]) + a_out * exit_tension
-    )
+    out[WRAPPED] = up[SHORT] + up[I_0] + a_up * (up[TENSION] + up[T_0]) + a_out * exit_tension
     out[WRAPPED_M] = up[I_M] + a_up * up[T_M]
     out[WRAPPED_X] = up[I_X] + a_up * up[T_X] + a_out
     out[EXIT_STRESS] = up[NEW_STRESS] + f * (down[NEW_STRESS] - up[NEW_STRESS])

@@ -34,6 +34,7 @@ _SI: dict[Dimension, _Row] = {
     "mass": ("kg", ()),
     "mass_per_length": ("kg/m", ()),
     "mass_flow": ("t/h", ()),
+    "moment_of_inertia": ("kg m2", ()),
     "number": ("", ()),
 }
 
@@ -56,6 +57,7 @@ _US: dict[Dimension, _Row] = _SI | {
     "mass": ("lbm", ()),
     "mass_per_length": ("lbm/ft", ()),
     "mass_flow": ("lbm/h", ()),
+    "moment_of_inertia": ("lbm ft2", ()),
 }
 
 _ROWS: dict[System, dict[Dimension, _Row]] = {"si": _SI, "us": _US}

@@ -30,6 +30,7 @@ Dimension = Literal[
     "mass",
     "mass_per_length",
     "mass_flow",
+    "moment_of_inertia",
     "number",
 ]
 
@@ -66,6 +67,7 @@ DIMENSION_TEXT: dict[Dimension, DimensionText] = {
     "mass": DimensionText("kg", "a mass", "500 kg"),
     "mass_per_length": DimensionText("kg/m", "a mass per length", "22 kg/m"),
     "mass_flow": DimensionText("kg/s", "a mass flow", "1500 t/h"),
+    "moment_of_inertia": DimensionText("kg m2", "a moment of inertia", "2200 kg m2"),
     "number": DimensionText("", "a plain number", "0.35"),
 }
 
