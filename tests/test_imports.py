@@ -33,6 +33,7 @@ FLOORS: tuple[tuple[str, ...], ...] = (
     ("arc", "shear_test"),
     ("files", "batch"),
     ("train", "across"),
+    ("motion",),
     ("checks",),
     ("study", "choose", "calibrate"),
     ("plot", "present"),

@@ -8,7 +8,7 @@ import pytest
 from friction.laws import CROSSING, TRENDS
 from wraparc import Constant, ElasticPlastic, FrictionLaw, IntegralLog, MeasuredTable, PressureKnots
 from wraparc.files import load_lagging
-from wraparc.friction.memory import MOST_TURNS, Point, has_memory, moved, shortened
+from wraparc.friction.memory import MOST_TURNS, ROOM, Point, has_memory, moved, shortened
 
 LOG = IntegralLog(
     coefficients=PressureKnots(
@@ -28,29 +28,20 @@ class Material:
 
     def __init__(self, law: FrictionLaw, c: float = 0.0) -> None:
         self.law, self.c = law.compact(), c
-        self.turns = [0.0] * (MOST_TURNS + 2)
+        self.turns = [0.0] * (ROOM)
         self.count, self.reach = 0, 0.0
         self.at = Point(0.0, 0.0, 0.0, 0.0, 0, 0.0)
 
     def try_(self, u: float, p: float) -> Point:
         a = self.at
+        turns, count = self.turns, self.count
         return moved(
-            self.law,
-            self.c,
-            u,
-            p,
-            self.turns,
-            self.count,
-            a.side,
-            a.slip,
-            a.stress,
-            self.reach,
-            1.0,
+            self.law, self.c, u, p, turns, 0, count, a.side, a.slip, a.stress, self.reach, 1.0
         )
 
     def to(self, u: float, p: float) -> float:
         self.at = self.try_(u, p)
-        self.count = shortened(self.turns, self.at.turns)
+        self.count = shortened(self.turns, 0, self.at.turns)
         self.reach = max(self.reach, abs(self.at.slip))
         return self.at.stress
 
@@ -71,7 +62,7 @@ class Elements:
         # the last element counts for the part of it below the peak slip
         width = self.y[1] - self.y[0]
         part = np.clip((x_pk - self.y) / width + 0.5, 0.0, 1.0)
-        return p * mu * held * float(np.sum(part * self.e / self.y)) * width / x_pk
+        return float(p * mu * held * np.sum(part * self.e / self.y) * width / x_pk)
 
 
 @pytest.mark.parametrize("law", [LOG, RUBBER, TRENDS], ids=["log", "rubber", "trends"])
@@ -141,6 +132,7 @@ def test_strength_lost_past_the_peak_stays_lost() -> None:
     p, top = 69e3, 12e-3
     point = Material(CERAMIC)
     there = point.to(top, p)
+    assert isinstance(CERAMIC, IntegralLog)
     assert there < p * float(CERAMIC.parameters(p)[1])
     point.to(0.0, p)
     assert point.to(-0.9 * top, p) == pytest.approx(-there)  # slid over the whole way back

@@ -75,12 +75,16 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
             register_jitable(**options, no_cfunc_wrapper=True, no_cpython_wrapper=True)(function)
     dispatcher = _cached(entry, {"nogil": True, **options}, fingerprint(functions, options))
 
+    ready = False
+
     def run(*arguments: Any) -> Any:
-        if not dispatcher.nopython_signatures:
+        nonlocal ready
+        if not ready and not dispatcher.nopython_signatures:
             own_way = nullcontext() if _as_it_is() else underlay.optimised_once(entry.__qualname__)
             with own_way:
                 if not dispatcher.nopython_signatures:  # another thread may have been first
                     dispatcher.compile(tuple(map(numba.typeof, arguments)))
+        ready = True  # to ask the dispatcher takes longer than a short kernel
         return dispatcher(*arguments)
 
     return run

@@ -37,6 +37,7 @@ from wraparc.friction.table import MeasuredTable
 
 #: turning points that are kept, and the least reversal that makes one [m]
 MOST_TURNS = 24
+ROOM = MOST_TURNS + 2  # places that a point needs
 LEAST_TURN = 1e-12
 _SMALLEST = 1e-16  # slip over peak slip at which the logarithm is taken
 
@@ -251,6 +252,7 @@ def moved(
     u: float,
     pressure: float,
     turns: MutableSequence[float],
+    at: int,
     count: int,
     side: float,
     slip: float,
@@ -268,9 +270,9 @@ def moved(
         Compliance of the lagging in shear, h/G [m/Pa].
     u, pressure
         The new creep [m] and wrap pressure [Pa].
-    turns, count
-        Turning points of the slip and how many of them hold [m]; the place after the last one is
-        written to where the slip has just turned.
+    turns, at, count
+        Turning points of the slip [m] from place `at` on, and how many of them hold; the place
+        after the last one is written to where the slip has just turned.
     side, slip, stress
         Direction, slip [m] and shear stress [Pa] before.
     reach
@@ -293,15 +295,15 @@ def moved(
             return point
         if abs(slip) < LEAST_TURN:
             return virgin(law, pressure, c, u, -side, 0.0, share)
-        turns[0] = slip
+        turns[at] = slip
         count, side = 1, -side
         turned = True
     else:
         turned = False
     b = backbone_at(law, pressure, reach, share)
     while count > 0:
-        base, base_p = carried(law, b, turns, count)
-        top = turns[count - 1]
+        base, base_p = carried(law, b, turns, at, count)
+        top = turns[at + count - 1]
         w = 0.5 * side * (u - top - c * base)
         guess = 0.5 * side * (slip - top)
         z = shared(law, b, c, w, guess)
@@ -309,7 +311,7 @@ def moved(
         if not turned and (w < 0.0 or side * (x - slip) < -LEAST_TURN):
             turned = True
             if abs(slip - top) > LEAST_TURN:
-                turns[count] = slip
+                turns[at + count] = slip
                 count += 1
                 side = -side
                 continue
@@ -317,7 +319,7 @@ def moved(
             count -= 1
             side = -side
             continue
-        other = -top if count == 1 else turns[count - 2]
+        other = -top if count == 1 else turns[at + count - 2]
         if z > 0.5 * abs(top - other):
             count = 0 if count == 1 else count - 2
             turned = True
@@ -330,13 +332,13 @@ def moved(
 
 
 def carried(
-    law: CompactLaw, b: Backbone, turns: MutableSequence[float], count: int
+    law: CompactLaw, b: Backbone, turns: MutableSequence[float], at: int, count: int
 ) -> tuple[float, float]:
     """Shear stress at the last turning point [Pa], and its derivative by pressure [-]."""
     value, value_p = 0.0, 0.0
     before = 0.0
     for j in range(count):
-        d = turns[j] - before
+        d = turns[at + j] - before
         side = 1.0 if d >= 0.0 else -1.0
         if j == 0:
             f, _, f_p = loaded(law, b, abs(d))
@@ -345,18 +347,20 @@ def carried(
             f, _, f_p = loaded(law, b, 0.5 * abs(d))
             value += 2.0 * side * f
             value_p += 2.0 * side * f_p
-        before = turns[j]
+        before = turns[at + j]
     return value, value_p
 
 
-def shortened(turns: MutableSequence[float], count: int) -> int:
+def shortened(turns: MutableSequence[float], at: int, count: int) -> int:
     """Forget the smallest loop if there is no room for another turning point; what is left."""
     if count < MOST_TURNS:
         return count
     smallest = 1
     for j in range(1, count):
-        if abs(turns[j] - turns[j - 1]) < abs(turns[smallest] - turns[smallest - 1]):
+        if abs(turns[at + j] - turns[at + j - 1]) < abs(
+            turns[at + smallest] - turns[at + smallest - 1]
+        ):
             smallest = j
     for j in range(smallest + 1, count):
-        turns[j - 2] = turns[j]
+        turns[at + j - 2] = turns[at + j]
     return count - 2

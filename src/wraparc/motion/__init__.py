@@ -1,0 +1,1 @@
+"""Drives in time: starting, stopping, and whether the second drive pulsates."""

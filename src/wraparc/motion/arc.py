@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from wraparc.arc import WrapArc
 from wraparc.batch.native import available, compiled
 from wraparc.errors import InputError, Problem
-from wraparc.friction.compact import LIMIT, CompactLaw
-from wraparc.friction.memory import MOST_TURNS, has_memory
+from wraparc.friction.compact import LIMIT
+from wraparc.friction.memory import ROOM, has_memory
 from wraparc.motion import arc_kernel as k
 
 Array = NDArray[np.float64]
@@ -68,11 +68,11 @@ class MovingArc:
         _refuse(arc)
         self.entry = self.exit = arc.exit_tension
         self.give = arc.compliance
-        self.law, self.shape = law_of(arc), shape_of(arc)
+        self.shape, self.numbers = shape_of(arc), numbers_of(arc)
         self.spacing = arc.length / self.points
         room = 6 * self.points + 40
         self.rows = np.zeros((room, k.COLUMNS))
-        self.turns = np.zeros((room, MOST_TURNS + 2))
+        self.turns = np.zeros(room * ROOM)
         self.counts = np.zeros(room, dtype=np.int64)
         self.span = np.zeros(3, dtype=np.int64)
         self.at, self.out = np.zeros(6), np.zeros(k.ANSWERS)
@@ -104,15 +104,12 @@ class MovingArc:
         nip = int(self.span[1])
         if nip + 3 >= len(self.rows):
             nip = self._shift()
-        row = self.rows[nip]
         if moving:
-            stood = abs(self.m - row[k.KEPT] - row[k.SLIP] - self.shape.shear * row[k.STRESS])
-            jumped = not self.span[2] and abs(self.m - row[k.KEPT] - self.overrun(self.entry))
-            if jumped > 1e-9 and stood < 1e-6:  # old and fresh contact meet here
-                nip += 1
-                self.span[1] = nip
-                self._fresh(nip, self.m - self.overrun(self.entry))
-                nip += 1
+            if not self.span[2]:  # the piece at the nip stood there and remembers: it stays
+                jumped = abs(self.m - self.rows[nip, k.KEPT] - self.overrun(self.entry))
+                for _ in range(2 if jumped > 1e-9 else 1):  # old and fresh contact may meet there
+                    nip += 1
+                    self._fresh(nip, self.m - self.overrun(self.entry))
                 self.span[1] = nip
             self._fresh(nip, 0.0)
         self.span[2] = int(moving)
@@ -133,9 +130,7 @@ class MovingArc:
             self.rows[self.span[1], k.TRAVEL] = travel
         at[3], at[4] = m - at[1], exit_tension - at[2]
         at[0], at[1], at[2] = travel if self.span[2] else self.travel, m, exit_tension
-        self._sweep(
-            self.law, self.shape, self.rows, self.turns, self.counts, self.span, at, self.out
-        )
+        self._sweep(*self.numbers, self.rows, self.turns, self.counts, self.span, at, self.out)
         at[5] = 1.0
         return self.out
 
@@ -144,7 +139,15 @@ class MovingArc:
         out, at = self.out, self.at
         travel = float(at[0])
         dm, dx = m - at[1], exit_tension - at[2]
-        self.work += self._keep(self.shape, self.rows, self.turns, self.counts, self.span, travel)
+        self.work += self._keep(
+            self.shape.width,
+            self.shape.length,
+            self.rows,
+            self.turns,
+            self.counts,
+            self.span,
+            0.5 * (self.travel + travel),
+        )
         part = self.rows[self.span[0] : self.span[1] + 1]
         part[:, k.TENSION] += part[:, k.T_0] + part[:, k.T_M] * dm + part[:, k.T_X] * dx
         part[:, k.SHORT] += part[:, k.I_0] + part[:, k.I_M] * dm + part[:, k.I_X] * dx
@@ -160,7 +163,7 @@ class MovingArc:
             if travel - self.rows[nip - 1, k.TRAVEL] >= 0.999 * self.spacing:
                 self.span[1] = nip + 1
                 self.rows[nip + 1] = row
-                self.turns[nip + 1], self.counts[nip + 1] = self.turns[nip], self.counts[nip]
+                self.counts[nip + 1] = self.counts[nip]
 
     # --- with the tensions at both nips held, nothing depends on time ---
 
@@ -230,7 +233,7 @@ class MovingArc:
         return values
 
     def creep(self) -> Array:
-        """u at :meth:`place`, x + c tau [m]."""
+        """Creep u = x + c tau at :meth:`place` [m]."""
         return self.along(k.SLIP) + self.shape.shear * self.along(k.STRESS)
 
     # --- housekeeping ---
@@ -255,20 +258,21 @@ class MovingArc:
     def _shift(self) -> int:
         first, nip = int(self.span[0]), int(self.span[1])
         n = nip - first + 1
-        for table in (self.rows, self.turns, self.counts):
+        for table in (self.rows, self.turns.reshape(-1, ROOM), self.counts):
             table[:n] = table[first : nip + 1].copy()
         self.rows[n:, k.TENSION] = 0.0
         self.span[0], self.span[1] = 0, n - 1
         return n - 1
 
 
-def law_of(arc: WrapArc) -> CompactLaw:
-    """Return the law of an arc in arrays, as compiled code takes it."""
+def numbers_of(arc: WrapArc) -> tuple[Array, Array, Array, Array]:
+    """Return law and shape of an arc in arrays; see `arc_kernel.arc_of`."""
     law = arc.law.compact()
+    what = np.array([law.kind, law.onset_compliance, *shape_of(arc)], dtype=float)
     edges, coefficients, slips = (
         np.array(v, dtype=float) for v in (law.edges, law.coefficients, law.slips)
     )
-    return CompactLaw(law.kind, edges, coefficients, slips, law.onset_compliance)
+    return what, edges, coefficients, slips
 
 
 def shape_of(arc: WrapArc) -> k.Shape:

@@ -513,8 +513,9 @@ class _Following(Turning):
         if math.isinf(w):
             given, share = asked, 1.0
         else:
-            given, share = (self.given * (1.0 - w) + w * (self.asked + asked)) / (1.0 + w), w / (
-                1.0 + w
+            given, share = (
+                (self.given * (1.0 - w) + w * (self.asked + asked)) / (1.0 + w),
+                w / (1.0 + w),
             )
         miss = self.level * self.duty.speed - omega
         return (

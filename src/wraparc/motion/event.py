@@ -221,7 +221,9 @@ class Measured(Happening):
         problems = []
         if len(self.times) < 2 or len(self.times) != len(self.values):
             problems.append(
-                Problem(key="times", message="the record needs as many times as values, two or more")
+                Problem(
+                    key="times", message="the record needs as many times as values, two or more"
+                )
             )
         elif any(b <= a for a, b in zip(self.times, self.times[1:], strict=False)):
             problems.append(Problem(key="times", message="the times must rise"))

@@ -232,8 +232,8 @@ class March:
 
     # --- one step ---
 
-    def step(self, h: float | None = None) -> None:
-        """Take one step.
+    def step(self, h: float | None = None, halvings: int = 6) -> None:
+        """Take one step, in halves where it is hard.
 
         Raises
         ------
@@ -241,13 +241,24 @@ class March:
             If the run cannot go on: a slack belt, a drive that breaks away, a drum that turns back.
         """
         h = h or self.h
-        t1 = self.t + h
-        self._command(h, t1)
+        try:
+            z, flows = self._tried(h)
+        except HaltError:
+            if not halvings:
+                raise
+            self.step(0.5 * h, halvings - 1)
+            self.step(0.5 * h, halvings - 1)
+            return
+        self._accept(h, self.t + h, z, flows)
+
+    def _tried(self, h: float) -> tuple[list[float], dict[str, Any]]:
+        """Solve for the end of a step; drums that would turn back against a stop stand."""
+        self._command(h, self.t + h)
         for d in self.drums:
             if d.locked and self._released(d):
                 d.locked = False
         for _ in range(4):
-            z, flows = self._solve(h, t1)
+            z, flows = self._solve(h, self.t + h)
             stopped = [
                 d
                 for d, w in zip(self.drums, z[2 * self.n + 1 : 3 * self.n + 1], strict=True)
@@ -257,7 +268,7 @@ class March:
                 break
             for d in stopped:
                 d.locked = True
-        self._accept(h, t1, z, flows)
+        return z, flows
 
     def _command(self, h: float, t1: float) -> None:
         """Tell the drives what is asked of them at the end of the step."""
@@ -361,23 +372,23 @@ class March:
         n = self.n
         z = self._guess(h)
         begun = False
-        T0, stretch, half = self.T, self.stretch, 0.5 * h
+        before, stretch, half = self.T, self.stretch, 0.5 * h
         old_travel = [d.arc.travel for d in self.drums]
         worst_place, change = "", 0.0
         softer0 = [self._softer_run(i, old_travel) for i in range(n - 1)]
         for iteration in range(_ITERATIONS):
             size = 3 * n + 2
-            J = np.zeros((size, size))
+            jac = np.zeros((size, size))
             r = np.zeros(size)
-            m1, T1 = z[:n], z[n : 2 * n + 1]
-            w1, v1 = z[2 * n + 1 : 3 * n + 1], z[3 * n + 1]
+            m1, after = z[:n], z[n : 2 * n + 1]
+            w1 = z[2 * n + 1 : 3 * n + 1]
             flow_in: list[tuple[float, float, float, float]] = []
             flow_out: list[tuple[float, float, float, float, float, float]] = []
             travels, angles, surfaces = [], [], []
             change = 0.0
             for i, d in enumerate(self.drums):
-                arc, entry0, exit0 = d.arc, T0[i] + self._run_rise(i), T0[i + 1]
-                entry1, exit1 = T1[i] + self._run_rise(i), T1[i + 1]
+                arc, entry0 = d.arc, before[i] + self._run_rise(i)
+                entry1, exit1 = after[i] + self._run_rise(i), after[i + 1]
                 angle = d.angle + half * (d.omega + w1[i])
                 rise0, give0, _ = arc.rise, arc.give, arc.dry
                 near = old_travel[i] + half * (d.omega + w1[i]) * d.radius
@@ -398,15 +409,14 @@ class March:
                     change, worst_place = float(out[k.CHANGE]), self.station.names[i]
                 # the arc: T_in = its affine map
                 r[i] = entry1 - out[k.IN]
-                J[i, n + i], J[i, n + i + 1], J[i, i] = 1.0, -out[k.IN_X], -out[k.IN_M]
+                jac[i, n + i], jac[i, n + i + 1], jac[i, i] = 1.0, -out[k.IN_X], -out[k.IN_M]
                 # belt through the entry nip: a = 1/EA' there, belt alone without the recovery
                 own0, own1 = give0 - d.recovery, give - d.recovery
                 down = 1.0 + half / h * (own0 * entry0 + own1 * entry1)
                 up = half * (v_0 * (1.0 + give0 * entry0) + v_1 * (1.0 + give * entry1))
                 q = (up - (m1[i] - arc.m)) / down
                 by_t = (
-                    half * (v_1 * give - w1[i] * d.squeeze * (1.0 + give * entry1))
-                    - 0.5 * q * own1
+                    half * (v_1 * give - w1[i] * d.squeeze * (1.0 + give * entry1)) - 0.5 * q * own1
                 ) / down
                 by_w = half * (v_1 / w1[i] if w1[i] else d.radius) * (1.0 + give * entry1) / down
                 flow_in.append((q, -1.0 / down, by_t, by_w))
@@ -431,28 +441,31 @@ class March:
                 q, by_m, by_t, by_w = flow_in[i + 1]
                 p, p_m, p_t, p_x, p_w, _ = flow_out[i]
                 rise = 0.5 * self._run_rise(i + 1)
-                r[row] = (T1[i + 1] + rise) * c1 - (T0[i + 1] + rise) * c0 - q + p
-                J[row, n + i + 1] += c1 - by_t + p_x
-                J[row, n + i] += p_t
-                J[row, i + 1] -= by_m
-                J[row, i] += p_m
-                J[row, 2 * n + 1 + i + 1] -= by_w
-                J[row, 2 * n + 1 + i] += p_w
-            self._ends(h, t1, z, r, J, flow_in, flow_out)
-            self._turn(h, t1, z, r, J, angles)
+                r[row] = (after[i + 1] + rise) * c1 - (before[i + 1] + rise) * c0 - q + p
+                jac[row, n + i + 1] += c1 - by_t + p_x
+                jac[row, n + i] += p_t
+                jac[row, i + 1] -= by_m
+                jac[row, i] += p_m
+                jac[row, 2 * n + 1 + i + 1] -= by_w
+                jac[row, 2 * n + 1 + i] += p_w
+            self._ends(h, t1, z, r, jac, flow_in, flow_out)
+            self._turn(h, t1, z, r, jac, angles)
             try:
-                dz = np.linalg.solve(J, -r)
+                dz = np.linalg.solve(jac, -r)
             except np.linalg.LinAlgError:
                 raise HaltError("breaks away", worst_place or self.station.names[-1]) from None
             if not np.all(np.isfinite(dz)):
                 raise HaltError("breaks away", worst_place or self.station.names[-1])
+            fall = max(-dz[n + i] / after[i] for i in range(n + 1))
+            if fall > 0.8:  # too far: no tension may turn into a push on the way
+                dz *= 0.8 / fall
             z = (np.array(z) + dz).tolist()
-            moved = max(abs(dz[n + i]) / max(abs(T1[i]), 1.0) for i in range(n + 1))
+            moved = max(abs(dz[n + i]) / max(abs(after[i]), 1.0) for i in range(n + 1))
             if iteration and (moved < _SETTLED or (iteration > 1 and change + moved < _NEARLY)):
                 flows = {"surfaces": surfaces, "angles": angles, "travels": travels, "change": dz}
                 return z, flows
-            if min(z[n : 2 * n + 1]) <= 0.0:
-                raise self._slack(z[n : 2 * n + 1])
+        if min(z[n : 2 * n + 1]) < 0.05 * self.slack:
+            raise self._slack(z[n : 2 * n + 1])
         raise HaltError("breaks away", worst_place or self.station.names[-1])
 
     def _slack(self, tensions: list[float]) -> HaltError:
@@ -474,14 +487,19 @@ class March:
             else:
                 w.append(d.omega)
         m = [d.arc.m + h * d.arc._slope for d in self.drums]
-        return [*m, *(max(t + dt, 0.5 * t) for t, dt in zip(self.T, self.dT, strict=True)), *w, self.v]
+        return [
+            *m,
+            *(max(t + dt, 0.5 * t) for t, dt in zip(self.T, self.dT, strict=True)),
+            *w,
+            self.v,
+        ]
 
     def _ends(
-        self, h: float, t1: float, z: list[float], r: Any, J: Any, flow_in: Any, flow_out: Any
+        self, h: float, t1: float, z: list[float], r: Any, jac: Any, flow_in: Any, flow_out: Any
     ) -> None:
         """Equations of the first and last tension, and of the conveyor."""
         n, station, half = self.n, self.station, 0.5 * h
-        T0, T1, v0, v1 = self.T, z[n : 2 * n + 1], self.v, z[3 * n + 1]
+        before, after, v0, v1 = self.T, z[n : 2 * n + 1], self.v, z[3 * n + 1]
         first, last, own = 2 * n - 1, 2 * n, 3 * n + 1
         at = 3 * n + 1
         if station.conveyor_mass is None:
@@ -489,55 +507,59 @@ class March:
             for step in self.loads:
                 if t1 >= step.at:
                     load = step.share(t1)
-            r[first] = T1[0] - (self.slack + self.pull * load)
-            J[first, n] = 1.0
-            r[last] = T1[n] - self.slack
-            J[last, 2 * n] = 1.0
-            J[own, at] = 1.0
+            r[first] = after[0] - (self.slack + self.pull * load)
+            jac[first, n] = 1.0
+            r[last] = after[n] - self.slack
+            jac[last, 2 * n] = 1.0
+            jac[own, at] = 1.0
             return
         carry, back = station.carry_run * self.stretch, station.return_run * self.stretch
         q, by_m, by_t, by_w = flow_in[0]
-        r[first] = carry * (T1[0] - T0[0]) - q + half * (v0 + v1)
-        J[first, n], J[first, 0] = carry - by_t, -by_m
-        J[first, 2 * n + 1], J[first, at] = -by_w, half
+        r[first] = carry * (after[0] - before[0]) - q + half * (v0 + v1)
+        jac[first, n], jac[first, 0] = carry - by_t, -by_m
+        jac[first, 2 * n + 1], jac[first, at] = -by_w, half
         if station.take_up == "gravity":
-            r[last] = T1[n] - self.slack
-            J[last, 2 * n] = 1.0
+            r[last] = after[n] - self.slack
+            jac[last, 2 * n] = 1.0
         else:
             p, p_m, p_t, p_x, p_w, _ = flow_out[-1]
-            r[last] = back * (T1[n] - T0[n]) - half * (v0 + v1) + p
-            J[last, 2 * n], J[last, 2 * n - 1] = back + p_x, p_t
-            J[last, n - 1], J[last, 3 * n], J[last, at] = p_m, p_w, -half
+            r[last] = back * (after[n] - before[n]) - half * (v0 + v1) + p
+            jac[last, 2 * n], jac[last, 2 * n - 1] = back + p_x, p_t
+            jac[last, n - 1], jac[last, 3 * n], jac[last, at] = p_m, p_w, -half
             if station.take_up == "winch":
-                miss = (self.slack - T0[n]) / (0.05 * self.slack)
+                miss = (self.slack - before[n]) / (0.05 * self.slack)
                 r[last] -= h * station.winch_speed * min(max(miss, -1.0), 1.0)
         f0, _ = self._resistance(v0, self.t)
         f1, slope = self._resistance(v1, t1)
         mass = station.conveyor_mass
-        r[own] = mass * (v1 - v0) - half * (T0[0] - T0[n] - f0 + T1[0] - T1[n] - f1)
-        J[own, n], J[own, 2 * n], J[own, at] = -half, half, mass + half * slope
+        r[own] = mass * (v1 - v0) - half * (before[0] - before[n] - f0 + after[0] - after[n] - f1)
+        jac[own, n], jac[own, 2 * n], jac[own, at] = -half, half, mass + half * slope
 
-    def _turn(self, h: float, t1: float, z: list[float], r: Any, J: Any, angles: Any) -> None:
+    def _turn(self, h: float, t1: float, z: list[float], r: Any, jac: Any, angles: Any) -> None:
         """Equations of the drums."""
         n, half = self.n, 0.5 * h
-        T1, w1 = z[n : 2 * n + 1], z[2 * n + 1 : 3 * n + 1]
+        after, w1 = z[n : 2 * n + 1], z[2 * n + 1 : 3 * n + 1]
         leads: dict[int, tuple[float, float, float]] = {}
         order = sorted(range(n), key=lambda i: self.drums[i].master >= 0)
         for i in order:
             d, row, col = self.drums[i], 2 * n + 1 + i, 2 * n + 1 + i
-            entry = T1[i] + self._run_rise(i)
+            entry = after[i] + self._run_rise(i)
             rise_in, rise_out = self._rises(d, angles[i])
-            moment, by_in, by_out = self._moment(d, entry, T1[i + 1], rise_in, rise_out)
+            moment, by_in, by_out = self._moment(d, entry, after[i + 1], rise_in, rise_out)
             ripple = [o for o in d.on_drum if o.ripple and self.t >= o.at]
             d.extra = d.duty.torque * math.fsum(
                 o.ripple * math.sin(o.order * angles[i]) for o in ripple
             )
-            J[row, col] = 1.0
+            jac[row, col] = 1.0
             if d.locked:
                 r[row] = w1[i]
                 leads[i] = (0.0, 0.0, 0.0)
                 continue
-            if d.turning.holds and d.turning.on and not (d.measured and d.measured.what == "torque"):
+            if (
+                d.turning.holds
+                and d.turning.on
+                and not (d.measured and d.measured.what == "torque")
+            ):
                 r[row] = w1[i] - d.duty.speed * d.level
                 # what holds the speed gives the torque that the belt and the drum's inertia ask
                 held = moment + d.inertia * (w1[i] - d.omega) / h
@@ -547,16 +569,16 @@ class March:
             torque, slope, by_lead = self._torque(d, w1[i], lead[0])
             scale = 1.0 / d.inertia
             r[row] = w1[i] - d.omega - half * scale * (d.torque - d.moment + torque - moment)
-            J[row, col] = 1.0 - half * scale * slope
-            J[row, n + i] += half * scale * by_in
-            J[row, n + i + 1] += half * scale * by_out
+            jac[row, col] = 1.0 - half * scale * slope
+            jac[row, n + i] += half * scale * by_in
+            jac[row, n + i + 1] += half * scale * by_out
             if d.master >= 0 and by_lead:
-                J[row, 2 * n + 1 + d.master] -= half * scale * by_lead * lead[1]
+                jac[row, 2 * n + 1 + d.master] -= half * scale * by_lead * lead[1]
                 if self.drums[d.master].turning.holds:
                     master = self.drums[d.master]
-                    arm = master.radius - master.squeeze * T1[d.master]
-                    J[row, n + d.master] -= half * scale * by_lead * arm
-                    J[row, n + d.master + 1] += half * scale * by_lead * arm
+                    arm = master.radius - master.squeeze * after[d.master]
+                    jac[row, n + d.master] -= half * scale * by_lead * arm
+                    jac[row, n + d.master + 1] += half * scale * by_lead * arm
             leads[i] = (torque, slope, by_lead)
 
     def _rises(self, d: DrumState, angle: float) -> tuple[float, float]:
@@ -567,18 +589,16 @@ class March:
         first = int(arc.span[0])
         a, b = arc.rows[first], arc.rows[first + 1]
         w = (arc.shape.length - arc.at[0] + b[k.TRAVEL]) / (b[k.TRAVEL] - a[k.TRAVEL])
-        return float(arc.rows[arc.span[1], k.RISE]), float(
-            b[k.RISE] + w * (a[k.RISE] - b[k.RISE])
-        )
+        return float(arc.rows[arc.span[1], k.RISE]), float(b[k.RISE] + w * (a[k.RISE] - b[k.RISE]))
 
     def _accept(self, h: float, t1: float, z: list[float], flows: dict[str, Any]) -> None:
         n, dz = self.n, flows["change"]
-        T1, w1 = z[n : 2 * n + 1], z[2 * n + 1 : 3 * n + 1]
+        after, w1 = z[n : 2 * n + 1], z[2 * n + 1 : 3 * n + 1]
         torques: list[float] = [0.0] * n
         for i in sorted(range(n), key=lambda i: self.drums[i].master >= 0):
             d = self.drums[i]
-            entry = T1[i] + self._run_rise(i)
-            moment = self._moment(d, entry, T1[i + 1], *self._rises(d, flows["angles"][i]))[0]
+            entry = after[i] + self._run_rise(i)
+            moment = self._moment(d, entry, after[i + 1], *self._rises(d, flows["angles"][i]))[0]
             lead = torques[d.master] if d.master >= 0 else 0.0
             if d.locked:
                 torque, own = moment, 0.0
@@ -596,14 +616,14 @@ class March:
             if arc.span[2]:
                 arc.rise, arc.give, arc.dry = flows["surfaces"][i]
             d.turned_back = min(d.turned_back + flows["travels"][i] - arc.travel, 0.0)
-            arc.finish(z[i], T1[i + 1])
+            arc.finish(z[i], after[i + 1])
             arc._slope = (arc.m - old) / h
             d.omega, d.angle = w1[i], flows["angles"][i]
             if d.turned_back < -_BACK * arc.shape.length:
                 raise HaltError("turns back", self.station.names[i])
         del dz
-        self.dT = [a - b for a, b in zip(T1, self.T, strict=True)]
-        self.T, self.v, self.t = list(T1), z[3 * n + 1], t1
+        self.dT = [a - b for a, b in zip(after, self.T, strict=True)]
+        self.T, self.v, self.t = list(after), z[3 * n + 1], t1
         floor = 0.05 * self.slack
         if min(self.T) < floor:
             raise self._slack(self.T)

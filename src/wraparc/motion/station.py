@@ -166,5 +166,7 @@ class Station:
         there = ", ".join(map(shown, self.names))
         message = f"no such pulley; the pulleys are {there}"
         raise InputError(
-            Problem(key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names))
+            Problem(
+                key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names)
+            )
         )

@@ -1,0 +1,209 @@
+"""What a run in time gives: histories, pictures of the wrap, largest values, and how it ended."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.motion.event import Event
+from wraparc.motion.station import Station
+
+Array = NDArray[np.float64]
+
+
+class Outcome(Enum):
+    """How a run ended; the text is the sentence that the user reads."""
+
+    WHOLE = "The event was followed to its end."
+    SLACK = (
+        "The belt goes slack: the run is kept up to there. Tighten the take-up, or start and stop "
+        "more slowly."
+    )
+    BREAKAWAY = (
+        "A drive breaks away: no creep makes enough friction. The run is kept up to there. "
+        "Tighten the take-up, start more slowly, or use a lagging with more friction."
+    )
+    TURNED_BACK = (
+        "A drum turns back, which is not modelled: the run is kept up to there. Give the drum a "
+        "backstop or a brake."
+    )
+    CANCELLED = "The run was cancelled: it is kept up to there."
+
+    @property
+    def whole(self) -> bool:
+        """Whether the event was followed to its end."""
+        return self is Outcome.WHOLE
+
+
+@dataclass(frozen=True)
+class Peak:
+    """The largest of something over a run.
+
+    Attributes
+    ----------
+    value
+        In SI.
+    time
+        When [s].
+    place
+        Name of the pulley, or of the run of belt.
+    """
+
+    value: float
+    time: float
+    place: str
+
+
+@dataclass(frozen=True, eq=False)
+class DrumHistory:
+    """One drum in time, at the times of the run; shape (k,) each.
+
+    Attributes
+    ----------
+    name
+        Of the pulley.
+    entry_tension, exit_tension
+        T1 and T2 [N].
+    speed
+        Of the drum [rad/s].
+    torque
+        From its motor [N m].
+    share
+        Part of the pull of all drums; nan where they hardly pull [-].
+    exit_creep, exit_slip
+        Creep and slip at the exit nip [m].
+    peak_shear
+        Largest shear stress on the wrap, with its sign [Pa].
+    place
+        Positions of the pictures over the wrap, 0 to 1, shape (s,) [-].
+    creep, shear
+        Creep [m] and shear stress [Pa] over the wrap at the times of the pictures, shape (q, s).
+    friction_energy, drum_work
+        Friction work on the lagging, and work of the drum on the belt [J].
+    """
+
+    name: str
+    entry_tension: Array
+    exit_tension: Array
+    speed: Array
+    torque: Array
+    share: Array
+    exit_creep: Array
+    exit_slip: Array
+    peak_shear: Array
+    place: Array
+    creep: Array
+    shear: Array
+    friction_energy: float
+    drum_work: float
+
+    @property
+    def effective_tension(self) -> Array:
+        """T1 - T2 [N]."""
+        return self.entry_tension - self.exit_tension
+
+
+@dataclass(frozen=True, eq=False)
+class RunResult:
+    """A run in time.
+
+    Attributes
+    ----------
+    station, event
+        What moved and what happened.
+    outcome, reason
+        How it ended, and when and where if before its end.
+    time
+        Times of the histories, shape (k,) [s].
+    drums
+        The drums in belt order.
+    belt_speed
+        Of the conveyor [m/s], shape (k,).
+    picture_time
+        Times of the pictures of the wraps, shape (q,) [s].
+    step, steps
+        Time step [s] and how many were taken.
+    belt_error
+        Unstretched belt won or lost over the run, over what the belt stretches; nan where belt
+        runs in and out [-].
+    build_distance
+        Travel of the belt until the exit creep of every drum stays within 5 % of its last value,
+        for a start [m]; nan for other events.
+    compiled
+        Whether compiled code was used.
+    """
+
+    station: Station
+    event: Event
+    outcome: Outcome
+    reason: str
+    time: Array
+    drums: tuple[DrumHistory, ...]
+    belt_speed: Array
+    picture_time: Array
+    step: float
+    steps: int
+    belt_error: float
+    build_distance: float
+    compiled: bool
+
+    def __iter__(self) -> Iterator[DrumHistory]:
+        return iter(self.drums)
+
+    def drum(self, name: str) -> DrumHistory:
+        """Return the drum of a pulley."""
+        return self.drums[self.station.index(name)]
+
+    @property
+    def peak_creep(self) -> Peak:
+        """Largest creep at an exit nip, either way [m]."""
+        return max((self._peak(d.exit_creep, d.name) for d in self.drums), key=lambda p: p.value)
+
+    @property
+    def peak_tension(self) -> Peak:
+        """Largest tension of the belt [N]."""
+        first = self.drums[0]
+        peaks = [self._peak(first.entry_tension, f"before {first.name}")]
+        peaks += [self._peak(d.exit_tension, f"behind {d.name}") for d in self.drums]
+        return max(peaks, key=lambda p: p.value)
+
+    @property
+    def least_tension(self) -> Peak:
+        """Least tension of the belt [N]."""
+        found = []
+        for d in self.drums:
+            for values, where in ((d.entry_tension, "before"), (d.exit_tension, "behind")):
+                i = int(np.argmin(values))
+                found.append(Peak(float(values[i]), float(self.time[i]), f"{where} {d.name}"))
+        return min(found, key=lambda p: p.value)
+
+    def over_limit(self, name: str) -> float:
+        """Time that the exit creep of a pulley is over its limit [s]."""
+        i = self.station.index(name)
+        limit = self.station.train.creep_limit_of(self.station.train.pulleys[i])
+        over = np.abs(self.drums[i].exit_creep) > limit
+        return float(np.sum(np.diff(self.time) * over[1:])) if len(self.time) > 1 else 0.0
+
+    def creep_left(self) -> tuple[float, ...]:
+        """Exit creep of every drum at the end of the run [m]."""
+        return tuple(float(d.exit_creep[-1]) for d in self.drums)
+
+    def energy_per_area(self, name: str) -> float:
+        """Frictional energy of the event over the lagging of the drum's shell [J/m2]."""
+        i = self.station.index(name)
+        pulley = self.station.train.pulleys[i]
+        area = np.pi * pulley.diameter * self.station.train.belt.width
+        return self.drums[i].friction_energy / float(area)
+
+    def wear_depth(self, name: str) -> float | None:
+        """Wear of the lagging over the event, evenly around the shell; None if not known [m]."""
+        coefficient = self.station.train.pulleys[self.station.index(name)].lagging.wear_coefficient
+        return None if coefficient is None else coefficient * self.energy_per_area(name)
+
+    def _peak(self, values: Array, place: str) -> Peak:
+        i = int(np.argmax(np.abs(values)))
+        return Peak(abs(float(values[i])), float(self.time[i]), place)
