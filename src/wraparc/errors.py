@@ -160,7 +160,7 @@ class MissingExtraError(WraparcError, ImportError):
 
 
 class BreakawayError(WraparcError):
-    """The friction along the arc cannot carry the load: the belt slips through.
+    """The friction along the arc cannot carry the load: gross slip.
 
     Parameters
     ----------

@@ -25,6 +25,7 @@ from wraparc.drive import (
     Tensions,
     compression_modulus,
 )
+from wraparc.drive.pulley import FORWARD
 from wraparc.friction import Constant, TestedRange
 
 BELT = Belt(name="belt", width=1.2, modulus=12.96e6, rating=175e3, speed=3.0)
@@ -90,7 +91,7 @@ def test_a_drive_survives_pickling() -> None:
             [
                 "diameter = -800.0 mm: must be between 1.00 mm and 1000 m.",
                 "wrap_angle = 744.8 deg: must be more than 0 deg and at most 720 deg.",
-                "overrun = -1.000 mm: must be between 0 mm and 1000 mm.",
+                f"overrun = -1.000 mm: must be between 0 mm and 1000 mm: {FORWARD}.",
                 "creep_limit = 0 mm: must be more than 0 mm.",
             ],
         ),

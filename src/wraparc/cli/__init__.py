@@ -1,6 +1,6 @@
 """The command line: reads arguments, calls the library, shows what comes back.
 
-Exit codes: 0 solved, 1 a drive cannot carry its load, 2 bad input, 3 a fault of the program,
+Exit codes: 0 solved, 1 the verdict is FAILS, 2 bad input, 3 a fault of the program,
 130 interrupted. A reader of the output who goes away is no error.
 """
 
@@ -19,8 +19,8 @@ BAD_INPUT, FAULT, INTERRUPTED = 2, 3, 130
 
 _EXIT_CODES = """\b
 Exit codes:
-  0  solved (also when the creep exceeds its limit: the verdict says so)
-  1  a drive cannot carry its load; the result is printed
+  0  solved; what asks for attention stands in the verdict
+  1  solved, and the verdict is FAILS: gross slip, or a limit that must be kept
   2  bad input: nothing was solved
   3  a fault of the program"""
 

@@ -130,8 +130,14 @@ def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str 
 @click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
 @click.option("--samples", type=click.IntRange(100, 2_000_000), default=3600, show_default=True)
 @click.option("--revolutions", type=click.FloatRange(0.1, 1e5), default=5.0, show_default=True)
-@click.option("--noise", type=click.FloatRange(0, 1), default=0.01, show_default=True)
-@click.option("--seed", type=int, default=1, show_default=True)
+@click.option(
+    "--noise",
+    type=click.FloatRange(0, 1),
+    default=0.01,
+    show_default=True,
+    help="Noise of every reading over its value.",
+)
+@click.option("--seed", type=int, default=1, show_default=True, help="Seed of the noise.")
 def virtual_record(
     file: str,
     output: str,

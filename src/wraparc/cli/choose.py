@@ -21,7 +21,13 @@ _FOUND, _NONE_FEASIBLE = 0, 1
     metavar="KEY=VALUE",
     help='Put a value over that of the file: --set candidates.slack_tensions="least".',
 )
-@click.option("--rows", type=click.IntRange(1, 1000), default=15, show_default=True)
+@click.option(
+    "--rows",
+    type=click.IntRange(1, 1000),
+    default=15,
+    show_default=True,
+    help="Designs to print at most.",
+)
 @click.option("--lightest-belt", is_flag=True, help="Also find the lightest belt of the catalogue.")
 @click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
 @click.option("--csv", "csv_file", metavar="FILE", help="Write every design as CSV; - prints it.")

@@ -27,8 +27,17 @@ from wraparc.units import Dimension, System, parse_number, parse_quantity
 @click.option("--hours", multiple=True, metavar="CASE=HOURS", help="Hours of running in a year.")
 @click.option("--wear-coefficient", metavar="VALUE", help='Energetic wear: "0.001 mm3/J".')
 @click.option("--measured-wear", metavar="DEPTH", help="Depth worn off so far, to calibrate it.")
-@click.option("--wear-hours", multiple=True, metavar="CASE=HOURS", help="Hours that wear took.")
-@click.option("--depth", metavar="LENGTH", help="Depth that may be worn off; half if left out.")
+@click.option(
+    "--wear-hours",
+    multiple=True,
+    metavar="CASE=HOURS",
+    help="Hours of running in which the measured wear came about.",
+)
+@click.option(
+    "--depth",
+    metavar="LENGTH",
+    help="Depth of lagging that may be worn off; half its thickness if left out.",
+)
 @click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
 def field(
     file: str,
@@ -40,7 +49,7 @@ def field(
     json_file: str | None,
     **said: str | None,
 ) -> int:
-    """Tell what to expect of the drive in a FILE: speeds to measure, levels to set, wear."""
+    """Show what to expect of a drive FILE on site: speeds to measure, alarm levels, wear."""
     from wraparc.train.file import load_drive
 
     check_outputs({"--json": (json_file, (".json",))}, [file])

@@ -29,7 +29,9 @@ COMMANDS: dict[str, Command] = {
     "laggings": Command("wraparc.cli.catalogue:laggings", "List the laggings of the catalogue."),
     "lagging": Command("wraparc.cli.catalogue:lagging", "Show one lagging and its friction law."),
     "belts": Command("wraparc.cli.catalogue:belts", "List the belts of the catalogue."),
-    "read": Command("wraparc.cli.shear_test:read", "Show what a machine file was understood as."),
+    "read": Command(
+        "wraparc.cli.shear_test:read", "Show columns and units of a test machine's file."
+    ),
     "fit": Command("wraparc.cli.shear_test:fit", "Fit a lagging's friction law to shear tests."),
     "rig": Command("wraparc.cli.shear_test:rig", "Make virtual shear tests of a known law."),
     "choose": Command(

@@ -16,14 +16,16 @@ if TYPE_CHECKING:
 @click.argument("file", type=click.Path(), required=False)
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
 @click.option("--port", type=click.IntRange(0, 65535), default=8765, show_default=True)
-@click.option("--database", metavar="URL", help="Of the saved designs: a file, or postgresql://...")
+@click.option(
+    "--database", metavar="URL", help="Where designs are saved: a file, or postgresql://..."
+)
 @click.option(
     "--token",
     metavar="TEXT",
-    help='What requests must carry. Beyond this machine, name one, or let "new" make one.',
+    help='Token that requests must carry, needed beyond this machine; "new" makes one.',
     envvar="WRAPARC_TOKEN",
 )
-@click.option("--name", "names", multiple=True, help="A name this server is reached under.")
+@click.option("--name", "names", multiple=True, help="Host name that this server is reached by.")
 @click.option("--workers", type=click.IntRange(0, 64), help="Processes that solve.")
 @click.option("--open/--no-open", "browser", default=False, help="Open the page in the browser.")
 def serve(
@@ -38,8 +40,8 @@ def serve(
 ) -> int:
     """Serve the calculator as a web page, beginning with a drive FILE.
 
-    Only this machine can reach it unless --host says otherwise, which takes a --token. On this
-    machine it lets in whoever opens the address that it prints: no other user of the machine.
+    Only this machine can reach it unless --host says otherwise, which needs a --token. On this
+    machine only who opens the printed address gets in; other users of the machine do not.
     """
     _require_web()
     from wraparc.web.database.place import user_folder

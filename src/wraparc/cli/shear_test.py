@@ -35,7 +35,7 @@ _DONE = 0
 @click.option("--sheet", metavar="NAME", help="Sheet of a workbook.")
 @click.option("--table", type=int, metavar="N", help="Which table of the file, from 1.")
 def read(files: tuple[str, ...], units: tuple[str, ...], **said: Any) -> int:
-    """Read machine FILES and show what was understood: columns, units, ranges, rows.
+    """Read FILES of test machines and show their columns, units, ranges and rows.
 
     What a file does not say is asked for, never guessed.
     """
@@ -164,18 +164,48 @@ def _progress() -> Any:
     metavar="NAME[=FACTOR]",
     help="Such as dry, or wet=0.7: friction times 0.7. Each becomes a law. dry if left out.",
 )
-@click.option("--repeats", type=click.IntRange(1, 20), default=3, show_default=True)
-@click.option("--points", type=click.IntRange(20, 200_000), default=400, show_default=True)
-@click.option("--noise", type=click.FloatRange(0, 0.5), default=0.01, show_default=True)
-@click.option("--lash", type=click.FloatRange(0, 5), default=0.5, show_default=True, help="[mm]")
-@click.option("--scatter", type=click.FloatRange(0, 0.5), default=0.02, show_default=True)
+@click.option(
+    "--repeats",
+    type=click.IntRange(1, 20),
+    default=3,
+    show_default=True,
+    help="Tests at every pressure.",
+)
+@click.option(
+    "--points",
+    type=click.IntRange(20, 200_000),
+    default=400,
+    show_default=True,
+    help="Readings of every test.",
+)
+@click.option(
+    "--noise",
+    type=click.FloatRange(0, 0.5),
+    default=0.01,
+    show_default=True,
+    help="Noise of the force over its largest value.",
+)
+@click.option(
+    "--lash",
+    type=click.FloatRange(0, 5),
+    default=0.5,
+    show_default=True,
+    help="Clearance of the rig [mm].",
+)
+@click.option(
+    "--scatter",
+    type=click.FloatRange(0, 0.5),
+    default=0.02,
+    show_default=True,
+    help="Scatter of friction and peak slip between samples.",
+)
 @click.option(
     "--dialect",
     "dialects",
     multiple=True,
     help="How machines write; several are taken in turn. All but the workbook if left out.",
 )
-@click.option("--seed", type=int, default=1, show_default=True)
+@click.option("--seed", type=int, default=1, show_default=True, help="Seed of noise and scatter.")
 def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
     """Make a FOLDER of virtual shear tests of a known law, with the plan to fit them.
 

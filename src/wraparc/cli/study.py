@@ -35,13 +35,19 @@ _DONE = 0
     help="Results, Parquet; by default the name of the study file with .parquet.",
 )
 @units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="Over the study file.")
+@click.option(
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="As for solve.",
+)
 @click.option(
     "--setting",
     type=click.Choice(["engineering", "precise"]),
-    help="How accurately, over that of the file.",
+    help="Accuracy, instead of that of the file.",
 )
-@click.option("--threads", type=click.IntRange(1, 1024), help="Threads; one a processor if unsaid.")
+@click.option("--threads", type=click.IntRange(1, 1024), help="One for each processor if left out.")
 @click.option(
     "--scheduler",
     metavar="ADDRESS",
@@ -53,14 +59,14 @@ _DONE = 0
     metavar="DESIGNS",
     help="Designs solved at once by a thread or worker; by default what takes about half a second.",
 )
-@click.option("--resume", is_flag=True, help="Go on with what an interrupted run has left.")
+@click.option("--resume", is_flag=True, help="Finish a run that was interrupted.")
 @click.option(
-    "--confirm", type=int, metavar="ROWS", help="Run a large study: the number of its rows."
+    "--confirm", type=int, metavar="ROWS", help="Run a large study; its number of rows confirms it."
 )
-@click.option("--dry-run", is_flag=True, help="Check everything and tell the size; solve nothing.")
+@click.option("--dry-run", is_flag=True, help="Check everything and show the size; solve nothing.")
 @click.option("--json", "json_file", metavar="FILE", help="Write the summary as JSON; - prints it.")
 @click.option("--plot", "plot_file", metavar="FILE", help="Draw the summary.")
-@click.option("--report", "report_file", metavar="FILE", help="Summary and pictures as HTML.")
+@click.option("--report", "report_file", metavar="FILE", help="Write summary and pictures as HTML.")
 def study(
     file: str,
     output: str | None,

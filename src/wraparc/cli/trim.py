@@ -27,11 +27,17 @@ SOLVED = 0
     "--span",
     nargs=2,
     metavar="LOW HIGH",
-    help='Ends of the trims: --span "99 %" "101 %". Chosen so that the load changes over if not '
-    "given.",
+    help='Ends of the trims: --span "99 %" "101 %". Left out, wide enough for the load to change '
+    "over.",
 )
-@click.option("--points", type=click.IntRange(3, 1001), default=61, show_default=True)
-@click.option("--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear to try.")
+@click.option(
+    "--points",
+    type=click.IntRange(3, 1001),
+    default=61,
+    show_default=True,
+    help="Points of every curve.",
+)
+@click.option("--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a drum.")
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
 @units_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")

@@ -19,16 +19,26 @@ from wraparc.units import System
 @click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
 @click.option("--belt", "belts", multiple=True, metavar="NAME", help="A belt of the catalogue.")
 @click.option(
-    "--other-carcass", is_flag=True, help="Steel cord for fabric of the nearest rating, or back."
+    "--other-carcass",
+    is_flag=True,
+    help="Steel cord for fabric, fabric for steel cord.",
 )
 @click.option("--lagging", "laggings", multiple=True, metavar="NAME", help="Another lagging.")
-@click.option("--thickness", "thicknesses", multiple=True, metavar="LENGTH", help="Of the lagging.")
+@click.option(
+    "--thickness", "thicknesses", multiple=True, metavar="LENGTH", help="Lagging of this thickness."
+)
 @click.option("--worn", multiple=True, metavar="LENGTH", help="Lagging worn to this thickness.")
 @click.option("--bare", metavar="STANDARD", help='Bare pulley: "CEMA" or "DIN 22101".')
 @click.option(
     "--wet", metavar="FACTOR", help='Friction when wet over dry, or "DIN 22101" for its ratio.'
 )
-@click.option("--change", "changes", multiple=True, metavar="KEY=VALUE", help="Anything else.")
+@click.option(
+    "--change",
+    "changes",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Any other value: belt.width=1400 mm.",
+)
 @click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
 def what_if(
     file: str,

@@ -10,6 +10,14 @@ from wraparc.drive.lagging import Lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
+#: Why no overrun towards travel is solved.
+FORWARD = (
+    "negative is towards travel, as the brief positive spikes of belt movement in figure 11 of "
+    "DeVries are; friction then first works against the drive and turns where slip passes zero, "
+    "which no solver here follows. It is of the order of 0.01 to 0.1 mm: solve with "
+    'overrun = "0 mm" and with its size rearward, and take the worse'
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Pulley:
@@ -26,8 +34,9 @@ class Pulley:
     lagging
         The lagging.
     overrun
-        Slip x_c at the entry nip [m], or None to compute it from the compression of the
-        lagging, 1.25 delta sqrt(delta/R).
+        Slip x_c at the entry nip, rearward [m], or None to compute it from the compression of the
+        lagging, 1.25 delta sqrt(delta/R). The paper sees spikes towards travel there; they are
+        refused, see `FORWARD`.
     recovery
         Whether the lagging, recovering as the pressure changes along the arc, adds creep.
     creep_limit
@@ -48,7 +57,7 @@ class Pulley:
     LIMITS: ClassVar[Mapping[str, Limit]] = {
         "diameter": Limit("length", least=1e-3, most=1e3),
         "wrap_angle": Limit("angle", open=True, most=4.0 * math.pi),
-        "overrun": Limit("length", most=1.0),
+        "overrun": Limit("length", most=1.0, below=FORWARD),
         "creep_limit": Limit("length", open=True),
     }
 

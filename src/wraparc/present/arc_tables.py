@@ -78,6 +78,8 @@ def answer_table(results: Results, system: System) -> Table:
     if len(results) == 1:
         g = f"{percent(first.entry_creep_ratio)} to {percent(first.exit_creep_ratio)}"
         note = "belt slower than the lagging surface, entry to exit"
+        if first.exit_creep_ratio < 0.0:
+            note = "negative: belt faster than the lagging surface, entry to exit"
         rows.append(Row("Creep ratio", (g,), "g", note))
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results))
 
@@ -110,7 +112,7 @@ def creep_table(results: Results, system: System) -> Table:
         ("creep_compression", "the lagging is squeezed at the entry and recovers"),
         (
             "creep_global",
-            "the whole belt runs slower: what friction needs beyond the rest",
+            "the whole belt slips back: what the friction needs beyond the first two",
         ),
     ):
         texts = _values(results, lambda r, name=name: creep_part(r, name, system))  # type: ignore[misc]

@@ -192,7 +192,7 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
         least = quantity(sag.tension, "force")
         asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")
     if search.least_slack:
-        words = " and for ".join(asked)
+        words = " and ".join((", ".join(asked[:-1]), asked[-1]))
         yield f"The slack-side tension is the least for {words}."
     if sag is None:
         yield (

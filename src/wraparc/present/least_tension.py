@@ -88,7 +88,7 @@ def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") ->
     if math.isnan(arc.capacities.gross_slip_capacity):
         return None
     found, take_up = margins_of(result, arc), result.drive.criteria.take_up
-    said = "" if take_up.kind else ", taken where no take-up is said"
+    said = "" if take_up.kind else ", as no take-up is given"
     rows = []
     for title, value, own in (
         ("Slack side held (gravity take-up, winch)", found.slack_held, not take_up.fixed),

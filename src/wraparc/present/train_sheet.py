@@ -195,10 +195,8 @@ def _sensitivity_row(case: CaseResult) -> Row:
 
 
 def _precision(case: CaseResult) -> str:
-    return (
-        f"Solved to {case.tension_error:.0e} of the tensions and {case.speed_error:.0e} of speeds "
-        "and torques."
-    )
+    miss = max(case.tension_error, case.speed_error, 1e-12)
+    return f"Tensions, speeds and torques of the drives agree within {miss:.0e} of their size."
 
 
 def matching_sheet(result: TrainResult, matching: Matching, system: System = "si") -> Sheet:

@@ -123,8 +123,8 @@ def _vendors(
 def _life(hours: float) -> str:
     if math.isinf(hours):
         return NONE
-    return f"{hours:,.0f} h" if hours < 1e6 else f"{hours:.3g} h"
+    return quantity(hours, "number") + " h"
 
 
 def _years_note() -> str:
-    return f"frictional energy times wear coefficient; a year has {HOURS:,.0f} h of running here"
+    return f"frictional energy times wear coefficient; a year has {HOURS:g} h of running here"

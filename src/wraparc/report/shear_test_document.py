@@ -64,7 +64,6 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
         if transition is None
         else {
             "pressure": transition.pressure,
-            "interval": list(transition.interval),
             "given": transition.given,
             "in_law": transition.in_law,
         },

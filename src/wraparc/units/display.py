@@ -85,6 +85,11 @@ def display(value: float, dimension: Dimension, system: System = "si", digits: i
         ``"si"`` (mm, kN, kPa, deg ...) or ``"us"`` (in, lbf, psi, deg ...).
     digits
         Significant digits shown; whole digits are never dropped.
+
+    Notes
+    -----
+    What is shown can be read back: whole digits are not grouped, as a comma may be a decimal sign.
+    Counts and money, which have no unit of measure, are grouped by thousands where they are shown.
     """
     unit, larger = _ROWS[system][dimension]
     if dimension == "temperature":

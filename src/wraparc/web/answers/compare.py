@@ -18,7 +18,6 @@ from wraparc.present.wear_table import life_data
 from wraparc.present.words import alone, level_of, short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
-from wraparc.units import display
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import Answer, Both, finite, texts
 from wraparc.web.answers.solving import main_solver
@@ -308,7 +307,7 @@ def _price(lagging: Lagging, currency: str) -> Price | None:
 
 
 def _money(value: float) -> str:
-    return display(value, "number", digits=3)
+    return f"{value:,.0f}"
 
 
 def _cost_cell(value: float) -> Cell:

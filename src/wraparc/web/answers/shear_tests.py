@@ -124,7 +124,6 @@ class Transition(Answer):
     """Pressure from which the friction falls [Pa]."""
 
     pressure: float | None
-    interval: Numbers
     given: bool
     in_law: bool
 
@@ -258,7 +257,6 @@ def _condition(condition: ConditionResult) -> FittedCondition:
         if transition is None
         else Transition(
             pressure=finite(transition.pressure),
-            interval=[finite(v) for v in transition.interval],
             given=transition.given,
             in_law=transition.in_law,
         ),
