@@ -4,13 +4,10 @@ Expected values: what the virtual rig recorded before a dialect wrote it down; t
 hand-written files carry their numbers in the test.
 """
 
-import io
-from collections.abc import Sequence
-
 import numpy as np
 import pytest
-import xlsxwriter
 
+from machine_tables.asked import problems, rows
 from shear_test.virtual import rubber
 from wraparc.errors import InputError
 from wraparc.shear_test import (
@@ -24,17 +21,6 @@ from wraparc.shear_test import (
 
 TEST = run_virtual_test(VirtualRig(law=rubber(), points=300, wander=0.01), 207e3, 1)
 SHORT = run_virtual_test(VirtualRig(law=rubber(), points=60, wander=0.01), 207e3, 1)
-
-
-def rows(count: int = 12) -> str:
-    return "\n".join(f"{0.1 * k:.1f},{0.25 * k:.2f},{10.5 * k:.1f}" for k in range(count))
-
-
-def problems(data: bytes, choices: Choices | None = None) -> str:
-    with pytest.raises(InputError) as caught:
-        read_machine_bytes(data, "test.csv", choices)
-    assert all(problem.remedy for problem in caught.value.problems)
-    return str(caught.value)
 
 
 @pytest.mark.parametrize("name", DIALECTS)
@@ -124,34 +110,6 @@ def test_names_in_many_languages(travel: str, force: str) -> None:
     np.testing.assert_allclose(record.force, 10.5 * np.arange(12))
 
 
-def test_an_ambiguous_comma_is_asked_about() -> None:
-    table = "\n".join(f"1,{k:03d};2,{k:03d}" for k in range(100, 112))
-    data = f"Weg [mm];Kraft [N]\n{table}\n".encode()
-    assert "2,100 may be 2.100 or 2100" in problems(data) or "1,100 may be" in problems(data)
-    one = read_machine_bytes(data, "x", Choices(decimal=","))
-    other = read_machine_bytes(data, "x", Choices(decimal="."))
-    assert one.travel[0] == pytest.approx(1.1e-3)
-    assert other.travel[0] == pytest.approx(1.1)
-
-
-def test_decimal_commas_between_delimiting_commas_are_refused() -> None:
-    table = "\n".join(f"0,{k},1,{k}" for k in range(1, 20))
-    text = problems(f"Extension (mm),Load (N)\n{table}\n".encode())
-    assert "2 names stand above 4 columns" in text
-
-
-def test_thousands_in_quotes() -> None:
-    table = "\n".join(f'"{0.5 * k:.2f}","{1234.5 * k:,.2f}"' for k in range(12))
-    record = read_machine_bytes(f"Extension,Load\n(mm),(N)\n{table}\n".encode(), "x")
-    np.testing.assert_allclose(record.force, 1234.5 * np.arange(12))
-
-
-def test_lines_wholly_in_quotes_and_doubled_quotes() -> None:
-    table = "\n".join(f'"{0.5 * k:.2f};{k:.1f}"' for k in range(12))
-    record = read_machine_bytes(f'"Weg [mm];Kraft [N]"\n{table}\n'.encode(), "x")
-    np.testing.assert_allclose(record.force, np.arange(12.0))
-
-
 def test_several_travel_columns_are_named() -> None:
     table = "\n".join(f"{k - 794.8},{k},{10 * k}" for k in range(12))
     data = f"Traverse absolue,Course standard,Force standard\nmm,mm,N\n{table}\n".encode()
@@ -163,91 +121,6 @@ def test_several_travel_columns_are_named() -> None:
     other = read_machine_bytes(data, "x", Choices(travel="Traverse absolue"))
     assert other.travel[1] == pytest.approx(-0.7938)
     assert read_machine_bytes(data, "x", Choices(travel=1)).travel[1] == other.travel[1]
-
-
-def test_several_tables_say_which_was_read() -> None:
-    head = "Extension (mm),Load (N)\n"
-    short = "\n".join(f"{k},{k}" for k in range(3))
-    long = "\n".join(f"{k},{2 * k}" for k in range(30))
-    data = f"{head}{short}\n\nSecond part\n{head}{long}\n".encode()
-    record = read_machine_bytes(data, "x")
-    assert len(record.travel) == 30
-    assert "number 2, lines 8 to 37, was read" in record.notes[0]
-    assert len(read_machine_bytes(data, "x", Choices(table=1)).travel) == 3
-    assert "the file has 2 tables" in problems(data, Choices(table=3))
-
-
-def test_marks_of_the_machine_are_dropped_with_their_line() -> None:
-    table = "\n".join(f"{k / 10},{k}" for k in range(1, 31))
-    data = f"Extension (mm),Load (N)\n{table}\n0,0\n".encode()
-    record = read_machine_bytes(data, "x")
-    assert len(record.travel) == 30
-    assert (record.dropped[0].count, record.dropped[0].line) == (1, 32)
-    data = f"Extension (mm),Load (N)\n{table}\n-9999,-9999\n".encode()
-    assert len(read_machine_bytes(data, "x").travel) == 30
-
-
-@pytest.mark.parametrize("word", ["NaN", "inf", "1e999", "1_0", "0x1F", "#DIV/0!", "--", ""])
-def test_what_is_no_number_is_dropped_and_counted(word: str) -> None:
-    lines = [f"{k / 10},{k},1" for k in range(1, 31)]
-    lines[9] = f"1.0,{word},1"
-    record = read_machine_bytes(
-        ("Extension (mm),Load (N),Time (s)\n" + "\n".join(lines) + "\n").encode(), "x"
-    )
-    assert len(record.travel) == 29
-    assert sum(item.count for item in record.dropped) == 1
-    assert record.dropped[0].line == 11
-
-
-@pytest.mark.parametrize(
-    "encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "cp1252", "latin-1"]
-)
-@pytest.mark.parametrize("end", ["\n", "\r\n", "\r", "\r\r\n"])
-def test_encodings_and_line_ends(encoding: str, end: str) -> None:
-    lines = [
-        "Prüfung;groß",
-        "Verlängerung [mm];Prüfkraft [N]",
-        *(f"{k};{2 * k}" for k in range(20)),
-    ]
-    record = read_machine_bytes(end.join([*lines, ""]).encode(encoding), "x")
-    np.testing.assert_array_equal(record.force, 2.0 * np.arange(20))
-    assert [column.name for column in record.columns] == ["Verlängerung", "Prüfkraft"]
-
-
-def test_central_european_letters() -> None:
-    lines = ["Przemieszczenie [mm];Siła [N];Prędkość", *(f"{k};{2 * k};3" for k in range(20))]
-    record = read_machine_bytes("\n".join(lines).encode("cp1250"), "x")
-    assert [column.name for column in record.columns][1:] == ["Siła", "Prędkość"]
-
-
-def workbook(rows: Sequence[Sequence[object]]) -> bytes:
-    stream = io.BytesIO()
-    with xlsxwriter.Workbook(stream, {"in_memory": True}) as book:
-        book.add_worksheet("Cover").write(0, 0, "nothing here")
-        sheet = book.add_worksheet("Raw")
-        for k, row in enumerate(rows):
-            sheet.write_row(k, 1, row)
-    return stream.getvalue()
-
-
-def test_a_workbook_with_the_data_on_another_sheet() -> None:
-    head: list[Sequence[object]] = [["Operator", "A"], [], ["Travel (mm)", "Load (kN)"]]
-    data = workbook(head + [(0.5 * k, 2.0 * k) for k in range(20)])
-    record = read_machine_bytes(data, "book.xlsx")
-    np.testing.assert_allclose(record.force, 2000.0 * np.arange(20))
-    assert "'Raw'" in record.place
-    assert "the workbook has 'Cover', 'Raw'" in problems(data, Choices(sheet="raw"))
-
-
-def test_a_long_file_goes_the_quick_way_to_the_same_numbers() -> None:
-    # The careful way, forced by one cell that only it reads, is the independent computation.
-    lines = [f"{0.01 * k:.2f};{0.003 * k:.3f};{1.5 * k - 3:.1f}" for k in range(1000)]
-    head = "Time (s);Extension (mm);Load (N)\n"
-    quick = read_machine_bytes((head + "\n".join(lines) + "\n").encode(), "x")
-    lines[500] = lines[500].replace(";", "; ", 1).replace("5.00", "+5.00")
-    careful = read_machine_bytes((head + "\n".join(lines) + "\n").encode(), "x")
-    np.testing.assert_array_equal(quick.travel, careful.travel)
-    np.testing.assert_array_equal(quick.force, careful.force)
 
 
 @pytest.mark.parametrize(
