@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -289,11 +289,6 @@ def _badness(check: Check) -> tuple[int, float]:
     if math.isnan(margin):
         margin = -math.inf if check.missed and check.binding else math.inf
     return -check.level.rank, margin
-
-
-def worst_level(checks: Iterable[Check]) -> Level:
-    """Return the worst level of checks."""
-    return Verdict(tuple(checks)).level
 
 
 def _capital(text: str) -> str:

@@ -163,8 +163,6 @@ class Sag:
         With every number outside its limit.
     """
 
-    #: Sag over idler spacing that is customary [-].
-    CUSTOMARY: ClassVar[float] = 0.02
     SOURCE: ClassVar[str] = (
         "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors "
         "for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)"
