@@ -428,6 +428,74 @@ QUANTITIES: tuple[Quantity, ...] = (
         "loss_ratio", "", "number", "Loss to creep over power",
         "Power lost to creep on all pulleys over the power at their surfaces.",
     ),
+    # across the width
+    Quantity(
+        "across_position", "y", "length", "Position across the belt",
+        "Distance from the middle of the belt, towards its right edge seen in the direction of "
+        "travel.",
+    ),
+    Quantity(
+        "width_tension", "t", "force_per_width", "Tension per unit width",
+        "Belt tension of a strip over its width.",
+    ),
+    Quantity(
+        "largest_running_tension", "t_max", "force_per_width", "Largest tension, running",
+        "Tension per unit width of the tightest strip, in the wrap or the span before it.",
+    ),
+    Quantity(
+        "largest_static_tension", "t_stat", "force_per_width", "Largest tension at standstill",
+        "Tension per unit width of the tightest strip where the belt does not creep.",
+    ),
+    Quantity(
+        "least_tension", "t_min", "force_per_width", "Least tension",
+        "Tension per unit width of the slackest strip in the wrap.",
+    ),
+    Quantity(
+        "largest_pressure", "p_max", "pressure", "Largest wrap pressure across the width",
+        "Wrap pressure under the tightest strip.",
+    ),
+    Quantity(
+        "largest_creep", "", "length", "Largest creep across the width",
+        "Creep at the exit of the strip that creeps most.",
+    ),
+    Quantity(
+        "entry_unevenness", "", "number", "Entry tension, largest over mean",
+        "Tension per unit width of the tightest strip at the entry over the mean.",
+    ),
+    Quantity(
+        "exit_unevenness", "", "number", "Exit tension, largest over mean",
+        "Tension per unit width of the tightest strip at the exit over the mean.",
+    ),
+    Quantity(
+        "energy_unevenness", "", "number", "Wear, largest over mean",
+        "Frictional energy per area of the strip that has most of it, over the mean.",
+    ),
+    Quantity(
+        "levelling_depth", "w_n", "length", "Levelling depth",
+        "Mean wear over which an uneven mode of the lagging falls by 2.72; negative where it "
+        "grows.",
+    ),
+    Quantity(
+        "in_plane_shear_stiffness", "S", "force_per_width", "In-plane shear stiffness of the belt",
+        "Shear force per width over shear strain in the plane of the belt.",
+    ),
+    Quantity(
+        "yaw_moment", "", "torque", "Yaw moment",
+        "Moment of the entry tension about the middle of the belt.",
+    ),
+    Quantity(
+        "entry_guide_force", "", "force", "Guide force before the pulley",
+        "Sideways force of the belt that idlers before the pulley must hold.",
+    ),
+    Quantity(
+        "exit_guide_force", "", "force", "Guide force behind the pulley",
+        "Sideways force of the belt that idlers behind the pulley must hold.",
+    ),
+    Quantity(
+        "drum_number", "Gamma", "number", "Drum number",
+        "How much slower than the pulley surface the belt would run unstretched, one number for "
+        "all strips.",
+    ),
 )  # fmt: skip
 
 #: Every quantity by name.

@@ -33,6 +33,8 @@ EXAMPLE_DRIVES = (
     "steel-cord-drive",
     "test-pulley-calibrated",
     "uphill-conveyor",
+    "worn-head-drive-fabric",
+    "worn-head-drive-steel-cord",
 )
 
 

@@ -4,7 +4,7 @@ from wraparc.across.build import Stiffness, in_plane_stiffness, wide_arc
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.screening import DefectShare, Screening, screen
-from wraparc.across.solve import slack_words, solve_across, uneven_pulleys
+from wraparc.across.solve import across_of, slack_words, solve_across, uneven_pulleys
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.wear import WearHistory, march_wear
 from wraparc.across.wide_arc import WideArc
@@ -22,6 +22,7 @@ __all__ = [
     "Stiffness",
     "WearHistory",
     "WideArc",
+    "across_of",
     "in_plane_stiffness",
     "march_wear",
     "mode_response",

@@ -81,6 +81,7 @@ def wide_arc(
         In-plane shear stiffness of the belt [N/m], or None for its own or the estimate.
     """
     arc = WrapArc.of(drive, pulley, case)
+    lagging = pulley.lagging_in(case.condition)
     across = pulley.across or Across()
     own = in_plane_stiffness(drive.belt)
     shear = own.value if stiffness is None else stiffness
@@ -99,13 +100,13 @@ def wide_arc(
         + _at(across.build_up, y, arc.width)
         - worn,
         thickness=thickness,
-        compression_modulus=pulley.lagging.compression_modulus_at(thickness),
+        compression_modulus=lagging.compression_modulus_at(thickness),
         entry_profile=_evened(_at(across.entry_profile, y, arc.width)),
         entry_misfit=misfit,
         exit_misfit=misfit,
         length_before=length_before(decay, across.before),
         length_after=length_after(decay, across.after),
-        lagging=pulley.lagging,
+        lagging=lagging,
         stiffness_source=own.source if stiffness is None else Provenance(),
     )
     return _with_transition(wide, across.before, y, decay)

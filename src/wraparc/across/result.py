@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 
 import numpy as np
 
+from wraparc.across.modes import mode_response
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import ArcResult
+from wraparc.views import Viewable
 
 
 class AcrossStatus(StrEnum):
@@ -87,7 +90,7 @@ class Fields:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class AcrossResult:
+class AcrossResult(Viewable):
     """The complete answer for one arc across the width.
 
     Attributes
@@ -213,6 +216,16 @@ class AcrossResult:
     def energy_unevenness(self) -> float:
         """Largest over mean frictional energy: how much faster the worst strip wears [-]."""
         return _unevenness(self.frictional_energy)
+
+    @cached_property
+    def levelling_depth(self) -> Array:
+        """Mean wear that levels the modes 1 to 4 by 2.72 [m]; negative where wear makes them grow.
+
+        Shape (4,); nan where the even belt is not carried.
+        """
+        if not self.even.status.solved:
+            return np.full(4, np.nan)
+        return mode_response(self.wide, 4).levelling_depth
 
     @property
     def outside_tested_share(self) -> float:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from weakref import WeakKeyDictionary
+
 from wraparc.across.build import wide_arc
 from wraparc.across.result import AcrossResult, AcrossStatus
 from wraparc.across.solver import AcrossSolver
+from wraparc.arc import DriveResult
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import BreakawayError, ConvergenceError, SlackBeltError
 from wraparc.units import display
@@ -58,6 +61,25 @@ def solve_across(
         where = f"pulley {wide.arc.pulley}, load case {wide.arc.load_case}"
         raise _failure(f"{where}: {result.status}", result)
     return result
+
+
+_solved: WeakKeyDictionary[DriveResult, tuple[AcrossResult, ...]] = WeakKeyDictionary()
+
+
+def across_of(result: DriveResult) -> tuple[AcrossResult, ...]:
+    """Return every pulley of a solved drive that says what is uneven, in every load case.
+
+    Failures are results too. The same result is solved across once, however often it is asked.
+    """
+    if result not in _solved:
+        drive, solver = result.drive, AcrossSolver()
+        _solved[result] = tuple(
+            solver.solve(wide_arc(drive, pulley, case))
+            for case in drive.load_cases
+            for pulley in drive.pulleys
+            if pulley.across is not None
+        )
+    return _solved[result]
 
 
 def uneven_pulleys(drive: Drive) -> tuple[Pulley, ...]:

@@ -256,6 +256,8 @@ def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
         (f"pulley {pulley.name}", pulley.sources),
     )
     told = [(f"{k.replace('_', ' ')} of {owner}", v) for owner, of in owners for k, v in of.items()]
+    if pulley.across is not None and belt.in_plane_shear_stiffness is None:
+        yield "estimated", "in-plane shear stiffness of the belt"
     for what, source in (*told, ("the belt", belt.provenance)):
         if source.note.startswith("estimated"):
             yield "estimated", what

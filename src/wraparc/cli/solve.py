@@ -12,7 +12,7 @@ from wraparc.checks import Level, judge
 from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.drive import Drive
-from wraparc.errors import InputError, placed, shown
+from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.present.sheet import Sheet
 from wraparc.train.file import load_drive_or_train
@@ -55,6 +55,12 @@ SOLVED, FAILS, FAULT = 0, 1, 3
 @click.option("--csv", "csv_file", metavar="FILE", help="Write the profiles as CSV; - prints them.")
 @click.option("--decimal-comma", is_flag=True, help="CSV with decimal commas and semicolons.")
 @click.option("--plot", "plot_file", metavar="FILE", help="Draw the result: .svg, .png or .pdf.")
+@click.option(
+    "--map",
+    "map_file",
+    metavar="FILE",
+    help="Draw an uneven pulley over wrap and width: .svg, .png or .pdf.",
+)
 def solve(
     file: str,
     method: str,
@@ -68,6 +74,7 @@ def solve(
     csv_file: str | None,
     decimal_comma: bool,
     plot_file: str | None,
+    map_file: str | None,
 ) -> int:
     """Solve every pulley of a drive FILE in every load case and print the answer.
 
@@ -78,9 +85,10 @@ def solve(
         "--json": (json_file, (".json",)),
         "--csv": (csv_file, (".csv",)),
         "--plot": (plot_file, (".svg", ".png", ".pdf")),
+        "--map": (map_file, (".svg", ".png", ".pdf")),
     }
     check_outputs(outputs, [file])
-    draw = _drawing() if plot_file else None
+    draw = _drawing() if plot_file or map_file else None
     drive = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))
     if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
         train, results = solve_as_train(drive, method, load_case, creep_limit, file)
@@ -95,6 +103,8 @@ def solve(
         files[csv_file] = _csv(results, units, decimal_comma)
     if plot_file and draw:
         files[plot_file] = _picture(draw, results, units, train).save
+    if map_file:
+        files[map_file] = _map(results[0], units).save
     deliver(files, lambda: _sheet(results, units, everything or load_case is not None, train))
     return exit_code(results[0] if train is None else train)
 
@@ -183,6 +193,19 @@ def _picture(
     from wraparc.plot.train import plot_train
 
     return plot_train(train, units=units)
+
+
+def _map(result: DriveResult, units: System) -> Any:
+    """Return the map over arc and width of the uneven pulley that wears most unevenly."""
+    from wraparc.across import across_of
+    from wraparc.plot import plot_across
+
+    found = across_of(result)
+    if not found:
+        message = "no pulley of this drive is uneven across its width"
+        remedy = "Say what is uneven in [pulley.across]."
+        raise InputError(Problem(key="--map", message=message, remedy=remedy))
+    return plot_across(max(found, key=lambda r: r.energy_unevenness), units)
 
 
 def with_case(drive: Drive, name: str | None, file: str) -> Drive:

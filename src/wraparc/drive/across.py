@@ -78,6 +78,11 @@ class WidthProfile:
             out = out + evaluate(x, pchip(x, v), np.clip(y, x[0], x[-1]))
         return out
 
+    @property
+    def largest(self) -> float:
+        """Largest value, the crown added to the largest row [SI]."""
+        return max((*self.value, 0.0)) + max(self.crown, 0.0)
+
     def problems(self, key: str, width: float) -> list[Problem]:
         """Return a problem if rows lie beyond the edges of a belt of a width."""
         edge = 0.5 * width * (1.0 + 1e-9)

@@ -7,8 +7,10 @@ from typing import ClassVar, Self
 
 from wraparc.drive.across import Across
 from wraparc.drive.lagging import Lagging
+from wraparc.errors import Problem
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.units import display
 
 #: Why no overrun towards travel is solved.
 FORWARD = (
@@ -73,7 +75,19 @@ class Pulley:
     conditions: tuple[Lagging, ...] = ()
 
     def __post_init__(self) -> None:
-        raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
+        problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
+        worn = self.across.worn_depth if self.across else None
+        if worn is not None and worn.largest >= self.lagging.thickness:
+            problems.append(
+                Problem(
+                    key="across.worn_depth",
+                    value=display(worn.largest, "length"),
+                    message="deeper than the lagging is thick, "
+                    + display(self.lagging.thickness, "length"),
+                    remedy="Give the depth worn off, on radius, not what is left.",
+                )
+            )
+        raise_all(problems)
 
     def lagging_in(self, condition: str) -> Lagging:
         """Return the lagging in a condition of `conditions`; its own for an empty name.

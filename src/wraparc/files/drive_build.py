@@ -12,6 +12,7 @@ from wraparc.drive import (
     Pulley,
 )
 from wraparc.errors import InputError, Problem
+from wraparc.files.across_keys import build_across
 from wraparc.files.conditions import Conditions, at_its_place, condition_of
 from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY
 from wraparc.files.lagging_build import build_laggings
@@ -180,6 +181,11 @@ def build_pulley(
         if wrap is None:
             return None
         more["wrap_angle"], sources = wrap, {"wrap_angle": _FROM_PATH, **sources}
+    if "across" in record:
+        found_before = len(report.problems)
+        more["across"] = build_across(record["across"], report)
+        if len(report.problems) > found_before:
+            return None
     built: Pulley | None = PULLEY.built(record, report, lagging=lagging, sources=sources, **more)
     return built
 

@@ -5,6 +5,7 @@ from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
 from wraparc.errors import InputError, nearest, shown
+from wraparc.files.across_keys import check_width
 from wraparc.files.conditions import build_conditions, condition_name, in_each_condition
 from wraparc.files.conveyor_build import build_conveyor
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
@@ -111,6 +112,7 @@ def drive_from_document(
     records = [item for item in record.get("pulley") or () if isinstance(item, Record)]
     conditions = build_conditions(record, report)
     pulleys = [build_pulley(item, laggings, conditions, report) for item in records]
+    check_width(records, belt_record, report)
     criteria = build_criteria(record, report)
     conveyor = None
     if "conveyor" in document:

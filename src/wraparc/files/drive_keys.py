@@ -19,6 +19,7 @@ from wraparc.drive import (
     Tensions,
 )
 from wraparc.drive.conditions import Condition
+from wraparc.files.across_keys import ACROSS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.schema.kinds import (
     ByName,
@@ -50,6 +51,11 @@ BELT = Table(
     ),
     Entry("least_pulley_diameter", "Smallest drive pulley that the maker allows."),
     Entry("largest_wrap_pressure", "Largest pressure on the pulley face that the maker allows."),
+    Entry(
+        "in_plane_shear_stiffness",
+        "Shear force per width over shear strain in the plane of the belt; estimated from the "
+        "carcass if left out.",
+    ),
     *ORIGINS,
     of=Belt,
 )
@@ -101,6 +107,7 @@ PULLEY = Table(
     known("overrun", WordOr("formula", limited(Pulley, "overrun"))),
     Entry("recovery", "Whether the lagging adds creep as it recovers along the arc."),
     known("creep_limit"),
+    Entry("across", "What is uneven across the width.", ACROSS),
     Entry("sources", "Where single numbers came from, by key.", ByName(PROVENANCE)),
     of=Pulley,
 )

@@ -3,8 +3,10 @@
 from functools import singledispatch
 from typing import Any
 
+from wraparc.across import AcrossResult
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Lagging
+from wraparc.plot.across import plot_across
 from wraparc.plot.drive import plot_arc, plot_drive
 from wraparc.plot.lagging import plot_lagging
 from wraparc.plot.picture import SUFFIXES, Picture, require_matplotlib
@@ -16,6 +18,7 @@ __all__ = [
     "SUFFIXES",
     "Picture",
     "plot",
+    "plot_across",
     "plot_arc",
     "plot_drive",
     "plot_lagging",
@@ -32,7 +35,8 @@ def plot(thing: Any, *, units: System = "si") -> Picture:
     Parameters
     ----------
     thing
-        A `DriveResult` (its governing arc is drawn), an `ArcResult`, a `Lagging`, a
+        A `DriveResult` (its governing arc is drawn), an `ArcResult`, an `AcrossResult` (a map of
+        ``quantity``), a `Lagging`, a
         `TrainResult` (its governing load case, or ``case="name"``) or a `Matching` of its drives.
     units
         ``"si"`` or ``"us"``.
@@ -55,6 +59,11 @@ def _(thing: DriveResult, *, units: System = "si", quantity: str = "shear_stress
 @plot.register
 def _(thing: ArcResult, *, units: System = "si", quantity: str = "shear_stress") -> Picture:
     return plot_arc([thing], units, quantity=quantity)
+
+
+@plot.register
+def _(thing: AcrossResult, *, units: System = "si", quantity: str = "shear_stress") -> Picture:
+    return plot_across(thing, units, quantity=quantity)
 
 
 @plot.register

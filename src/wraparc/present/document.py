@@ -10,10 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.across import across_of
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
 from wraparc.checks import Level, judge
 from wraparc.drive import Belt, Drive, Lagging
 from wraparc.glossary import GLOSSARY
+from wraparc.present.across_tables import across_data
 from wraparc.present.checks_table import check_data, verdict_document
 from wraparc.present.conditions_table import conditions_data
 from wraparc.present.conveyor_table import conveyor_data
@@ -53,6 +55,7 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     told = judge(results[0])
     arcs = [_arc_data(arc, result) for result in results for arc in result]
     conveyor = conveyor_data(drive)
+    uneven = [across_data(found) for found in across_of(results[0])]
     return {
         "format": DOCUMENT_FORMAT,
         "program": {"name": "wraparc", "version": __version__},
@@ -67,6 +70,7 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         "least_tension": least_data(results[0]),
         "remarks": list(told.data),
         "arcs": arcs,
+        **({"across": uneven} if uneven else {}),
         "sources": sources_of(drive),
         "units": _units(arcs),
     }

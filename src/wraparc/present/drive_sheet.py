@@ -62,6 +62,10 @@ def drive_sheet(
     tables += [summary_table(results, system)] if len(first) > 1 else []
     for position in detail:
         tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
+    if any(pulley.across for pulley in first.drive.pulleys):
+        from wraparc.present.across_tables import across_tables
+
+        tables += across_tables(first, system)
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,

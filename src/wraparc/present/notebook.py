@@ -3,6 +3,7 @@
 from functools import singledispatch
 from typing import Any
 
+from wraparc.across import AcrossResult
 from wraparc.arc import ArcResult, DriveResult, Profile
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import MissingExtraError
@@ -22,6 +23,16 @@ def sheet_of(thing: Any) -> Sheet:
 @sheet_of.register
 def _(thing: ArcResult) -> Sheet:
     return arc_sheet(thing)
+
+
+@sheet_of.register
+def _(thing: AcrossResult) -> Sheet:
+    from wraparc.present.across_tables import answer_table, profile_table
+
+    tables = (answer_table(thing, "si"), profile_table(thing, "si"))
+    return Sheet(
+        f"Pulley {thing.wide.arc.pulley} across the width", str(thing.status), None, tables
+    )
 
 
 @sheet_of.register
@@ -60,7 +71,8 @@ def html(thing: Any) -> str:
 def frame(thing: Any) -> Any:
     """Return the numbers of a result as a pandas DataFrame [SI].
 
-    A profile has a row for each point; an arc is its profile; a drive and a train have a row for
+    A profile has a row for each point, a belt across its width one for each strip; an arc is its
+    profile; a drive and a train have a row for
     each load case and pulley with every scalar.
 
     Raises
@@ -79,6 +91,14 @@ def _(thing: Profile) -> Any:
 @frame.register
 def _(thing: ArcResult) -> Any:
     return frame(thing.profile)
+
+
+@frame.register
+def _(thing: AcrossResult) -> Any:
+    from wraparc.present.across_tables import across_data
+
+    data = across_data(thing)
+    return _pandas().DataFrame({"across_position": data["across_position"], **data["across"]})
 
 
 @frame.register

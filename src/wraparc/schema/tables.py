@@ -280,6 +280,11 @@ class Variant(Kind):
         word = Choice(options).read(raw[self.tag], (*place, self.tag), report)
         return NOTHING if word is NOTHING else self.tables[word].read(raw, place, report)
 
+    def written(self, value: Any) -> Any:
+        """Return the table that describes an object, with its word."""
+        word, table = next((w, t) for w, t in self.tables.items() if t.of is type(value))
+        return {self.tag: word, **table.written(value, **{self.tag: None})}
+
     def schema(self) -> dict[str, Any]:
         """One object for each word."""
         return {"oneOf": [table.schema() for table in self.tables.values()]}

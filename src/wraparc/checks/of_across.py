@@ -1,0 +1,247 @@
+"""Checks of a belt across its width: its edges, slack strips, the worst place, wear that grows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from wraparc.across import AcrossResult, AcrossStatus, slack_words
+from wraparc.checks.check import Check, Level, Place
+from wraparc.checks.of_drive import escaped, judged, not_checked, origin, tests_of
+from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
+
+#: Tension at an edge that a belt may bear over its rating [-].
+EDGE_FACTOR = 1.15
+_EDGE = "edge at most 115 % of the rating; Goodyear, belt maintenance manual (2010)"
+#: Least length of a full trough transition over the belt width, at trough angles of 20, 35, 45 deg,
+#: for belts tensioned above 90, above 60, and up to 60 % of their rating; half troughs need half.
+_TRANSITIONS = {
+    "steel cord": ((4.0, 6.8, 8.0), (3.2, 5.2, 6.4), (2.0, 3.6, 4.4)),
+    "fabric": ((1.8, 3.2, 4.0), (1.6, 2.4, 3.2), (1.2, 1.8, 2.4)),
+}
+_ANGLES = np.radians([20.0, 35.0, 45.0])
+_TRANSITION_SOURCE = (
+    "customary lengths by carcass, trough angle and tension; Useful Conveyor Design Data"
+)
+#: Largest crown, on diameter per width: 1/8 in per foot.
+LARGEST_CROWN = 1.0 / 96.0
+#: Largest miss of the balance of energy that a solution is trusted with [-].
+BALANCE = 1e-3
+
+
+def across(drive: Drive, case: LoadCase, result: AcrossResult) -> Iterator[Check]:
+    """Yield the checks of one pulley across the width in one load case."""
+    pulley = drive.pulley(result.wide.arc.pulley)
+    place = Place(pulley.name, case.name)
+    yield _carried(result, place)
+    yield from _static(drive, case, pulley, result, place)
+    if result.status is not AcrossStatus.SOLVED:
+        return
+    yield _edge(drive.belt, case, "edge_tension", "Edge tension, running",
+                result.largest_running_tension, place)  # fmt: skip
+    yield from _worst_place(drive, pulley, result, place)
+    yield _wear(result, place)
+    yield judged(
+        "across_balance",
+        "Energy balance across the width",
+        result.identity_error,
+        BALANCE,
+        "number",
+        Level.FAULT,
+        source="tolerance of the program",
+        short="out of balance",
+        says="The energy balance across the width misses by {value}, more than {limit}.",
+        remedy="Please report the drive file; until then use another number of strips.",
+        place=place,
+        binding=False,
+    )
+
+
+def _carried(result: AcrossResult, place: Place) -> Check:
+    solved = result.status is AcrossStatus.SOLVED
+    fault = result.status is AcrossStatus.UNSOLVED
+    return Check(
+        name="slack_edge",
+        title="Every strip of the belt carries tension",
+        level=Level.OK if solved else Level.FAULT if fault else Level.FAILS,
+        value=result.least_tension if solved else math.nan,
+        limit=0.0 if solved else math.nan,
+        dimension="force_per_width",
+        at_most=False,
+        short="" if solved else "slack edge" if result.slack else result.status.name.lower(),
+        says="" if solved else escaped(f"{slack_words(result)} {result.status}".strip()),
+        place=place,
+        binding=False,
+    )
+
+
+def _edge(belt: Belt, case: LoadCase, name: str, title: str, value: float, place: Place) -> Check:
+    """Check a tension per width against 115 % of the rating, with the factor of the load case."""
+    if belt.rating is None:
+        return not_checked(name, title, "the rating of the belt is not given", place)
+    factor = EDGE_FACTOR * ((belt.momentary_factor or 1.0) if case.kind != "running" else 1.0)
+    share = 100.0 * value / belt.rating
+    return judged(
+        name,
+        title,
+        value,
+        factor * belt.rating,
+        "force_per_width",
+        Level.FAILS,
+        source=f"{_EDGE}; rating: {origin(belt.sources.get('rating', belt.provenance))}",
+        short="edge over rating",
+        says=f"The tightest strip of the belt carries {{value}}, {share:.3g} % of the rating and "
+        "more than the {limit} that an edge may.",
+        remedy="Even out the pulley, lengthen the transition, or lower the tension.",
+        place=place,
+        binding=False,
+    )
+
+
+def _static(
+    drive: Drive, case: LoadCase, pulley: Pulley, result: AcrossResult, place: Place
+) -> Iterator[Check]:
+    """Check a trough transition at standstill: what the standards look at."""
+    before = pulley.across.before if pulley.across else None
+    if not isinstance(before, Transition):
+        return
+    yield _edge(drive.belt, case, "static_edge_tension", "Edge tension at standstill",
+                result.largest_static_tension, place)  # fmt: skip
+    least = float(np.min(result.static_tension))
+    yield judged(
+        "static_centre_tension",
+        "Centre of the belt at standstill",
+        least,
+        0.0,
+        "force_per_width",
+        Level.FAILS,
+        at_most=False,
+        source="centre not below 0; Goodyear, belt maintenance manual (2010)",
+        short="buckles",
+        says="At standstill the transition leaves {value} in the slackest strip: it buckles.",
+        remedy="Lengthen the transition, or raise the pulley to half the depth of the trough.",
+        place=place,
+        binding=False,
+    )
+    title, belt = "Length of the trough transition", drive.belt
+    if belt.rating is None or belt.kind not in _TRANSITIONS:
+        why = "carcass and rating of the belt are not given"
+        yield not_checked("transition_length", title, why, place)
+        return
+    share = result.wide.arc.entry_tension / (belt.rating * belt.width)
+    yield judged(
+        "transition_length",
+        title,
+        before.length,
+        least_transition(belt, before, share),
+        "length",
+        Level.ATTENTION,
+        at_most=False,
+        source=_TRANSITION_SOURCE,
+        short="transition short",
+        says=f"The transition, {{value}}, is shorter than the {{limit}} that is customary for "
+        f"{belt.kind} at {100.0 * share:.3g} % of its rating.",
+        remedy="Lengthen it, flatten the last troughs, or raise the pulley to half the trough.",
+        place=place,
+        binding=False,
+    )
+
+
+def least_transition(belt: Belt, transition: Transition, share: float) -> float:
+    """Least length of a transition of a belt at a share of its rating [m]."""
+    row = 0 if share > 0.9 else 1 if share > 0.6 else 2
+    table = _TRANSITIONS[belt.kind][row]
+    full = float(np.interp(transition.trough_angle, _ANGLES, table)) * belt.width
+    return full * (0.5 if transition.depth == "half" else 1.0)
+
+
+def _worst_place(
+    drive: Drive, pulley: Pulley, result: AcrossResult, place: Place
+) -> Iterator[Check]:
+    """Check pressure, shear and creep of the strip that comes off worst."""
+    lagging, tested = pulley.lagging, pulley.lagging.law.tested
+    strip = "The strip that comes off worst"
+    even = "Even out the pulley, or choose a larger pulley or less tension."
+    limits = [
+        ("uneven_pressure", "Largest wrap pressure across the width, tested",
+         result.largest_pressure, None if tested is None else tested.pressure_max, "pressure",
+         tests_of(pulley) if tested else "",
+         f"{strip} presses with {{value}}, above the {{limit}} that lagging {lagging.name} was "
+         "tested to.", "pressure above tests"),
+        ("uneven_face_pressure", "Pressure on the pulley face across the width",
+         result.largest_pressure, drive.belt.largest_wrap_pressure, "pressure",
+         origin(drive.belt.source_of("largest_wrap_pressure")),
+         f"{strip} presses on the pulley face with {{value}}, more than the {{limit}} that the "
+         "belt may.", "face pressure"),
+        ("uneven_bond_stress", "Shear stress of the bond across the width",
+         float(np.max(result.peak_shear_stress)), lagging.bond_strength, "pressure",
+         origin(lagging.source_of("bond_strength")),
+         f"{strip} shears lagging and bond with {{value}}, more than the {{limit}} that they bear.",
+         "bond overstressed"),
+        ("uneven_fatigue_stress", "Shear stress of the bond across the width, at every pass",
+         float(np.max(result.peak_shear_stress)), lagging.fatigue_limit, "pressure",
+         origin(lagging.source_of("fatigue_limit")),
+         f"{strip} shears lagging and bond with {{value}} at every pass, more than the fatigue "
+         "limit {limit}.", "lagging tires"),
+        ("uneven_creep", "Creep at exit across the width", abs(result.largest_creep),
+         result.wide.arc.creep_limit, "length", "as for the even belt",
+         f"{strip} creeps {{value}}, more than the limit of {{limit}}.", "over creep limit"),
+    ]  # fmt: skip
+    for name, title, value, limit, dimension, source, says, short in limits:
+        if limit is not None:
+            yield judged(
+                name, title, value, limit, dimension,  # type: ignore[arg-type]
+                Level.ATTENTION, source=source, says=says, remedy=even, short=short, place=place,
+                binding=False,
+            )  # fmt: skip
+    yield from _crown(drive, pulley)
+
+
+def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
+    shell = pulley.across.shell_profile if pulley.across else None
+    if shell is None or shell.crown <= 0.0:
+        return
+    cord = drive.belt.kind == "steel cord"
+    on_diameter = 2.0 * shell.crown
+    yield judged(
+        "crown",
+        "Crown of the pulley, on diameter",
+        on_diameter,
+        0.0 if cord else LARGEST_CROWN * drive.belt.width,
+        "length",
+        Level.ATTENTION,
+        source="at most 1/8 in per foot of width for fabric, none for steel cord; customary",
+        short="crowned too high",
+        says="Steel-cord belts run on pulleys without a crown; this one has {value} on diameter."
+        if cord
+        else "The crown, {value} on diameter, is higher than the customary {limit}.",
+        remedy="Turn the crown off, or train the belt by its idlers.",
+        place=Place(pulley.name),
+        binding=False,
+    )
+
+
+def _wear(result: AcrossResult, place: Place) -> Check:
+    """Say whether uneven wear heals or grows."""
+    depth = result.levelling_depth
+    growing = depth[depth < 0.0]
+    grows = growing.size > 0
+    level = float(np.min(np.abs(growing))) if grows else float(np.max(depth))
+    return Check(
+        name="uneven_wear",
+        title="Uneven wear of the lagging levels itself",
+        level=Level.ATTENTION if grows else Level.OK,
+        short="uneven wear grows" if grows else "",
+        says="Uneven wear grows, as on every pulley that brakes: each {depth} of mean wear makes "
+        "it 2.7 times as large."
+        if grows
+        else "",
+        remedy="Measure the lagging over its width regularly, and dress or renew it in time."
+        if grows
+        else "",
+        more={"depth": (level, "length")},
+        place=place,
+        binding=False,
+    )
