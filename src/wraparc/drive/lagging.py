@@ -161,7 +161,7 @@ class Lagging(Viewable):
         Prices and life, or None.
     fit
         Statistics of the fitted law, or None.
-    blocks
+    block
         Blocks that the compression modulus was estimated from, or None: how it follows a worn
         thickness. It is no part of what makes two laggings equal.
     provenance
@@ -205,7 +205,7 @@ class Lagging(Viewable):
     fatigue_limit: float | None = None
     cost: Cost | None = None
     fit: Fit | None = None
-    blocks: Block | None = field(default=None, compare=False)
+    block: Block | None = field(default=None, compare=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     notes: tuple[str, ...] = ()
@@ -234,13 +234,11 @@ class Lagging(Viewable):
 
         Blocks that are lower bulge less, E_c follows their shape factor; without blocks it stays.
         """
-        if self.blocks is None or not math.isfinite(self.compression_modulus):
+        if self.block is None or not math.isfinite(self.compression_modulus):
             return np.full(thickness.shape, self.compression_modulus)
-        usual = compression_modulus(1.0, self.blocks)
-        heights = np.maximum(self.blocks.height + thickness - self.thickness, 1e-4)
-        shaped = [
-            compression_modulus(1.0, replace(self.blocks, height=h)) for h in heights.tolist()
-        ]
+        usual = compression_modulus(1.0, self.block)
+        heights = np.maximum(self.block.height + thickness - self.thickness, 1e-4)
+        shaped = [compression_modulus(1.0, replace(self.block, height=h)) for h in heights.tolist()]
         return self.compression_modulus * np.array(shaped) / usual
 
     def source_of(self, part: str) -> Provenance:

@@ -120,7 +120,7 @@ def _estimated(
         height = {} if "height" in shape else {"height": record["thickness"]}
         block: Block | None = BLOCK.built(shape, report, **height)
         moduli["compression_modulus"] = compression_modulus(young, block) if block else young
-        moduli["blocks"] = block
+        moduli["block"] = block
         text = _compression_note(block, "E" if basis == "elastic_modulus" else "3 G")
         note("compression_modulus", "block" if "block" in sources else basis, text)
     return moduli
