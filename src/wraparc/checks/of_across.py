@@ -10,6 +10,7 @@ import numpy as np
 from wraparc.across import AcrossResult, AcrossStatus, slack_words
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.of_drive import escaped, judged, not_checked, origin, tests_of
+from wraparc.checks.rules import ACROSS_RULES, tension_factor
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
 
 #: Tension at an edge that a belt may bear over its rating [-].
@@ -44,12 +45,11 @@ def across(drive: Drive, case: LoadCase, result: AcrossResult) -> Iterator[Check
     yield from _worst_place(drive, pulley, result, place)
     yield _wear(result, place)
     yield judged(
-        "across_balance",
+        ACROSS_RULES["across_balance"],
         "Energy balance across the width",
         result.identity_error,
         BALANCE,
         "number",
-        Level.FAULT,
         source="tolerance of the program",
         short="out of balance",
         says="The energy balance across the width misses by {value}, more than {limit}.",
@@ -81,15 +81,14 @@ def _edge(belt: Belt, case: LoadCase, name: str, title: str, value: float, place
     """Check a tension per width against 115 % of the rating, with the factor of the load case."""
     if belt.rating is None:
         return not_checked(name, title, "the rating of the belt is not given", place)
-    factor = EDGE_FACTOR * ((belt.momentary_factor or 1.0) if case.kind != "running" else 1.0)
+    factor = EDGE_FACTOR * tension_factor(belt, case.kind)
     share = 100.0 * value / belt.rating
     return judged(
-        name,
+        ACROSS_RULES[name],
         title,
         value,
         factor * belt.rating,
         "force_per_width",
-        Level.FAILS,
         source=f"{_EDGE}; rating: {origin(belt.sources.get('rating', belt.provenance))}",
         short="edge over rating",
         says=f"The tightest strip of the belt carries {{value}}, {share:.3g} % of the rating and "
@@ -111,13 +110,11 @@ def _static(
                 result.largest_static_tension, place)  # fmt: skip
     least = float(np.min(result.static_tension))
     yield judged(
-        "static_centre_tension",
+        ACROSS_RULES["static_centre_tension"],
         "Centre of the belt at standstill",
         least,
         0.0,
         "force_per_width",
-        Level.FAILS,
-        at_most=False,
         source="centre not below 0; Goodyear, belt maintenance manual (2010)",
         short="buckles",
         says="At standstill the transition leaves {value} in the slackest strip: it buckles.",
@@ -132,13 +129,11 @@ def _static(
         return
     share = result.wide.arc.entry_tension / (belt.rating * belt.width)
     yield judged(
-        "transition_length",
+        ACROSS_RULES["transition_length"],
         title,
         before.length,
         least_transition(belt, before, share),
         "length",
-        Level.ATTENTION,
-        at_most=False,
         source=_TRANSITION_SOURCE,
         short="transition short",
         says=f"The transition, {{value}}, is shorter than the {{limit}} that is customary for "
@@ -192,8 +187,8 @@ def _worst_place(
     for name, title, value, limit, dimension, source, says, short in limits:
         if limit is not None:
             yield judged(
-                name, title, value, limit, dimension,  # type: ignore[arg-type]
-                Level.ATTENTION, source=source, says=says, remedy=even, short=short, place=place,
+                ACROSS_RULES[name], title, value, limit, dimension,  # type: ignore[arg-type]
+                source=source, says=says, remedy=even, short=short, place=place,
                 binding=False,
             )  # fmt: skip
     yield from _crown(drive, pulley)
@@ -206,12 +201,11 @@ def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
     cord = drive.belt.kind == "steel cord"
     on_diameter = 2.0 * shell.crown
     yield judged(
-        "crown",
+        ACROSS_RULES["crown"],
         "Crown of the pulley, on diameter",
         on_diameter,
         0.0 if cord else LARGEST_CROWN * drive.belt.width,
         "length",
-        Level.ATTENTION,
         source="at most 1/8 in per foot of width for fabric, none for steel cord; customary",
         short="crowned too high",
         says="Steel-cord belts run on pulleys without a crown; this one has {value} on diameter."

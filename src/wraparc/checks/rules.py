@@ -74,6 +74,23 @@ RULES = {
         Rule("train_balance", "the balance of the train", Level.FAULT),
     )
 }
+#: The checks of a belt across its width; they bind no slack-side tension.
+ACROSS_RULES = {
+    rule.name: rule
+    for rule in (
+        Rule("edge_tension", "the tension of an edge", Level.FAILS),
+        Rule("static_edge_tension", "the tension of an edge at standstill", Level.FAILS),
+        Rule("static_centre_tension", "the slackest strip at standstill", Level.FAILS, False),
+        Rule("transition_length", "the length of the transition", at_most=False),
+        Rule("uneven_pressure", "the largest wrap pressure tested, across the width"),
+        Rule("uneven_face_pressure", "the pressure on the pulley face, across the width"),
+        Rule("uneven_bond_stress", "the bond strength of the lagging, across the width"),
+        Rule("uneven_fatigue_stress", "the fatigue limit of the lagging, across the width"),
+        Rule("uneven_creep", "the creep limit, across the width"),
+        Rule("crown", "the crown of the pulley"),
+        Rule("across_balance", "the energy balance across the width", Level.FAULT),
+    )
+}
 #: Where gross slip cannot be avoided, whatever its safety factor.
 NO_GRIP = Level.FAILS
 
