@@ -11,7 +11,9 @@ import math
 from abc import ABC, abstractmethod
 from collections import deque
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
+
+import numpy as np
 
 from wraparc.drive import Limit
 from wraparc.schema.limits import limit_problems, raise_all
@@ -67,7 +69,7 @@ class Control(ABC):
     def turning(self, duty: Duty) -> Turning:
         """Return what marches with the steps."""
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """Fall of torque per speed of the drum for small vibrations, -dM/d omega [N m s].
 
         Parameters
@@ -75,7 +77,7 @@ class Control(ABC):
         duty
             The steady state.
         lam
-            Laplace variable, i omega for a vibration [1/s].
+            Laplace variable, i omega for a vibration; a number or an array [1/s].
         """
         raise NotImplementedError
 
@@ -117,7 +119,7 @@ class ExactSpeed(Control):
         """Return what marches."""
         return _Exact(duty, self.rating(duty))
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """Infinite: as stiff as makes no difference."""
         return complex(math.inf)
 
@@ -159,7 +161,7 @@ class Droop(Control):
         stiffness = rating / (self.droop * duty.speed)
         return _Lagging(duty, rating, stiffness, 0.0, self.lag, self.torque_limit)
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """Rated torque over droop, behind the lag."""
         return self.rating(duty) / (self.droop * duty.speed) / (1.0 + lam * self.lag)
 
@@ -200,7 +202,7 @@ class SpeedLoop(Control):
             duty, self.rating(duty), self.gain(duty), self.reset, self.lag, self.torque_limit
         )
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """Gain of both parts, behind the lag."""
         return self.gain(duty) * (1.0 + 1.0 / (lam * self.reset)) / (1.0 + lam * self.lag)
 
@@ -285,7 +287,7 @@ class InductionMotor(Control):
         """Return what marches."""
         return _Mains(duty, self.rating(duty), self)
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """Slope of the curve at the steady torque."""
         slip, top = _slip_at(self, duty.torque / self.rating(duty)), duty.speed
         return self.curve(slip)[1] * self.rating(duty) * (1.0 - slip) / top
@@ -370,7 +372,7 @@ class CoupledMotor(Control):
         """Return what marches."""
         return _Coupled(duty, self.rating(duty), self)
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """Coupling against the pump, whose inertia hangs on the motor."""
         run, w = _Coupled(duty, self.rating(duty), self), duty.speed
         _, by_pump, by_drum = run.through(run.pump, w)
@@ -473,15 +475,15 @@ class Follower(Control):
         """Torque per miss of speed [N m s]."""
         return 0.0 if self.damping is None else self.rating(duty) / (self.damping * duty.speed)
 
-    def behind(self, lam: complex) -> complex:
+    def behind(self, lam: Any) -> Any:
         """F: torque over the master's torque, without the ratio."""
-        return complex(math.e) ** (-lam * self.dead_time) / (1.0 + lam * self.lag)
+        return np.exp(-lam * self.dead_time) / (1.0 + lam * self.lag)
 
     def turning(self, duty: Duty) -> Turning:
         """Return what marches."""
         return _Following(duty, self.rating(duty), self)
 
-    def yielding(self, duty: Duty, lam: complex) -> complex:
+    def yielding(self, duty: Duty, lam: Any) -> Any:
         """The speed feedback alone."""
         return complex(self.speed_gain(duty))
 
