@@ -31,9 +31,9 @@ class Block:
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
-        "width": Limit("length", least=1e-4),
-        "height": Limit("length", least=1e-4),
-        "stiffening": Limit("number"),
+        "width": Limit("length", least=1e-4, most=10.0),
+        "height": Limit("length", least=1e-4, most=1.0),
+        "stiffening": Limit("number", most=10.0),
         "contact_fraction": Limit("number", least=0.01, most=1.0),
     }
 

@@ -11,8 +11,9 @@ another piece, it is cut at the boundary (:mod:`wraparc.arc.kernel.cut`).
 
 from __future__ import annotations
 
-from math import exp, inf, log
+from math import exp, inf, nan
 
+from wraparc.arc.kernel.creep_step import cell_step, creep_step, slip_at_entry
 from wraparc.arc.kernel.cut import (
     LOWER_EDGE,
     NEXT_BRANCH,
@@ -30,19 +31,39 @@ from wraparc.friction.compact import (
     KNOTS,
     LIMIT,
     PIECES,
-    SMALLEST,
     TABLE,
     CompactLaw,
     branch_of,
     friction_at,
-    peak,
     segment_of,
 )
 
 FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each step starts
+LANDINGS = 40  # attempts to land on a boundary
 MOST_CUTS = 200  # of a mesh step
 WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is like this
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
+
+
+def _stride(
+    steep: bool,
+    law: CompactLaw,
+    par: Parameters,
+    g: float,
+    segment: int,
+    branch: int,
+    sign: float,
+    q: float,
+    x: float,
+    span: float,
+    xi: float,
+    h: float,
+    k: tuple[float, float, float],
+) -> tuple[float, float, float]:
+    """`step`, or `creep_step` in a steep cell of a table."""
+    if steep:
+        return creep_step(law, par, g, sign, q, x, span, xi, h)
+    return step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
 
 
 def advance(  # noqa: C901 - one loop over steps and cuts
@@ -74,19 +95,24 @@ def advance(  # noqa: C901 - one loop over steps and cuts
         dq = abs(k[0]) * jacobian
         if dq * h > LARGEST_LOG_STEP:
             h = LARGEST_LOG_STEP / dq
+        most = nan
         if law.kind == TABLE:
+            most = cell_step(law, par, g, segment, branch, sign, q, x)
             # a cubic is not to be trusted far outside its cell
             cell = law.slips[branch + 1] - law.slips[branch] if branch < len(law.slips) - 1 else inf
             if abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi**MESH_POWER) > cell:
                 reach = xi**MESH_POWER + cell / (abs(k[1]) * span)
                 h = reach ** (1.0 / MESH_POWER) - xi
-        q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
+            if span * ((xi + h) ** MESH_POWER - xi**MESH_POWER) > most:
+                h = (xi**MESH_POWER + most / span) ** (1.0 / MESH_POWER) - xi
+        steep = most == most
+        q1, x1, w1 = _stride(steep, law, par, g, segment, branch, sign, q, x, span, xi, h, k)
         tries = 0
         while not (abs(q1 - q) < WILD_LOG_STEP and abs(x1) < WILD_SLIP) and tries < 40:
             # a piece of a table continued far outside its cell knows no bounds
             tries += 1
             h *= 0.25
-            q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
+            q1, x1, w1 = _stride(steep, law, par, g, segment, branch, sign, q, x, span, xi, h, k)
         if tries == 40:
             break
         if not cut:
@@ -112,16 +138,21 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             if f > 0.0:
                 tolerance = cut_tolerance(law, segment, side)
                 f_last, gap_last = 0.0, beyond(law, par, segment, branch, side, q, sign * x)
-                for _ in range(4):
-                    # land on the boundary: the cubic misses it a little, secant steps do not
-                    q1, x1, w1 = step(law, par, g, segment, branch, sign, q, x, span, xi, h * f, k)
+                low, high = 0.0, 1.0
+                for tries in range(LANDINGS):
+                    # land on the boundary: the cubic misses it a little, secant steps do not;
+                    # where the law bends within the step, halving brings them back
+                    q1, x1, w1 = _stride(
+                        steep, law, par, g, segment, branch, sign, q, x, span, xi, h * f, k
+                    )
                     gap = beyond(law, par, segment, branch, side, q1, sign * x1)
-                    if abs(gap) < tolerance or gap == gap_last:
+                    if abs(gap) < tolerance or gap == gap_last or tries == LANDINGS - 1:
                         break
+                    low, high = (low, f) if gap > 0.0 else (f, high)
                     f_next = f - gap * (f - f_last) / (gap - gap_last)
                     f_last, gap_last = f, gap
-                    if not 0.0 < f_next <= 1.0:
-                        break
+                    if not low < f_next < high or tries > 3:
+                        f_next = 0.5 * (low + high)
                     f = f_next
                 q, x = q1, x1
                 h *= f
@@ -167,35 +198,6 @@ def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[fl
     mu, _, _ = friction_at(law, segment, branch, sign * x, p)
     tau = sign * mu * p
     return tau, x + par.shear * tau
-
-
-def slip_at_entry(law: CompactLaw, par: Parameters, creep: float, q: float) -> float:
-    """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
-    p = pressure_at(par, q)
-    shear = par.shear
-    segment = segment_of(law, p)
-    low, high = 0.0, creep
-    x = creep
-    if law.kind in (KNOTS, PIECES):
-        slip_pk, mu_pk, _, _ = peak(law, segment, p)
-        r = min(creep / slip_pk, 1.0)
-        x = creep / (1.0 + shear * p * mu_pk / slip_pk * (1.0 - log(max(r, SMALLEST))))
-    for _ in range(200):
-        branch = branch_of(law, segment, x, p)
-        mu, mu_x, _ = friction_at(law, segment, branch, x, p)
-        f = x + shear * mu * p - creep
-        if f > 0.0:
-            high = x
-        else:
-            low = x
-        dx = f / (1.0 + shear * p * mu_x)
-        x_new = x - dx
-        if not low < x_new < high:
-            x_new = 0.5 * (low + high)
-        if abs(x_new - x) <= 1e-15 * x:
-            return x_new
-        x = x_new
-    return x
 
 
 def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) -> State:

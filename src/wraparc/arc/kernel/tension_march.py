@@ -17,7 +17,7 @@ from __future__ import annotations
 from math import exp, log
 
 from wraparc.arc.kernel.butcher import to_end, to_fifth, to_fourth, to_last, to_second, to_sixth
-from wraparc.arc.kernel.march import slip_at_entry
+from wraparc.arc.kernel.creep_step import slip_at_entry
 from wraparc.arc.kernel.quantities import LOST, RECORD, SOLVED, Buffer, Parameters
 from wraparc.arc.kernel.step import hermite, rates
 from wraparc.arc.kernel.tension_table import FIRST, NODE, PART, STEP, extend, fill

@@ -1,0 +1,164 @@
+"""A step of a measured table where friction steps up within a few hundredths of a millimetre.
+
+There slip all but stops while the lagging shears, and the equation of slip is stiff: every stage
+of a step that continues a piece of the table beyond its cell runs away. The creep u = x + c tau
+grows smoothly whatever the table, du/ds = g + (T1 - T) C, so it is the state here; the slip that
+belongs to a creep is solved for at every stage.
+"""
+
+from __future__ import annotations
+
+from math import inf, log, nan
+
+from wraparc.arc.kernel.butcher import (
+    to_end,
+    to_fifth,
+    to_fourth,
+    to_last,
+    to_second,
+    to_sixth,
+    to_third,
+)
+from wraparc.arc.kernel.quantities import Parameters
+from wraparc.arc.kernel.step import MESH_POWER, pressure_at
+from wraparc.friction.compact import (
+    KNOTS,
+    PIECES,
+    SMALLEST,
+    CompactLaw,
+    branch_of,
+    friction_at,
+    peak,
+    segment_of,
+)
+
+STEEP = 0.5  # shear of the lagging over slip in a cell of a table, beyond which it is steep
+CELL_PARTS = 3.0  # steps in a steep cell, the more the more of its creep is shear of the lagging
+
+
+def slip_at_entry(law: CompactLaw, par: Parameters, creep: float, q: float) -> float:
+    """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
+    p = pressure_at(par, q)
+    shear = par.shear
+    segment = segment_of(law, p)
+    low, high = 0.0, creep
+    x = creep
+    if law.kind in (KNOTS, PIECES):
+        slip_pk, mu_pk, _, _ = peak(law, segment, p)
+        r = min(creep / slip_pk, 1.0)
+        x = creep / (1.0 + shear * p * mu_pk / slip_pk * (1.0 - log(max(r, SMALLEST))))
+    for _ in range(200):
+        branch = branch_of(law, segment, x, p)
+        mu, mu_x, _ = friction_at(law, segment, branch, x, p)
+        f = x + shear * mu * p - creep
+        if f > 0.0:
+            high = x
+        else:
+            low = x
+        dx = f / (1.0 + shear * p * mu_x)
+        x_new = x - dx
+        if abs(dx) <= 1e-15 * x:
+            return x_new
+        if not low < x_new < high:
+            x_new = 0.5 * (low + high)
+        if abs(x_new - x) <= 1e-15 * x:
+            return x_new
+        x = x_new
+    return x
+
+
+def creep_step(
+    law: CompactLaw,
+    par: Parameters,
+    g: float,
+    sign: float,
+    q: float,
+    x: float,
+    span: float,
+    xi: float,
+    h: float,
+) -> tuple[float, float, float]:
+    """`wraparc.arc.kernel.step.step` with creep as the state, and the table as it is throughout."""
+    f = MESH_POWER * span
+    z = xi**3 * f * h
+    p = pressure_at(par, q)
+    segment = segment_of(law, p)
+    mu, _, _ = friction_at(law, segment, branch_of(law, segment, sign * x, p), sign * x, p)
+    tau = sign * mu * p
+    u = x + par.shear * tau
+    a1, b1, w1 = _creep_rates(law, par, g, z, q, u)
+    z3 = (xi + h / 3.0) ** 3 * f * h
+    a2, b2, _ = _creep_rates(law, par, g, z3, q + to_second(a1), u + to_second(b1))
+    z = (xi + h * 2.0 / 3.0) ** 3 * f * h
+    a3, b3, w3 = _creep_rates(law, par, g, z, q + to_third(a2), u + to_third(b2))
+    q4, u4 = q + to_fourth(a1, a2, a3), u + to_fourth(b1, b2, b3)
+    a4, b4, w4 = _creep_rates(law, par, g, z3, q4, u4)
+    z = (xi + 0.5 * h) ** 3 * f * h
+    q5, u5 = q + to_fifth(a1, a2, a3, a4), u + to_fifth(b1, b2, b3, b4)
+    a5, b5, w5 = _creep_rates(law, par, g, z, q5, u5)
+    q6, u6 = q + to_sixth(a2, a3, a4, a5), u + to_sixth(b2, b3, b4, b5)
+    a6, b6, w6 = _creep_rates(law, par, g, z, q6, u6)
+    z = (xi + h) ** 3 * f * h
+    q7, u7 = q + to_last(a1, a2, a3, a4, a6), u + to_last(b1, b2, b3, b4, b6)
+    a7, b7, w7 = _creep_rates(law, par, g, z, q7, u7)
+    q_end, u_end = q + to_end(a1, a3, a4, a5, a6, a7), u + to_end(b1, b3, b4, b5, b6, b7)
+    x_end = slip_at_entry(law, par, abs(u_end), q_end)
+    x_end = x_end if u_end > 0.0 else -x_end
+    # work on the creep, less what the shear of the lagging has taken up: tau dx = tau (du - c dtau)
+    tau_end = _stress_of_creep(law, par, q_end, u_end)
+    stored = 0.5 * par.shear * (tau_end**2 - tau**2)
+    return q_end, x_end, to_end(w1, w3, w4, w5, w6, w7) - stored
+
+
+def _stress_of_creep(law: CompactLaw, par: Parameters, q: float, u: float) -> float:
+    """Shear stress that belongs to a creep [Pa]."""
+    size = abs(u)
+    x = slip_at_entry(law, par, size, q)
+    if size - x > 1e-6 * size:  # else the difference has lost its digits, and the law is not steep
+        tau = (size - x) / par.shear
+    else:
+        p = pressure_at(par, q)
+        segment = segment_of(law, p)
+        tau = p * friction_at(law, segment, branch_of(law, segment, x, p), x, p)[0]
+    return tau if u > 0.0 else -tau
+
+
+def _creep_rates(
+    law: CompactLaw, par: Parameters, g: float, z: float, q: float, u: float
+) -> tuple[float, float, float]:
+    """Changes of q, creep u and tau du over z of the arc."""
+    p = pressure_at(par, q)
+    tau = _stress_of_creep(law, par, q, u)
+    du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z
+    return -tau / (p * par.radius) * z, du, tau * du
+
+
+def cell_step(
+    law: CompactLaw,
+    par: Parameters,
+    g: float,
+    segment: int,
+    branch: int,
+    sign: float,
+    q: float,
+    x: float,
+) -> float:
+    """Longest step in a steep cell of a measured table [m], nan where the cell is not steep."""
+    if branch >= len(law.slips) - 1:
+        return nan
+    low, high = law.slips[branch], law.slips[branch + 1]
+    p = pressure_at(par, q)
+    change = friction_at(law, segment, branch, high, p)[0]
+    change -= friction_at(law, segment, branch, low, p)[0]
+    shear = par.shear * p * abs(change) / (high - low)
+    if shear < STEEP or law.coefficients[0] > 0.0:
+        return nan
+    first = low + par.shear * p * friction_at(law, segment, branch, low, p)[0]
+    last = high + par.shear * p * friction_at(law, segment, branch, high, p)[0]
+    here = sign * x + par.shear * p * friction_at(law, segment, branch, sign * x, p)[0]
+    rate = sign * (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance)
+    if rate == 0.0:
+        return inf
+    part = abs(last - first) / (1.0 + CELL_PARTS * min(shear, 6.0))
+    left = last - here if rate > 0.0 else here - first
+    return min(part, max(1.02 * left, 0.0) + 0.01 * part) / abs(rate)
