@@ -250,3 +250,23 @@ def test_no_map_of_an_even_drive(tmp_path: Path) -> None:
     ran = wraparc("solve", EXAMPLES / "head-drive-fabric.toml", "--map", tmp_path / "map.svg")
     assert ran.code == 2
     assert "no pulley of this drive is uneven across its width" in ran.err
+
+
+def test_what_if_compares_across_the_width() -> None:
+    ran = wraparc(
+        *("what-if", CORD, "--change", "pulley.head.across.build_up=[]"),
+        *("--thickness", "20 mm", "--json", "-"),
+    )
+    before, thick, clean = (r["across"] for r in ran.json["results"])
+    assert clean["entry_unevenness"] < thick["entry_unevenness"] < before["entry_unevenness"]
+    assert clean["largest_running_tension"] < before["largest_running_tension"]
+
+
+def test_the_note_has_a_section(tmp_path: Path) -> None:
+    path = tmp_path / "note.md"
+    ran = wraparc("report", FABRIC, "--set", *FEW, "--output", path)
+    assert ran.code == 0, ran.err
+    text = path.read_text("utf-8")
+    assert "Across the width" in text
+    assert "Share of each defect" in text
+    assert "cut into strips" in text

@@ -11,7 +11,7 @@ import numpy as np
 from wraparc.across.spans import shear_lengths
 from wraparc.across.wide_arc import Array, WideArc, centres, wave_numbers
 from wraparc.arc import WrapArc
-from wraparc.friction import Constant, FrictionLaw, IntegralLog, PressureKnots, TestedRange
+from wraparc.friction import Constant, IntegralLog, PressureKnots, TestedRange
 
 RANGE = TestedRange(pressure_min=34e3, pressure_max=690e3, slip_max=15e-3)
 RUBBER = IntegralLog(
@@ -99,8 +99,3 @@ def crown(height: float, strips: int) -> Array:
     y = centres(1.0, strips)
     shape: Array = height * (1.0 - 4.0 * y**2)
     return shape
-
-
-def law_free_of_slip(mu: float) -> FrictionLaw:
-    """Constant friction."""
-    return Constant(friction_coefficient=mu)

@@ -1,6 +1,7 @@
 """Across the width: uneven tension, worn and crowned pulleys, and what wear makes of them."""
 
 from wraparc.across.build import Stiffness, in_plane_stiffness, wide_arc
+from wraparc.across.measured import READINGS, MeasuredProfile, read_profile, within
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.screening import DefectShare, Screening, screen
@@ -11,11 +12,13 @@ from wraparc.across.wide_arc import WideArc
 
 __all__ = [
     "CAUSES",
+    "READINGS",
     "AcrossResult",
     "AcrossSolver",
     "AcrossStatus",
     "DefectShare",
     "Fields",
+    "MeasuredProfile",
     "ModeResponse",
     "Screening",
     "Slack",
@@ -26,9 +29,11 @@ __all__ = [
     "in_plane_stiffness",
     "march_wear",
     "mode_response",
+    "read_profile",
     "screen",
     "slack_words",
     "solve_across",
     "uneven_pulleys",
     "wide_arc",
+    "within",
 ]

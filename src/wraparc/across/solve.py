@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from weakref import WeakKeyDictionary
+from dataclasses import dataclass, field
+from functools import lru_cache
 
 from wraparc.across.build import wide_arc
 from wraparc.across.result import AcrossResult, AcrossStatus
 from wraparc.across.solver import AcrossSolver
-from wraparc.arc import DriveResult
-from wraparc.drive import Drive, Pulley
+from wraparc.arc import DriveResult, WrapArc
+from wraparc.drive import Across, Drive, LoadCase, Pulley
 from wraparc.errors import BreakawayError, ConvergenceError, SlackBeltError
 from wraparc.units import display
 
@@ -63,23 +64,46 @@ def solve_across(
     return result
 
 
-_solved: WeakKeyDictionary[DriveResult, tuple[AcrossResult, ...]] = WeakKeyDictionary()
+@dataclass(frozen=True)
+class _Task:
+    """One uneven pulley in one load case, known by what its answer depends on."""
+
+    arc: WrapArc
+    across: Across
+    carcass: str
+    stiffness: float | None
+    drive: Drive = field(compare=False)
+    pulley: Pulley = field(compare=False)
+    case: LoadCase = field(compare=False)
+
+
+@lru_cache(maxsize=64)
+def _solved(task: _Task) -> AcrossResult:
+    return AcrossSolver().solve(wide_arc(task.drive, task.pulley, task.case))
 
 
 def across_of(result: DriveResult) -> tuple[AcrossResult, ...]:
     """Return every pulley of a solved drive that says what is uneven, in every load case.
 
-    Failures are results too. The same result is solved across once, however often it is asked.
+    Failures are results too. What was solved lately is not solved again.
     """
-    if result not in _solved:
-        drive, solver = result.drive, AcrossSolver()
-        _solved[result] = tuple(
-            solver.solve(wide_arc(drive, pulley, case))
-            for case in drive.load_cases
-            for pulley in drive.pulleys
-            if pulley.across is not None
+    drive, belt = result.drive, result.drive.belt
+    return tuple(
+        _solved(
+            _Task(
+                WrapArc.of(drive, pulley, case),
+                pulley.across,
+                belt.kind,
+                belt.in_plane_shear_stiffness,
+                drive,
+                pulley,
+                case,
+            )
         )
-    return _solved[result]
+        for case in drive.load_cases
+        for pulley in drive.pulleys
+        if pulley.across is not None
+    )
 
 
 def uneven_pulleys(drive: Drive) -> tuple[Pulley, ...]:

@@ -43,6 +43,9 @@ COMMANDS: dict[str, Command] = {
     "what-if": Command(
         "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
     ),
+    "profile": Command(
+        "wraparc.cli.profile:profile", "Read a profile measured over the face of a pulley."
+    ),
     "family": Command(
         "wraparc.cli.family:family", "Show creep along the wrap for a family of tension ratios."
     ),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -161,6 +162,41 @@ def shares_table(drive: Drive, result: AcrossResult, system: System) -> Table:
         )
     heads = ("entry tension, up to", "wear, up to")
     return Table("Share of each defect", tuple(rows), heads, note)
+
+
+#: What is compared of a belt across its width.
+_COMPARED = (
+    "largest_running_tension",
+    "least_tension",
+    "entry_unevenness",
+    "exit_unevenness",
+    "energy_unevenness",
+    "largest_creep",
+)
+
+
+def compared_table(
+    results: Sequence[DriveResult], heads: tuple[str, ...], system: System
+) -> Table | None:
+    """Return what becomes of a belt across its width in several drives of one uneven pulley.
+
+    None where all of them are even; a drive that is even beside others has no numbers.
+    """
+    found = [next(iter(across_of(result)), None) for result in results]
+    if not any(found):
+        return None
+
+    def value(result: AcrossResult | None, name: str) -> float:
+        if result is None or result.status is not AcrossStatus.SOLVED:
+            return math.nan
+        return float(getattr(result, name))
+
+    words = tuple(
+        "even" if r is None else r.status.name.lower().replace("solved", "carried") for r in found
+    )
+    rows = [Row("Belt across its width", words)]
+    rows += [row_of(name, *(value(r, name) for r in found), system=system) for name in _COMPARED]
+    return Table("Across the width", tuple(rows), heads)
 
 
 def across_data(result: AcrossResult) -> dict[str, Any]:

@@ -4,7 +4,7 @@ Sheets, notes, workbooks and JSON show this one list.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -140,6 +140,10 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure")
     yield own("Momentary tension over rating", belt.momentary_factor, "number", "momentary_factor")
     yield _named(group, "belt_speed", belt.speed, origin("speed"))
+    shear = belt.in_plane_shear_stiffness
+    if shear is not None:
+        origin_of = origin("in_plane_shear_stiffness")
+        yield _named(group, "in_plane_shear_stiffness", shear, origin_of)
 
 
 def _pulley(
@@ -166,6 +170,26 @@ def _pulley(
     conditions = (lagging.condition for lagging in pulley.conditions or (pulley.lagging,))
     lagging, title = f"{pulley.lagging.name} ({', '.join(conditions)})", pulley.lagging.title
     yield Input(group, "Lagging", lagging, origin=origin("lagging"), remark=title)
+    yield from _across(pulley, origin)
+
+
+def _across(pulley: Pulley, origin: Callable[[str], Provenance]) -> Iterator[Input]:
+    """Yield what is uneven across the width of a pulley."""
+    across, group = pulley.across, f"Pulley {pulley.name}"
+    if across is None:
+        return
+    for key, profile in across.profiles().items():
+        title = key.replace("_", " ").capitalize()
+        dimension: Dimension = "force_per_width" if key == "entry_profile" else "length"
+        rows = f"largest less least of {len(profile.position)} places"
+        size = max(profile.value) - min(profile.value) if profile.value else profile.crown
+        remark = rows if profile.value else "crown, on radius"
+        yield Input(group, title, size, dimension, "", origin("across"), remark)
+    if across.misalignment:
+        skew = 1e3 * across.misalignment
+        yield Input(group, "Misalignment", f"{skew:g} mm/m", origin=origin("across"))
+    if across.deflection:
+        yield Input(group, "Shaft deflection", across.deflection, "length", "", origin("across"))
 
 
 def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterator[Input]:

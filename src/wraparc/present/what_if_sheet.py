@@ -4,11 +4,13 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from wraparc.across import across_of
 from wraparc.arc import ArcResult, WrapArc
 from wraparc.checks import Level, judge
 from wraparc.choose.what_if import Change, WhatIf
 from wraparc.drive import Drive
 from wraparc.glossary import GLOSSARY
+from wraparc.present.across_tables import across_data, compared_table
 from wraparc.present.least_tension import shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
 from wraparc.present.words import alone, level_of
@@ -54,6 +56,9 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     ]
     least = tuple(shown_least(alone(d, r), system) for d, r in zip(drives, results, strict=True))
     rows.append(Row("Least slack-side tension", least, note="every binding check kept"))
+    across = compared_table(
+        [alone(d, r) for d, r in zip(drives, results, strict=True)], heads, system
+    )
     sentences = []
     for change, after in zip(found.changes, found.after, strict=True):
         told = (*_missed(found, change, after, system), *reasons(found.before, after, system))
@@ -64,7 +69,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         verdict=Verdict(
             level(found.drive, found.before), _headline(found, system), tuple(sentences)
         ),
-        tables=(Table("Before and after", tuple(rows), heads),),
+        tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
     )
 
@@ -232,6 +237,9 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
     """Return the results before and after as plain data [SI] for JSON."""
     results = (found.before, *found.after)
     titles = ("before", *(c.title for c in found.changes))
+    drives = (found.drive, *(c.drive for c in found.changes))
+    judged = [alone(d, r) for d, r in zip(drives, results, strict=True)]
+    uneven = [next(iter(across_of(one)), None) for one in judged]
     return {
         "format": 1,
         "pulley": found.pulley,
@@ -242,7 +250,8 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
                 "status": r.status.name.lower(),
                 **{name: _value(r, name) for name in _SHOWN},
                 "reasons": [] if r is found.before else list(reasons(found.before, r)),
+                **({"across": across_data(a)} if a is not None else {}),
             }
-            for title, r in zip(titles, results, strict=True)
+            for title, r, a in zip(titles, results, uneven, strict=True)
         ],
     }

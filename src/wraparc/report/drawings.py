@@ -3,7 +3,9 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from wraparc.across import AcrossResult
 from wraparc.arc import ArcResult
+from wraparc.plot.across import plot_across
 from wraparc.plot.drive import plot_budget, plot_profiles, plot_pulley
 from wraparc.plot.picture import Picture
 from wraparc.present.arc_tables import METHOD_TITLES, belongs, creep_part
@@ -88,3 +90,18 @@ def profile_drawing(results: Sequence[ArcResult], system: System) -> Drawing:
     if len(results) > 1:
         caption += " Thin and black: the paper's march."
     return Drawing(lambda: plot_profiles(results, system), caption, alt)
+
+
+def across_drawing(result: AcrossResult, system: System) -> Drawing:
+    """Return the map of the shear stress over wrap and width, lagging and tension beside."""
+    arc, y = result.wide.arc, result.position
+    worst = named("across_position", float(y[int(result.frictional_energy.argmax())]), system)
+    tight = named("across_position", float(y[int(result.entry_tension.argmax())]), system)
+    alt = (
+        f"Map of the shear stress of pulley {arc.pulley} over wrap angle and width, the profile of "
+        f"the pulley and the tension over the width beside it. The entry tension is largest at "
+        f"{tight} from the middle, {result.entry_unevenness:.3g} of its mean; the lagging wears "
+        f"fastest at {worst}, {result.energy_unevenness:.3g} of its mean."
+    )
+    caption = f"Across the width, pulley {arc.pulley}, load case {arc.load_case}."
+    return Drawing(lambda: plot_across(result, system), caption, alt)

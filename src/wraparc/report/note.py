@@ -28,7 +28,13 @@ from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, perc
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import level_of, short, verdict
-from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pulley_drawing
+from wraparc.report.drawings import (
+    Drawing,
+    across_drawing,
+    budget_drawing,
+    profile_drawing,
+    pulley_drawing,
+)
 from wraparc.report.equations import equations
 from wraparc.units import System, display_unit
 from wraparc.version import __version__
@@ -176,6 +182,7 @@ def make_note(
         Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
         _results_section(results, system, train),
         *details,
+        *_across_sections(first, system),
         inputs,
         assumed,
         _equation_section(results, train),
@@ -321,12 +328,32 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
 
 
+def _across_sections(result: DriveResult, system: System) -> Iterator[Section]:
+    """The belt across its width, where a pulley says what is uneven."""
+    if not any(pulley.across for pulley in result.drive.pulleys):
+        return
+    from wraparc.across import across_of
+    from wraparc.present.across_tables import across_tables
+
+    worst = max(across_of(result), key=lambda r: r.entry_unevenness)
+    yield Section(
+        "Across the width",
+        tables=tuple(across_tables(result, system)),
+        drawings=(across_drawing(worst, system),),
+    )
+
+
 def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") -> Iterator[str]:
     drive = results[0].drive
     yield (
         "Steady running; tension and pressure uniform over the width of the belt; weight, bending "
         "and centrifugal force of the belt left out; diameters over the unloaded lagging."
     )
+    if any(pulley.across for pulley in drive.pulleys):
+        yield (
+            "Across the width alone they are not uniform: the belt is cut into strips that its "
+            "in-plane shear couples, the spans are membranes held to their track."
+        )
     yield (
         "The friction law depends on slip and pressure, not on speed, temperature or time; it is "
         f"that of the condition named ({_conditions(drive.laggings)})."
