@@ -21,6 +21,7 @@ import wraparc
 
 ROOT = Path(wraparc.__file__).parent
 FACADE = "wraparc"
+REPOSITORY = Path(__file__).parent.parent
 
 # Lowest first; where a floor is a stair, one step a line.
 FLOORS: tuple[tuple[str, ...], ...] = (
@@ -264,3 +265,19 @@ def test_every_room_imports_with_every_extra_absent() -> None:
     names = [name for name in names if name not in OPTIONAL_MODULES]
     block = f"import sys\nsys.modules.update(dict.fromkeys({EXTRAS!r}))\n"
     assert "wraparc" in loaded_by(block + "\n".join(f"import {name}" for name in names))
+
+
+def test_the_map_of_contributors_shows_every_floor() -> None:
+    text = (REPOSITORY / "CONTRIBUTING.md").read_text("utf-8")
+    rows = re.findall(r"^\| (\d+) \| ([^|]+) \|", text, re.MULTILINE)
+    assert [int(number) for number, _ in rows] == list(range(len(FLOORS)))
+    assert tuple(tuple(re.findall(r"`(\w+)`", rooms)) for _, rooms in rows) == FLOORS
+
+
+def test_every_place_of_the_map_is_there() -> None:
+    text = (REPOSITORY / "CONTRIBUTING.md").read_text("utf-8")
+    places = text.split("### Where is what")[1].split("\n## ")[0]
+    names = re.findall(r"`([a-z_]+/[a-z_/]+(?:\.py)?)`", places)
+    assert len(names) >= 20
+    for name in names:
+        assert ((REPOSITORY if name.startswith("tests/") else ROOT) / name).exists(), name

@@ -1,1 +1,1 @@
-"""Many solves: batches, sampling, choice of designs, calibration."""
+"""Many variants of one drive: grids, draws, sensitivities; solved in parts that are kept."""
