@@ -58,7 +58,7 @@ def used(visitor: Visitor, name: str) -> Page:
         page.get_by_role("button", name="Fit the lagging").click()
         page.get_by_role("button", name="Use it in the drive at once").wait_for()
     elif name == "train":
-        page.wait_for_selector("#train .tables table")
+        page.wait_for_selector("#train .tables table:visible")
     elif name == "saved" and page.locator("#saved tbody tr").count() == 0:
         page.get_by_label("Note on this version").fill("as tendered")
         page.get_by_role("button", name="Save as a new design").click()
