@@ -10,7 +10,21 @@ import pytest
 from cli.running import wraparc
 from wraparc import InputError
 from wraparc.across import read_profile, within
+from wraparc.files import drive_from_text
 
+PLAIN = """
+format = 1
+[belt]
+preset = "Plylon Plus 1000/4"
+width = "48 in"
+[[pulley]]
+name = "head"
+diameter = "800 mm"
+wrap_angle = "180 deg"
+lagging = "diamond-rubber"
+entry_tension = "150 kN"
+exit_tension = "60 kN"
+"""
 Y = np.linspace(-22.0, 22.0, 12)  # inches
 
 
@@ -96,5 +110,8 @@ def test_the_command_prints_rows_for_a_drive_file(tmp_path: Path) -> None:
     ran = wraparc("profile", file, "--unit", "in", "--width", "40 in")
     assert ran.code == 0, ran.err
     assert "smoothed by a polynomial of order" in ran.out
-    assert "[pulley.across]" in ran.out
-    assert "worn_depth" in ran.out
+    drive = drive_from_text(f"{PLAIN}\n{ran.out}")
+    across = drive.pulleys[0].across
+    assert across is not None
+    assert across.worn_depth is not None
+    assert across.worn_depth.value[12] == pytest.approx(0.1 * 0.0254, rel=0.02)

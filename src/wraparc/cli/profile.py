@@ -1,5 +1,7 @@
 """``wraparc profile``: readings over the face of a pulley as rows of a drive file."""
 
+from typing import Any
+
 import click
 
 from wraparc.cli.options import units_option
@@ -49,11 +51,17 @@ def profile(
     else:
         click.echo("# too few to be smoothed: taken as they are")
     kind = next(e.kind for e in ACROSS.entries if e.key == found.key)
+    click.echo(_table(found.key, kind.written(rows)), nl=False)
+    return 0
+
+
+def _table(key: str, written: Any) -> str:
+    """Return a profile as it stands in a drive file, below its pulley."""
     from wraparc.schema.emit import document_text
 
-    click.echo("[pulley.across]")
-    click.echo(document_text({found.key: kind.written(rows)}, ACROSS), nl=False)
-    return 0
+    if isinstance(written, dict):
+        return f"[pulley.across.{key}]\n{document_text(written)}"
+    return f"[pulley.across]\n{document_text({key: written})}"
 
 
 def _pair(text: str) -> tuple[str | int, str | int]:

@@ -30,7 +30,7 @@ _OF_LAGGING = ("thickness", "shear_modulus", "compression_modulus", "elastic_mod
 _ADVANCED = {
     "sources", "provenance", "kind", "least_pulley_diameter", "rating", "condition", "overrun",
     "momentary_factor", "largest_wrap_pressure", "bond_strength", "fatigue_limit",
-    "recovery", "description", "format", "belt_path",
+    "recovery", "description", "format", "belt_path", "in_plane_shear_stiffness", "across",
 }  # fmt: skip
 #: Ends of sliders [SI], and whether they go by factors.
 _SLIDERS: dict[str, tuple[float, float, bool]] = {
