@@ -1,6 +1,5 @@
 """``wraparc trim``: how exactly the drives on one belt must be matched."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -9,11 +8,11 @@ import click
 from wraparc.arc import Distributed
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
-from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.file import load_train
+from wraparc.train.matching import wet_laggings
 from wraparc.units import System, display, parse_quantity
 
 SOLVED = 0
@@ -80,7 +79,13 @@ def trim(
     _check_case(train, load_case, file)
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
     matching = match_drives(
-        result, load_case, drive=drive, wear=depth, laggings=_wet(train), span=ends, points=points
+        result,
+        load_case,
+        drive=drive,
+        wear=depth,
+        laggings=wet_laggings(train),
+        span=ends,
+        points=points,
     )
     over_load = _map(result, load_case, drive, matching) if with_map else None
     files: dict[str, Content] = {}
@@ -161,21 +166,6 @@ def _wear(text: str, train: Train) -> float:
 
 def _trim(text: str) -> float:
     return _quantity("--span", text, "number")
-
-
-def _wet(train: Train) -> Mapping[str, Lagging]:
-    """Laggings of the pulleys when wet, by the design values of DIN 22101 where it has some."""
-    from wraparc.drive.conditions import Condition
-
-    wet = Condition(name="wet", standard="DIN 22101")
-    found = {}
-    for pulley in train.pulleys:
-        if pulley.lagging.condition != wet.name and pulley.lagging.surface:
-            try:
-                found[pulley.name] = wet.lagging(pulley.lagging)
-            except InputError:  # the standard says nothing about this surface
-                continue
-    return found
 
 
 def _map(result: TrainResult, load_case: str, drive: int, matching: Matching) -> ShareMap:

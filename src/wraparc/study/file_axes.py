@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, fields
 from typing import Any
 
 import numpy as np
@@ -16,31 +17,16 @@ from wraparc.schema.overrides import parse_path
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
-from wraparc.study.distributions import Distribution, Lognormal, Normal, Triangular, Uniform
+from wraparc.study.distributions import Distribution
 from wraparc.study.fields import FACTOR, canonical, kind_of
 from wraparc.study.fitted import DrawnFit
-from wraparc.study.keys import DISTRIBUTIONS
+from wraparc.study.keys import DISTRIBUTIONS, NUMBERS
 from wraparc.study.parameter_study import Condition
 from wraparc.study.plan import DrawnField, Levels
 from wraparc.study.source import Field
 
-#: Keys of the distributions by the names that the code has for them.
-_ARGUMENTS = {
-    "from": "low",
-    "to": "high",
-    "mode": "mode",
-    "mean": "mean",
-    "standard_deviation": "standard_deviation",
-    "median": "median",
-    "geometric_standard_deviation": "geometric_standard_deviation",
-}
-_KINDS: dict[str, type[Distribution]] = {
-    "uniform": Uniform,
-    "normal": Normal,
-    "lognormal": Lognormal,
-    "triangular": Triangular,
-}
-_NUMBER_KEYS = (*_ARGUMENTS, "least", "most")
+#: Names that the code has for the numbers of the distributions, by key.
+_NAMES = {entry.key: entry.attribute for entry in NUMBERS}
 Axis = Levels | DrawnField | DrawnFit
 
 
@@ -86,7 +72,7 @@ def _fit(record: Record, name: str, steps: Place, drive: Drive, report: Report) 
 
 
 def _levels(record: Record, name: str, kind: Kind, report: Report) -> Levels | None:
-    spare = [key for key in _NUMBER_KEYS if key in record and key not in ("from", "to")]
+    spare = [key for key in _NAMES if key in record and key not in ("from", "to")]
     if spare:
         message = "belongs to a distribution"
         report.add((*record.place, spare[0]), message, 'Write distribution = "normal" too.')
@@ -163,23 +149,24 @@ def _drawn(record: Record, name: str, kind: Kind, report: Report) -> DrawnField 
 def read_distribution(record: Record, kind: Quantity, report: Report) -> Distribution | None:
     """Return the distribution of a table, cut to what the quantity can be."""
     word: str = record["distribution"]
-    needed = DISTRIBUTIONS[word]
+    make = DISTRIBUTIONS[word]
+    wanted = {f.name for f in fields(make) if f.default is MISSING}
+    needed = [key for key, name in _NAMES.items() if name in wanted]
     missing = [key for key in needed if key not in record]
-    spare = [k for k in _NUMBER_KEYS if k in record and k not in (*needed, "least", "most")]
+    spare = [k for k in _NAMES if k in record and k not in (*needed, "least", "most")]
     for key in missing:
         report.add((*record.place, key), f"missing, and a {word} distribution needs it")
     for key in spare:
         report.add((*record.place, key), f"is no number of a {word} distribution")
     plain = Quantity(kind.dimension)
     numbers: dict[str, Any] = {}
-    for key in (k for k in _NUMBER_KEYS if k in record and k not in spare):
+    for key in (k for k in _NAMES if k in record and k not in spare):
         number = key == "geometric_standard_deviation"
         value = record[key] if number else plain.read(record[key], (*record.place, key), report)
-        numbers[_ARGUMENTS.get(key, key)] = value
+        numbers[_NAMES[key]] = value
     if missing or spare or any(v is NOTHING for v in numbers.values()):
         return None
-    back = {code: key for key, code in _ARGUMENTS.items()}
-    make = _KINDS[word]
+    back = {name: key for key, name in _NAMES.items()}
     return report.tried(lambda: make(**_cut(numbers, kind)), record.place, record.raw, back)
 
 

@@ -9,6 +9,7 @@ from wraparc.schema.kinds import Choice, Count, Kind, Name, Quantity, Rows, Text
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
 from wraparc.schema.tables import Entry, Table, need
+from wraparc.study.distributions import Distribution, Lognormal, Normal, Triangular, Uniform
 from wraparc.study.fields import FACTOR
 from wraparc.study.sampling import SAMPLINGS
 
@@ -31,17 +32,17 @@ class Raw(Kind):
         return {"type": ["number", "string", "boolean"]}
 
 
-#: distribution -> the keys it needs
-DISTRIBUTIONS: dict[str, tuple[str, ...]] = {
-    "uniform": ("from", "to"),
-    "normal": ("mean", "standard_deviation"),
-    "lognormal": ("median", "geometric_standard_deviation"),
-    "triangular": ("from", "mode", "to"),
-    "fit": (),
+#: Distributions by their words; the fields of each without a default are the numbers it needs.
+DISTRIBUTIONS: dict[str, type[Distribution]] = {
+    "uniform": Uniform,
+    "normal": Normal,
+    "lognormal": Lognormal,
+    "triangular": Triangular,
 }
-_NUMBERS = (
-    Entry("from", "Lowest value.", Raw()),
-    Entry("to", "Highest value.", Raw()),
+#: The numbers of the distributions.
+NUMBERS = (
+    Entry("from", "Lowest value.", Raw(), attribute="low"),
+    Entry("to", "Highest value.", Raw(), attribute="high"),
     Entry("mean", "Of a normal distribution.", Raw()),
     Entry("standard_deviation", "Of a normal distribution.", Raw()),
     Entry("median", "Of a lognormal distribution.", Raw()),
@@ -66,15 +67,15 @@ AXIS = Table(
     Entry("values", "Each combined with all others.", Rows(Raw(), 1, MOST_VALUES)),
     Entry("count", "Values from the first to the last.", Count(2, MOST_VALUES)),
     Entry("spacing", "Linear if left out.", Choice(("linear", "logarithmic"))),
-    Entry("distribution", "Drawn at random.", Choice(tuple(DISTRIBUTIONS))),
-    *_NUMBERS,
+    Entry("distribution", "Drawn at random.", Choice((*DISTRIBUTIONS, "fit"))),
+    *NUMBERS,
     Entry("provenance", "Where the distribution came from.", PROVENANCE),
 )
 
 DRAWN_FACTOR = Table(
     "Distribution of a friction factor",
-    need("distribution", kind=Choice(tuple(name for name in DISTRIBUTIONS if name != "fit"))),
-    *_NUMBERS,
+    need("distribution", kind=Choice(tuple(DISTRIBUTIONS))),
+    *NUMBERS,
 )
 
 

@@ -7,11 +7,13 @@ from dataclasses import dataclass, replace
 
 from wraparc.arc import Distributed
 from wraparc.drive import Lagging
+from wraparc.drive.conditions import Condition
+from wraparc.errors import InputError
 from wraparc.train.change import what_if
 from wraparc.train.curve import ShareCurve, share_curve
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import solve_case
-from wraparc.train.train import Shares
+from wraparc.train.train import Shares, Train
 from wraparc.train.walk import Axis
 
 #: Wear whose consequences are told, unless another is given [m].
@@ -114,3 +116,20 @@ def match_drives(
         after = what_if(result, case, pulley=name, lagging=lagging, method=quick)
         changes.append(Change(name, 0.0, lagging, after))
     return Matching(trim.case, equal, drive, trim, diameter, load, tuple(changes))
+
+
+def wet_laggings(train: Train) -> dict[str, Lagging]:
+    """Return laggings of the pulleys when wet, by the design values of DIN 22101 where it has some.
+
+    Pulleys that are wet already, and those of surfaces that the standard says nothing about, are
+    left out.
+    """
+    wet = Condition(name="wet", standard="DIN 22101")
+    found = {}
+    for pulley in train.pulleys:
+        if pulley.lagging.condition != wet.name and pulley.lagging.surface:
+            try:
+                found[pulley.name] = wet.lagging(pulley.lagging)
+            except InputError:  # the standard says nothing about this surface
+                continue
+    return found

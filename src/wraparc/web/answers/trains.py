@@ -5,14 +5,13 @@ from dataclasses import replace
 import numpy as np
 
 from wraparc.arc import Distributed
-from wraparc.drive import Lagging
-from wraparc.drive.conditions import Condition
 from wraparc.errors import InputError, Problem, shown
 from wraparc.present.document import sources_of
 from wraparc.present.train_document import matching_document, train_document
 from wraparc.present.train_sheet import matching_sheet, train_sheet
 from wraparc.train import Matching, Train, TrainResult, match_drives, share_map, solve_train
 from wraparc.train.file import train_from_document
+from wraparc.train.matching import wet_laggings
 from wraparc.units import Dimension, parse_quantity
 from wraparc.web.answers.documents import case_only, without_none
 from wraparc.web.answers.shown import Answer, Data, Numbers, Sheet, Source, plain, sheet
@@ -123,19 +122,6 @@ def _matching(thing: Train, result: TrainResult, asked: TrainRequest) -> Matchin
 
 def _sheet(result: TrainResult, matching: Matching) -> Data:
     return sheet(lambda system: matching_sheet(result, matching, system))
-
-
-def wet_laggings(thing: Train) -> dict[str, Lagging]:
-    """Return the laggings when wet, by the design values of DIN 22101 where it has some."""
-    wet = Condition(name="wet", standard="DIN 22101")
-    found = {}
-    for pulley in thing.pulleys:
-        if pulley.lagging.condition != wet.name and pulley.lagging.surface:
-            try:
-                found[pulley.name] = wet.lagging(pulley.lagging)
-            except InputError:  # the standard says nothing about this surface
-                continue
-    return found
 
 
 def _drive(thing: Train, name: str | None) -> int:
