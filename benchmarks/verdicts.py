@@ -1,7 +1,8 @@
-"""Verdicts of random drives, row by row and one by one: python benchmarks/verdicts.py [drives].
+"""Judgement of random drives: python benchmarks/verdicts.py [drives].
 
-Prints the drives that end otherwise in columns than alone, and how all of them ended. The gate runs
-the same with 20 (tests/checks/test_of_rows.py).
+Prints the drives that end otherwise in columns than alone, how all of them ended, and those whose
+least or largest tension, solved anew, does not keep its checks or does so beyond it. The gate runs
+the same with few (tests/checks).
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ sys.path[0] = str(Path(__file__).parents[1] / "tests")  # its `arc`, not the ben
 
 
 def main() -> None:
+    from checks.test_least_tension import both_ways, random_drives
     from checks.test_of_rows import of_rows, one_by_one, random_pairs
 
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 300
@@ -28,7 +30,15 @@ def main() -> None:
     for (level, name), of in sorted(ends.items()):
         print(f"{level:12} {name:20} {of}")
     print(f"{unlike} of {count} unlike")
-    sys.exit(1 if unlike else 0)
+    wrong = 0
+    for number, drive in enumerate(random_drives(count)):
+        try:
+            both_ways(drive)
+        except AssertionError as error:
+            wrong += 1
+            print(f"drive {number}, solved anew: {error}", flush=True)
+    print(f"{wrong} of {count} wrong when solved anew")
+    sys.exit(1 if unlike or wrong else 0)
 
 
 if __name__ == "__main__":

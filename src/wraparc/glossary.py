@@ -413,11 +413,31 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "motor_speed", "n_m", "rotation_speed", "Motor speed",
-        "Speed on the motor side of the gear, of the turbine where there is a fluid coupling.",
+        "Speed of the motor; of the pump where there is a fluid coupling.",
     ),
     Quantity(
         "motor_power", "P_m", "power", "Motor power",
-        "Power of each motor on the motor side of the gear.",
+        "Power on the shaft of each motor.",
+    ),
+    Quantity(
+        "gear_speed", "n_g", "rotation_speed", "Speed into the gear",
+        "Speed on the motor side of the gear; of the turbine where there is a fluid coupling.",
+    ),
+    Quantity(
+        "electrical_power", "P_el", "power", "Electrical power",
+        "Power that all motors of a drum take from the mains, negative where they give it back.",
+    ),
+    Quantity(
+        "motor_loss", "", "power", "Lost in the motors",
+        "Electrical power less shaft power of all motors of a drum.",
+    ),
+    Quantity(
+        "coupling_loss", "", "power", "Lost in fluid couplings",
+        "Torque times the slip of pump and turbine, of all fluid couplings of a drum.",
+    ),
+    Quantity(
+        "gear_loss", "", "power", "Lost in the gear",
+        "Power into the gear less power of the drum.",
     ),
     Quantity(
         "share_sensitivity", "df/dtrim", "number", "Share per 0.1 % of trim",

@@ -118,7 +118,9 @@ def test_motors_work_on_their_curves(motor: VariableSpeed | Induction) -> None:
         assert m.motor is not None
         assert m.rotation_speed == pytest.approx(motor.drum_speed(m.drum_torque), rel=1e-9)
         assert m.motor.motor_load == pytest.approx(m.drum_torque / (20.0 * motor.rated_torque))
-        assert m.motor.motor_power == pytest.approx(m.drum_power, rel=1e-9)
+        assert m.motor.motor_power == pytest.approx(m.drum_power + m.motor.losses, rel=1e-9)
+        assert (m.motor.coupling_loss > 0.0) is (motor is COUPLED)
+        assert m.motor.motor_loss != m.motor.motor_loss  # no efficiency was given
     # give evens the shares out
     rigid = solved(train(of, case(Speeds((1.0, 1.0)))))
     assert 0.5 < result["p2"].share < rigid["p2"].share
@@ -176,6 +178,28 @@ def test_gears_and_counts() -> None:
         assert s.motor is not None
         assert m.motor.motor_power == pytest.approx(m.drum_power / (2 * 0.95), rel=1e-9)
         assert m.motor.motor_load == pytest.approx(s.motor.motor_load, rel=1e-9)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_power_from_the_mains_to_the_drum(way: float) -> None:
+    """Pump and turbine apart; all that is lost on the way sums up, driving and holding back."""
+    motor = replace(COUPLED, gear_efficiency=0.95, motor_efficiency=0.9)
+    tensions = (150e3, 50e3) if way > 0.0 else (50e3, 150e3)
+    result = solved(train(pulleys(2), case(Motors((motor, motor)), *tensions)))
+    for m in result:
+        at = m.motor
+        assert at is not None
+        pump = Induction.shaft_speed(motor, at.motor_load)  # Kloss, whatever the coupling
+        assert at.motor_speed == pytest.approx(pump, rel=1e-12)
+        assert at.gear_speed == pytest.approx(m.rotation_speed * 20.0, rel=1e-12)
+        assert (at.motor_speed > at.gear_speed) is (way > 0.0)
+        slip = at.motor_torque * (pump - 20.0 * m.rotation_speed)
+        assert at.coupling_loss == pytest.approx(slip, rel=1e-12)
+        assert min(at.coupling_loss, at.gear_loss, at.motor_loss) > 0.0
+        share = 0.9 if way > 0.0 else 1.0 / 0.9
+        assert at.motor_power == pytest.approx(at.electrical_power * share, rel=1e-12)
+        assert at.electrical_power == pytest.approx(m.drum_power + at.losses, rel=1e-9)
+    assert result.motor_losses == pytest.approx(sum(m.motor.losses for m in result if m.motor))
 
 
 @pytest.mark.parametrize("run", [-8e3, 12e3])

@@ -108,3 +108,8 @@ def test_what_is_no_motor(make: Any, key: str, complaint: str) -> None:
     with pytest.raises(InputError, match=complaint) as caught:
         make()
     assert key in {problem.key for problem in caught.value.problems}
+
+
+def test_a_part_of_a_motor_is_none() -> None:
+    with pytest.raises(InputError, match=r"count = 1.5: must be a whole number of motors"):
+        Induction(**MAINS, count=1.5)  # type: ignore[arg-type]

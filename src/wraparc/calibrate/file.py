@@ -19,7 +19,7 @@ from wraparc.schema.source import Document, read_whole
 from wraparc.schema.tables import Entry, Record, Table, need
 from wraparc.shear_test import DELIMITER_NAMES
 from wraparc.shear_test.plan_keys import Column
-from wraparc.train.drive_parts import case_of, drive_of
+from wraparc.train.drive_parts import case_of, drive_of, pulley_of
 from wraparc.units import Dimension, parse_quantity
 
 METHODS = {"distributed": Distributed, "paper": PaperMarch}
@@ -65,7 +65,7 @@ CALIBRATE = Table(
     Entry("title", kind=Text()),
     Entry("description", kind=Text(5000, lines=True)),
     need("drive", "Drive file, relative to this one.", Name(1000)),
-    Entry("pulley", "The first if left out.", Name()),
+    Entry("pulley", "Which pulley, where the drive has several.", Name()),
     Entry("method", "distributed if left out.", Choice(tuple(METHODS))),
     Entry("parameters", "What is to be found.", Rows(Choice(PARAMETERS), 0, 5)),
     Entry("prior", "By parameter.", ByName(PRIOR), title="Priors"),
@@ -112,7 +112,7 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
     """Return what a calibrate file says that is already parsed."""
     record, report = read_whole(CALIBRATE, document, file)
     drive = report.sure(lambda: drive_of(record, folder, report))
-    pulley = report.sure(lambda: drive.pulley(record.get("pulley")), ("pulley",)).name
+    pulley = pulley_of(record, drive, report)
     numbers = [_number(r, drive, pulley, report) for r in record.get("number", ())]
     folded = [_folded(r, drive, pulley, folder, report) for r in record.get("record", ())]
     priors = _priors(record, report)

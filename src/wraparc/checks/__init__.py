@@ -20,7 +20,7 @@ from wraparc.checks.check import Check, Level, Place, Verdict, keeps
 from wraparc.checks.gross_slip import Margins, margins, margins_of
 from wraparc.checks.judge import before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
-from wraparc.checks.rules import RULES
+from wraparc.checks.rules import RULES, idle
 
 __all__ = [
     "RULES",
@@ -32,6 +32,7 @@ __all__ = [
     "Place",
     "Verdict",
     "before",
+    "idle",
     "judge",
     "keeps",
     "least_tension",

@@ -17,7 +17,7 @@ from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, Grip, grip_of, rises
 from wraparc.checks.of_arc import design_slack
-from wraparc.checks.rules import IDLE, tension_factor
+from wraparc.checks.rules import idle, tension_factor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
@@ -121,22 +121,32 @@ def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
     return _found[one]
 
 
-def _of(result: DriveResult) -> LeastTension | None:
+def figures(result: DriveResult) -> Iterator[Figure]:
+    """Yield what every check asks of the slack side, on every pulley in every load case."""
     drive = result.drive
-    cases = {case.name: case for case in drive.load_cases}
+    for name, arcs in _by_case(result).items():
+        case = drive.load_case(name)
+        yield from _figures(drive.in_case(case), case, arcs, slack_end(arcs))
+
+
+def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
     by_case: dict[str, list[ArcResult]] = {}
     for arc in result:
         by_case.setdefault(arc.arc.load_case, []).append(arc)
-    worst: dict[str, Figure] = {}
+    return by_case
+
+
+def _of(result: DriveResult) -> LeastTension | None:
+    drive, by_case = result.drive, _by_case(result)
+    cases = {case.name: case for case in drive.load_cases}
     ends = {name: slack_end(arcs) for name, arcs in by_case.items()}
-    for name, arcs in by_case.items():
-        if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in arcs):
-            return None
-        case = cases[name]
-        for figure in _figures(drive.in_case(case), case, arcs, ends[name]):
-            held = worst.get(figure.name)
-            if held is None or (figure.tension > held.tension) is figure.at_least:
-                worst[figure.name] = figure
+    if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in result):
+        return None
+    worst: dict[str, Figure] = {}
+    for figure in figures(result):
+        held = worst.get(figure.name)
+        if held is None or (figure.tension > held.tension) is figure.at_least:
+            worst[figure.name] = figure
     if not any(f.at_least and f.binding for f in worst.values()):
         return None
     found = LeastTension(tuple(worst.values()), 0.0, 0.0)
@@ -158,7 +168,7 @@ def slack_end(arcs: Sequence[ArcResult]) -> float:
 
 
 def _pulls(result: ArcResult) -> bool:
-    return abs(result.arc.effective_tension) > IDLE * result.arc.entry_tension
+    return not idle(result.arc)
 
 
 def _figures(

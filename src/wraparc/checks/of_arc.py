@@ -21,7 +21,7 @@ from wraparc.checks.of_drive import (
     origin,
     tests_of,
 )
-from wraparc.checks.rules import IDLE, NO_GRIP, RULES, standard_rule, start_factor
+from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
@@ -44,8 +44,10 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
             name=name, title=title, level=Level.FAULT, short="not solved",
             says=escaped(str(result.status)), place=place,
         )  # fmt: skip
-    if abs(result.arc.effective_tension) <= IDLE * result.arc.entry_tension:
-        return Check(name=name, title="No pull to carry", level=Level.OK, short="idle", place=place)
+    if idle(result.arc):
+        return Check(
+            name=name, title="No pull to carry", level=Level.OK, short="not driven", place=place
+        )
     held = BOTH_HELD if take_up.fixed else SLACK_HELD
     k = pull_factor(result.arc, grip_of(result), rises(arcs, index, held))
     if result.status is Status.BREAKAWAY:
@@ -79,7 +81,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
     """Check the slack side against the design standard; None where none is asked for."""
     criteria, lagging = drive.criteria, drive.pulley(result.arc.pulley).lagging
     found = asked(criteria.standard, criteria.take_up, lagging, result.arc.wrap_angle)
-    if found is None or abs(result.arc.effective_tension) <= IDLE * result.arc.entry_tension:
+    if found is None or idle(result.arc):
         return None
     place = Place(result.arc.pulley, case.name)
     if math.isnan(found.wrap_factor):

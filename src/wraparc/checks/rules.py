@@ -11,6 +11,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
 from wraparc.drive import Belt, Criteria
 from wraparc.units import Dimension
@@ -93,6 +94,11 @@ ACROSS_RULES = {
 }
 #: Where gross slip cannot be avoided, whatever its safety factor.
 NO_GRIP = Level.FAILS
+
+
+def idle(arc: WrapArc) -> bool:
+    """Whether an arc hands nothing over: its pulley is not driven."""
+    return abs(arc.effective_tension) <= IDLE * arc.entry_tension
 
 
 def standard_rule(criteria: Criteria) -> Rule:

@@ -91,7 +91,7 @@ CHOOSE = Table(
         Name(1000),
         example='drive = "head-drive-fabric.toml"',
     ),
-    Entry("pulley", "Which pulley of the drive; the first if left out.", Name()),
+    Entry("pulley", "Which pulley, where the drive has several.", Name()),
     need("candidates", kind=CANDIDATES, example="a [candidates] table"),
     Entry("limits", kind=LIMITS),
     Entry(

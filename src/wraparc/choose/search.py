@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -68,7 +69,7 @@ class Search:
     Attributes
     ----------
     drive, pulley
-        The drive and the name of the pulley; other pulleys stay as they are.
+        The drive and the name of the pulley; other pulleys stay as they are, and pull as they do.
     laggings, belts
         Candidates.
     thicknesses
@@ -76,8 +77,9 @@ class Search:
     diameters, wrap_angles
         Over the lagging [m] and [rad].
     slack_tensions
-        Slack-side tensions, the same in every load case as a gravity take-up keeps it [N]; None
-        for the tensions of the load cases, empty for the least that each design can do with.
+        Slack-side tensions behind the drives, the same in every load case as a gravity take-up
+        keeps it [N]; None for the tensions of the load cases, empty for the least that each design
+        can do with.
     conditions
         States in which every limit must hold.
     limits, costing
@@ -166,6 +168,13 @@ class Search:
         return tuple(c.lagging(lag) for c in self.conditions for lag in self.laggings)
 
 
+def slack_end(drive: Drive, case: LoadCase) -> float:
+    """Tension of the belt that leaves the pulleys of a drive slack [N]."""
+    first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
+    pull = math.fsum(t.effective for t in case.tensions.values())
+    return last.exit if pull >= 0.0 else first.entry
+
+
 @dataclass(frozen=True, eq=False)
 class Grid:
     """The designs of a search by number: places of their candidates and their values.
@@ -176,6 +185,8 @@ class Grid:
         Place of each design in the lists of candidates, shape (6, n).
     thickness, diameter, wrap_angle, slack
         Values [m, m, rad, N]; slack is nan where the load cases have their own.
+    others
+        Tension behind the drives that the other pulleys ask for [N].
     """
 
     search: Search
@@ -184,6 +195,7 @@ class Grid:
     diameter: Array
     wrap_angle: Array
     slack: Array
+    others: float = 0.0
 
     @classmethod
     def of(cls, search: Search) -> Grid:
@@ -213,10 +225,18 @@ class Grid:
     def tensions(self, case: LoadCase) -> tuple[Array, Array]:
         """Entry and exit tension of every design in a load case [N]."""
         t = case.tensions[self.search.pulley]
-        own = np.isnan(self.slack)
-        exit_side = np.where(own, t.exit, self.slack + max(0.0, -t.effective))
-        entry_side = np.where(own, t.entry, self.slack + max(0.0, t.effective))
+        end, own = slack_end(self.search.drive, case), np.isnan(self.slack)
+        exit_side = np.where(own, t.exit, self.slack + (t.exit - end))
+        entry_side = np.where(own, t.entry, self.slack + (t.entry - end))
         return entry_side, exit_side
+
+    def ends(self, case: LoadCase) -> tuple[Array, Array]:
+        """Tension of the slack end of the whole drive, and the largest at any pulley [N]."""
+        end = slack_end(self.search.drive, case)
+        most = max(max(t.entry, t.exit) for t in case.tensions.values())
+        own = np.isnan(self.slack)
+        slack = np.where(own, end, self.slack)
+        return slack, np.where(own, most, slack + (most - end))
 
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""

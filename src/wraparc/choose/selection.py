@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,8 +13,13 @@ from wraparc.arc.wear import HOUR, WORN_SHARE
 from wraparc.batch.arcs import Arcs
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
-from wraparc.choose.search import Grid, Search
-from wraparc.choose.slack_rules import gross_slip_slack, standard_slack
+from wraparc.choose.search import Grid, Search, slack_end
+from wraparc.choose.slack_rules import (
+    gross_slip_slack,
+    others_slack,
+    slack_offset,
+    standard_slack,
+)
 from wraparc.drive import Lagging, LoadCase
 
 Array = NDArray[np.float64]
@@ -40,6 +45,7 @@ LIMITS = (
     "design_standard",
     "least_slack",
     "belt_sag",
+    "other_pulleys",
     "belt_rating",
     "least_pulley_diameter",
 )
@@ -180,7 +186,7 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
     Selection
         The ranking, the fronts, and how every design stands to every limit.
     """
-    grid = Grid.of(search)
+    grid = replace(Grid.of(search), others=others_slack(search))
     shortage = np.zeros(len(grid))
     # a least tension meets its limit exactly, and few designs cost little
     precise = search.least_slack or len(grid) <= MOST_PRECISE
@@ -188,8 +194,8 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
         least, shortage = least_slack(search, grid, solve)
         grid = grid.with_slack(np.where(np.isnan(least), own_slack(search), least))
     cases = search.drive.load_cases
-    tensions = [grid.tensions(case) for case in cases]
-    slack = np.min([np.minimum(*t) for t in tensions], axis=0)
+    ends = [grid.ends(case) for case in cases]
+    slack = np.min([least for least, _ in ends], axis=0)
     answers = _answers(search, grid, solve, np.arange(len(grid)), precise=precise)
     refined = np.full(len(grid), precise)
     while True:
@@ -206,7 +212,7 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
             for name, column in old.items():
                 column[again] = new[name]
         refined[again] = True
-    tight = np.max([np.maximum(*t) for t in tensions], axis=0)
+    tight = np.max([most for _, most in ends], axis=0)
     return Selection(
         search=search,
         grid=grid,
@@ -269,7 +275,8 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
             answer = solve(own.arcs(case, condition), capacities=True, precise=True)
             for asked in (gross_slip_slack, standard_slack):
                 found = np.maximum(found, asked(search, grid, case, condition))
-            found = np.maximum(found, answer["least_exit_tension"])  # nan stays nan
+            least = answer["least_exit_tension"] + slack_offset(search, case)
+            found = np.maximum(found, least)  # nan stays nan
             missing = np.isnan(answer["least_exit_tension"])
             most = answer["largest_effective_tension"]
             short = np.where(most > 0.0, pull / np.where(most > 0.0, most, 1.0), np.inf)
@@ -280,12 +287,13 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
 def _slack_floor(search: Search, grid: Grid) -> Array:
     """Slack-side tension that sag and the lowest tested wrap pressure, p B D/2, ask for [N]."""
     sag = search.limits.sag
-    least = np.full(len(grid), 0.0 if sag is None else sag.tension)
+    least = np.full(len(grid), max(0.0 if sag is None else sag.tension, grid.others))
     if not search.limits.tested_pressure:
         return least
     tested = [lag.law.tested for lag in search.laggings]
     low = np.array([0.0 if t is None else t.pressure_min for t in tested])[grid.places[0]]
     tested_least = 0.5 * low * search.drive.belt.width * grid.diameter
+    tested_least += max(slack_offset(search, case) for case in search.drive.load_cases)
     return np.asarray(np.maximum(least, tested_least))
 
 
@@ -314,8 +322,7 @@ def _ranking(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) -
 
 def own_slack(search: Search) -> float:
     """Slack-side tension of the drive as it is: the largest over its load cases [N]."""
-    tensions = [c.tensions[search.pulley] for c in search.drive.load_cases]
-    return max(min(t.entry, t.exit) for t in tensions)
+    return max(slack_end(search.drive, case) for case in search.drive.load_cases)
 
 
 def _worst(columns: Sequence[Array]) -> Array:
@@ -340,10 +347,10 @@ def _held(
     if limits.rating is not None:
         for case in cases:
             parts["belt_rating"].append(_of_rating(search, grid, case))
-    if limits.sag is not None:
-        for case in cases:
-            slack = np.minimum(*grid.tensions(case))
-            parts["belt_sag"].append((-slack, np.full(n, -limits.sag.tension)))
+    sag = limits.sag.tension if limits.sag is not None else 0.0
+    for name, least in (("belt_sag", sag), ("other_pulleys", min(grid.others, _NO_TENSION))):
+        if least > 0.0:
+            parts[name] += [(-grid.ends(case)[0], np.full(n, -least)) for case in cases]
     if limits.least_pulley_diameter:
         asked = _of_belts(search, grid, "least_pulley_diameter")
         # the other way round: what is allowed is the least
@@ -361,7 +368,7 @@ def _of_slack(
     condition: int,
 ) -> None:
     """Add what safety against gross slip and a binding standard ask of the slack side."""
-    slack = np.minimum(*grid.tensions(case))
+    slack, _ = grid.ends(case)
     for name, rule in (("gross_slip", gross_slip_slack), ("design_standard", standard_slack)):
         least = rule(search, grid, case, condition)
         if least.any():
@@ -405,7 +412,7 @@ def _of_rating(search: Search, grid: Grid, case: LoadCase) -> tuple[Array, Array
     if share is None:
         momentary = np.nan_to_num(_of_belts(search, grid, "momentary_factor"), nan=1.0)
         share = 1.0 if case.kind == "running" else momentary
-    tight = np.maximum(*grid.tensions(case)) / search.drive.belt.width
+    tight = grid.ends(case)[1] / search.drive.belt.width
     return np.asarray(tight), share * _of_belts(search, grid, "rating")
 
 

@@ -8,25 +8,31 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import WrapArc
+from wraparc.arc import WrapArc, solve
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import Grip
-from wraparc.choose.search import Grid, Search
+from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, Grip, rises_of
+from wraparc.checks.least_tension import figures
+from wraparc.choose.search import Grid, Search, slack_end
 from wraparc.drive import LoadCase
 
 Array = NDArray[np.float64]
 
 
 def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
-    """Least slack-side tension with the safety factor on gross slip, by design [N].
+    """Least tension behind the drives with the safety factor on gross slip, by design [N].
 
-    As `wraparc.checks` judges it: the pull times the factor is just carried at gross slip with the
-    slack side held (gravity take-up), or the sum of both sides (fixed take-up). 0 without a pull,
-    inf where no tension carries it.
+    As `wraparc.checks` judges it: the pull of the whole drive times the factor is just carried with
+    its slack side held (gravity take-up), or the sum of both sides (fixed take-up). 0 without a
+    pull, inf where no tension carries it.
     """
     tensions = case.tensions[search.pulley]
-    pull = abs(tensions.effective)
+    pull, tight = abs(tensions.effective), max(tensions.entry, tensions.exit)
     factor = search.drive.criteria.safety.of(case.kind)
+    names = [p.name for p in search.drive.pulleys]
+    pulls = np.array([[case.tensions[name].effective] for name in names])
+    held = BOTH_HELD if search.drive.criteria.take_up.fixed else SLACK_HELD
+    rise = rises_of(pulls, names.index(search.pulley), np.array([held]))[0][0]
+    lifted = tight - slack_end(search.drive, case) + (factor - 1.0) * float(rise)
 
     def least(lagging: int, diameter: float, wrap_angle: float, thickness: float) -> float:
         law = search.conditioned()[lagging]
@@ -44,19 +50,18 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
             overrun=search.base.overrun,
             recovery=search.base.recovery,
         )
-        tight = Grip(arc).tight_for(factor * pull)
-        if search.drive.criteria.take_up.fixed:
-            return tight - 0.5 * (factor + 1.0) * pull
-        return tight - factor * pull
+        return Grip(arc).tight_for(factor * pull) - lifted
 
     return _by_design(search, grid, condition, least) if pull > 0.0 else np.zeros(len(grid))
 
 
 def standard_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
-    """Slack-side tension that a binding design standard asks for, by design [N]; 0 for none."""
+    """Tension behind the drives that a binding design standard asks for, by design; 0 for none."""
+    offset = slack_offset(search, case)
 
     def least(lagging: int, _diameter: float, wrap_angle: float, _thickness: float) -> float:
-        return _asked(search, case, lagging, wrap_angle)[0]
+        tension, rule = _asked(search, case, lagging, wrap_angle)
+        return tension + offset if rule else 0.0
 
     if not search.drive.criteria.standard.binding:
         return np.zeros(len(grid))
@@ -64,13 +69,35 @@ def standard_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -
 
 
 def standard_asks(search: Search, grid: Grid, design: int) -> tuple[float, str]:
-    """Largest slack-side tension that the design standard asks of a design [N], and its words."""
+    """Largest tension behind the drives that the standard asks of a design [N], and its words."""
     wrap_angle, count = float(grid.wrap_angle[design]), len(search.laggings)
-    return max(
-        _asked(search, case, int(grid.places[0, design]) + condition * count, wrap_angle)
-        for condition in range(len(search.conditions))
-        for case in search.drive.load_cases
-    )
+    found = [(0.0, "")]
+    for condition in range(len(search.conditions)):
+        lagging = int(grid.places[0, design]) + condition * count
+        for case in search.drive.load_cases:
+            tension, rule = _asked(search, case, lagging, wrap_angle)
+            if rule:
+                found.append((tension + slack_offset(search, case), rule))
+    return max(found)
+
+
+def slack_offset(search: Search, case: LoadCase) -> float:
+    """Tension of the slack end of the drive less that of the slack side of the pulley [N]."""
+    t = case.tensions[search.pulley]
+    return slack_end(search.drive, case) - min(t.entry, t.exit)
+
+
+def others_slack(search: Search) -> float:
+    """Tension behind the drives that the other pulleys ask for, every one pulling as it does [N].
+
+    As `wraparc.checks.least_tension` has it; inf where no tension keeps their checks.
+    """
+    drive = search.drive
+    if len(drive.pulleys) == 1:
+        return 0.0
+    asked_for = figures(solve(drive, raise_on_failure=False))
+    others = (f for f in asked_for if f.place.pulley not in ("", search.pulley))
+    return max((f.tension for f in others if f.binding and f.at_least), default=0.0)
 
 
 def _asked(search: Search, case: LoadCase, lagging: int, wrap_angle: float) -> tuple[float, str]:

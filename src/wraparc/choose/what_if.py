@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from wraparc.arc import ArcResult, Distributed, Method, WrapArc
+from wraparc.arc import ArcResult, Distributed, DriveResult, Method, solve
 from wraparc.drive import Drive
+from wraparc.train import Train
+from wraparc.train.as_drive import as_drive
 
 
 @dataclass(frozen=True)
@@ -34,24 +36,53 @@ class WhatIf:
 
     Attributes
     ----------
-    drive
-        The drive as it is.
     pulley, load_case
         Which.
-    before
-        The drive as it is, solved.
+    wholes
+        The whole drive in that load case, solved: as it is, then after each change.
     changes
         What was changed.
-    after
-        The same pulley after each change.
     """
 
-    drive: Drive
     pulley: str
     load_case: str
-    before: ArcResult
+    wholes: tuple[DriveResult, ...]
     changes: tuple[Change, ...]
-    after: tuple[ArcResult, ...]
+
+    @property
+    def results(self) -> tuple[ArcResult, ...]:
+        """The pulley as it is, then after each change."""
+        return tuple(whole.arc(self.pulley, self.load_case) for whole in self.wholes)
+
+    @property
+    def before(self) -> ArcResult:
+        """The pulley as it is."""
+        return self.results[0]
+
+    @property
+    def after(self) -> tuple[ArcResult, ...]:
+        """The pulley after each change."""
+        return self.results[1:]
+
+
+def redivided(train: Train, changed: Drive) -> Drive:
+    """Return a changed drive with the load of its train divided anew.
+
+    Belt and pulleys are those of the changed drive; the drums turn, or share, as in the train.
+
+    Raises
+    ------
+    InputError
+        If there is no such division.
+    """
+    return as_drive(
+        replace(
+            train,
+            belt=changed.belt,
+            pulleys=changed.pulleys,
+            nominal_diameters=train.nominal,
+        )
+    )
 
 
 def what_if(
@@ -62,7 +93,7 @@ def what_if(
     *,
     method: Method | None = None,
 ) -> WhatIf:
-    """Solve one pulley in one load case before and after each change.
+    """Solve a drive in one load case before and after each change.
 
     Raises
     ------
@@ -71,8 +102,10 @@ def what_if(
     """
     solver = Distributed() if method is None else method
 
-    def solved(one: Drive) -> ArcResult:
-        return solver.solve(WrapArc.of(one, one.pulley(pulley), one.load_case(load_case)))
+    def solved(one: Drive) -> DriveResult:
+        case = one.load_case(load_case)
+        one.pulley(pulley)
+        return solve(replace(one, load_cases=(case,)), method=solver, raise_on_failure=False)
 
-    after = tuple(solved(change.drive) for change in changes)
-    return WhatIf(drive, pulley, load_case, solved(drive), tuple(changes), after)
+    wholes = tuple(solved(one) for one in (drive, *(change.drive for change in changes)))
+    return WhatIf(pulley, load_case, wholes, tuple(changes))

@@ -1,5 +1,6 @@
 """``wraparc calibrate`` and ``wraparc overlay``: what an existing drive really does."""
 
+import json
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -7,7 +8,7 @@ import click
 
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
-from wraparc.errors import InputError, Problem, placed
+from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.saving import save_file
 from wraparc.units import System
 
@@ -22,6 +23,7 @@ _TOLD, _NOT_TOLD = 0, 1
 @click.argument("file", type=click.Path())
 @units_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
 @click.option("-o", "--output", metavar="FILE", help="Write the calibrated lagging as a file.")
 @click.option("--name", metavar="NAME", help="Name of that lagging.")
 @click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
@@ -29,6 +31,7 @@ def calibrate(
     file: str,
     units: System,
     settings: tuple[str, ...],
+    pulley: str | None,
     output: str | None,
     name: str | None,
     json_file: str | None,
@@ -46,7 +49,7 @@ def calibrate(
     outputs: dict[str, tuple[str | None, tuple[str, ...]]]
     outputs = {"--json": (json_file, (".json",)), "--output": (output, (".toml",))}
     check_outputs(outputs, [file])
-    measured = load_measured(file, overrides=settings)
+    measured = load_measured(file, overrides=[*settings, *_pulley(pulley)])
     if not measured.problem.parameters:
         raise InputError(
             Problem(
@@ -74,6 +77,11 @@ def calibrate(
     return _TOLD if found.told else _NOT_TOLD
 
 
+def _pulley(name: str | None) -> list[str]:
+    """Return the pulley that was named, as a setting over the file."""
+    return [] if name is None else [f"pulley={json.dumps(name)}"]
+
+
 def _lagging_text(found: "Calibration", measured: "Measured", name: str | None) -> str:
     """Return the file of the calibrated lagging; what was not calibrated keeps its source."""
     from wraparc.calibrate.file import calibrated_source
@@ -98,8 +106,11 @@ def _lagging_text(found: "Calibration", measured: "Measured", name: str | None) 
 @click.argument("file", type=click.Path())
 @units_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
 @click.option("--plot", "plot_file", metavar="FILE", help="Draw records over the prediction.")
-def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str | None) -> int:
+def overlay(
+    file: str, units: System, settings: tuple[str, ...], pulley: str | None, plot_file: str | None
+) -> int:
     """Lay what a calibrate FILE says was measured beside the prediction of both methods."""
     from wraparc.calibrate.file import load_measured, overlays
     from wraparc.present.calibrate_sheet import overlay_sheet
@@ -109,7 +120,9 @@ def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str 
         from wraparc.plot import require_matplotlib
 
         require_matplotlib()
-    measured = load_measured(file, overrides=[*settings, "parameters=[]", "prior={}"])
+    measured = load_measured(
+        file, overrides=[*settings, *_pulley(pulley), "parameters=[]", "prior={}"]
+    )
     predicted = overlays(measured)
     files: dict[str, Content] = {}
     if plot_file:
@@ -126,7 +139,7 @@ def overlay(file: str, units: System, settings: tuple[str, ...], plot_file: str 
 @click.command("virtual-record")
 @click.argument("file", type=click.Path())
 @click.argument("output", type=click.Path())
-@click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
+@click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
 @click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
 @click.option("--samples", type=click.IntRange(100, 2_000_000), default=3600, show_default=True)
 @click.option("--revolutions", type=click.FloatRange(0.1, 1e5), default=5.0, show_default=True)
@@ -156,6 +169,11 @@ def virtual_record(
 
     check_outputs({"OUTPUT": (output, (".csv",))}, [file])
     drive = load_drive(file)
+    if pulley is None and len(drive.pulleys) > 1:
+        there = ", ".join(shown(p.name) for p in drive.pulleys)
+        remedy = f"Write which of {there}."
+        message = "the drive has several pulleys"
+        raise InputError(Problem(file=file, key="--pulley", message=message, remedy=remedy))
     with placed("--pulley", file):
         on = drive.pulley(pulley)
     with placed("--load-case", file):

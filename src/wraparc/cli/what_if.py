@@ -1,6 +1,8 @@
 """``wraparc what-if``: a drive before and after changes, in one table."""
 
 from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import click
 
@@ -10,6 +12,9 @@ from wraparc.cli.output import deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
 from wraparc.units import System
+
+if TYPE_CHECKING:
+    from wraparc.train import Train
 
 
 @click.command("what-if")
@@ -55,16 +60,18 @@ def what_if(
     """
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.files.conditions import refuse_several
-    from wraparc.train.file import load_drive
+    from wraparc.train.file import load_drive_or_train
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
-    drive = load_drive(file)
+    read = load_drive_or_train(file)
+    drive = _as_drive(read)
     refuse_several(drive, "what-if changes")
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
     with placed("--load-case", file):
         case = drive.load_case(load_case).name
-    changes = list(_changes(drive, name, file, said))
+    changes = [_redivided(read, change) for change in _changes(drive, name, said)]
+    changes += _settings(file, said)
     if not changes:
         raise InputError(
             Problem(
@@ -85,11 +92,32 @@ def what_if(
     return 0 if found.before.status.solved else 1
 
 
-def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> Iterator[Change]:
+def _as_drive(read: "Drive | Train") -> Drive:
+    from wraparc.train.as_drive import as_drive
+
+    return read if isinstance(read, Drive) else as_drive(read)
+
+
+def _redivided(read: "Drive | Train", change: Change) -> Change:
+    """Return a change after which the load of a train is divided anew."""
+    from wraparc.choose.what_if import redivided
+
+    if isinstance(read, Drive):
+        return change
+    return replace(change, drive=redivided(read, change.drive))
+
+
+def _settings(file: str, said: dict[str, object]) -> Iterator[Change]:
+    from wraparc.train.file import load_drive
+
+    for text in _texts(said["changes"]):
+        yield Change(text, load_drive(file, overrides=[text]))
+
+
+def _changes(drive: Drive, pulley: str, said: dict[str, object]) -> Iterator[Change]:
     from wraparc import catalogue
     from wraparc.drive import changes as study
     from wraparc.files import load_lagging
-    from wraparc.train.file import load_drive
 
     if said["other_carcass"]:
         row = study.other_carcass(drive.belt)
@@ -113,8 +141,6 @@ def _changes(drive: Drive, pulley: str, file: str, said: dict[str, object]) -> I
     if said["bare"]:
         changed, source = study.bare(drive, pulley, str(said["bare"]))
         yield Change(f"bare, {said['bare']}", changed, source)
-    for text in _texts(said["changes"]):
-        yield Change(text, load_drive(file, overrides=[text]))
 
 
 def _wet(drive: Drive, pulley: str, text: str) -> Change:
@@ -137,8 +163,6 @@ def _texts(value: object) -> tuple[str, ...]:
 
 
 def _length(text: str, option: str) -> float:
-    from dataclasses import replace
-
     from wraparc.units import parse_quantity
 
     try:

@@ -180,7 +180,10 @@ def _remarks(selection: Selection) -> Iterator[str]:
         if unknown:
             yield f"No least pulley diameter is published of {', '.join(unknown)}."
     if len(search.drive.pulleys) > 1:
-        yield f"Only pulley {search.pulley} was varied; the others keep their tensions."
+        yield (
+            f"Only pulley {search.pulley} was varied. The slack-side tension is that behind the "
+            "drives, where the take-up is; every pulley pulls as in the drive file."
+        )
 
 
 def _slack_remarks(selection: Selection) -> Iterator[str]:
@@ -188,6 +191,9 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
     asked = ["creep", "the safety against gross slip"] + [
         "the lowest tested wrap pressure"
     ] * search.limits.tested_pressure
+    if selection.grid.others > 0.0:
+        least = quantity(selection.grid.others, "force")
+        asked.append(f"the checks of the other pulleys ({least})")
     if sag is not None:
         least = quantity(sag.tension, "force")
         asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")

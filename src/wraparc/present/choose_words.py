@@ -22,6 +22,7 @@ _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
     "design_standard": ("slack-side tension", "force", True),
     "least_slack": ("pull over the largest pull within the creep limit", "number", False),
     "belt_sag": ("slack-side tension", "force", True),
+    "other_pulleys": ("slack-side tension", "force", True),
     "belt_rating": ("tension per width", "force_per_width", False),
     "least_pulley_diameter": ("pulley diameter", "length", True),
 }
@@ -29,6 +30,7 @@ _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
 
 _WHY = {
     "belt_sag": " for the sag of the belt",
+    "other_pulleys": " for the checks of the other pulleys",
     "gross_slip": " for the safety against gross slip",
     "design_standard": " by the design standard",
 }
@@ -113,7 +115,7 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     best, width = int(selection.ranking[0]), search.drive.belt.width
     now, then = own_slack(search), float(selection.slack_tension[best])
     tight_now = max(
-        max(t.entry, t.exit) for t in (c.tensions[search.pulley] for c in search.drive.load_cases)
+        max(t.entry, t.exit) for case in search.drive.load_cases for t in case.tensions.values()
     )
     tight = float(selection.tight_tension[best])
     words = "less" if then <= now else "more"

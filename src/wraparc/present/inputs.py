@@ -92,7 +92,7 @@ def drive_inputs(drive: "Drive | Train", *, divided: bool = False) -> tuple[Inpu
         *belt_inputs(drive.belt),
         *(entry for pulley in drive.pulleys for entry in _pulley(drive, pulley)),
         *(e for lagging in drive.laggings for e in lagging_inputs(lagging, drive.conditions)),
-        *(entry for arc in arcs for entry in _tensions(drive, arc)),
+        *(entry for arc in arcs for entry in (*_tensions(drive, arc), *_overrun(drive, arc))),
     )
 
 
@@ -216,10 +216,20 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
         yield Input(group, "Tested at a slip speed of", tested.slip_speed, "speed", "", by_law)
 
 
+def _overrun(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
+    """Yield the overrun that the formula gives at the tensions of an arc."""
+    if arc.overrun is None:
+        yield _named(_arc_group(drive, arc), "overrun", arc.entry_overrun, None, "by formula")
+
+
+def _arc_group(drive: "Drive | Train", arc: WrapArc) -> str:
+    several = len(drive.pulleys) > 1
+    return f"Load case {arc.load_case}" + (f", pulley {arc.pulley}" if several else "")
+
+
 def _tensions(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
     pulley = next(p for p in drive.pulleys if p.name == arc.pulley)
-    several = len(drive.pulleys) > 1
-    group = f"Load case {arc.load_case}" + (f", pulley {pulley.name}" if several else "")
+    group = _arc_group(drive, arc)
     tight = "entry_tension" if arc.entry_tension >= arc.exit_tension else "exit_tension"
     for name in ("entry_tension", "exit_tension"):
         value, used = getattr(arc, name), ""

@@ -81,6 +81,7 @@ def _case_data(case: CaseResult) -> Data:
         "belt_speed": case.belt_speed,
         "power_loss": case.power_loss,
         "loss_ratio": case.loss_ratio,
+        "motor_losses": case.motor_losses,
         "drives": [_member_data(case, i, m) for i, m in enumerate(case.members)],
         "sensitivity": [list(row) for row in case.sensitivity],
         "other_splits": [list(split) for split in case.other_splits],

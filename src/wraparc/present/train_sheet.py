@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from math import isnan
 
 from wraparc.arc import DriveResult
-from wraparc.checks import Level, judge, least_tension
+from wraparc.checks import Level, idle, judge, least_tension
 from wraparc.glossary import GLOSSARY
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.input_tables import input_tables
@@ -33,6 +33,7 @@ from wraparc.train import (
 from wraparc.units import System, display
 
 Cell = Callable[[MemberResult], str]
+_ROUNDING = 1e-9  # loss over power that is none
 
 
 def train_sheet(
@@ -93,7 +94,7 @@ def case_table(case: CaseResult, system: System) -> Table:
         return row(name, lambda m: named(name, m.arc.scalars()[name], system), note)
 
     rows = [
-        row("share", lambda m: percent(m.share)),
+        row("share", _share),
         arc_value("effective_tension"),
         *_run_rows(case, system),
         arc_value("entry_tension"),
@@ -114,11 +115,21 @@ def case_table(case: CaseResult, system: System) -> Table:
             if all(isnan(m.arc.capacities.creep_limit_margin) for m in members)
             else [arc_value("creep_limit_margin")]
         ),
-        arc_value("power_loss", _loss_note(case, system)),
+        row("power_loss", lambda m: _lost(m, system), _loss_note(case, system)),
         _sensitivity_row(case),
     ]
     note = case.reason if not case.status.solved else _precision(case)
     return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note)
+
+
+def _share(m: MemberResult) -> str:
+    return "not driven" if idle(m.arc.arc) and not isnan(m.share) else percent(m.share)
+
+
+def _lost(m: MemberResult, system: System) -> str:
+    """Return what creep costs; of a drum that is not driven nothing but rounding is left."""
+    loss = m.arc.energy.power_loss
+    return named("power_loss", 0.0 if idle(m.arc.arc) and not isnan(loss) else loss, system)
 
 
 def _run_rows(case: CaseResult, system: System) -> list[Row]:
@@ -152,7 +163,24 @@ def _motor_rows(
         of("motor_power", lambda v: named("motor_power", v, system)),
         of("motor_torque", lambda v: named("motor_torque", v, system)),
         of("motor_speed", lambda v: named("motor_speed", v, system)),
+        *(
+            of(name, lambda v, name=name: named(name, v, system))  # type: ignore[misc]
+            for name in _motor_extras(members)
+        ),
     ]
+
+
+def _motor_extras(members: Sequence[MemberResult]) -> tuple[str, ...]:
+    """Return what there is to tell between mains and drum: nothing that is the same or unknown."""
+    points = [m.motor for m in members if m.motor]
+    names = []
+    if any(p.gear_speed != p.motor_speed for p in points):
+        names += ["gear_speed", "coupling_loss"]
+    if any(abs(p.gear_loss) > _ROUNDING * abs(p.motor_power) for p in points):
+        names.append("gear_loss")
+    if not all(isnan(p.electrical_power) for p in points):
+        names += ["motor_loss", "electrical_power"]
+    return tuple(names)
 
 
 def signed(ratio: float) -> str:

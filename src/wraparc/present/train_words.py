@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from math import isfinite, isnan
 
-from wraparc.checks import Level, judge
+from wraparc.checks import Level, idle, judge
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
@@ -70,6 +70,37 @@ def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
     loss = percent(case.loss_ratio)
     power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss, system)},"
     yield f"Creep costs{power} {loss} of the power."
+    yield from _motor_losses(case, system)
+
+
+def _motor_losses(case: CaseResult, system: System) -> Iterator[str]:
+    """Say what is lost between the mains and the drums, and what the mains give."""
+    points = [m.motor for m in case if m.motor is not None]
+    parts = []
+    for name, what in (("coupling_loss", "fluid couplings"), ("gear_loss", "gears"),
+                       ("motor_loss", "motors")):  # fmt: skip
+        values = [getattr(p, name) for p in points]
+        lost = sum(v for v in values if not isnan(v))
+        if lost > 1e-9 * sum(abs(p.motor_power) for p in points):
+            parts.append(f"{named(name, lost, system)} in the {what}")
+    if not parts:
+        return
+    electrical = sum(p.electrical_power for p in points)
+    mains = (
+        ""
+        if isnan(electrical)
+        else (f"; the motors take {named('electrical_power', electrical, system)} from the mains")
+    )
+    unknown = (
+        ""
+        if not isnan(electrical)
+        else ("; what the motors themselves lose is not told without their motor_efficiency")
+    )
+    yield f"Between mains and drums {', '.join(parts)} {_are(parts)} lost{mains}{unknown}."
+
+
+def _are(parts: list[str]) -> str:
+    return "is" if len(parts) == 1 else "are"
 
 
 def _short(case: CaseResult, system: System) -> Iterator[str]:
@@ -86,7 +117,10 @@ def _shares(case: CaseResult, system: System) -> str:
             f"{m.name} {named('effective_tension', m.arc.effective_tension, system)}" for m in case
         )
         return f"nothing is shared; the drives pull {pulls}"
-    return ", ".join(f"{m.name} carries {percent(m.share)}" for m in case)
+    return ", ".join(
+        f"{m.name} is not driven" if idle(m.arc.arc) else f"{m.name} carries {percent(m.share)}"
+        for m in case
+    )
 
 
 def _fight(case: CaseResult, system: System) -> str:

@@ -5,16 +5,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.across import across_of
-from wraparc.arc import ArcResult, WrapArc
-from wraparc.checks import Level, judge
-from wraparc.choose.what_if import Change, WhatIf
-from wraparc.drive import Drive
+from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.checks import Check, judge
+from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
 from wraparc.present.least_tension import shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.present.words import alone, level_of
-from wraparc.present.words import short as shortly
+from wraparc.present.words import alone, level_of, short
 from wraparc.units import System
 
 _SHOWN = (
@@ -41,12 +39,11 @@ _WORTH_TELLING = 0.02
 
 def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     """Return the table of a pulley before and after changes, with reasons."""
-    results = (found.before, *found.after)
-    drives = (found.drive, *(c.drive for c in found.changes))
+    results, wholes = found.results, found.wholes
     heads = ("before", *(c.title for c in found.changes))
     rows = [
-        Row("Result", tuple(short(d, r) for d, r in zip(drives, results, strict=True))),
-        Row("Verdict", tuple(str(level(d, r)) for d, r in zip(drives, results, strict=True))),
+        Row("Result", tuple(short(w, r) for w, r in zip(wholes, results, strict=True))),
+        Row("Verdict", tuple(str(level_of(w, r)) for w, r in zip(wholes, results, strict=True))),
     ]
     rows += [
         row_of(name, *(_value(r, name) for r in results), system=system)
@@ -54,20 +51,20 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         if not all(math.isnan(_value(r, name)) for r in results)
         and not (name in _TENSIONS and len({_value(r, name) for r in results}) == 1)
     ]
-    least = tuple(shown_least(alone(d, r), system) for d, r in zip(drives, results, strict=True))
-    rows.append(Row("Least slack-side tension", least, note="every binding check kept"))
-    across = compared_table(
-        [alone(d, r) for d, r in zip(drives, results, strict=True)], heads, system
-    )
-    sentences = []
-    for change, after in zip(found.changes, found.after, strict=True):
-        told = (*_missed(found, change, after, system), *reasons(found.before, after, system))
+    least = tuple(shown_least(whole, system) for whole in wholes)
+    behind = ", behind the drives" if len(wholes[0].drive.pulleys) > 1 else ""
+    note = f"every binding check kept{behind}"
+    rows.append(Row("Least slack-side tension", least, note=note))
+    across = compared_table(_by_itself(found), heads, system)
+    sentences, several = [], len(wholes[0].drive.pulleys) > 1
+    for change, whole, after in zip(found.changes, wholes[1:], found.after, strict=True):
+        told = (*_missed(found, whole, system), *reasons(found.before, after, system, several))
         sentences += [f"{change.title}: {s}" for s in told]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
         verdict=Verdict(
-            level(found.drive, found.before), _headline(found, system), tuple(sentences)
+            level_of(wholes[0], found.before), _headline(found, system), tuple(sentences)
         ),
         tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
@@ -80,40 +77,39 @@ def _value(result: ArcResult, name: str) -> float:
     return float(result.scalars()[name])
 
 
-def short(drive: Drive, result: ArcResult) -> str:
-    """Return the answer for an arc of a drive in a few words."""
-    return shortly(alone(drive, result), result)
-
-
-def level(drive: Drive, result: ArcResult) -> Level:
-    """Return the level of an arc of a drive."""
-    return level_of(alone(drive, result), result)
-
-
-def _missed(found: WhatIf, change: Change, after: ArcResult, system: System) -> Iterator[str]:
+def _missed(found: WhatIf, whole: DriveResult, system: System) -> Iterator[str]:
     """Yield what a change makes miss a limit that is kept before it: a new belt, a small drum."""
-    already = {check.name for check in judge(alone(found.drive, found.before)).missed}
-    for check in judge(alone(change.drive, after)).missed:
+
+    def missed(of: DriveResult) -> tuple[Check, ...]:
+        return judge(of).at(found.pulley, found.load_case).missed
+
+    already = {check.name for check in missed(found.wholes[0])}
+    for check in missed(whole):
         if check.name not in already:
             yield f"{check.level}: {check.sentence(system)}"
 
 
 def _headline(found: WhatIf, system: System) -> str:
     parts = []
-    for change, after in zip(found.changes, found.after, strict=True):
+    for change, whole, after in zip(found.changes, found.wholes[1:], found.after, strict=True):
         if after.status.solved:
             parts.append(f"{change.title} {named('exit_creep', after.exit_creep, system)}")
         else:
-            parts.append(f"{change.title} {short(change.drive, after)}")
+            parts.append(f"{change.title} {short(whole, after)}")
     before = "gross slip"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep, system)
     return f"Creep at the exit: as it is {before}; {'; '.join(parts)}."
 
 
-def reasons(before: ArcResult, after: ArcResult, system: System = "si") -> Iterator[str]:
-    """Yield why a result differs from another, from the largest part of the creep down."""
-    yield from _tension_words(before.arc, after.arc, system)
+def reasons(
+    before: ArcResult, after: ArcResult, system: System = "si", several: bool = False
+) -> Iterator[str]:
+    """Yield why a result differs from another, from the largest part of the creep down.
+
+    `several` says that other pulleys share the load.
+    """
+    yield from _tension_words(before.arc, after.arc, system, several)
     if not after.status.solved:
         most = named("tension_ratio", after.capacities.gross_slip_capacity)
         asked = named("tension_ratio", after.arc.entry_tension / after.arc.exit_tension)
@@ -128,7 +124,7 @@ def reasons(before: ArcResult, after: ArcResult, system: System = "si") -> Itera
     yield from some or ["nothing moves by more than 2 % of the creep."]
 
 
-def _tension_words(before: WrapArc, after: WrapArc, system: System) -> Iterator[str]:
+def _tension_words(before: WrapArc, after: WrapArc, system: System, several: bool) -> Iterator[str]:
     """Yield what pull a change of tensions implies: a take-up alone does not change the pull."""
 
     def of(name: str, arc: WrapArc) -> str:
@@ -144,6 +140,9 @@ def _tension_words(before: WrapArc, after: WrapArc, system: System) -> Iterator[
     told = f"with {' and '.join(changes)}"
     if pulls[0] == pulls[1]:
         yield f"{told} the pull stays at {pulls[0]}."
+        return
+    if several:
+        yield f"{told} the pull goes from {pulls[0]} to {pulls[1]}: the load divides anew."
         return
     held = {"entry_tension": "T2", "exit_tension": "T1"}[moved[0]] if len(moved) == 1 else ""
     other = f", {held} held," if held else ""
@@ -233,13 +232,20 @@ def _per_stress(compliance: float) -> str:
     return f"{compliance * 1e9:.3g} mm/MPa"
 
 
+def _by_itself(found: WhatIf) -> list[DriveResult]:
+    """Return the pulley by itself, as it is and after each change: for what is across the width."""
+    return [alone(w.drive, r) for w, r in zip(found.wholes, found.results, strict=True)]
+
+
+def _reasons(found: WhatIf, after: ArcResult) -> Iterator[str]:
+    return reasons(found.before, after, several=len(found.wholes[0].drive.pulleys) > 1)
+
+
 def what_if_document(found: WhatIf) -> dict[str, Any]:
     """Return the results before and after as plain data [SI] for JSON."""
-    results = (found.before, *found.after)
+    results = found.results
     titles = ("before", *(c.title for c in found.changes))
-    drives = (found.drive, *(c.drive for c in found.changes))
-    judged = [alone(d, r) for d, r in zip(drives, results, strict=True)]
-    uneven = [next(iter(across_of(one)), None) for one in judged]
+    uneven = [next(iter(across_of(one)), None) for one in _by_itself(found)]
     return {
         "format": 1,
         "pulley": found.pulley,
@@ -249,9 +255,10 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
                 "title": title,
                 "status": r.status.name.lower(),
                 **{name: _value(r, name) for name in _SHOWN},
-                "reasons": [] if r is found.before else list(reasons(found.before, r)),
+                "verdict": str(level_of(whole, r)),
+                "reasons": [] if r is found.before else list(_reasons(found, r)),
                 **({"across": across_data(a)} if a is not None else {}),
             }
-            for title, r, a in zip(titles, results, uneven, strict=True)
+            for title, whole, r, a in zip(titles, found.wholes, results, uneven, strict=True)
         ],
     }

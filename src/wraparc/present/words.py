@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult, Status
-from wraparc.checks import Level, judge
+from wraparc.checks import Level, idle, judge
 from wraparc.checks import Verdict as Judgement
 from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.present.arc_tables import independent_of_slip
@@ -40,7 +40,9 @@ def short(result: DriveResult, arc: ArcResult) -> str:
     if arc.status is Status.BREAKAWAY:
         return "breaks away"
     worst = judge(result).at(arc.arc.pulley, arc.arc.load_case).governing
-    return worst.short if worst is not None and worst.missed else "carries"
+    if worst is not None and worst.missed:
+        return worst.short
+    return "not driven" if idle(arc.arc) else "carries"
 
 
 def alone(drive: Drive, arc: ArcResult) -> DriveResult:

@@ -111,7 +111,7 @@ STUDY = Table(
         example='drive = "head-drive-fabric.toml"',
     ),
     Entry("set", "KEY=VALUE, put over the drive file.", Rows(Text(1000), 1, 200), title="Settings"),
-    Entry("pulley", "Which pulley of the drive; the first if left out.", Name()),
+    Entry("pulley", "Which pulley, where the drive has several.", Name()),
     Entry(
         "load_cases",
         "Every design is solved in each: names, or all; the first if left out.",

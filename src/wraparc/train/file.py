@@ -362,8 +362,7 @@ class _Reader:
         return Motors(made) if len(made) == len(names) else None
 
     def _motor(self, record: Record) -> Motor | TorqueFollower | None:
-        count = {"count": int(record["count"])} if "count" in record else {}
-        motor: Motor | TorqueFollower | None = MOTOR.built(record, self._report, **count)
+        motor: Motor | TorqueFollower | None = MOTOR.built(record, self._report)
         return motor
 
 

@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 from wraparc.drive import MOST_PULLEYS, Limit, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.files.drive_keys import DRIVE, LOAD_CASE
-from wraparc.schema.kinds import ByName, Kind, Name, Quantity, Rows
+from wraparc.schema.kinds import ByName, Count, Kind, Name, Quantity, Rows
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.tables import Entry, Table, Variant, limited, need
 from wraparc.train.motors import (
@@ -88,7 +88,12 @@ _COMMON = (
         "Power out over power in; 1 if left out.",
         title="Efficiency of the gear",
     ),
-    Entry("count", "Equal motors on the drum.", title="Motors"),
+    Entry(
+        "motor_efficiency",
+        "Shaft power over electrical power; without it motor losses are not told.",
+        title="Efficiency of the motor",
+    ),
+    Entry("count", "Equal motors on the drum.", Count(1, 8), title="Motors"),
     Entry("brakes", "Whether the motor can hold back; true if left out."),
 )
 _MAINS = (

@@ -36,8 +36,11 @@ class Motor(ABC):
         Motor speed over drum speed [-].
     gear_efficiency
         Power out over power in of the gear, either way [-].
+    motor_efficiency
+        Shaft power over electrical power at the operating point [-], either way, or None where it
+        is not known.
     count
-        Equal motors on the drum [-].
+        Equal motors on the drum, a whole number [-].
     brakes
         Whether it can also hold back (regenerate).
 
@@ -52,6 +55,7 @@ class Motor(ABC):
         "rated_speed": Limit("rotation_speed", open=True, most=1e5),
         "gear_ratio": Limit("number", open=True, most=1e4),
         "gear_efficiency": Limit("number", least=0.05, most=1.0),
+        "motor_efficiency": Limit("number", least=0.05, most=1.0),
         "count": Limit("number", least=1, most=8),
     }
 
@@ -59,11 +63,16 @@ class Motor(ABC):
     rated_speed: float
     gear_ratio: float = 1.0
     gear_efficiency: float = 1.0
+    motor_efficiency: float | None = None
     count: int = 1
     brakes: bool = True
 
     def __post_init__(self) -> None:
-        raise_all(limit_problems(self, self.LIMITS) + self._problems())
+        problems = limit_problems(self, self.LIMITS)
+        if self.count != int(self.count):
+            message = "must be a whole number of motors"
+            problems.append(Problem(key="count", value=f"{self.count:g}", message=message))
+        raise_all(problems + self._problems())
 
     def _problems(self) -> list[Problem]:
         """Return what else is wrong."""
@@ -87,6 +96,10 @@ class Motor(ABC):
     @abstractmethod
     def shaft_speed(self, load: float) -> float:
         """Speed of the motor side of the gear [rad/s] at a load in rated torques [-]."""
+
+    def motor_speed(self, load: float, gear_speed: float) -> float:
+        """Speed of the motor itself [rad/s] at a load, the gear turning at a speed [rad/s]."""
+        return gear_speed
 
     @abstractmethod
     def largest_load(self) -> float:
@@ -239,6 +252,10 @@ class FluidCoupling(Induction):
         """Speed of the turbine side [rad/s]."""
         pump = super().shaft_speed(load)
         return pump * (1.0 - self._slip(load * (self.rated_speed / pump) ** 2))
+
+    def motor_speed(self, load: float, gear_speed: float) -> float:
+        """Speed of the pump side [rad/s]."""
+        return super().shaft_speed(load)
 
     def _slip(self, load: float) -> float:
         size, loads, slips = abs(load), self.coupling_load, self.coupling_slip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from enum import StrEnum
-from math import isfinite, nan
+from math import isfinite, isnan, nan
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Drive, LoadCase, Tensions
@@ -38,24 +38,47 @@ class TrainStatus(StrEnum):
 
 @dataclass(frozen=True)
 class MotorPoint:
-    """Where each motor on a drum works.
+    """Where each motor on a drum works, and what is lost between it and the drum.
+
+    Powers are negative where the motor holds back; losses never are.
 
     Attributes
     ----------
     motor_load
         Torque over rated torque [-].
     motor_torque
-        Shaft torque [N m].
+        Shaft torque of each motor [N m].
     motor_speed
-        Speed on the motor side of the gear; with a fluid coupling, of the turbine [rad/s].
+        Speed of the motor; with a fluid coupling that of the pump [rad/s].
     motor_power
-        Shaft power there [W].
+        Shaft power of each motor [W].
+    gear_speed
+        Speed of the motor side of the gear; with a fluid coupling that of the turbine [rad/s].
+    electrical_power
+        Power that all motors of the drum take from the mains; nan without a motor efficiency [W].
+    motor_loss
+        Lost in all motors of the drum; nan without a motor efficiency [W].
+    coupling_loss
+        Lost in their fluid couplings [W].
+    gear_loss
+        Lost in the gear [W].
     """
 
     motor_load: float
     motor_torque: float
     motor_speed: float
     motor_power: float
+    gear_speed: float
+    electrical_power: float
+    motor_loss: float
+    coupling_loss: float
+    gear_loss: float
+
+    @property
+    def losses(self) -> float:
+        """All that is known to be lost between the mains and the drum [W]."""
+        known = 0.0 if isnan(self.motor_loss) else self.motor_loss
+        return known + self.coupling_loss + self.gear_loss
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,6 +210,12 @@ class CaseResult:
     def power_loss(self) -> float:
         """Power lost to creep on all pulleys [W]."""
         return sum(m.arc.energy.power_loss for m in self.members)
+
+    @property
+    def motor_losses(self) -> float:
+        """Power that is known to be lost between the mains and the drums [W]; nan with no motor."""
+        points = [m.motor for m in self.members if m.motor is not None]
+        return sum(point.losses for point in points) if points else nan
 
     @property
     def loss_ratio(self) -> float:

@@ -287,9 +287,25 @@ def _motor_point(setup: Setup, i: int, torque: float, rotation: float) -> MotorP
     if not isinstance(motor, Motor):
         return None
     load = motor.load(torque)
-    speed = rotation * motor.gear_ratio
     each = load * motor.rated_torque
-    return MotorPoint(load, each, speed, each * speed)
+    gear_speed = rotation * motor.gear_ratio
+    speed = motor.motor_speed(load, gear_speed)
+    shaft = motor.count * each * speed
+    electrical = nan
+    if motor.motor_efficiency is not None:
+        eta = motor.motor_efficiency
+        electrical = shaft / eta if shaft >= 0.0 else shaft * eta
+    return MotorPoint(
+        motor_load=load,
+        motor_torque=each,
+        motor_speed=speed,
+        motor_power=each * speed,
+        gear_speed=gear_speed,
+        electrical_power=electrical,
+        motor_loss=electrical - shaft,
+        coupling_loss=motor.count * each * (speed - gear_speed),
+        gear_loss=motor.count * each * gear_speed - torque * rotation,
+    )
 
 
 def _status(
