@@ -16,13 +16,14 @@ from checks.test_least_tension import random_drives
 from checks.test_rows import NONE, WIDE, lagging, quiet
 from wraparc import Drive, IntegralLog, Pulley, Tensions, load_lagging, solve
 from wraparc.arc import Distributed
-from wraparc.batch import precise, pull_factors
+from wraparc.batch import precise, pull_factors, solve_arcs
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.result import BatchResult
 from wraparc.batch.row import EVERYTHING, TENSIONS
 from wraparc.catalogue import design_friction
 from wraparc.checks import Check, judge
 from wraparc.checks.design_standard import asked, wrap_factors
+from wraparc.checks.of_arc import slip_speed
 from wraparc.checks.of_rows import LEVELS, NAMES, judge_rows
 from wraparc.drive import Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
 from wraparc.files import drive_from_document
@@ -156,6 +157,23 @@ def test_compiled_pull_factors_are_those_of_the_interpreter(
     monkeypatch.setattr(pull_factors, "available", lambda: False)
     np.testing.assert_array_equal(found, pull_factors.pull_factors(*asked_for))
     assert 1.0 < found[0] < 10.0
+
+
+@pytest.mark.parametrize("times", [1e-3, 0.5, 0.99, 1.01, 2.0])
+def test_compiled_lanes_know_whether_the_slip_speed_is_above_that_of_the_tests(
+    times: float,
+) -> None:
+    """At so many times the slip speed of the arc itself, by the scalar kernel."""
+    of = quiet(lagging=SOFT, criteria=NONE)
+    arc = solve(of, method=QUICK).arcs[0]
+    tested = replace(WIDE, slip_speed=times * slip_speed(arc))
+    law = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=tested.slip_speed))  # type: ignore[type-var]
+    of = quiet(lagging=replace(SOFT, law=law), criteria=NONE)
+    rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
+    solved = solve_arcs(rows.arcs, capacities=False)
+    level, governing = judge_rows(solved, rows.held, np.ones(1))
+    missed = NAMES[governing[0]] == "tested_slip_speed" and str(LEVELS[level[0]]) == "ATTENTION"
+    assert missed is (times < 1.0)
 
 
 @pytest.mark.parametrize("fixed", [False, True])

@@ -90,7 +90,7 @@ class BatchResult(Mapping[str, Array]):
 
     @property
     def slip_speed(self) -> Array:
-        """Largest speed of the belt on the lagging, nan where nobody looked, shape (n,) [m/s]."""
+        """Largest speed of the belt on the lagging, or a bound from below, shape (n,) [m/s]."""
         speed: Array = self.arcs.belt_speed * self.found[:, row.STEEPEST_SLIP]
         return speed
 

@@ -68,7 +68,7 @@ INPUTS = (*Geometry._fields, *Load._fields)
     LEAST_SLACK,  # [N]
     MOST_PULL,  # [N]
     LARGEST_SLIP,  # along the arc [m]
-    STEEPEST_SLIP,  # along the arc [-]; the lanes do not look for it
+    STEEPEST_SLIP,  # along the arc [-]; of the lanes a bound from below, see `engineering`
 ) = range(21)
 FOUND_NUMBERS = 21
 
