@@ -41,7 +41,8 @@ serve: $(UV) ## open the calculator in the browser (sets itself up); FILE=drive.
 	@$(call sync,--frozen --inexact --no-default-groups --extra web --extra fit --extra study)
 	@$(BIN)/wraparc serve --open $(FILE)
 
-test: dev format lint types docs tests ## the whole gate (sets itself up)
+test: dev format lint ## the whole gate (sets itself up)
+	@$(MAKE) --no-print-directory -j3 types docs tests
 
 dev: $(UV) node_modules/.locked ## install everything a developer needs into .venv and node_modules
 	@echo "== environment: every extra and the developer tools, as locked"
