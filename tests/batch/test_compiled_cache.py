@@ -11,6 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import wraparc
 from wraparc.batch import native
 from wraparc.batch.lane_kernel import solve_rows as lane_rows
@@ -173,3 +175,16 @@ def test_threads_may_be_the_first_to_compile_or_load() -> None:
         check=False,
     )
     assert run.stdout.split() == ["0.0", "True"], run.stderr
+
+
+def test_one_process_compiles_a_state_at_a_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What another process would ask for meanwhile is refused, and granted afterwards."""
+    fcntl = pytest.importorskip("fcntl", reason="Windows compiles in each process")
+    monkeypatch.setenv("WRAPARC_CACHE_DIR", str(tmp_path))
+    lock = tmp_path / "compiled" / "a-state" / "lock"
+    with native._alone("a-state"), open(lock, "ab") as other, pytest.raises(BlockingIOError):
+        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    with open(lock, "ab") as other:
+        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -15,7 +15,7 @@ import platform
 import shutil
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import nullcontext
+from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from functools import cache
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
@@ -73,7 +73,8 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
     for function in functions[1:]:
         if id(function) not in replaced:
             register_jitable(**options, no_cfunc_wrapper=True, no_cpython_wrapper=True)(function)
-    dispatcher = _cached(entry, {"nogil": True, **options}, fingerprint(functions, options))
+    name = fingerprint(functions, options)
+    dispatcher = _cached(entry, {"nogil": True, **options}, name)
 
     ready = False
 
@@ -81,13 +82,31 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
         nonlocal ready
         if not ready and not dispatcher.nopython_signatures:
             own_way = nullcontext() if _as_it_is() else underlay.optimised_once(entry.__qualname__)
-            with own_way:
+            with _alone(name), own_way:
                 if not dispatcher.nopython_signatures:  # another thread may have been first
                     dispatcher.compile(tuple(map(numba.typeof, arguments)))
         ready = True  # to ask the dispatcher takes longer than a short kernel
         return dispatcher(*arguments)
 
     return run
+
+
+@contextmanager
+def _alone(name: str) -> Iterator[None]:
+    """One process compiles a state of the kernel; the others wait, then find it on disk.
+
+    The lock ends with its process, however that ends. Where there is none (Windows, some network
+    drives), each process compiles for itself.
+    """
+    folder = _folder(name)
+    with ExitStack() as stack:
+        if folder is not None:
+            with suppress(ImportError, OSError):
+                import fcntl
+
+                lock = stack.enter_context(open(folder / "lock", "ab"))
+                fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def _as_it_is() -> bool:
