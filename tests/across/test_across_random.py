@@ -21,7 +21,7 @@ LAWS: dict[str, FrictionLaw] = {
 
 @pytest.mark.parametrize("name", LAWS)
 def test_random_drives(name: str) -> None:
-    """300 of them: python benchmarks/across.py 300."""
+    """300 of them: python benchmarks/belt_width.py 300."""
     rng, steps = np.random.default_rng(20), []
     for _ in range(10):
         found = AcrossSolver(32).solve(random_wide(LAWS[name], rng, strips=6))

@@ -7,6 +7,7 @@ from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.screening import DefectShare, Screening, screen
 from wraparc.across.solve import across_of, slack_words, solve_across, uneven_pulleys
 from wraparc.across.solver import AcrossSolver
+from wraparc.across.spans import TransitionSpan
 from wraparc.across.wear import WearHistory, march_wear
 from wraparc.across.wide_arc import WideArc
 
@@ -23,6 +24,7 @@ __all__ = [
     "Screening",
     "Slack",
     "Stiffness",
+    "TransitionSpan",
     "WearHistory",
     "WideArc",
     "across_of",

@@ -54,6 +54,9 @@ class Profile(Kind):
         Whether they may be stated on diameter, or be whole diameters.
     """
 
+    #: How it is written, in a few words.
+    words = "rows, or a table"
+
     def __init__(self, dimension: Dimension, *, diameters: bool = False) -> None:
         self.dimension, self.diameters = dimension, diameters
         self.rows = Rows(_Pair(dimension), 0, 500)

@@ -1,4 +1,4 @@
-"""Time and reach of the solver across the width: python benchmarks/across.py [random drives].
+"""Time and reach of the solver across the width: python benchmarks/belt_width.py [random drives].
 
 32 strips, the 16 modes of the screening, and random drives with how they end. Times are processor
 time, best of three; they drift with the machine.
