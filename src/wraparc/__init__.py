@@ -60,6 +60,8 @@ if typing.TYPE_CHECKING:
         TestedRange,
         Trend,
     )
+    from wraparc.motion import Event, RunResult, StabilityResult, Station, simulate, stability
+    from wraparc.motion.file import load_motion
     from wraparc.provenance import Kind, Provenance
     from wraparc.train import Train, TrainResult, solve_train
     from wraparc.train.file import load_drive, load_train
@@ -82,6 +84,7 @@ __all__ = [
     "DriveResult",
     "ElasticPlastic",
     "Energy",
+    "Event",
     "FrictionLaw",
     "GrippingPulley",
     "InputError",
@@ -99,8 +102,11 @@ __all__ = [
     "Profile",
     "Provenance",
     "Pulley",
+    "RunResult",
     "Setting",
     "SlackBeltError",
+    "StabilityResult",
+    "Station",
     "Status",
     "Tensions",
     "TestedRange",
@@ -114,11 +120,14 @@ __all__ = [
     "__version__",
     "load_drive",
     "load_lagging",
+    "load_motion",
     "load_train",
+    "simulate",
     "solve",
     "solve_across",
     "solve_batch",
     "solve_train",
+    "stability",
 ]
 
 _ROOMS = {
@@ -139,6 +148,8 @@ _ROOMS = {
         "CoefficientPieces Constant ElasticPlastic FrictionLaw IntegralLog MeasuredTable Piece "
         "PressureKnots PressurePower TestedRange Trend"
     ),
+    "motion": "Event RunResult StabilityResult Station simulate stability",
+    "motion.file": "load_motion",
     "provenance": "Kind Provenance",
     "batch": "BatchResult Setting solve_batch",
     "train": "Train TrainResult solve_train",

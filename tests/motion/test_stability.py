@@ -19,7 +19,8 @@ from wraparc.motion.control import (
 )
 from wraparc.motion.event import Event, OnDrum
 from wraparc.motion.march import March
-from wraparc.motion.stability import (
+from wraparc.motion.station import Drum, Station
+from wraparc.motion.vibration import (
     Linear,
     contour,
     response,
@@ -27,7 +28,6 @@ from wraparc.motion.stability import (
     stability_map,
     winding,
 )
-from wraparc.motion.station import Drum, Station
 
 INERTIA = {"fabric": 2200.0, "steel-cord": 6000.0}
 TRAINS = {name: load_train(f"examples/tandem-{name}.toml") for name in INERTIA}

@@ -32,9 +32,9 @@ from wraparc.motion.event import (
     Start,
     Stop,
 )
+from wraparc.motion.follow import row_names, simulate
 from wraparc.motion.march import March
 from wraparc.motion.result import Outcome
-from wraparc.motion.simulate import row_names, simulate
 from wraparc.motion.station import Drum, Station
 
 INERTIA = {"fabric": 2200.0, "steel-cord": 6000.0}

@@ -20,6 +20,7 @@ from wraparc.checks.check import Check, Level, Place, Verdict, keeps
 from wraparc.checks.gross_slip import Margins, margins, margins_of
 from wraparc.checks.judge import before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
+from wraparc.checks.of_run import judge_run
 from wraparc.checks.rules import RULES, idle
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "before",
     "idle",
     "judge",
+    "judge_run",
     "keeps",
     "least_tension",
     "margins",

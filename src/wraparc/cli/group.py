@@ -22,6 +22,12 @@ COMMANDS: dict[str, Command] = {
     "trim": Command(
         "wraparc.cli.trim:trim", "Show how exactly the drives on one belt must be matched."
     ),
+    "run": Command(
+        "wraparc.cli.motion:run", "Follow drives through an event: start, stop, load step, splice."
+    ),
+    "stability": Command(
+        "wraparc.cli.motion:stability", "Tell whether drives pulsate, why, and what cures it."
+    ),
     "report": Command(
         "wraparc.cli.report:report", "Write the calculation note of a drive: PDF, Excel, Markdown."
     ),

@@ -214,5 +214,6 @@ DRIVE = Table(
     Entry("conveyor", "The load cases by resistances, instead of tensions.", CONVEYOR),
     *CRITERIA,
     Entry("train", kind=Elsewhere()),
+    Entry("motion", "The drives in time: events, inertias, controls.", Elsewhere()),
     of=Drive,
 )

@@ -179,9 +179,9 @@ class OnDrum(Happening):
     pulley: str
     run_out: float = 0.0
     ripple: float = 0.0
-    order: float = 1
+    order: float = 1.0
     joint_rise: float = 0.0
-    joints: float = 4
+    joints: float = 4.0
     joint_width: float = 0.04
 
     def rise(self, angle: float, radius: float) -> float:

@@ -401,7 +401,7 @@ class ControlAnswer:
     name
         In words.
     root
-        The rightmost root [1/s].
+        The rightmost root if it grows, else nan [1/s].
     stable
         Whether no vibration grows.
     pull
@@ -543,10 +543,9 @@ def _answer(linear: Linear, name: str, controls: Sequence[Control]) -> ControlAn
         if isinstance(control, CoupledMotor):
             slip = control.slip_at(duty.torque / control.rating(duty))
             lost += abs(duty.torque * duty.speed) * slip / (1.0 - slip)
-    root = with_.rightmost
-    return ControlAnswer(
-        name, root, not root.real > 0.0, float(size[0]), float(size[1]), lost / total
-    )
+    stable = with_.roots_beyond(0.0) == 0
+    root = complex(math.nan, math.nan) if stable else with_.rightmost
+    return ControlAnswer(name, root, stable, float(size[0]), float(size[1]), lost / total)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,229 @@
+"""What drives do in time, in words and tables: a run through an event, and whether they pulsate."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from wraparc.checks import Level, judge_run
+from wraparc.motion.result import RunResult
+from wraparc.motion.vibration import ControlAnswer, StabilityResult
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
+from wraparc.present.words import in_words
+from wraparc.units import System, display
+
+#: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
+_CALM = 0.02
+
+
+def run_sheet(run: RunResult, system: System = "si") -> Sheet:
+    """Return the answer of a run: the worst check first, then the numbers of every drum."""
+    told = judge_run(run)
+    return Sheet(
+        title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
+        subtitle=f"{run.steps} steps of {display(run.step, 'time', digits=3)}, "
+        f"{display(float(run.time[-1]), 'time', digits=3)} followed"
+        + ("" if run.compiled else "; without numba, which makes it some hundred times faster"),
+        verdict=in_words(told, system, [*told.sentences(system), *_run_sentences(run, system)]),
+        tables=(_whole_table(run, system), _drum_table(run, system)),
+        remarks=told.data + _LEFT_OUT,
+        sources=(run.station.source,) if run.station.source else (),
+    )
+
+
+_LEFT_OUT = (
+    "Not in the model: belt mass on the arc, waves in the conveyor (one mass, one spring on each "
+    "side), rubber that flows, friction that depends on speed or on rest.",
+)
+
+_NOT_EXCLUDED = (
+    "A pulsation by friction that falls with speed or grows with rest is not in the model: it is "
+    "neither found nor excluded."
+)
+
+
+def _run_sentences(run: RunResult, system: System) -> Iterator[str]:
+    peak, tension = run.peak_creep, run.peak_tension
+    yield (
+        f"The largest creep, {named('exit_creep', peak.value, system)}, comes at {peak.place} "
+        f"after {display(peak.time, 'time', digits=3)}; the largest tension, "
+        f"{named('entry_tension', tension.value, system)}, {tension.place} after "
+        f"{display(tension.time, 'time', digits=3)}."
+    )
+    if not math.isnan(run.build_distance):
+        travelled = display(run.build_distance, "length", system, digits=3)
+        yield f"Creep settles within 5 % after {travelled} of belt travel."
+    if run.belt_speed[-1] < 0.01 * max(run.belt_speed):
+        left = ", ".join(
+            f"{name} {named('exit_creep', creep, system)}"
+            for name, creep in zip(run.station.names, run.creep_left(), strict=True)
+        )
+        yield f"Creep left at rest: {left}."
+        pulls = [float(d.effective_tension[-1]) for d in run]
+        if min(pulls) < -0.02 * max(map(abs, pulls)) < 0.02 * max(map(abs, pulls)) < max(pulls):
+            yield "At rest the drums pull against each other."
+
+
+def _whole_table(run: RunResult, system: System) -> Table:
+    least = run.least_tension
+    rows = [
+        Row("Largest tension", (named("entry_tension", run.peak_tension.value, system),)),
+        Row("Least tension", (named("exit_tension", least.value, system),), note=least.place),
+        Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed", system),)),
+    ]
+    return Table("The event", tuple(rows))
+
+
+def _drum_table(run: RunResult, system: System) -> Table:
+    drums = run.drums
+
+    def row(title: str, values: list[str], note: str = "") -> Row:
+        return Row(title, tuple(values), note=note)
+
+    def size(values: object, dimension: str) -> str:
+        import numpy as np
+
+        return quantity(float(np.max(np.abs(np.asarray(values)))), dimension, system)  # type: ignore[arg-type]
+
+    rows = [
+        row("Largest pull", [size(d.effective_tension, "force") for d in drums]),
+        row("Largest torque", [size(d.torque, "torque") for d in drums]),
+        row("Largest creep at exit", [size(d.exit_creep, "length") for d in drums]),
+        row("Largest slip at exit", [size(d.exit_slip, "length") for d in drums]),
+        row("Largest shear stress", [size(d.peak_shear, "pressure") for d in drums]),
+        row("Share at the end", [percent(float(d.share[-1])) for d in drums]),
+        row(
+            "Time over the creep limit",
+            [quantity(run.over_limit(d.name), "time", system) for d in drums],
+        ),
+        row(
+            "Friction work on the lagging",
+            [f"{display(d.friction_energy / 1e3, 'number', digits=3)} kJ" for d in drums],
+        ),
+        row(
+            "Friction work per area of shell",
+            [quantity(run.energy_per_area(d.name), "energy_per_area", system) for d in drums],
+        ),
+    ]
+    depths = [run.wear_depth(d.name) for d in drums]
+    if any(d is not None for d in depths):
+        texts = [
+            NONE if d is None else f"{display(d * 1e6, 'number', digits=3)} um" for d in depths
+        ]
+        rows.append(row("Wear of one such event", texts))
+    return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums))
+
+
+def stability_sheet(result: StabilityResult, system: System = "si") -> Sheet:
+    """Return the answer to: will it pulsate, why, how much, and what cures it at what cost."""
+    own = result.controls[0]
+    return Sheet(
+        title=f"{result.linear.station.train.title or 'Drive'}: will it pulsate?",
+        subtitle=f"run-out of the last drum {named('exit_creep', result.run_out, system)}",
+        verdict=_verdict(result, own, system),
+        tables=(_sensitivity_table(result), _controls_table(result)),
+        remarks=(*_LEFT_OUT, _NOT_EXCLUDED),
+        sources=(result.linear.station.source,) if result.linear.station.source else (),
+    )
+
+
+def _verdict(result: StabilityResult, own: ControlAnswer, system: System) -> Verdict:
+    station, run_out = result.linear.station, result.run_out
+    amplitude = own.pull * run_out
+    others = [c for c in result.controls[1:] if c.stable]
+    calmest = min(others, key=lambda c: max(c.pull, c.pull_third))
+    ways = " and ".join(dict.fromkeys(d.control.words for d in station.drums))
+    said = named("exit_creep", run_out, system)
+    cure = (
+        f"Of the usual ways to drive it, {calmest.name} is the calmest: "
+        f"{percent(calmest.pull * run_out, 2)} of the pull at one wave a turn, "
+        f"{percent(calmest.pull_third * run_out, 2)} at three; {_cost(calmest)}."
+    )
+    forced = (
+        f"A run-out of {said} of the last drum makes its pull swing by "
+        f"{percent(amplitude, 2)} at one wave a turn and "
+        f"{percent(own.pull_third * run_out, 2)} at three."
+    )
+    if not result.stable:
+        double = math.log(2.0) / result.root.real
+        headline = (
+            f"Yes, it pulsates by itself: with {ways} a vibration of {result.frequency:.3g} Hz "
+            f"doubles every {display(double, 'time', digits=2)}."
+        )
+        return Verdict(Level.FAILS, headline, (*_why(result), cure, forced))
+    calm = amplitude <= _CALM and own.pull_third * run_out <= _CALM
+    headline = f"No, it does not pulsate by itself with {ways}"
+    headline += "." if calm else f", but it passes errors of the drums on as force. {forced}"
+    told = [*_why(result), *([forced] if calm else []), cure]
+    return Verdict(Level.OK if calm else Level.ATTENTION, headline, tuple(told))
+
+
+def _why(result: StabilityResult) -> Iterator[str]:
+    from wraparc.motion.control import ExactSpeed, Follower
+
+    drums = result.linear.station.drums
+    if not result.stable and any(
+        isinstance(d.control, Follower) and not d.control.damping for d in drums
+    ):
+        yield (
+            "The torque follower answers late and has no speed feedback: against the spring of "
+            "belt and lagging its lag acts as a negative damping. A droop of 1 to 5 % added to it "
+            "(damping) cures that."
+        )
+    elif not result.stable and any(d.trim for d in drums):
+        yield (
+            "Load sharing trims the speed faster than the share follows: lower its gain by half, "
+            "or shorten the dead time."
+        )
+    if any(isinstance(d.control, ExactSpeed) for d in drums[1:]) and result.sensitivity:
+        worst = max(result.sensitivity, key=abs)
+        yield (
+            f"At exact speeds 0.1 % of speed moves {percent(abs(worst) * 1e-3, 2)} of the load to "
+            "another drum: nothing gives way to run-out, wear or a splice."
+        )
+    if result.softening:
+        yield (
+            f"On {' and '.join(result.softening)} the friction falls with slip: past the peak a "
+            "vibration grows into gross slip, not into a lasting pulsation."
+        )
+
+
+def _cost(answer: ControlAnswer) -> str:
+    if answer.power_loss < 1e-6:
+        return "it costs no power"
+    return f"it costs {percent(answer.power_loss, 2)} of the power in slip"
+
+
+def _sensitivity_table(result: StabilityResult) -> Table:
+    root = result.root
+    decay = "in less than 0.33 s" if math.isnan(root.real) else f"in {1.0 / abs(root.real):.3g} s"
+    rows = [
+        Row(
+            "Share moved by 0.1 % of speed",
+            (", ".join(percent(s * 1e-3) for s in result.sensitivity) or NONE,),
+            note="all other speeds and the outer tensions held",
+        ),
+        Row(
+            "Least damped vibration",
+            (NONE if math.isnan(root.real) else f"{result.frequency:.3g} Hz",),
+            note=f"{'grows' if root.real > 0 else 'dies out'} e-fold {decay}",
+        ),
+    ]
+    return Table("Small vibrations", tuple(rows))
+
+
+def _controls_table(result: StabilityResult) -> Table:
+    rows = [
+        Row(
+            c.name,
+            (
+                "no" if c.stable else f"yes, {abs(c.root.imag) / (2.0 * math.pi):.3g} Hz",
+                percent(c.pull * result.run_out, 2),
+                percent(c.pull_third * result.run_out, 2),
+                percent(c.power_loss, 2),
+            ),
+        )
+        for c in result.controls
+    ]
+    heads = ("pulsates", "swing of pull, 1 a turn", "3 a turn", "power lost")
+    return Table("What other controls would make of it", tuple(rows), heads=heads)

@@ -1,0 +1,179 @@
+"""The [motion] table, and the commands that read it: every door to drives in time."""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from cli.running import Ran
+from cli.running import wraparc as run_command
+from wraparc import InputError, load_drive, load_motion, load_train
+from wraparc.checks import Level, judge_run
+from wraparc.motion import Droop, ExactSpeed, Follower, simulate, stability, stability_map
+from wraparc.motion.file import motion_from_text, read_record
+from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
+from wraparc.present.motion_sheet import run_sheet, stability_sheet
+
+TANDEMS = ["examples/tandem-fabric.toml", "examples/tandem-steel-cord.toml"]
+QUICK = ["motion.event.start.duration=3 s"]
+
+
+@pytest.mark.parametrize("file", TANDEMS)
+def test_the_shipped_tandems_have_events(file: str) -> None:
+    motion = load_motion(file)
+    assert [e.name for e in motion.events] == [
+        "start", "start and stop", "run-out", "splice", "wet patch",
+    ]  # fmt: skip
+    assert isinstance(motion.station.drums[1].control, ExactSpeed)
+    assert "illustrative" in motion.station.source
+    assert load_train(file) == motion.station.train
+
+
+def test_a_file_without_motion_says_what_to_write() -> None:
+    with pytest.raises(InputError, match=r"Write a \[motion\] table"):
+        load_motion("examples/triple-steel-cord.toml")
+
+
+def test_a_drive_file_may_have_it_too(tmp_path: Path) -> None:
+    path = tmp_path / "drive.toml"
+    text = Path("examples/head-drive-fabric.toml").read_text("utf-8")
+    name = load_drive("examples/head-drive-fabric.toml").pulleys[0].name
+    path.write_text(text + f'\n[motion.drum."{name}"]\ninertia = "2000 kg m2"\n', "utf-8")
+    motion = load_motion(path)
+    assert isinstance(motion.station.drums[0].control, Droop)
+    load_drive(path)  # what does not look at it reads past it
+
+
+def test_every_fault_is_told_at_once() -> None:
+    text = Path(TANDEMS[0]).read_text("utf-8")
+    text = text.replace('width = "1200 mm"', 'width = "-1 m"')
+    text = text.replace('inertia = "2200 kg m2"', 'inertia = "5 kg"', 1)
+    text = text.replace('carry_run = "50 m"', 'winch_sped = "1 m/s"')
+    text = text.replace('shape = "s-curve"', 'shape = "s-kurve"')
+    text = text.replace('pulley = "second", run_out', 'puley = "second", run_out')
+    with pytest.raises(InputError) as told:
+        motion_from_text(text)
+    said = str(told.value)
+    for part in (
+        "belt.width",
+        "where a moment of inertia is needed",
+        'Did you mean "winch_speed"?',
+        'Did you mean "s-curve"?',
+        'Did you mean "pulley"?',
+    ):
+        assert part in said
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('control = { kind = "exact-speed" }', 'control = { kind = "speed-loop" }', "bandwidth"),
+        ('control = { kind = "exact-speed" }', 'control = { kind = "induction" }', "starting_rat"),
+        ("[motion.drum.second]", "[motion.drum.third]", "no such pulley"),
+        ('source = "', 'take_up = "fixed"\nconveyor_mas = "1 t"\nsource = "', "conveyor_mass"),
+        ('shape = "s-curve", time', 'file = "a.csv", time', "unknown key"),
+    ],
+)
+def test_bad_input_is_told(old: str, new: str, sentence: str) -> None:
+    text = Path(TANDEMS[0]).read_text("utf-8")
+    assert old in text
+    with pytest.raises(InputError, match=sentence):
+        motion_from_text(text.replace(old, new))
+
+
+def test_a_record_is_read_with_its_units(tmp_path: Path) -> None:
+    path = tmp_path / "record.csv"
+    path.write_text("time [ms],speed [rpm]\n0,60\n500,120\n", "utf-8")
+    record = read_record(path, "first")
+    assert record.times == (0.0, 0.5)
+    assert record.values[1] == pytest.approx(12.566370614)
+    for text, sentence in (
+        ("time,speed\n0,1\n", "with their units"),
+        ("time [s],speed [rpm]\n0,1\n1,\n", "line 3: the record has a gap"),
+        ("time [s],speed [rpm]\n0,1\n1,x\n", "line 3"),
+        ("time [s],speed [rpm]\n1,1\n0,1\n", "the times must rise"),
+    ):
+        path.write_text(text, "utf-8")
+        with pytest.raises(InputError, match=sentence):
+            read_record(path, "first")
+
+
+def test_a_record_drives_an_event(tmp_path: Path) -> None:
+    text = Path(TANDEMS[0]).read_text("utf-8")
+    text += '\n[[motion.event]]\nname = "as measured"\nduration = "1 s"\n'
+    text += 'happens = [{ kind = "measured", pulley = "first", file = "record.csv" }]\n'
+    (tmp_path / "record.csv").write_text("time [s],torque [kN m]\n0,20\n1,22\n", "utf-8")
+    path = tmp_path / "drive.toml"
+    path.write_text(text, "utf-8")
+    event = load_motion(path).event("as measured")
+    assert event.happenings[0].values == (20e3, 22e3)  # type: ignore[attr-defined]
+    with pytest.raises(InputError, match="may not be named here"):
+        motion_from_text(text)
+
+
+def test_no_such_event_is_told() -> None:
+    with pytest.raises(InputError, match='Did you mean "start"'):
+        load_motion(TANDEMS[0]).event("strat")
+
+
+@pytest.fixture(scope="module")
+def short_start() -> Ran:
+    return run_command("run", TANDEMS[0], "--quiet", "--points", "30", "--set", QUICK[0])
+
+
+def test_the_command_run_tells_the_worst_first(short_start: Ran) -> None:
+    assert short_start.code == 0
+    assert "The drums" in short_start.out
+    assert "Largest creep at exit" in short_start.out
+
+
+def test_the_command_run_streams_files(tmp_path: Path) -> None:
+    table, columns = tmp_path / "run.csv", tmp_path / "run.parquet"
+    done = run_command(
+        "run", TANDEMS[0], "--quiet", "--points", "20", "--set", QUICK[0], "--every", "0.1 s",
+        "--csv", str(table), "--parquet", str(columns),
+    )  # fmt: skip
+    assert done.code == 0, done.err
+    rows = list(csv.reader(table.read_text("utf-8").splitlines()))
+    assert rows[0][:3] == ["time [s]", "belt speed [m/s]", "first: entry tension [N]"]
+    assert len(rows) == pytest.approx(31, abs=2)
+    assert float(rows[-1][0]) == pytest.approx(3.0, abs=0.05)
+    import pyarrow.parquet as pq
+
+    assert pq.read_table(columns).num_rows == len(rows) - 1
+
+
+def test_the_commands_refuse_before_they_work(tmp_path: Path) -> None:
+    bad = run_command("run", TANDEMS[0], "--step", "0 s", "--quiet")
+    assert bad.code == 2
+    assert "must be more than 0" in bad.err
+    coarse = run_command("run", TANDEMS[0], "--event", "run-out", "--step", "0.2 s", "--quiet")
+    assert coarse.code == 2
+    assert "too coarse for 1.19 Hz" in coarse.err
+
+
+def test_the_command_stability_answers_the_question() -> None:
+    done = run_command("stability", TANDEMS[0])
+    assert done.code == 0
+    assert "does not pulsate by itself" in done.out
+    assert "What other controls would make of it" in done.out
+
+
+def test_pictures_and_words_of_a_run_and_of_a_follower() -> None:
+    motion = load_motion(
+        TANDEMS[0],
+        overrides=['motion.drum.second.control={kind="follower", master="first"}', *QUICK],
+    )
+    assert isinstance(motion.station.drums[1].control, Follower)
+    run = simulate(motion.station, motion.event("start"), points=20)
+    assert plot_run(run).to_bytes("png")[:4] == b"\x89PNG"
+    assert judge_run(run).level in (Level.OK, Level.ATTENTION, Level.FAILS)
+    assert run_sheet(run, "us").tables
+    found = stability(motion.station)
+    verdict = stability_sheet(found).verdict
+    assert verdict is not None
+    assert verdict.headline.startswith("Yes, it pulsates by itself")
+    assert "2.79 Hz" in verdict.headline
+    assert "damping" in verdict.sentences[0]
+    assert plot_stability(found).to_bytes("png")[:4] == b"\x89PNG"
+    assert plot_stability_map(stability_map(motion.station, points=4)).to_bytes("png")
