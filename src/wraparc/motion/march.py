@@ -25,7 +25,7 @@ from wraparc.train import CaseResult
 from wraparc.train.solve import arc_of, solve_case
 
 _ITERATIONS = 16
-_SETTLED, _NEARLY = 1e-9, 1e-5
+_SETTLED, _NEARLY = 1e-9, 1e-4
 #: Speed over running speed below which friction of the conveyor and brakes let go softly.
 _SOFT = 1e-3
 #: Part of the wrap by which a drum may turn back.
@@ -52,6 +52,7 @@ class DrumState:
     radius: float
     squeeze: float
     recovery: float
+    give: float
     backstop: bool
     brake: float
     master: int
@@ -94,6 +95,9 @@ class March:
         self.runs = [case.run(i) for i in range(len(train.pulleys) - 1)]
         self.drums = [self._drum(i, points) for i in range(len(train.pulleys))]
         self.n = len(self.drums)
+        # masters before those that follow them
+        self.order = sorted(range(self.n), key=lambda i: self.drums[i].master >= 0)
+        self.names = station.names
         lead = self.drums[0]
         self.speed = lead.duty.speed * lead.duty.radius
         finest = min(d.arc.spacing for d in self.drums)
@@ -142,6 +146,7 @@ class March:
             radius=pulley.radius,
             squeeze=squeeze,
             recovery=arc.arc.recovery_compliance,
+            give=arc.arc.compliance,
             backstop=drum.backstop,
             brake=drum.brake_torque,
             master=master,
@@ -348,13 +353,15 @@ class March:
 
     def _at_nip(self, d: DrumState, travel: float, angle: float) -> tuple[float, float, float]:
         """Rise, compliance of belt and recovery, and share of friction at the nip."""
+        if not d.riders and not d.on_drum:
+            return 0.0, d.give, 1.0
         rise, more, dry = self._rise(d, angle), 0.0, 1.0
         for rider, front in d.riders:
             part = rider.part(travel - front, 2.0 * d.arc.spacing)
             rise += part * rider.rise
             more += part * (rider.compliance - 1.0) * self.stretch
             dry += part * (rider.friction - 1.0)
-        return rise, d.arc.arc.compliance + more, dry
+        return rise, d.give + more, dry
 
     def _softer_run(self, i: int, travels: list[float]) -> float:
         """What a splice in the run behind drum i adds to its compliance [m/N]."""
@@ -406,7 +413,7 @@ class March:
                     nip[k.GIVE], nip[k.RISE], nip[k.DRY] = give, rise, dry
                 out = d.out = arc.sweep(max(travel, old_travel[i] + 1e-13), m1[i], exit1)
                 if out[k.CHANGE] > change and iteration:
-                    change, worst_place = float(out[k.CHANGE]), self.station.names[i]
+                    change, worst_place = float(out[k.CHANGE]), self.names[i]
                 # the arc: T_in = its affine map
                 r[i] = entry1 - out[k.IN]
                 jac[i, n + i], jac[i, n + i + 1], jac[i, i] = 1.0, -out[k.IN_X], -out[k.IN_M]
@@ -453,24 +460,25 @@ class March:
             try:
                 dz = np.linalg.solve(jac, -r)
             except np.linalg.LinAlgError:
-                raise HaltError("breaks away", worst_place or self.station.names[-1]) from None
+                raise HaltError("breaks away", worst_place or self.names[-1]) from None
             if not np.all(np.isfinite(dz)):
-                raise HaltError("breaks away", worst_place or self.station.names[-1])
+                raise HaltError("breaks away", worst_place or self.names[-1])
             fall = max(-dz[n + i] / after[i] for i in range(n + 1))
             if fall > 0.8:  # too far: no tension may turn into a push on the way
                 dz *= 0.8 / fall
             z = (np.array(z) + dz).tolist()
             moved = max(abs(dz[n + i]) / max(abs(after[i]), 1.0) for i in range(n + 1))
-            if iteration and (moved < _SETTLED or (iteration > 1 and change + moved < _NEARLY)):
+            # Newton's method: what is left is of the order of the square of the last change
+            if iteration and (moved < _SETTLED or change < _NEARLY):
                 flows = {"surfaces": surfaces, "angles": angles, "travels": travels, "change": dz}
                 return z, flows
         if min(z[n : 2 * n + 1]) < 0.05 * self.slack:
             raise self._slack(z[n : 2 * n + 1])
-        raise HaltError("breaks away", worst_place or self.station.names[-1])
+        raise HaltError("breaks away", worst_place or self.names[-1])
 
     def _slack(self, tensions: list[float]) -> HaltError:
         least = min(range(self.n + 1), key=lambda i: tensions[i])
-        places = [f"before {self.station.names[0]}", *(f"behind {n}" for n in self.station.names)]
+        places = [f"before {self.names[0]}", *(f"behind {n}" for n in self.names)]
         return HaltError("the belt goes slack", places[least])
 
     def _run_rise(self, i: int) -> float:
@@ -540,16 +548,15 @@ class March:
         n, half = self.n, 0.5 * h
         after, w1 = z[n : 2 * n + 1], z[2 * n + 1 : 3 * n + 1]
         leads: dict[int, tuple[float, float, float]] = {}
-        order = sorted(range(n), key=lambda i: self.drums[i].master >= 0)
-        for i in order:
+        for i in self.order:
             d, row, col = self.drums[i], 2 * n + 1 + i, 2 * n + 1 + i
             entry = after[i] + self._run_rise(i)
             rise_in, rise_out = self._rises(d, angles[i])
             moment, by_in, by_out = self._moment(d, entry, after[i + 1], rise_in, rise_out)
-            ripple = [o for o in d.on_drum if o.ripple and self.t >= o.at]
-            d.extra = d.duty.torque * math.fsum(
-                o.ripple * math.sin(o.order * angles[i]) for o in ripple
-            )
+            if d.on_drum:
+                d.extra = d.duty.torque * math.fsum(
+                    o.ripple * math.sin(o.order * angles[i]) for o in d.on_drum if self.t >= o.at
+                )
             jac[row, col] = 1.0
             if d.locked:
                 r[row] = w1[i]
@@ -595,7 +602,7 @@ class March:
         n, dz = self.n, flows["change"]
         after, w1 = z[n : 2 * n + 1], z[2 * n + 1 : 3 * n + 1]
         torques: list[float] = [0.0] * n
-        for i in sorted(range(n), key=lambda i: self.drums[i].master >= 0):
+        for i in self.order:
             d = self.drums[i]
             entry = after[i] + self._run_rise(i)
             moment = self._moment(d, entry, after[i + 1], *self._rises(d, flows["angles"][i]))[0]
@@ -620,7 +627,7 @@ class March:
             arc._slope = (arc.m - old) / h
             d.omega, d.angle = w1[i], flows["angles"][i]
             if d.turned_back < -_BACK * arc.shape.length:
-                raise HaltError("turns back", self.station.names[i])
+                raise HaltError("turns back", self.names[i])
         del dz
         self.dT = [a - b for a, b in zip(after, self.T, strict=True)]
         self.T, self.v, self.t = list(after), z[3 * n + 1], t1
