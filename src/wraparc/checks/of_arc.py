@@ -175,7 +175,7 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     passes = ""
     if result.arc.belt_speed is not None:
         per_hour = 3600.0 * result.arc.belt_speed / (math.pi * result.arc.diameter)
-        passes = f", {per_hour:.4g} times an hour"
+        passes = f", {per_hour:.4g} times an hour,"
     for name, key, title, says, short in (
         ("bond_stress", "bond_strength", "Shear stress of lagging and bond, steady",
          "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.",

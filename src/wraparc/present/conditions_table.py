@@ -35,6 +35,9 @@ def conditions_table(result: DriveResult, system: System = "si") -> Table:
     words = tuple(str(verdict.level) for verdict in judged.values())
     rows = [Row("Verdict", words)]
     rows += [_row(name, tuple(judged.values()), system) for name in names]
+    rows.append(
+        Row("Equivalent friction at the creep limit", tuple(map(_friction, parts.values())))
+    )
     rows.append(Row("Least slack-side tension", tuple(_least(p, system) for p in parts.values())))
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE)
 
@@ -83,6 +86,13 @@ def _text(check: Check, system: System) -> str:
     value = check.texts(system)[0] or NONE
     limit = "" if not check.missed else f" ({check.level})"
     return f"{value}{limit}"
+
+
+def _friction(result: DriveResult) -> str:
+    """Return the least constant friction that stands for an arc at its creep limit."""
+    found = [a.capacities.equivalent_friction for a in result]
+    known = [friction for friction in found if not math.isnan(friction)]
+    return f"{min(known):.3f}" if known else NONE
 
 
 def _least(result: DriveResult, system: System) -> str:
