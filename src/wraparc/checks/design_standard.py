@@ -16,7 +16,8 @@ Array = NDArray[np.float64]
 
 #: CEMA's drive factor Cw of a single pulley with a manual take-up, by wrap angle [deg]. CEMA gives
 #: its values for an automatic take-up in the same table; they are 1/(exp(mu phi) - 1) with a
-#: friction of 0.25 bare and 0.35 lagged.
+#: friction of 0.25 bare and 0.35 lagged. Public pages that quote CEMA confirm both frictions, and
+#: of the manual values the largest, 1.2 (bare, 180 degrees); the table itself is not public.
 MANUAL_WRAP_FACTORS = {
     "bare": ((180.0, 1.2), (200.0, 1.0), (210.0, 1.0), (220.0, 0.9), (240.0, 0.8)),
     "lagged": ((180.0, 0.8), (200.0, 0.7), (210.0, 0.7), (220.0, 0.6), (240.0, 0.6)),
