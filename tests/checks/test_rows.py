@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from present.drives import BELT, drive, marched, solved
-from wraparc import Constant, Drive, Lagging, TestedRange, load_lagging, solve
+from wraparc import Constant, Drive, Lagging, Tensions, TestedRange, load_lagging, solve
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.check import Place
 from wraparc.drive import CaseKind, Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
@@ -272,3 +272,46 @@ def test_the_paper_march_is_judged_too() -> None:
     assert verdict.level is Level.ATTENTION
     assert {c.name for c in verdict.listed} >= {"gross_slip", "creep", "belt_tension"}
     assert "balance" not in {c.name for c in verdict.listed}
+
+
+def test_a_chosen_standard_without_the_data_it_needs_is_no_ok() -> None:
+    """A lagging without a surface has no design friction: chosen, the standard asks for it."""
+    bare = lagging(surface="")
+    for standard, level in (
+        (DesignStandard(name="DIN 22101", binding=True), Level.FAILS),
+        (DesignStandard(name="DIN 22101"), Level.ATTENTION),
+    ):
+        check = named(quiet(lagging=bare, criteria=Criteria(standard=standard)), "design_standard")
+        assert check.level is level
+        assert "cannot be applied: lagging plain does not say what its surface is" in check.says
+        assert check.remedy
+    unchosen = named(quiet(lagging=bare, criteria=Criteria()), "design_standard")
+    assert unchosen.level is Level.NOT_CHECKED
+
+
+@pytest.mark.parametrize(
+    ("kind", "entry", "leaving", "told"),
+    [
+        ("gravity", 130e3, 70e3, "holds the slack-side tension, and it is 60.00 kN in load case"),
+        ("gravity", 130e3, 62e3, ""),
+        ("fixed", 120e3, 80e3, "holds the sum of both tensions, and it is 160.0 kN in load case"),
+        ("fixed", 80e3, 80e3, ""),
+        ("", 130e3, 90e3, ""),
+    ],
+)
+def test_tensions_that_contradict_the_take_up_are_told(
+    kind: str, entry: float, leaving: float, told: str
+) -> None:
+    """Gravity: 70 of 60 kN, against 10 % allowed; fixed: 200 of 160 kN, and 160 of 160 kN."""
+    made = quiet(criteria=Criteria(standard=DesignStandard(name="none"), take_up=TakeUp(kind=kind)))
+    other = replace(
+        made.load_cases[0],
+        name="other",
+        tensions={"head": Tensions(entry=entry, exit=leaving)},
+    )
+    verdict = judged(replace(made, load_cases=(*made.load_cases, other)))
+    found = [c for c in verdict.listed if c.name == "take_up"]
+    assert bool(found) is bool(told)
+    if told:
+        assert found[0].level is Level.ATTENTION
+        assert told in found[0].sentence()

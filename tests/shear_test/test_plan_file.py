@@ -4,6 +4,8 @@ import pytest
 
 from wraparc.errors import InputError
 from wraparc.provenance import Kind
+from wraparc.shear_test import PlannedTest, Rig, TestPlan
+from wraparc.shear_test.law import slip_speed
 from wraparc.shear_test.plan_file import load_plan, plan_from_text
 
 PLAN = """
@@ -133,3 +135,13 @@ def test_a_plan_without_tests() -> None:
 def test_a_plan_that_is_not_there() -> None:
     with pytest.raises(InputError, match="No such file"):
         load_plan("nowhere/plan.toml")
+
+
+def test_a_law_was_tested_at_the_fastest_crosshead_of_its_condition() -> None:
+    def test(speed: float | None, condition: str = "dry") -> PlannedTest:
+        return PlannedTest(file="t.csv", place="test[1]", speed=speed, condition=condition)
+
+    tests = (test(1e-4), test(2e-4), test(None), test(None, "wet"))
+    plan = TestPlan(name="made-up", rig=Rig(area=0.04), tests=tests)
+    assert slip_speed(plan, "dry") == 2e-4
+    assert slip_speed(plan, "wet") is None

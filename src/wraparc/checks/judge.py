@@ -36,6 +36,7 @@ def before(drive: Drive) -> Verdict:
     """Return the checks of a drive that need no solving."""
     checks: list[Check] = [of_drive.data(drive, p) for p in drive.pulleys]
     checks += of_drive.usual_sizes(drive)
+    checks += of_drive.take_up(drive)
     checks += (of_drive.pulley_diameter(drive, p) for p in drive.pulleys)
     for case in drive.load_cases:
         checks += _unsolved(drive.in_case(case), case)
@@ -64,6 +65,7 @@ def _drive(result: DriveResult) -> Iterator[Check]:
     for uneven in across_of(result):
         case = cases[uneven.wide.arc.load_case]
         yield from of_across.across(drive.in_case(case), case, uneven)
+    yield from of_drive.take_up(drive)
     for pulley in drive.pulleys:
         yield of_drive.pulley_diameter(drive, pulley)
     yield from of_drive.usual_sizes(drive)

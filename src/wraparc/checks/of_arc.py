@@ -86,7 +86,19 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
     place = Place(result.arc.pulley, case.name)
     if math.isnan(found.wrap_factor):
         title = f"Slack side by {found.rule}"
-        return not_checked("design_standard", title, found.why_not, place)
+        if not criteria.standard.name:
+            return not_checked("design_standard", title, found.why_not, place)
+        return Check(
+            name="design_standard",
+            title=title,
+            level=Level.FAILS if criteria.standard.binding else Level.ATTENTION,
+            place=place,
+            short="standard not applicable",
+            says=escaped(f"{found.rule} was chosen and cannot be applied: {found.why_not}."),
+            remedy="Complete the lagging (surface, condition), or name another rule in "
+            "[design_standard].",
+            binding=criteria.standard.binding,
+        )
     slack = min(result.arc.entry_tension, result.arc.exit_tension)
     limit = design_slack(drive, case, result, found.wrap_factor)
     chosen = "" if criteria.standard.name else " No standard was chosen: CEMA was taken."

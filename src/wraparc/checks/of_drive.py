@@ -12,6 +12,9 @@ from wraparc.drive.conditions import SCALED
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import Dimension
 
+#: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
+#: runs between take-up and drive [-].
+HELD = 0.1
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
@@ -190,6 +193,36 @@ def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
             f"scaled as a whole ({lagging.notes[-1]})."
         ),
         remedy=f"Test the lagging {lagging.condition}, or keep more slack-side tension in hand.",
+        binding=False,
+    )
+
+
+def take_up(drive: Drive) -> Iterator[Check]:
+    """Ask for attention where the tensions contradict the take-up that the drive file names."""
+    kind = drive.criteria.take_up.kind
+    if not kind or drive.conveyor is not None:
+        return
+    fixed = drive.criteria.take_up.fixed
+    held = {}
+    for case in drive.load_cases:
+        first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
+        driving = first.entry >= last.exit
+        slack = last.exit if driving else first.entry
+        held[case.name] = first.entry + last.exit if fixed else slack
+    least, most = min(held, key=held.__getitem__), max(held, key=held.__getitem__)
+    if held[most] - held[least] <= HELD * held[most]:
+        return
+    what = "the sum of both tensions" if fixed else "the slack-side tension"
+    yield Check(
+        name="take_up",
+        title="Tensions that the take-up holds",
+        level=Level.ATTENTION,
+        source=f"take-up {kind}, as given",
+        short="contradicts take-up",
+        says=f"A {kind} take-up holds {what}, and it is {{least}} in load case {escaped(least)} "
+        f"and {{most}} in load case {escaped(most)}.",
+        remedy="Correct the tensions, or the kind under [take_up].",
+        more={"least": (held[least], "force"), "most": (held[most], "force")},
         binding=False,
     )
 
