@@ -219,7 +219,7 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
 def _overrun(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
     """Yield the overrun that the formula gives at the tensions of an arc."""
     if arc.overrun is None:
-        yield _named(_arc_group(drive, arc), "overrun", arc.entry_overrun, None, "by formula")
+        yield _named(_arc_group(drive, arc), "overrun", arc.entry_overrun, None, _FORMULA)
 
 
 def _arc_group(drive: "Drive | Train", arc: WrapArc) -> str:
