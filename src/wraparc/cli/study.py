@@ -169,7 +169,8 @@ def _tell(
     report_file: str | None,
 ) -> None:
     from wraparc.present.document import json_text
-    from wraparc.present.study_sheet import study_document, study_sheet
+    from wraparc.present.study_document import study_document
+    from wraparc.present.study_sheet import study_sheet
     from wraparc.study.monte_carlo import summarise
     from wraparc.study.sensitivity import sensitivities
 

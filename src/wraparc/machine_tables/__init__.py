@@ -8,9 +8,10 @@ from wraparc.machine_tables.columns import (
     plain_name,
     read_unit,
 )
+from wraparc.machine_tables.lines import DELIMITER_NAMES
 from wraparc.machine_tables.numerals import Array, NumeralStyle
 from wraparc.machine_tables.read import TableFile, find_tables, read_bytes
-from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable
+from wraparc.machine_tables.tables import RawTable
 
 __all__ = [
     "DELIMITER_NAMES",

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.machine_tables.lines import DELIMITER_NAMES
 from wraparc.machine_tables.sniff import decode, is_workbook
-from wraparc.machine_tables.tables import DELIMITER_NAMES, RawTable, tables_in_text
+from wraparc.machine_tables.tables import RawTable, tables_in_text
 from wraparc.machine_tables.workbook import tables_in_workbook
 
 LARGEST_FILE = 512 * 1024 * 1024

@@ -4,10 +4,8 @@ A table is a run of lines that have the same number of cells, at least two of th
 numbers. What stands above it is its header; whole lines in quotes are unwrapped.
 """
 
-import csv
 import itertools
 import re
-from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -16,12 +14,10 @@ from numpy.typing import NDArray
 
 from wraparc.machine_tables.bulk import Bulk, read_bulk
 from wraparc.machine_tables.columns import NamedColumn, name_columns
+from wraparc.machine_tables.lines import delimiter_of, split_all, splitter, unwrapped
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
 
 Cells = Sequence[object] | Array
-_DELIMITERS = ("\t", ";", "|", ",", " ")
-DELIMITER_NAMES = {"\t": "tab", ";": "semicolon", "|": "bar", ",": "comma", " ": "blanks"}
-_SAMPLE = 200
 _HEAD = 150
 _LARGEST_GAP = 2
 _OVERLAP = 5
@@ -29,7 +25,6 @@ _HEADER_KEPT = 40
 _ALL_NUMERIC = re.compile(r'[-+\u22120-9eE.,;|\t "]*[0-9][-+\u22120-9eE.,;|\t "]*')
 _LAST_DECIMALS = re.compile(r"[.,](\d*)\"?\s*$")
 _EMPTY = ' ;,|\t"'
-_WHOLE_LINE_QUOTED = re.compile(r'"(?:[^"]|"")*"')
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,10 +115,10 @@ def tables_in_text(
     -------
     Tables in the order of the file; none if no line looks like a row of numbers.
     """
-    lines = _unwrapped(text.split("\n"))
+    lines = unwrapped(text.split("\n"))
     while lines and not lines[-1].strip():
         lines.pop()
-    sign = delimiter or _delimiter_of(lines)
+    sign = delimiter or delimiter_of(lines)
     if sign is None:
         return []
     tables = _quick(lines, sign) if len(lines) > _HEAD else None
@@ -161,7 +156,7 @@ def _quick(lines: Sequence[str], sign: str) -> list[RawTable] | None:
 
 def _careful(lines: Sequence[str], sign: str, offset: int = 0) -> list[RawTable]:
     """Find the tables cell by cell; `offset` lines stand before the first."""
-    cells = _split_all(lines, sign)
+    cells = split_all(lines, sign)
     runs = _runs(cells, _row_widths(lines, cells))
     tables = []
     for run, start in zip(runs, [0, *(run.last + 1 for run in runs)], strict=False):
@@ -250,91 +245,13 @@ def _bulk_table(bulk: Bulk, first: int, header: tuple[tuple[str, ...], ...], sig
 
 def _header_cells(line: str, sign: str, width: int) -> tuple[str, ...]:
     if sign != " ":
-        return tuple(cell.strip() for cell in _splitter(sign)(line))
+        return tuple(cell.strip() for cell in splitter(sign)(line))
     # Blanks also stand inside names: prefer the reading that fits the number of columns.
     for pattern in (r"\S+(?: \S+)*", r"[^\s\[(]+\s*[\[(][^\])]*[\])]|\S+"):
         parts = re.findall(pattern, line)
         if len(parts) == width:
             return tuple(parts)
     return tuple(line.split())
-
-
-def _unwrapped(lines: list[str]) -> list[str]:
-    """Take off the quotes of lines that stand in quotes as a whole."""
-    sample = [line.strip() for line in lines[:: max(1, len(lines) // _SAMPLE)] if line.strip()]
-    whole = sum(_is_wrapped(line) for line in sample)
-    if not sample or whole < 0.6 * len(sample):
-        return lines
-    return [
-        line.strip()[1:-1].replace('""', '"') if _is_wrapped(line.strip()) else line
-        for line in lines
-    ]
-
-
-def _is_wrapped(line: str) -> bool:
-    inner = line[1:-1]
-    return (
-        _WHOLE_LINE_QUOTED.fullmatch(line) is not None
-        and any(d in inner for d in _DELIMITERS)
-        and not looks_numeric(inner)
-    )
-
-
-def _splitter(delimiter: str) -> Callable[[str], list[str]]:
-    if delimiter == " ":
-        return str.split
-
-    def split(line: str) -> list[str]:
-        if '"' not in line:
-            return line.split(delimiter)
-        # A lone quote is a sign for inch or a mistake: such a line is taken literally.
-        if line.count('"') % 2:
-            return line.split(delimiter)
-        try:
-            return next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))
-        except (csv.Error, StopIteration):
-            return line.split(delimiter)
-
-    return split
-
-
-def _split_all(lines: Sequence[str], delimiter: str) -> list[list[str]]:
-    if delimiter != " " and any('"' in line for line in lines[:: max(1, len(lines) // 50)]):
-        balanced = [line if line.count('"') % 2 == 0 else line.replace('"', "") for line in lines]
-        try:
-            rows = list(csv.reader(balanced, delimiter=delimiter, skipinitialspace=True))
-        except csv.Error:
-            rows = []
-        # The reader passes over nothing and joins nothing where quotes are balanced.
-        if len(rows) == len(lines):
-            return rows
-    return list(map(_splitter(delimiter), lines))
-
-
-def _delimiter_of(lines: Sequence[str]) -> str | None:
-    later = lines[len(lines) // 4 :] if len(lines) > 40 else lines
-    thinned = later[:: max(1, len(later) // _SAMPLE)]
-    sample = [line for line in thinned if any(c.isdigit() for c in line)]
-    scored = [(_fit_of(sample, sign), -k, sign) for k, sign in enumerate(_DELIMITERS)]
-    best = max(scored, default=(0.0, 0, ""))
-    return best[2] if best[0] > 0 else None
-
-
-def _fit_of(sample: Sequence[str], delimiter: str) -> float:
-    """Share of the lines that are rows of one width, times the share of numbers in them."""
-    split = _splitter(delimiter)
-    widths: Counter[int] = Counter()
-    shares: dict[int, float] = {}
-    for line in sample:
-        cells = [cell for cell in split(line) if cell.strip()]
-        numeric = sum(map(looks_numeric, cells))
-        if numeric >= 2:
-            widths[len(cells)] += 1
-            shares[len(cells)] = shares.get(len(cells), 0.0) + numeric / len(cells)
-    if not widths:
-        return 0.0
-    width = max(widths, key=lambda w: shares[w])
-    return shares[width] / len(sample)
 
 
 def _row_widths(lines: Sequence[str], cells: Sequence[Sequence[str]]) -> NDArray[np.int64]:

@@ -5,23 +5,12 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict
 from typing import Any
 
 from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.page import sheet_page
-from wraparc.present.sheet import (
-    NONE,
-    Row,
-    Sheet,
-    Table,
-    Verdict,
-    named,
-    number,
-    percent,
-    quantity,
-)
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, number, percent, quantity
 from wraparc.study.monte_carlo import (
     CONFIDENCE,
     PERCENTS,
@@ -32,15 +21,14 @@ from wraparc.study.monte_carlo import (
     over_conditions,
 )
 from wraparc.study.sensitivity import Indices, Swing
-from wraparc.units import DIMENSION_TEXT, Dimension, System, display_unit
+from wraparc.units import Dimension, System, display_unit
 
 Local = Mapping[tuple[str, str], Mapping[str, Sequence[Swing]]]
 Global = Mapping[tuple[str, str], Mapping[str, Indices]]
-
 #: Results that a table of groups shows the percentiles of.
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
 _MOST_ROWS = 60
-_BAD = (Level.FAILS, Level.ATTENTION)
+BAD = (Level.FAILS, Level.ATTENTION)
 _SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
 
 
@@ -195,7 +183,7 @@ def _chances(
         heads += [f"{short} {p:g} % [{unit}]" for p in PERCENTS[1:3]]
     rows = []
     for group in groups[:_MOST_ROWS]:
-        cells = [percent(group.judged.share(level).value) for level in _BAD]
+        cells = [percent(group.judged.share(level).value) for level in BAD]
         cells.append(percent(group.breakaway.value))
         cells.append(_with_interval(group.over_limit))
         for name in outputs:
@@ -366,68 +354,3 @@ def study_page(sheet: Sheet, pictures: Sequence[str], summary: Summary) -> str:
     data = json.dumps(summary.data["input"], indent=1, ensure_ascii=False, default=str)
     program, print_ = summary.data["program"], summary.data["fingerprint"]
     return sheet_page(sheet, named_, f"{program}, fingerprint {print_}. Input:\n{data}")
-
-
-def study_document(
-    summary: Summary, *, local: Local | None = None, indices: Global | None = None
-) -> dict[str, Any]:
-    """Return what a study says as plain data [SI] for JSON."""
-    document: dict[str, Any] = {
-        "format": 1,
-        "study": {key: value for key, value in summary.data.items() if key != "input"},
-        "input": summary.data["input"],
-        "counts": dict(summary.counts),
-        "judged": _judged_data(summary.judged),
-        "confidence": CONFIDENCE,
-        "percents": list(PERCENTS),
-        "groups": [_group_data(group) for group in summary.groups],
-        "units": {
-            name: DIMENSION_TEXT[GLOSSARY[name].dimension].si_unit
-            for name in summary.data["outputs"]
-        },
-    }
-    if local is not None:
-        document["local"] = [
-            {"load_case": load, "condition": condition, "result": name, **asdict(swing)}
-            for (load, condition), of_case in local.items()
-            for name, swings in of_case.items()
-            for swing in swings
-        ]
-    if indices is not None:
-        document["global"] = [
-            {"load_case": load, "condition": condition, "result": name, **asdict(found)}
-            for (load, condition), of_case in indices.items()
-            for name, found in of_case.items()
-        ]
-    return document
-
-
-def _group_data(group: Group) -> dict[str, Any]:
-    return {
-        "levels": dict(group.levels),
-        "load_case": group.load_case,
-        "condition": group.condition,
-        "share": group.share,
-        "counts": dict(group.counts),
-        "breakaway": _share_data(group.breakaway),
-        "over_limit": _share_data(group.over_limit),
-        "judged": _judged_data(group.judged),
-        "percentiles": {name: list(values) for name, values in group.percentiles.items()},
-        "known": dict(group.known),
-        "convergence": [
-            {
-                "draws": step.draws,
-                "breakaway": _share_data(step.breakaway),
-                "over_limit": _share_data(step.over_limit),
-            }
-            for step in group.steps
-        ],
-    }
-
-
-def _judged_data(judged: Judged) -> dict[str, Any]:
-    return {"verdicts": judged.verdicts, "governing": judged.missed}
-
-
-def _share_data(share: Share) -> dict[str, Any]:
-    return {"value": share.value, "interval": list(share.interval), "count": share.count}

@@ -8,7 +8,8 @@ from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
-from wraparc.present.study_sheet import Global, Local, study_document, study_page, study_sheet
+from wraparc.present.study_document import study_document
+from wraparc.present.study_sheet import Global, Local, study_page, study_sheet
 from wraparc.schema.emit import document_text
 from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads
