@@ -341,8 +341,8 @@ def contour(real: float, highest: float = HIGHEST, points: int = _POINTS) -> Com
     """Upper half of a rectangle around what lies right of a line: up, right, down."""
     top = 2.0 * math.pi * highest
     up = real + 1j * top * np.linspace(1e-9, 1.0, points)
-    along = np.linspace(real, _RIGHT + 5.0, 60) + 1j * top
-    down = _RIGHT + 5.0 + 1j * top * np.linspace(1.0, 1e-9, 120)
+    along = np.linspace(real, _RIGHT + 5.0, 30) + 1j * top
+    down = _RIGHT + 5.0 + 1j * top * np.linspace(1.0, 1e-9, 60)
     return np.concatenate([up, along[1:], down[1:]])
 
 
