@@ -68,6 +68,8 @@ def _motor(group: str, motor: Motor | TorqueFollower) -> Iterator[Input]:
     for f in fields(motor):
         value = getattr(motor, f.name)
         title = f.name.replace("_", " ").capitalize()
+        if value is None:
+            continue
         if isinstance(value, bool):
             yield Input(group, title, "yes" if value else "no")
         elif isinstance(value, tuple):
