@@ -51,7 +51,7 @@ def simulate(
         Time between the rows that are kept or streamed [s]; None for every step.
     sink
         Called with every row: time, belt speed, then for every drum entry and exit tension, speed,
-        torque, exit creep, exit slip and peak shear stress (see :func:`row_names`).
+        torque, exit creep, exit slip and peak shear stress (see `wraparc.motion.follow.row_names`).
     progress
         Called with the part of the event that is done, now and then; True cancels the run.
 
