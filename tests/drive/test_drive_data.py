@@ -121,7 +121,7 @@ def test_a_drive_survives_pickling() -> None:
         (
             lambda: Block(shape="round", width=0.0, height=0.01),  # type: ignore[arg-type]
             [
-                "width = 0 mm: must be at least 0.100 mm.",
+                "width = 0 mm: must be between 0.100 mm and 10.0 m.",
                 'shape = "round": must be one of square, strip.',
             ],
         ),
