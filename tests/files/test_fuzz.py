@@ -3,6 +3,7 @@
 import string
 from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
@@ -204,3 +205,10 @@ def test_any_override(overrides: list[str]) -> None:
         drive_from_document(document)
     except InputError as problem:
         answered(problem)
+
+
+def test_a_key_without_a_name_hides_nothing() -> None:
+    """Seen when an empty name stood for the key that makes others needless."""
+    document = with_value(parse(lagging_text("diamond-rubber")), ("block",), {"": {}})
+    with pytest.raises(InputError, match=r"block\.width: missing"):
+        lagging_from_document(document)

@@ -147,7 +147,7 @@ class Table(Kind):
                     record.faulty.add(key)
                 if value is not NOTHING:
                     record[key] = value
-            elif entry.required and entry.unless not in given:
+            elif entry.required and not (entry.unless and entry.unless in given):
                 record.faulty.add(key)
                 report.add((*place, key), "missing", missing_remedy(entry))
         return record
