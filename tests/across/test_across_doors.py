@@ -225,7 +225,8 @@ def test_an_even_drive_is_not_asked_about_its_width() -> None:
     assert not any("edge" in c.name or "uneven" in c.name for c in judge(result).checks)
 
 
-def test_the_command_line_tells_and_draws(tmp_path: Path) -> None:
+def test_the_command_line_tells_and_draws(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "140")  # names of rows on one line
     told, data, picture = tmp_path / "told", tmp_path / "out.json", tmp_path / "map.svg"
     ran = wraparc("solve", FABRIC, "--set", *FEW, "--json", data, "--map", picture)
     assert ran.code == 0
