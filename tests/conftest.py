@@ -12,6 +12,9 @@ from hypothesis import settings
 settings.register_profile("wraparc", deadline=None, derandomize="CI" in os.environ)
 settings.load_profile("wraparc")
 
+# The width of a pipe, whatever the terminal: pytest-xdist gives its workers 80 columns.
+os.environ["COLUMNS"] = "110"
+
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Add ``--under-load TIMES``: what waits for processes or threads must never fail by luck."""
