@@ -51,7 +51,8 @@ class Held:
     tight_rise, slack_rise
         How the tensions grow with the pull of the whole drive, see `rises` [N].
     standard
-        Slack-side tension that the design standard asks for [N].
+        Slack-side tension that the design standard asks for [N]; infinite where a chosen one
+        cannot be applied.
     binding
         Whether the standard binds.
     belt_tension, momentary_tension
@@ -121,12 +122,15 @@ def held_by(
     for place, end, side in ((len(entry) - 1, leaving[-1], driving), (0, entry[0], ~driving)):
         if place == index:
             slack = np.where(side, end, slack)
+    factors = _factors(drives, which, pulley, arcs.wrap_angle)
+    never = np.isinf(factors)
+    pull = start * np.abs(arcs.entry_tension - arcs.exit_tension)
+    standard = np.where(never, math.inf, np.where(never, 0.0, factors) * pull)
     return Held(
         safety=safety,
         tight_rise=tight_rise,
         slack_rise=slack_rise,
-        standard=_factors(drives, which, pulley, arcs.wrap_angle)
-        * (start * np.abs(arcs.entry_tension - arcs.exit_tension)),
+        standard=standard,
         binding=binding > 0.0,
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
@@ -163,7 +167,10 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
 def _factors(
     drives: Sequence[Drive], which: NDArray[np.int64], pulley: str, wrap_angle: Array
 ) -> Array:
-    """Wrap factors of the design standard, shape (n,) [-]; drives that agree in it at once."""
+    """Wrap factors of the design standard, shape (n,) [-]; drives that agree in it at once.
+
+    Infinite where a chosen standard cannot be applied.
+    """
     found = np.full(len(which), math.nan)
     alike: dict[object, list[int]] = {}
     for place, drive in enumerate(drives):
@@ -173,7 +180,10 @@ def _factors(
     for places in alike.values():
         of, rows = drives[places[0]], np.flatnonzero(np.isin(which, places))
         criteria, lagging = of.criteria, of.pulley(pulley).lagging
-        found[rows] = wrap_factors(criteria.standard, criteria.take_up, lagging, wrap_angle[rows])
+        factors = wrap_factors(criteria.standard, criteria.take_up, lagging, wrap_angle[rows])
+        if criteria.standard.name not in ("", "none"):  # one that was chosen is held against
+            factors = np.where(np.isnan(factors), math.inf, factors)
+        found[rows] = factors
     return found
 
 
@@ -220,8 +230,11 @@ def _checks(
         missed = np.full(len(value), RULES[name].missed.rank)
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
-        at_most = RULES[name].at_most
-        yield name, *_ranks(value, limit, missed, at_most=at_most)
+        never = np.isinf(limit) & (name == "design_standard")
+        ranks, margins = _ranks(
+            value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
+        )
+        yield name, np.where(never, missed, ranks), np.where(never, -math.inf, margins)
         if name == "tested_pressure_min":
             told = RULES["condition"].missed.rank
             yield "condition", np.where(held.scaled, told, 0), np.full(len(value), -math.inf)
