@@ -172,6 +172,14 @@ WRITING: dict[str, tuple[list[object], list[str]]] = {
         ["a.svg", "a.json"],
     ),
     "field": ([EXAMPLES / "head-drive-fabric.toml", "--json"], ["a.json"]),
+    "run": (
+        [
+            *(EXAMPLES / "tandem-fabric.toml", "--event", "splice", "--points", "10"),
+            *("--csv", "a.csv", "--plot"),
+        ],
+        ["a.csv", "a.svg"],
+    ),
+    "stability": ([EXAMPLES / "tandem-fabric.toml", "--plot"], ["a.svg"]),
     "demo": (["--into", "demo"], ["demo/head-drive-fabric.svg"]),
 }
 
