@@ -114,7 +114,7 @@ class Visitor:
     def example(self, title: str) -> None:
         """Open an example from the menu."""
         self.page.click("#file > summary")
-        self.page.get_by_role("button", name=title).click()
+        self.page.get_by_role("button", name=title, exact=True).click()
 
     def solved(self) -> None:
         """Wait until everything is solved anew."""
