@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xlsxwriter
 
 from cli.running import wraparc
 from wraparc import InputError
@@ -70,7 +71,6 @@ def test_diameters_from_one_edge(tmp_path: Path) -> None:
 
 
 def test_an_excel_workbook(tmp_path: Path) -> None:
-    xlsxwriter = pytest.importorskip("xlsxwriter")
     path = tmp_path / "wear.xlsx"
     with xlsxwriter.Workbook(str(path)) as book:
         sheet = book.add_worksheet()

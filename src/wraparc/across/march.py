@@ -12,6 +12,7 @@ numbers: one source runs in the interpreter and compiled.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -87,6 +88,18 @@ def rates(law: CompactLaw, strips: Strips, pull: Array, drift: Array, y: Array) 
     return out
 
 
+def step(slopes: Callable[[Array], Array], y: Array, h: float) -> Array:
+    """Carry an array over a step h of sixth order, its slopes given by the array alone."""
+    k1 = h * slopes(y)
+    k2 = h * slopes(y + to_second(k1))
+    k3 = h * slopes(y + to_third(k2))
+    k4 = h * slopes(y + to_fourth(k1, k2, k3))
+    k5 = h * slopes(y + to_fifth(k1, k2, k3, k4))
+    k6 = h * slopes(y + to_sixth(k2, k3, k4, k5))
+    k7 = h * slopes(y + to_last(k1, k2, k3, k4, k6))
+    return y + to_end(k1, k3, k4, k5, k6, k7)
+
+
 def march(
     law: CompactLaw, strips: Strips, pull: Array, drift: Array, y: Array, nodes: Array
 ) -> Array:
@@ -94,16 +107,12 @@ def march(
 
     Arguments as `rates`; `nodes` are the places s of the mesh, ascending [m].
     """
+
+    def slopes(at: Array) -> Array:
+        return rates(law, strips, pull, drift, at)
+
     for i in range(len(nodes) - 1):
-        h = float(nodes[i + 1] - nodes[i])
-        k1 = h * rates(law, strips, pull, drift, y)
-        k2 = h * rates(law, strips, pull, drift, y + to_second(k1))
-        k3 = h * rates(law, strips, pull, drift, y + to_third(k2))
-        k4 = h * rates(law, strips, pull, drift, y + to_fourth(k1, k2, k3))
-        k5 = h * rates(law, strips, pull, drift, y + to_fifth(k1, k2, k3, k4))
-        k6 = h * rates(law, strips, pull, drift, y + to_sixth(k2, k3, k4, k5))
-        k7 = h * rates(law, strips, pull, drift, y + to_last(k1, k2, k3, k4, k6))
-        y = y + to_end(k1, k3, k4, k5, k6, k7)
+        y = step(slopes, y, float(nodes[i + 1] - nodes[i]))
     return y
 
 
@@ -125,14 +134,6 @@ def trace(
         return np.concatenate([state, stress * state[n:]])
 
     for i in range(len(nodes) - 1):
-        h = float(nodes[i + 1] - nodes[i])
-        k1 = h * slopes(y)
-        k2 = h * slopes(y + to_second(k1))
-        k3 = h * slopes(y + to_third(k2))
-        k4 = h * slopes(y + to_fourth(k1, k2, k3))
-        k5 = h * slopes(y + to_fifth(k1, k2, k3, k4))
-        k6 = h * slopes(y + to_sixth(k2, k3, k4, k5))
-        k7 = h * slopes(y + to_last(k1, k2, k3, k4, k6))
-        y = y + to_end(k1, k3, k4, k5, k6, k7)
+        y = step(slopes, y, float(nodes[i + 1] - nodes[i]))
         out[i + 1] = y
     return out

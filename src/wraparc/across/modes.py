@@ -17,18 +17,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from wraparc.across.interface import stress_of
+from wraparc.across.march import step
 from wraparc.across.newton import Mesh, System, mesh_of, newton, started
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import ArcResult, Distributed
-from wraparc.arc.kernel.butcher import (
-    to_end,
-    to_fifth,
-    to_fourth,
-    to_last,
-    to_second,
-    to_sixth,
-    to_third,
-)
 from wraparc.errors import ConvergenceError
 
 #: what makes a belt uneven: radius alone, lagging (radius and thickness), free profile of the
@@ -194,15 +186,7 @@ class _Modes:
             return self._rates(at, drum, k2)
 
         for i in range(len(nodes) - 1):
-            h = float(nodes[i + 1] - nodes[i])
-            k_1 = h * slopes(y)
-            k_2 = h * slopes(y + to_second(k_1))
-            k_3 = h * slopes(y + to_third(k_2))
-            k_4 = h * slopes(y + to_fourth(k_1, k_2, k_3))
-            k_5 = h * slopes(y + to_fifth(k_1, k_2, k_3, k_4))
-            k_6 = h * slopes(y + to_sixth(k_2, k_3, k_4, k_5))
-            k_7 = h * slopes(y + to_last(k_1, k_2, k_3, k_4, k_6))
-            y = y + to_end(k_1, k_3, k_4, k_5, k_6, k_7)
+            y = step(slopes, y, float(nodes[i + 1] - nodes[i]))
         return y[3:].reshape(3, n, 5), y[:2], float(y[2])
 
     def _rates(self, at: Array, drum: float, k2: Array) -> Array:
