@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from across.randoms import random_wide
 from across.wides import CORD, FABRIC, RUBBER, SOFTENING, crown, wide
-from wraparc.across import AcrossSolver, AcrossStatus, mode_response
+from wraparc.across import AcrossSolver, AcrossStatus, mode_response, prepare
 from wraparc.friction import Constant
 
 LAWS = (RUBBER, SOFTENING, Constant(friction_coefficient=0.45))
@@ -35,12 +35,20 @@ def best(work: Callable[[], object]) -> float:
     return min(times)
 
 
-def main(drives: int) -> None:
+def times(how: str) -> None:
+    """Print the times of a solve and of the modes."""
     for name, arc, stiffness in (("fabric", FABRIC, 1e5), ("steel cord", CORD, 4e4)):
         given = wide(arc, 32, stiffness, radius_deviation=crown(1e-3, 32))
         whole = best(lambda given=given: AcrossSolver().solve(given))  # type: ignore[misc]
         modes = best(lambda given=given: mode_response(given, 16))  # type: ignore[misc]
-        print(f"{name}: 32 strips {whole:.2f} s, 16 modes {1e3 * modes:.0f} ms")
+        print(f"{name}, {how}: 32 strips {whole:.3f} s, 16 modes {1e3 * modes:.0f} ms")
+
+
+def main(drives: int) -> None:
+    times("arrays")
+    if prepare():
+        AcrossSolver().solve(wide(FABRIC, 8))
+        times("compiled")
     rng = np.random.default_rng(1)
     ends: Counter[str] = Counter()
     steps = []

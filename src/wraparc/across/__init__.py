@@ -1,6 +1,7 @@
 """Across the width: uneven tension, worn and crowned pulleys, and what wear makes of them."""
 
 from wraparc.across.build import Stiffness, in_plane_stiffness, wide_arc
+from wraparc.across.compiled import prepare
 from wraparc.across.measured import READINGS, MeasuredProfile, read_profile, within
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
@@ -31,6 +32,7 @@ __all__ = [
     "in_plane_stiffness",
     "march_wear",
     "mode_response",
+    "prepare",
     "read_profile",
     "screen",
     "slack_words",

@@ -13,9 +13,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
+from wraparc.across.compiled import quickest
 from wraparc.across.interface import stress_of
 from wraparc.across.march import step
 from wraparc.across.newton import Mesh, System, mesh_of, newton, started
@@ -83,7 +85,9 @@ class _Slopes:
     by_thickness: float
 
 
-def mode_response(wide: WideArc, modes: int = 16, steps: int = 48) -> ModeResponse:
+def mode_response(
+    wide: WideArc, modes: int = 16, steps: int = 48, *, even: ArcResult | None = None
+) -> ModeResponse:
     """Return what small deviations do, by mode.
 
     Parameters
@@ -94,13 +98,15 @@ def mode_response(wide: WideArc, modes: int = 16, steps: int = 48) -> ModeRespon
         How many modes, fewer than strips.
     steps
         Mesh steps over the arc.
+    even
+        The even belt, if it is solved already.
 
     Raises
     ------
     ConvergenceError
         If the even belt is not carried.
     """
-    even = Distributed(capacities=False).solve(wide.arc)
+    even = even or Distributed(capacities=False).solve(wide.arc)
     if not even.status.solved:
         raise ConvergenceError(str(even.status))
     return _Modes(wide, even, min(modes, wide.strips - 1), steps).response()
@@ -131,7 +137,7 @@ class _Modes:
         """The even belt at the cuts of the mesh: one strip, solved like many."""
         one = _even_strip(self.wide)
         mesh = mesh_of(self.wide, self.even, self.steps)
-        system = System(one, mesh)
+        system = System(one, mesh, quickest())
         found = newton(system, started(one, self.even, mesh))
         if not found.solved:
             raise ConvergenceError("the even belt was not solved across its cuts")
@@ -145,7 +151,7 @@ class _Modes:
         found = stress_of(arc.law.compact(), arc.shear_compliance, u, t / arc.radius)
         compliance = 1.0 / self.wide.belt_modulus
         rate = drum - t * compliance
-        give = self._give()
+        give = self._give
         rate -= (t if arc.recovery else arc.entry_tension / arc.width) * give
         return _Slopes(
             t,
@@ -156,11 +162,13 @@ class _Modes:
             -found.stress * found.by_creep / arc.shear_modulus,
         )
 
+    @cached_property
     def _give(self) -> float:
         """h/(R^2 E_c) of the even lagging [m/N]."""
         arc = self.wide.arc
         return arc.compression_compliance / arc.radius**2
 
+    @cached_property
     def _give_by_thickness(self) -> float:
         """Its derivative by the thickness, E_c following the shape of the blocks [1/N]."""
         arc, lagging = self.wide.arc, self.wide.lagging
@@ -199,11 +207,11 @@ class _Modes:
         stress[:, _THICKNESS] += even.by_thickness
         lag = creep.copy()
         lag[:, _OFFSET] += 1.0
-        recovery = self._give() if wide.arc.recovery else 0.0
+        recovery = self._give if wide.arc.recovery else 0.0
         creep_rate = -(1.0 / wide.belt_modulus + recovery) * tension
         creep_rate[:, _DRIFT] += 1.0
         if wide.arc.recovery:
-            creep_rate[:, _THICKNESS] -= even.tension * self._give_by_thickness()
+            creep_rate[:, _THICKNESS] -= even.tension * self._give_by_thickness
         rows = out[3:].reshape(3, len(k2), 5)
         rows[0] = -stress - k2[:, None] * lag
         rows[1] = creep_rate
@@ -241,12 +249,12 @@ class _Modes:
         # per unit of t1: creep at the nip, offset of the label line, drift
         kick = _kick_slope(arc.overrun, arc.entry_overrun, entry)
         kick_h = 0.0
-        if arc.overrun is None and self._give() > 0.0:
-            kick_h = 1.5 * arc.entry_overrun * self._give_by_thickness() / self._give() * h
+        if arc.overrun is None and self._give > 0.0:
+            kick_h = 1.5 * arc.entry_overrun * self._give_by_thickness / self._give * h
         lag_t, lag_0 = -before / m, on["entry_misfit"] + before / m * on["entry_profile"]
         drift_t, drift_0 = 0.0, (on["radius"] + h) / arc.radius
         if not arc.recovery:
-            drift_t, drift_0 = -self._give(), drift_0 - entry * self._give_by_thickness() * h
+            drift_t, drift_0 = -self._give, drift_0 - entry * self._give_by_thickness * h
         by = np.zeros((5, 2))  # columns of the piece by (1, t1)
         by[_TENSION, 1] = 1.0
         by[_CREEP] = kick_h, kick

@@ -14,15 +14,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
-from wraparc.across.march import Strips, march
+from wraparc.across.compiled import PLAIN, Marches
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import ArcResult
 from wraparc.arc.kernel.step import MESH_POWER
-from wraparc.friction.compact import CompactLaw
 
 #: logarithm of the growth of errors over one piece of the arc; decides speed and safety only
 GROWTH = 6.0
@@ -31,16 +29,6 @@ STEP_GROWTH = 1.0
 MOST_STEPS = 400
 TOLERANCE = 1e-10
 MOST_ITERATIONS = 16
-
-
-class March(Protocol):
-    """What carries states along the arc: `wraparc.across.march.march`, or it compiled."""
-
-    def __call__(
-        self, law: CompactLaw, strips: Strips, pull: Array, drift: Array, y: Array, nodes: Array
-    ) -> Array:
-        """Return a state and its derivatives at the last node."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -132,7 +120,7 @@ class System:
     ----------
     wide, mesh
         What is solved, and where it is stepped.
-    march
+    marches
         What carries states along the arc.
     amount
         Share of the defects that is put on, 1 for all of them.
@@ -140,7 +128,7 @@ class System:
 
     wide: WideArc
     mesh: Mesh
-    march: March = march
+    marches: Marches = PLAIN
     amount: float = 1.0
 
     def entry(self, at: Unknowns, columns: bool) -> tuple[Array, Array, Array]:
@@ -190,7 +178,8 @@ class System:
                 y = at.states[k - 1][:, None]
                 if columns:
                     y = np.hstack([y, np.eye(2 * n), np.zeros((2 * n, n + 1))])
-            ends.append(self.march(law, numbers, pull, drift, y, self.mesh.nodes[first : last + 1]))
+            nodes = self.mesh.nodes[first : last + 1]
+            ends.append(self.marches.march(law, numbers, pull, drift, y, nodes))
         return ends
 
     def misses(self, at: Unknowns, ends: list[Array]) -> Array:

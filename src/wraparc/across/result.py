@@ -225,7 +225,7 @@ class AcrossResult(Viewable):
         """
         if not self.even.status.solved:
             return np.full(4, np.nan)
-        return mode_response(self.wide, 4).levelling_depth
+        return mode_response(self.wide, 4, even=self.even).levelling_depth
 
     @property
     def outside_tested_share(self) -> float:

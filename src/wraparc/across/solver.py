@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from wraparc.across.march import trace
+from wraparc.across.compiled import Marches, quickest
 from wraparc.across.newton import Found, Mesh, System, Unknowns, mesh_of, newton, started
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.stresses import stresses
@@ -30,9 +30,12 @@ class AcrossSolver:
     ----------
     steps
         Mesh steps over the arc; 48 leave 1e-7 to 5e-6 of the entry tension, less than strips do.
+    marches
+        What carries the strips along the arc: compiled once that is prepared in this process.
     """
 
     steps: int = 48
+    marches: Marches = field(default_factory=quickest)
 
     def solve(self, wide: WideArc, *, start: AcrossResult | None = None) -> AcrossResult:
         """Solve one arc; a failure is a result too, see `AcrossStatus`.
@@ -46,7 +49,7 @@ class AcrossSolver:
         """
         even = Distributed(capacities=False).solve(wide.arc)
         mesh = mesh_of(wide, even, self.steps)
-        system = System(wide, mesh)
+        system = System(wide, mesh, self.marches)
         begin = started(wide, even, mesh)
         if even.status is not Status.SOLVED:
             broken = even.status is Status.BREAKAWAY
@@ -223,7 +226,8 @@ def traced(system: System, at: Unknowns) -> tuple[Array, Array, Array]:
     for k, (first, last) in enumerate(zip(system.mesh.cuts, system.mesh.cuts[1:], strict=False)):
         if k > 0:
             y = np.concatenate([at.states[k - 1], rows[-1][-1, 2 * n :]])
-        part = trace(law, numbers, pull, drift, y, system.mesh.nodes[first : last + 1])
+        nodes = system.mesh.nodes[first : last + 1]
+        part = system.marches.trace(law, numbers, pull, drift, y, nodes)
         rows.append(part[1:])
     return np.concatenate(rows), pull[:, 0], drift[:, 0]
 

@@ -7,9 +7,10 @@ _state = {"compiled": False}
 
 def use_compiled() -> bool:
     """Load compiled code, or make it, and use it from now on; False where there is none."""
+    from wraparc import across
     from wraparc.batch.compiled import prepare
 
-    _state["compiled"] = prepare()
+    _state["compiled"] = prepare() and across.prepare()
     return _state["compiled"]
 
 
