@@ -1,6 +1,9 @@
 """The [motion] table, and the commands that read it: every door to drives in time."""
 
 import csv
+import math
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,7 +12,7 @@ from cli.running import Ran
 from cli.running import wraparc as run_command
 from wraparc import InputError, load_drive, load_motion, load_train
 from wraparc.checks import Level, judge_run
-from wraparc.motion import Droop, ExactSpeed, Follower, simulate, stability, stability_map
+from wraparc.motion import Droop, ExactSpeed, Follower, Start, simulate, stability, stability_map
 from wraparc.motion.file import motion_from_text, read_record
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
 from wraparc.present.motion_sheet import run_sheet, stability_sheet
@@ -30,8 +33,35 @@ def test_the_shipped_tandems_have_events(file: str) -> None:
 
 
 def test_a_file_without_motion_says_what_to_write() -> None:
-    with pytest.raises(InputError, match=r"Write a \[motion\] table"):
+    with pytest.raises(InputError) as told:
         load_motion("examples/triple-steel-cord.toml")
+    # every drum by its name, with the key that is needed, as it stands in a file
+    assert 'motion.drum."head 1".inertia: missing. Write [motion.drum."head 1"]' in str(told.value)
+    assert str(told.value).count("inertia: missing") == 3
+
+
+def test_a_file_without_events_has_the_usual_ones() -> None:
+    text = Path(TANDEMS[0]).read_text("utf-8").partition("[[motion.event]]")[0]
+    motion = motion_from_text(text)
+    assert motion.assumed
+    assert [e.name for e in motion.events] == ["start", "start and stop"]
+    assert motion.event().from_rest
+    assert not load_motion(TANDEMS[0]).assumed
+
+
+def test_a_start_beyond_the_torque_of_the_motors_is_refused_with_the_time_it_needs() -> None:
+    limited = '{kind="droop", torque_limit=1.5}'
+    settings = [f"motion.drum.{drum}.control={limited}" for drum in ("first", "second")]
+    motion = load_motion(TANDEMS[0], overrides=settings)
+    with pytest.raises(InputError, match=r"Take [\d.]+ s or more") as told:
+        simulate(motion.station, replace(motion.events[0], happenings=(Start(time=5.0),)))
+    # closed form: M = 100 t and J/R^2 = 2 x 13.4 t, steepest pi/2 V/t, 1.5 times 105 kN to give
+    radius = motion.station.train.pulleys[0].radius
+    moved = 100e3 + 2.0 * 2200.0 / radius**2
+    least = moved * math.pi / 2.0 * 3.0 / (0.5 * 105e3)
+    found = re.search(r"Take ([\d.]+) s", str(told.value))
+    assert found is not None
+    assert float(found[1]) == pytest.approx(least, rel=0.04)
 
 
 def test_a_drive_file_may_have_it_too(tmp_path: Path) -> None:
@@ -107,8 +137,15 @@ def test_a_record_drives_an_event(tmp_path: Path) -> None:
     path.write_text(text, "utf-8")
     event = load_motion(path).event("as measured")
     assert event.happenings[0].values == (20e3, 22e3)  # type: ignore[attr-defined]
-    with pytest.raises(InputError, match="may not be named here"):
+    with pytest.raises(InputError, match=r"may not be named here. Put its lines in"):
         motion_from_text(text)
+    lines = "time [s],torque [kN m]\\n0,20\\n1,22\\n"
+    inside = text.replace('file = "record.csv"', f'record = "{lines}"')
+    assert motion_from_text(inside).event("as measured") == event
+    with pytest.raises(InputError, match=r"happens\[1\].record: the record has a gap"):
+        motion_from_text(inside.replace("1,22", "1,"))
+    with pytest.raises(InputError, match="give the measured record once"):
+        motion_from_text(inside.replace("record = ", 'file = "a.csv", record = '))
 
 
 def test_no_such_event_is_told() -> None:

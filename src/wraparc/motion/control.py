@@ -65,6 +65,11 @@ class Control(ABC):
         """Torque that ratios refer to [N m]."""
         return self.rated_torque or max(abs(duty.torque), 1e-3)
 
+    def most_torque(self, duty: Duty) -> float:
+        """Torque that its set limit leaves, inf where it has none [N m]."""
+        limit: float = getattr(self, "torque_limit", math.inf)
+        return limit * self.rating(duty)
+
     @abstractmethod
     def turning(self, duty: Duty) -> Turning:
         """Return what marches with the steps."""

@@ -11,11 +11,11 @@ from typing import Any
 
 from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.motion.control import Control, Droop, ExactSpeed, Follower
-from wraparc.motion.event import Event, Happening, Measured
+from wraparc.motion.event import Event, Happening, Measured, Start, Stop
 from wraparc.motion.keys import CONTROL, DRUM, EVENT, HAPPENING, MOTION, TRIM
 from wraparc.motion.station import Drum, Station
 from wraparc.schema.overrides import Overrides, load
-from wraparc.schema.problems import Report
+from wraparc.schema.problems import Report, place_text
 from wraparc.schema.source import Document, parse, read_text
 from wraparc.schema.tables import Record
 from wraparc.train import Motors, TorqueFollower, Train, VariableSpeed
@@ -23,6 +23,16 @@ from wraparc.train.file import train_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import parse_quantity
 
+_WRITE = "Write a [motion] table, as the page on drives in time shows."
+#: What is followed where a file has no events.
+USUAL_EVENTS = (
+    Event(name="start", duration=40.0, happenings=(Start(time=20.0),)),
+    Event(
+        name="start and stop",
+        duration=60.0,
+        happenings=(Start(time=20.0), Stop(at=40.0, time=15.0)),
+    ),
+)
 _HEAD = re.compile(r"\s*(time|speed|torque)\s*\[([^\]]+)\]\s*", re.IGNORECASE)
 
 
@@ -36,10 +46,13 @@ class Motion:
         What moves.
     events
         What may happen to it.
+    assumed
+        Whether the file has no events, and these are the usual ones.
     """
 
     station: Station
     events: tuple[Event, ...] = ()
+    assumed: bool = False
 
     def event(self, name: str = "") -> Event:
         """Return the event of a name, the first without a name.
@@ -53,9 +66,8 @@ class Motion:
             if not name or event.name == name:
                 return event
         names = [e.name for e in self.events]
-        there = ", ".join(map(shown, names)) or "none"
-        message = f"no such event; the file has {there}"
-        remedy = nearest(name, names) or ("" if names else "Write a [[motion.event]] table.")
+        message = f"no such event; there are {', '.join(map(shown, names))}"
+        remedy = nearest(name, names) or "Write a [[motion.event]] table of that name."
         raise InputError(Problem(key="event", value=shown(name), message=message, remedy=remedy))
 
 
@@ -100,15 +112,13 @@ def motion_from_document(
     except InputError as error:
         problems += error.problems
     report = Report(file)
-    if "motion" not in document:
-        report.add(
-            ("motion",),
-            "missing: the file says nothing of inertias and events",
-            "Write a [motion] table, as the page on drives in time shows.",
-        )
+    given = document.get("motion")
+    if given is None and train is None:  # then nobody knows what its drums are called
+        message = "missing: the file says nothing of inertias and events"
+        report.add(("motion",), message, _WRITE)
         record: Any = None
-    else:
-        record = MOTION.read(document["motion"], ("motion",), report)
+    else:  # every drum without an inertia is named
+        record = MOTION.read({"drum": {}} if given is None else given, ("motion",), report)
     made = None
     if isinstance(record, Record):
         made = _Builder(record, train, folder if allow_paths else None, report).built()
@@ -140,7 +150,8 @@ class _Builder:
         station = MOTION.built(self.record, self.report, train=self.train, drums=drums)
         if station is None:
             return None
-        return Motion(station, tuple(e for e in events if e is not None))
+        made = tuple(e for e in events if e is not None)
+        return Motion(station, made or USUAL_EVENTS, assumed=not made)
 
     def _drums(self, train: Train) -> tuple[Drum, ...] | None:
         tables, names = self.record.get("drum"), [p.name for p in train.pulleys]
@@ -151,8 +162,8 @@ class _Builder:
             self.report.add(("motion", "drum", name), message, nearest(name, names))
         missing = [n for n in names if n not in tables]
         for name in missing:
-            remedy = f'Write [motion.drum.{name}] with inertia = "2200 kg m2".'
-            self.report.add(("motion", "drum", name), "missing", remedy)
+            remedy = f'Write [{place_text(("motion", "drum", name))}] with inertia = "2200 kg m2".'
+            self.report.add(("motion", "drum", name, "inertia"), "missing", remedy)
         found = [self._drum(n, tables[n], train) for n in names if n in tables]
         made = tuple(d for d in found if d is not None)
         return made if len(made) == len(names) else None
@@ -200,14 +211,21 @@ class _Builder:
         return made
 
     def _measured(self, record: Record) -> Measured | None:
-        place = (*record.place, "file")
-        if self.folder is None:
-            self.report.add(place, "a file may not be named here", value=record["file"])
+        key = "record" if "record" in record else "file"
+        place, pulley, at = (*record.place, key), record["pulley"], record.get("at", 0.0)
+        if len({"record", "file"} & {*record}) != 1:
+            message = "give the measured record once: as a file, or its lines as a record"
+            self.report.add(place, message, 'Write file = "record.csv", for example.')
+            return None
+        if key == "file" and self.folder is None:
+            message = "a file may not be named here"
+            remedy = 'Put its lines in: record = """time [s],speed [rpm] ...""".'
+            self.report.add(place, message, remedy, record["file"])
             return None
         try:
-            return read_record(
-                Path(self.folder) / record["file"], record["pulley"], at=record.get("at", 0.0)
-            )
+            if key == "record":
+                return parse_record(record["record"], pulley, at=at)
+            return read_record(Path(str(self.folder)) / record["file"], pulley, at=at)
         except InputError as error:
             self.report.take(error, place)
             return None
@@ -247,8 +265,12 @@ def read_record(path: str | os.PathLike[str], pulley: str, *, at: float = 0.0) -
     InputError
         If columns, units or values are missing.
     """
-    file = os.fspath(path)
-    rows = [r for r in csv.reader(read_text(path).splitlines()) if any(c.strip() for c in r)]
+    return parse_record(read_text(path), pulley, at=at, file=os.fspath(path))
+
+
+def parse_record(text: str, pulley: str, *, at: float = 0.0, file: str = "") -> Measured:
+    """Read the lines of a measured record; see `read_record`."""
+    rows = [r for r in csv.reader(text.splitlines()) if any(c.strip() for c in r)]
     heads = [_HEAD.fullmatch(cell) for cell in rows[0]] if rows else []
     names = [h[1].lower() if h else "" for h in heads]
     if len(names) != 2 or names[0] != "time" or names[1] not in ("speed", "torque"):

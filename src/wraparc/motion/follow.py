@@ -70,9 +70,10 @@ def simulate(
     Second order in step and points. Quasi-static belt on the drums, one mass for the conveyor, no
     viscoelastic rubber, no friction that depends on speed or on rest.
     """
-    _check(station, event)
+    check_event(station, event)
     march = March(station, event, step, points)
     _check_step(march, event)
+    _check_ramps(march, event)
     keeper = _Keeper(march, every or march.h, sink)
     outcome, reason = Outcome.WHOLE, ""
     total = max(math.ceil(event.duration / march.h - 1e-9), 1)
@@ -116,8 +117,14 @@ def _told(halt: HaltError, t: float) -> tuple[Outcome, str]:
     return Outcome.SLACK, f"The belt goes slack {halt.place} at {t:.4g} s."
 
 
-def _check(station: Station, event: Event) -> None:
-    """Refuse an event that the station cannot follow."""
+def check_event(station: Station, event: Event) -> None:
+    """Refuse an event that the station cannot follow.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
     problems = []
     moves = [h for h in event.of(Start) if isinstance(h, Start)]
     if moves and station.conveyor_mass is None:
@@ -172,6 +179,35 @@ def _check_step(march: March, event: Event) -> None:
                 remedy=f"Take {display(0.99 * need, 'time', digits=2)} or less.",
             )
         )
+
+
+def _check_ramps(march: March, event: Event) -> None:
+    """Refuse a start that asks for more than the limits of the motors give altogether."""
+    station, drums = march.station, march.drums
+    given = math.fsum(
+        own.control.most_torque(d.duty) / d.radius
+        for own, d in zip(station.drums, drums, strict=True)
+    )
+    moved = (station.conveyor_mass or 0.0) + math.fsum(d.inertia / d.radius**2 for d in drums)
+    for start in event.of(Start):
+        if not isinstance(start, Start) or type(start) is not Start or start.time <= 0.0:
+            continue
+        steepest = {"ramp": 1.0, "s-curve": 0.5 * math.pi}.get(start.shape)
+        if steepest is None or math.isinf(given):
+            continue
+        need = march.pull + moved * steepest * march.speed / start.time
+        if need <= given:
+            continue
+        message = (
+            f"a start in {display(start.time, 'time', digits=3)} needs {display(need, 'force')} at "
+            f"the belt; the torque limits of the motors give {display(given, 'force')}"
+        )
+        least = moved * steepest * march.speed / max(given - march.pull, 1e-9)
+        remedy = f"Take {display(1.01 * least, 'time', digits=3)} or more, or"
+        if given <= march.pull:  # not even the load is carried
+            remedy = "Lower the load, or"
+        remedy += " raise torque_limit or rated_torque of the motors."
+        raise InputError(Problem(key=f"motion.event.{event.name}", message=message, remedy=remedy))
 
 
 @dataclass

@@ -163,11 +163,13 @@ HAPPENING = Variant(
         "measured",
         _AT,
         _PULLEY,
-        need(
+        Entry(
             "file",
             "CSV of two columns: time [s], and speed [rpm] or torque [kN m] of the drum.",
             Text(500),
-            example='file = "record.csv"',
+        ),
+        Entry(
+            "record", "The lines of such a file, in place of its name.", Text(200_000, lines=True)
         ),
         of=Measured,
     ),

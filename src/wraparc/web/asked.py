@@ -144,6 +144,18 @@ class StudyRequest(Request):
     document: Document
 
 
+class EventRequest(Request):
+    """The drives of a design in time: a run through an event, or whether they pulsate."""
+
+    document: Document
+    what: Literal["run", "stability", "map"] = "run"
+    event: Line | None = Field(None, description="The first if left out.")
+    points: int = Field(60, ge=10, le=400, description="Pieces of lagging on the shortest wrap.")
+    step: Short | None = Field(None, description="Time step; chosen if left out.")
+    run_out: Short = Field("0.5 mm", description="Amplitude that the answers refer to.")
+    over: Literal["droop", "coupling slip"] = Field("droop", description="What a map goes over.")
+
+
 class DesignRequest(Request):
     """A design to save."""
 

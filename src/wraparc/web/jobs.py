@@ -57,10 +57,23 @@ class Job:
 
 
 class Jobs:
-    """All jobs of a server; a few run, the others wait their turn."""
+    """All jobs of one kind of a server; a few run, the others wait their turn.
 
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        self._clock = clock
+    Parameters
+    ----------
+    clock
+        Tells how old a job is.
+    one, many
+        What a job is called.
+    """
+
+    def __init__(
+        self,
+        clock: Callable[[], float] = time.monotonic,
+        one: str = "study",
+        many: str = "studies",
+    ) -> None:
+        self._clock, self._one, self._many = clock, one, many
         self._turns = Turns(MOST_RUNNING, MOST_RUNNING, MOST_WAITING + MOST_RUNNING)
         self._jobs: dict[str, Job] = {}
 
@@ -68,7 +81,7 @@ class Jobs:
         """Start a job, or put it in the queue."""
         self._sweep()
         if sum(job.busy for job in self._jobs.values()) >= MOST_RUNNING + MOST_WAITING:
-            error = refused(429, "too many studies are waiting", "Wait, or cancel one.")
+            error = refused(429, f"too many {self._many} are waiting", "Wait, or cancel one.")
             error.headers = {"retry-after": "60"}
             raise error
         job = Job(secrets.token_urlsafe(9), title, total)
@@ -96,8 +109,15 @@ class Jobs:
     def get(self, name: str) -> Job:
         """Return a job."""
         if name not in self._jobs:
-            raise refused(404, "there is no such study", "It may have been forgotten.")
+            raise refused(404, f"there is no such {self._one}", "It may have been forgotten.")
         return self._jobs[name]
+
+    def result(self, name: str) -> Any:
+        """Return what came out of a job that is done."""
+        job = self.get(name)
+        if job.state != "done":
+            raise refused(409, f"the {self._one} is not done", "Wait for it.")
+        return job.result
 
     def end(self, name: str) -> None:
         """Cancel a job that is at work, forget one that is not."""

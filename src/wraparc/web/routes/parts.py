@@ -3,7 +3,7 @@
 import asyncio
 import hashlib
 import inspect
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine, Mapping
 from typing import Any, get_type_hints
 
 from fastapi import APIRouter, Request, Response, Security
@@ -34,11 +34,13 @@ class State:
         self.workers = Workers(settings.workers)
         self.sessions = Sessions()
         self.jobs = Jobs()
+        self.runs = Jobs(one="run", many="runs in time")
         self.store = Store.open(settings.database, settings.shown_database)
 
     def close(self) -> None:
         """End what runs, and give back what is held."""
         self.jobs.stop()
+        self.runs.stop()
         self.workers.stop()
         self.store.close()
 
@@ -161,3 +163,13 @@ async def _left(request: Request) -> None:
 def json_answer(body: bytes) -> Response:
     """Return an answer that is JSON already."""
     return Response(body, media_type=JSON)
+
+
+def picture_of(pictures: Mapping[str, str], name: str) -> Response:
+    """Return a picture, SVG."""
+    if name not in pictures:
+        raise refused(404, "there is no such picture")
+    # what is drawn carries its styles in attributes; it is shown as an image, where nothing runs
+    policy = "default-src 'none'; style-src 'unsafe-inline'"
+    headers = {"content-security-policy": policy}
+    return Response(pictures[name], media_type="image/svg+xml", headers=headers)

@@ -6,10 +6,9 @@ from wraparc.web.answers import studies
 from wraparc.web.answers.shown import Answer, Both, Data, Table, Verdict
 from wraparc.web.asked import StudyRequest
 from wraparc.web.errors import ToldProblem, refused
-from wraparc.web.jobs import Job
 from wraparc.web.jobs import State as JobState
 from wraparc.web.progress import Tell
-from wraparc.web.routes.parts import client_of, refuses, router, state_of
+from wraparc.web.routes.parts import client_of, picture_of, refuses, router, state_of
 
 api = router("/studies", "studies")
 _FILES = {
@@ -95,13 +94,8 @@ async def end(request: Request, study: str) -> None:
 @api.get("/{study}/pictures/{name}", response_class=Response, responses=refuses(409))
 async def picture(request: Request, study: str, name: str) -> Response:
     """A picture of a study that is done, SVG."""
-    found = _result(state_of(request).jobs.get(study)).pictures.get(name)
-    if found is None:
-        raise refused(404, "there is no such picture")
-    # what is drawn carries its styles in attributes; it is shown as an image, where nothing runs
-    policy = "default-src 'none'; style-src 'unsafe-inline'"
-    headers = {"content-security-policy": policy}
-    return Response(found, media_type="image/svg+xml", headers=headers)
+    result: studies.StudyResult = state_of(request).jobs.result(study)
+    return picture_of(result.pictures, name)
 
 
 @api.get("/{study}/files/{name}", response_class=Response, responses=refuses(409))
@@ -110,16 +104,9 @@ async def download(request: Request, study: str, name: str) -> Response:
     if name not in _FILES:
         raise refused(404, "there is no such file")
     key, media = _FILES[name]
-    content = getattr(_result(state_of(request).jobs.get(study)), key)
+    content = getattr(state_of(request).jobs.result(study), key)
     if not content:
         message = "these results are too large to be kept here"
         raise refused(404, message, "Run the study on the command line.")
     headers = {"content-disposition": f'attachment; filename="{name}"'}
     return Response(content, media_type=media, headers=headers)
-
-
-def _result(job: Job) -> studies.StudyResult:
-    if job.state != "done":
-        raise refused(409, "the study is not done", "Wait for it.")
-    result: studies.StudyResult = job.result
-    return result

@@ -1,0 +1,88 @@
+"""Drives in time: a run through an event started, followed, cancelled, looked at."""
+
+from fastapi import Request, Response
+
+from wraparc.web.answers import events
+from wraparc.web.answers.shown import Answer, Sheet
+from wraparc.web.asked import EventRequest
+from wraparc.web.errors import ToldProblem
+from wraparc.web.jobs import Job
+from wraparc.web.jobs import State as JobState
+from wraparc.web.progress import Tell
+from wraparc.web.routes.parts import client_of, picture_of, refuses, router, state_of
+
+api = router("/events", "events")
+
+
+class RunAnswer(Answer):
+    """How a run stands, and what came out once it is done."""
+
+    id: str
+    title: str
+    state: JobState
+    done: int
+    total: int
+    message: str
+    problems: list[ToldProblem]
+    run: Sheet | None = None
+    stability: Sheet | None = None
+    note: str | None = None
+    played: events.Played | None = None
+    pictures: list[str] | None = None
+
+
+class RunsAnswer(Answer):
+    """All runs."""
+
+    jobs: list[RunAnswer]
+
+
+@api.post("", status_code=202, responses=refuses(429, 501), response_model_exclude_unset=True)
+async def start(request: Request, response: Response, asked: EventRequest) -> RunAnswer:
+    """Start a run through an event; what is wrong is told at once."""
+    state, client = state_of(request), client_of(request)
+    checked = await state.workers.short(client, events.check, asked)
+    named = events.Named.model_validate_json(checked)
+
+    async def work(tell: Tell) -> events.EventResult:
+        result = await state.workers.apart(client, events.run, asked, tell=tell)
+        return events.EventResult.model_validate_json(result)
+
+    job = state.runs.start(client, named.title, events.PARTS, work)
+    response.headers["location"] = f"{api.prefix}/{job.id}"
+    return _standing(job)
+
+
+@api.get("", response_model_exclude_unset=True)
+async def listed(request: Request) -> RunsAnswer:
+    """All runs of this server, the newest first."""
+    return RunsAnswer(jobs=[_standing(job) for job in state_of(request).runs.listed()])
+
+
+@api.get("/{run}", response_model_exclude_unset=True)
+async def one(request: Request, run: str) -> RunAnswer:
+    """How a run stands, and its results."""
+    job = state_of(request).runs.get(run)
+    told = _standing(job).model_dump()
+    if job.state == "done":
+        found: events.EventResult = job.result
+        told |= {**found.model_dump(), "pictures": list(found.pictures)}
+    return RunAnswer(**told)
+
+
+@api.delete("/{run}", status_code=204)
+async def end(request: Request, run: str) -> None:
+    """Cancel a run at work, forget another."""
+    state_of(request).runs.end(run)
+
+
+@api.get("/{run}/pictures/{name}", response_class=Response, responses=refuses(409))
+async def picture(request: Request, run: str, name: str) -> Response:
+    """A picture of a run that is done, SVG."""
+    found: events.EventResult = state_of(request).runs.result(run)
+    return picture_of(found.pictures, name)
+
+
+def _standing(job: Job) -> RunAnswer:
+    keys = ("id", "title", "state", "done", "total", "message", "problems")
+    return RunAnswer(**{key: getattr(job, key) for key in keys})
