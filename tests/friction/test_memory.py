@@ -36,7 +36,19 @@ class Material:
         a = self.at
         turns, count = self.turns, self.count
         return moved(
-            self.law, self.c, u, p, turns, 0, count, a.side, a.slip, a.stress, self.reach, 1.0
+            self.law,
+            self.c,
+            u,
+            p,
+            turns,
+            0,
+            count,
+            a.side,
+            a.slip,
+            a.stress,
+            self.reach,
+            1.0,
+            a.slip,
         )
 
     def to(self, u: float, p: float) -> float:

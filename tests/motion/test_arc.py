@@ -53,9 +53,9 @@ def driven(arc: MovingArc, ahead: float, dm: float, exit_tension: float) -> None
     """One step with given travel and given surface less belt."""
     arc.begin(arc.travel + ahead)
     travel, m = arc.travel + ahead, arc.m + dm
-    for i in range(30):
-        out = arc.sweep(travel, m, exit_tension)
-        if i and out[k.CHANGE] < 1e-12:
+    for _ in range(30):
+        arc.sweep(travel, m, exit_tension)
+        if arc.change(m, exit_tension) < 1e-12:
             break
     arc.finish(m, exit_tension)
 

@@ -154,7 +154,7 @@ def tail(law: CompactLaw, segment: int, pressure: float) -> tuple[float, float, 
     return slope, residual, slope_p, residual_p
 
 
-def friction_at(  # noqa: C901 - one branch a kind of law
+def friction_at(
     law: CompactLaw, segment: int, branch: int, slip: float, pressure: float
 ) -> tuple[float, float, float]:
     """Friction of one piece of a law and its derivatives.
@@ -197,9 +197,8 @@ def friction_at(  # noqa: C901 - one branch a kind of law
             (m1 + t * (2.0 * m2 + 3.0 * t * m3)) * form
             + mu_pk * lr * r * (x1 + t * (2.0 * x2 + 3.0 * t * x3)) / slip_pk,
         )
-    above = segment >= last and last >= 0
     at = pressure
-    if above:
+    if segment >= last and last >= 0:
         at = edges[last]
     elif segment < 0 and last >= 0:
         at = edges[0]
@@ -227,24 +226,61 @@ def friction_at(  # noqa: C901 - one branch a kind of law
         mu = slip * mu_x
         return mu, mu_x, -mu / pressure
     elif kind == LIMIT:
-        # mu_0 (p / p_0)^-n
-        mu = c[0]
         mu_x = 0.0
-        mu_p = 0.0
-        if c[2] != 0.0:
-            at = max(at, 1e-12)  # a trial far off the solution may have no pressure left
-            mu = c[0] * (at / c[1]) ** (-c[2])
-            mu_p = -c[2] * mu / at
+        mu, mu_p = _limit(c, at)
     else:
         mu, mu_x, mu_p = _table(law, segment, branch, slip, pressure)
-    if above:
-        factor = edges[last] / pressure
-        mu *= factor
-        mu_x *= factor
-        mu_p = -mu / pressure
-    elif segment < 0:
-        mu_p = mu_p if last < 0 else 0.0
+    return _held(law, segment, pressure, mu, mu_x, mu_p)
+
+
+def _held(
+    law: CompactLaw, segment: int, pressure: float, mu: float, mu_x: float, mu_p: float
+) -> tuple[float, float, float]:
+    """Friction held below the tested pressures, the traction held above them."""
+    last = len(law.edges) - 1
+    if last >= 0 and segment >= last:
+        factor = law.edges[last] / pressure
+        return mu * factor, mu_x * factor, -mu * factor / pressure
+    if segment < 0 <= last:
+        return mu, mu_x, 0.0
     return mu, mu_x, mu_p
+
+
+def _limit(c: Floats, pressure: float) -> tuple[float, float]:
+    """The limit mu_0 (p / p_0)^-n and its derivative by pressure."""
+    if c[2] == 0.0:
+        return c[0], 0.0
+    at = max(pressure, 1e-12)  # a trial far off the solution may have no pressure left
+    mu = c[0] * (at / c[1]) ** (-c[2])
+    return mu, -c[2] * mu / at
+
+
+def limit_at(law: CompactLaw, segment: int, pressure: float) -> tuple[float, float]:
+    """Limit of friction [-] and its derivative by pressure [1/Pa], for a law with a limit."""
+    last = len(law.edges) - 1
+    at = pressure
+    if last >= 0 and segment >= last:
+        at = law.edges[last]
+    elif segment < 0 <= last:
+        at = law.edges[0]
+    mu, mu_p = _limit(law.coefficients, at)
+    mu, _, mu_p = _held(law, segment, pressure, mu, 0.0, mu_p)
+    return mu, mu_p
+
+
+def table_at(
+    law: CompactLaw, segment: int, slip: float, pressure: float
+) -> tuple[float, float, float]:
+    """Friction of a measured table at any slip [m], with its derivatives as of `friction_at`."""
+    mu, mu_x, mu_p = _table(law, segment, _cell(law.slips, slip), slip, pressure)
+    return _held(law, segment, pressure, mu, mu_x, mu_p)
+
+
+def _cell(slips: Floats, slip: float) -> int:
+    cell = 0
+    while cell < len(slips) - 1 and slip >= slips[cell + 1]:
+        cell += 1
+    return cell
 
 
 def _table(
@@ -275,11 +311,7 @@ def branch_of(law: CompactLaw, segment: int, slip: float, pressure: float) -> in
         limit = plateau_at(law, segment, pressure) * pressure
         return ELASTIC if c[3] > 0.0 and slip < c[3] * limit else PLASTIC
     if kind == TABLE:
-        n = len(slips)
-        branch = 0
-        while branch < n - 1 and slip >= slips[branch + 1]:
-            branch += 1
-        return branch
+        return _cell(slips, slip)
     slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
     if slip <= slip_pk:
         return RISE

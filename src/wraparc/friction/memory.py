@@ -24,13 +24,12 @@ from typing import NamedTuple
 from wraparc.friction.base import FrictionLaw
 from wraparc.friction.compact import (
     LIMIT,
-    PLASTIC,
     TABLE,
     CompactLaw,
-    branch_of,
-    friction_at,
+    limit_at,
     peak,
     segment_of,
+    table_at,
     tail,
 )
 from wraparc.friction.table import MeasuredTable
@@ -120,7 +119,7 @@ def dry_backbone(law: CompactLaw, pressure: float, reach: float) -> Backbone:
     last = len(edges) - 1
     segment = segment_of(law, pressure)
     if law.kind == LIMIT:
-        mu, _, mu_p = friction_at(law, segment, PLASTIC, 0.0, pressure)
+        mu, mu_p = limit_at(law, segment, pressure)
         return Backbone(segment, pressure, mu * pressure, mu + pressure * mu_p, 1.0, 0.0)
     if law.kind == TABLE:
         return Backbone(segment, pressure, 1.0, 0.0, 1.0, 0.0)
@@ -143,8 +142,7 @@ def dry_backbone(law: CompactLaw, pressure: float, reach: float) -> Backbone:
 def loaded(law: CompactLaw, b: Backbone, z: float) -> tuple[float, float, float]:
     """Return f(z) [Pa] and its derivatives by slip z >= 0 [Pa/m] and pressure [-], to the peak."""
     if law.kind == TABLE:
-        branch = branch_of(law, b.segment, z, b.pressure)
-        mu, mu_x, mu_p = friction_at(law, b.segment, branch, z, b.pressure)
+        mu, mu_x, mu_p = table_at(law, b.segment, z, b.pressure)
         p = b.strength * b.pressure  # of a table the strength is a share of it
         return mu * p, mu_x * p, b.strength * (mu + b.pressure * mu_p)
     r = z / b.peak_slip
@@ -182,7 +180,7 @@ def shared(law: CompactLaw, b: Backbone, c: float, w: float, guess: float) -> fl
         lr = log(r)
         step = (goal - r - k * (r - r * lr)) / (1.0 - k * lr)
         r = r + step if r + step > 0.0 else 0.05 * r
-        if abs(step) <= 1e-8 * r:
+        if abs(step) <= 1e-5 * r:  # what is left is of the order of its square
             break
     return r * b.peak_slip
 
@@ -259,6 +257,7 @@ def moved(
     stress: float,
     reach: float,
     share: float,
+    near: float,
 ) -> Point:
     """State of a material point after its creep and pressure have changed.
 
@@ -279,6 +278,8 @@ def moved(
         Largest slip so far [m].
     share
         Part of the friction that is there: less than 1 on a wet patch [-].
+    near
+        A guess of the new slip [m]: the closer, the faster.
 
     Returns
     -------
@@ -290,7 +291,7 @@ def moved(
         side = 1.0 if u >= 0.0 else -1.0
         count = 0
     if count == 0:
-        point = virgin(law, pressure, c, u, side, abs(slip), share)
+        point = virgin(law, pressure, c, u, side, abs(near), share)
         if side * (point.slip - slip) >= -LEAST_TURN and side * u >= 0.0:
             return point
         if abs(slip) < LEAST_TURN:
@@ -305,7 +306,7 @@ def moved(
         base, base_p = carried(law, b, turns, at, count)
         top = turns[at + count - 1]
         w = 0.5 * side * (u - top - c * base)
-        guess = 0.5 * side * (slip - top)
+        guess = 0.5 * side * (near - top)
         z = shared(law, b, c, w, guess)
         x = top + 2.0 * side * z
         if not turned and (w < 0.0 or side * (x - slip) < -LEAST_TURN):
@@ -328,7 +329,7 @@ def moved(
         give = 1.0 + c * f_z
         tau = base + 2.0 * side * f
         return Point(x, tau, f_z / give, (base_p + 2.0 * side * f_p) / give, count, side)
-    return virgin(law, pressure, c, u, side, abs(slip), share)
+    return virgin(law, pressure, c, u, side, abs(near), share)
 
 
 def carried(

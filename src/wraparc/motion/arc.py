@@ -75,10 +75,13 @@ class MovingArc:
         self.turns = np.zeros(room * ROOM)
         self.counts = np.zeros(room, dtype=np.int64)
         self.span = np.zeros(3, dtype=np.int64)
-        self.at, self.out = np.zeros(6), np.zeros(k.ANSWERS)
+        self.at, self.out = np.zeros(5), np.zeros(k.ANSWERS)
         fast = available()
         self._sweep: Any = compiled(k.sweep) if fast else k.sweep
+        self._change: Any = compiled(k.change) if fast else k.change
         self._keep: Any = compiled(k.keep) if fast else k.keep
+        self.open, self.h = False, 1.0
+        self.given, self.to = (0.0, 0.0), 0.0
         self.lay_at_rest(arc.exit_tension)
 
     def lay_at_rest(self, tension: float) -> None:
@@ -95,10 +98,10 @@ class MovingArc:
         self.wrapped = self.give * tension * self.shape.length
         self._drop(self.travel)
 
-    # --- one step, in three parts: begin, sweep as often as needed, finish ---
+    # --- one step, in three parts: begin, sweep and change as often as needed, finish ---
 
-    def begin(self, travel: float) -> None:
-        """Begin a step that will end at about a travel [m]: the nip, and a first guess."""
+    def begin(self, travel: float, h: float = 1.0) -> None:
+        """Begin a step of h [s] that will end at about a travel [m]."""
         ahead = travel - self.travel
         moving = ahead > STANDS
         nip = int(self.span[1])
@@ -109,36 +112,65 @@ class MovingArc:
                 jumped = abs(self.m - self.rows[nip, k.KEPT] - self.overrun(self.entry))
                 for _ in range(2 if jumped > 1e-9 else 1):  # old and fresh contact may meet there
                     nip += 1
-                    self._fresh(nip, self.m - self.overrun(self.entry))
+                    self._fresh(nip, self.m - self.overrun(self.entry), nip - 1)
                 self.span[1] = nip
-            self._fresh(nip, 0.0)
+            self._fresh(nip, 0.0, nip)
         self.span[2] = int(moving)
-        first = int(self.span[0])
-        part = self.rows[first : nip + 1]
-        if moving:
-            part[:, k.SHORT] += part[:, k.GIVE] * part[:, k.TENSION] * ahead
-            part[:-1, k.TENSION] -= self.shape.width * part[:-1, k.STRESS] * ahead
-            np.maximum(part[:, k.TENSION], 0.1 * self.exit, out=part[:, k.TENSION])
-            part[-1, k.SHORT] = 0.0
-        self.at[5] = 0.0
+        self.at[3], self.at[4] = ahead if moving else 0.0, h
+        self.h = h
 
-    def sweep(self, travel: float, m: float, exit_tension: float) -> Array:
+    def sweep(self, travel: float, m: float, exit_tension: float) -> list[float]:
         """One Newton step for the end of the step; see :mod:`wraparc.motion.arc_kernel`."""
         at = self.at
+        if self.open:
+            self.change(m, exit_tension)
         if self.span[2]:
             self._drop(travel)
             self.rows[self.span[1], k.TRAVEL] = travel
-        at[3], at[4] = m - at[1], exit_tension - at[2]
-        at[0], at[1], at[2] = travel if self.span[2] else self.travel, m, exit_tension
+        self.to = travel if self.span[2] else self.travel
+        self.given = m, exit_tension
+        at[0], at[1], at[2] = self.to, m, exit_tension
         self._sweep(*self.numbers, self.rows, self.turns, self.counts, self.span, at, self.out)
-        at[5] = 1.0
-        return self.out
+        at[4], self.open = 0.0, True
+        self.found: list[float] = self.out.tolist()
+        return self.found
+
+    def change(self, m: float, exit_tension: float) -> float:
+        """Change tensions and creep as the sweep found, for m and T_out; the largest dT/T."""
+        at, shape = self.given, self.shape
+        worst: float = self._change(
+            shape.diameter,
+            shape.width,
+            shape.shear,
+            shape.kick,
+            shape.kick_coefficient,
+            self.rows,
+            self.span,
+            m - at[0],
+            exit_tension - at[1],
+        )
+        self.open = False
+        return worst
+
+    def undo(self) -> None:
+        """Go back to before the step that was begun; the next one is guessed without rates."""
+        if self.at[4] > 0.0:  # it was not swept
+            return
+        part = self.rows[self.span[0] : self.span[1] + 1]
+        ahead = self.at[3]
+        part[:, k.TENSION] = part[:, k.T_CARRIED] + self.shape.width * part[:, k.STRESS] * ahead
+        part[:, k.SHORT] = part[:, k.I_CARRIED] - part[:, k.GIVE] * part[:, k.TENSION] * ahead
+        part[:, k.T_RATE : k.I_RATE_0 + 1] = 0.0
+        if self.span[2]:
+            part[-1, k.SHORT] = 0.0
+        self.open = False
 
     def finish(self, m: float, exit_tension: float) -> None:
         """Take the step for good."""
-        out, at = self.out, self.at
-        travel = float(at[0])
-        dm, dx = m - at[1], exit_tension - at[2]
+        if self.open:
+            self.change(m, exit_tension)
+        out, at = self.found, self.given
+        travel, dm, dx = self.to, m - at[0], exit_tension - at[1]
         self.work += self._keep(
             self.shape.width,
             self.shape.length,
@@ -147,17 +179,15 @@ class MovingArc:
             self.counts,
             self.span,
             0.5 * (self.travel + travel),
+            self.h,
         )
-        part = self.rows[self.span[0] : self.span[1] + 1]
-        part[:, k.TENSION] += part[:, k.T_0] + part[:, k.T_M] * dm + part[:, k.T_X] * dx
-        part[:, k.SHORT] += part[:, k.I_0] + part[:, k.I_M] * dm + part[:, k.I_X] * dx
-        self.entry = float(out[k.IN] + out[k.IN_M] * dm + out[k.IN_X] * dx)
-        self.wrapped = float(out[k.WRAPPED] + out[k.WRAPPED_M] * dm + out[k.WRAPPED_X] * dx)
-        self.lifted = float(out[k.LIFTED])
+        self.entry = out[k.IN] + out[k.IN_M] * dm + out[k.IN_X] * dx
+        self.wrapped = out[k.WRAPPED] + out[k.WRAPPED_M] * dm + out[k.WRAPPED_X] * dx
+        self.lifted = out[k.LIFTED]
         self.travel, self.m, self.exit = travel, m, exit_tension
         nip = int(self.span[1])
-        row = self.rows[nip]
         if self.span[2]:
+            row = self.rows[nip]
             row[k.KEPT] = m - self.overrun(self.entry)
             row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
             if travel - self.rows[nip - 1, k.TRAVEL] >= 0.999 * self.spacing:
@@ -183,7 +213,8 @@ class MovingArc:
             if not abs(dm) < 0.1:
                 raise ArithmeticError
             m += dm
-            if abs(dm) < 1e-14 + 1e-9 * self.spacing and self._largest_change(dm) < _SETTLED:
+            settled = self.change(m, exit_tension) < _SETTLED
+            if settled and abs(dm) < 1e-14 + 1e-9 * self.spacing:
                 break
         else:
             raise ArithmeticError
@@ -204,10 +235,6 @@ class MovingArc:
         for _ in range(int(wraps * self.points)):
             self.roll(self.spacing, entry, exit_tension)
         self.work = 0.0
-
-    def _largest_change(self, dm: float) -> float:
-        part = self.rows[self.span[0] : self.span[1] + 1]
-        return float(np.max(np.abs(part[:, k.T_0] + part[:, k.T_M] * dm) / part[:, k.TENSION]))
 
     # --- what it is like ---
 
@@ -238,10 +265,12 @@ class MovingArc:
 
     # --- housekeeping ---
 
-    def _fresh(self, j: int, kept: float) -> None:
+    def _fresh(self, j: int, kept: float, like: int) -> None:
         row = self.rows[j]
         tension = self.rows[j - 1, k.TENSION] if row[k.TENSION] == 0.0 else row[k.TENSION]
+        rates = self.rows[like, k.T_RATE], self.rows[like, k.T_RATE_0]
         row[:] = 0.0
+        row[k.T_RATE], row[k.T_RATE_0] = rates
         row[k.TENSION], row[k.KEPT], row[k.TRAVEL] = tension, kept, self.travel
         row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
         self.counts[j] = 0

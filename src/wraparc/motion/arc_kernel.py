@@ -8,9 +8,9 @@ belt fed and n what a piece keeps of it since it passed the nip,
 The nodes are pieces of lagging; one that has entered is never interpolated. In a table of rows the
 oldest piece, just beyond the exit nip, comes first and the entry nip last. The box scheme in
 (T, I = int a T ds) is solved by Newton's method, one linear sweep a call: a relation
-alpha dT + beta dI = gamma is carried from the exit to the nip, then the changes back. (Shooting
-from the nip would grow like exp(L/l).) gamma and the changes have three parts: of the residual, of
-m and of the exit tension, so that a caller has the arc as an affine map.
+dT + beta dI = gamma is carried from the exit to the nip, then the changes back. (Shooting from the
+nip would grow like exp(L/l).) gamma and the changes have three parts: of the residual, of m and of
+the exit tension, so that a caller has the arc as an affine map.
 
 Plain functions on flat numbers: one source runs interpreted and compiled.
 """
@@ -35,13 +35,15 @@ from wraparc.friction.memory import ROOM, moved, shortened
     NEW_SLIP, NEW_STRESS, NEW_SIDE, NEW_TURNS,
     BY_CREEP, BY_TENSION,  # K [Pa/m], P [1/m2]
     T_0, I_0, T_M, I_M, T_X, I_X,  # changes of T, I: of the residual, by m, by the exit tension
-    ALPHA, BETA, GAMMA_0, GAMMA_M, GAMMA_X,
-) = range(28)  # fmt: skip
-COLUMNS = 28
+    BETA, GAMMA_0, GAMMA_M, GAMMA_X,
+    T_CARRIED, I_CARRIED,  # T, I at the end of the step if nothing but the travel changed them
+    T_RATE, I_RATE, T_RATE_0, I_RATE_0,  # what did [N/s, m/s], in the last step and the one before
+) = range(33)  # fmt: skip
+COLUMNS = 33
 
 #: What a sweep returns in its array: the arc as an affine map, and how far it is from settled.
-(IN, IN_M, IN_X, WRAPPED, WRAPPED_M, WRAPPED_X, LIFTED, CHANGE, EXIT_STRESS, EXIT_CREEP) = range(10)
-ANSWERS = 10
+(IN, IN_M, IN_X, WRAPPED, WRAPPED_M, WRAPPED_X, LIFTED, CHANGE) = range(8)
+ANSWERS = 8
 
 
 class Shape(NamedTuple):
@@ -63,37 +65,6 @@ class Shape(NamedTuple):
     shear: float
     kick: float
     kick_coefficient: float
-
-
-def points(
-    law: CompactLaw, shape: Shape, rows: Any, turns: Any, counts: Any, span: Any, m: float
-) -> None:
-    """Put friction and its slopes into the rows from first to nip, for their T and I.
-
-    `span` holds first, nip and whether the piece at the nip is new.
-    """
-    first, nip, fresh = span[0], span[1], span[2]
-    per = 2.0 / (shape.width * shape.diameter)
-    for j in range(first, nip + 1):
-        pressure = max(rows[j, TENSION] * per, 1.0)
-        by_t = 0.0
-        if fresh and j == nip:
-            root = pressure**0.5
-            u = shape.kick + shape.kick_coefficient * pressure * root
-            by_t = 1.5 * shape.kick_coefficient * root * per
-        else:
-            u = m - rows[j, KEPT] - rows[j, SHORT]
-        at = moved(
-            law, shape.shear, u, pressure, turns, j * ROOM, counts[j], rows[j, SIDE], rows[j, SLIP],
-            rows[j, STRESS], rows[j, REACH], rows[j, DRY],
-        )  # fmt: skip
-        rows[j, NEW_SLIP], rows[j, NEW_STRESS], rows[j, NEW_SIDE] = at.slip, at.stress, at.side
-        rows[j, NEW_TURNS] = at.turns
-        rows[j, BY_TENSION] = at.by_pressure * per
-        rows[j, BY_CREEP] = at.by_creep
-        if fresh and j == nip:
-            rows[j, BY_TENSION] += at.by_creep * by_t if by_t > 0.0 else 0.0
-            rows[j, BY_CREEP] = 0.0
 
 
 def arc_of(what: Any, edges: Any, coefficients: Any, slips: Any) -> tuple[CompactLaw, Shape]:
@@ -131,167 +102,176 @@ def sweep(
     span
         First row, row of the nip, whether the piece there is new: integers.
     at
-        S, m, T_out; and the change of m and of T_out since the last sweep, which with its residual
-        is added to the rows first if the sixth number is not 0.
+        S, m, T_out; how far the surface moves in the step and how long that takes if this is its
+        first sweep, which begins with a guess, else 0.
     out
         Takes the answers.
     """
     law, shape = arc_of(what, edges, coefficients, slips)
+    width, c = shape.width, shape.shear
+    if at[4] > 0.0:
+        guess(width, rows, span, at[2], at[3], at[4])
     travel, m, exit_tension = at[0], at[1], at[2]
-    if at[5] != 0.0:
-        worst = 0.0
-        for j in range(span[0], span[1] + 1):
-            change = rows[j, T_0] + rows[j, T_M] * at[3] + rows[j, T_X] * at[4]
-            worst = max(worst, abs(change) / rows[j, TENSION])
-            # a step far off the solution may not leave the belt without tension
-            rows[j, TENSION] += max(change, -0.8 * rows[j, TENSION])
-            rows[j, SHORT] += rows[j, I_0] + rows[j, I_M] * at[3] + rows[j, I_X] * at[4]
-        out[CHANGE] = worst
-    points(law, shape, rows, turns, counts, span, m)
-    exit_cell(shape, rows, span, travel, exit_tension)
-    for j in range(span[0] + 1, span[1]):
-        carry(shape.width, rows, j, j + 1, rows[j, ALPHA], rows[j, BETA], 1.0)
-    back(shape, rows, span, travel, exit_tension, out)
+    per = 2.0 / (width * shape.diameter)
+    first, nip = span[0], span[1]
+    h, f, b, a_d, a_u = 0.0, 0.0, 0.0, 0.0, 0.0
+    t_d, i_d, tau_d, k_d, p_d, z_d, give_d = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    beta, gamma_0, gamma_m, gamma_x = 0.0, 0.0, 0.0, 0.0
+    for j in range(first, nip + 1):
+        # friction, and its slopes
+        t, i, z, give = rows[j, TENSION], rows[j, SHORT], rows[j, TRAVEL], rows[j, GIVE]
+        pressure = max(t * per, 1.0)
+        u, by_t = m - rows[j, KEPT] - i, 0.0
+        new = j == nip and span[2] != 0
+        if new:
+            root = pressure**0.5
+            u = shape.kick + shape.kick_coefficient * pressure * root
+            by_t = 1.5 * shape.kick_coefficient * root * per
+        near, tau, k = rows[j, NEW_SLIP], rows[j, NEW_STRESS], rows[j, BY_CREEP]
+        near += (1.0 - c * k) * (u - near - c * tau)
+        point = moved(
+            law, c, u, pressure, turns, j * ROOM, counts[j], rows[j, SIDE], rows[j, SLIP],
+            rows[j, STRESS], rows[j, REACH], rows[j, DRY], near,
+        )  # fmt: skip
+        tau, k, p = point.stress, point.by_creep, point.by_pressure * per
+        rows[j, NEW_SLIP], rows[j, NEW_STRESS], rows[j, NEW_SIDE] = point.slip, tau, point.side
+        rows[j, NEW_TURNS] = point.turns
+        if new:
+            p += k * by_t
+            k = 0.0
+        rows[j, BY_CREEP], rows[j, BY_TENSION] = k, p
+        # the cell between this piece and the one before:
+        # T_d - T_u + b (tau_d + tau_u) = 0, I_d - I_u - (a T)_d - (a T)_u = 0
+        if j > first:
+            h = z - z_d
+            b, a_d, a_u = 0.5 * width * h, 0.5 * h * give_d, 0.5 * h * give
+            m12 = -b * k_d
+            det = 1.0 + b * p_d + m12 * a_d
+            cell = t_d - t + b * (tau_d + tau)
+            short = i_d - i - a_d * t_d - a_u * t
+            alpha = 0.0
+            if j == first + 1:  # the exit nip is inside: T_u - near tau_u - far tau_d = T_out
+                f = (shape.length - travel + z) / h
+                near, far = 2.0 * b * f * (1.0 - 0.5 * f), b * f * f
+                one = -far * (p_d - k_d * a_d) / det
+                two = far * k_d - one * m12
+                alpha, beta = 1.0 - near * p, near * k
+                gamma_0 = exit_tension - t + near * tau + far * tau_d
+                gamma_m, gamma_x = near * k + far * k_d, 1.0
+            else:
+                one = (1.0 + beta * a_d) / det
+                two = beta - one * m12
+                beta = 0.0
+            alpha += one * (1.0 - b * p) + two * a_u
+            scale = 1.0 / alpha if alpha != 0.0 else 1.0
+            beta = (beta + one * b * k + two) * scale
+            gamma_0 = (gamma_0 + one * cell + two * short) * scale
+            gamma_m = (gamma_m + one * b * (k_d + k)) * scale
+            gamma_x = gamma_x * scale
+            rows[j, BETA] = beta
+            rows[j, GAMMA_0], rows[j, GAMMA_M], rows[j, GAMMA_X] = gamma_0, gamma_m, gamma_x
+        t_d, i_d, tau_d, k_d, p_d, z_d, give_d = t, i, tau, k, p, z, give
+    back(shape, rows, span, exit_tension, travel, out)
 
 
-def carry(
-    width: float, rows: Any, d: int, u: int, alpha: float, beta: float, own: float
-) -> tuple[float, float]:
-    """Carry alpha dT + beta dI = gamma from the lower end of a cell to its upper end.
-
-    With `own` = 1 gamma is that of the lower row and the relation goes into the upper row, scaled;
-    with 0 the two multipliers of the equations of the cell are returned and nothing is written.
-    """
-    h = rows[u, TRAVEL] - rows[d, TRAVEL]
-    b, a_down, a_up = 0.5 * width * h, 0.5 * h * rows[d, GIVE], 0.5 * h * rows[u, GIVE]
-    # the cell: T_d - T_u + b (tau_d + tau_u) = 0, I_d - I_u - (a T)_d - (a T)_u = 0
-    m11, m12 = 1.0 + b * rows[d, BY_TENSION], -b * rows[d, BY_CREEP]
-    det = m11 + m12 * a_down
-    one = (alpha + a_down * beta) / det
-    two = (m11 * beta - m12 * alpha) / det
-    if own == 0.0:
-        return one, two
-    miss = rows[d, TENSION] - rows[u, TENSION] + b * (rows[d, NEW_STRESS] + rows[u, NEW_STRESS])
-    short = rows[d, SHORT] - rows[u, SHORT] - a_down * rows[d, TENSION] - a_up * rows[u, TENSION]
-    alpha_up = one * (1.0 - b * rows[u, BY_TENSION]) + two * a_up
-    scale = 1.0 / abs(alpha_up) if alpha_up != 0.0 else 1.0
-    rows[u, ALPHA] = alpha_up * scale
-    rows[u, BETA] = (one * b * rows[u, BY_CREEP] + two) * scale
-    rows[u, GAMMA_0] = (rows[d, GAMMA_0] + one * miss + two * short) * scale
-    rows[u, GAMMA_M] = (
-        rows[d, GAMMA_M] + one * b * (rows[d, BY_CREEP] + rows[u, BY_CREEP])
-    ) * scale
-    rows[u, GAMMA_X] = rows[d, GAMMA_X] * scale
-    return one, two
+def guess(width: float, rows: Any, span: Any, least: float, ahead: float, h: float) -> None:
+    """Guess the end of a step: what travel carries on, and what else changed, extrapolated."""
+    first, nip = span[0], span[1]
+    for j in range(first, nip + 1):
+        t, i = rows[j, TENSION], rows[j, SHORT]
+        if j < nip or span[2] == 0:
+            i += rows[j, GIVE] * t * ahead
+            t -= width * rows[j, STRESS] * ahead
+        else:
+            i = 0.0
+        rows[j, T_CARRIED], rows[j, I_CARRIED] = t, i
+        t += h * (2.0 * rows[j, T_RATE] - rows[j, T_RATE_0])
+        rows[j, TENSION] = max(t, 0.1 * least)
+        if j < nip or span[2] == 0:
+            i += h * (2.0 * rows[j, I_RATE] - rows[j, I_RATE_0])
+        rows[j, SHORT] = i
 
 
-def exit_cell(shape: Shape, rows: Any, span: Any, travel: float, exit_tension: float) -> None:
-    """Begin the relation at the piece before the exit nip, which lies inside the last cell."""
-    d, u = span[0], span[0] + 1
-    h = rows[u, TRAVEL] - rows[d, TRAVEL]
-    f = (shape.length - travel + rows[u, TRAVEL]) / h
-    e = shape.width * f * h
-    near, far = e * (1.0 - 0.5 * f), e * 0.5 * f
-    # T_u - near tau_u - far tau_d = T_out, with T_d and I_d by the equations of the cell
-    miss = rows[u, TENSION] - near * rows[u, NEW_STRESS] - far * rows[d, NEW_STRESS] - exit_tension
-    one, two = carry(
-        shape.width, rows, d, u, -far * rows[d, BY_TENSION], far * rows[d, BY_CREEP], 0.0
-    )
-    b, a_down, a_up = 0.5 * shape.width * h, 0.5 * h * rows[d, GIVE], 0.5 * h * rows[u, GIVE]
-    cell = rows[d, TENSION] - rows[u, TENSION] + b * (rows[d, NEW_STRESS] + rows[u, NEW_STRESS])
-    short = rows[d, SHORT] - rows[u, SHORT] - a_down * rows[d, TENSION] - a_up * rows[u, TENSION]
-    rows[u, ALPHA] = (
-        1.0 - near * rows[u, BY_TENSION] + one * (1.0 - b * rows[u, BY_TENSION]) + two * a_up
-    )
-    rows[u, BETA] = near * rows[u, BY_CREEP] + one * b * rows[u, BY_CREEP] + two
-    rows[u, GAMMA_0] = -miss + one * cell + two * short
-    rows[u, GAMMA_M] = (
-        near * rows[u, BY_CREEP]
-        + far * rows[d, BY_CREEP]
-        + one * b * (rows[u, BY_CREEP] + rows[d, BY_CREEP])
-    )
-    rows[u, GAMMA_X] = 1.0
-
-
-def back(shape: Shape, rows: Any, span: Any, travel: float, exit_tension: float, out: Any) -> None:
+def back(shape: Shape, rows: Any, span: Any, exit_tension: float, travel: float, out: Any) -> None:
     """From the nip, where I = 0, to the exit: the changes of every row, and the answers."""
-    n = span[1]
-    rows[n, T_0] = rows[n, GAMMA_0] / rows[n, ALPHA]
-    rows[n, T_M] = rows[n, GAMMA_M] / rows[n, ALPHA]
-    rows[n, T_X] = rows[n, GAMMA_X] / rows[n, ALPHA]
-    rows[n, I_0], rows[n, I_M], rows[n, I_X] = 0.0, 0.0, 0.0
-    out[IN], out[IN_M], out[IN_X] = rows[n, TENSION] + rows[n, T_0], rows[n, T_M], rows[n, T_X]
-    lifted = 0.0
-    for j in range(span[1] - 1, span[0], -1):
-        d, u = j, j + 1
-        h = rows[u, TRAVEL] - rows[d, TRAVEL]
-        a_down, a_up = 0.5 * h * rows[d, GIVE], 0.5 * h * rows[u, GIVE]
-        lifted += 0.5 * h * (rows[d, RISE] + rows[u, RISE])
-        short = (
-            rows[d, SHORT] - rows[u, SHORT] - a_down * rows[d, TENSION] - a_up * rows[u, TENSION]
-        )
-        i_0 = rows[u, I_0] + a_up * rows[u, T_0] - short
-        i_m, i_x = rows[u, I_M] + a_up * rows[u, T_M], rows[u, I_X] + a_up * rows[u, T_X]
-        alpha, beta = rows[d, ALPHA], rows[d, BETA]
-        det = alpha + beta * a_down
-        rows[d, T_0] = (rows[d, GAMMA_0] - beta * i_0) / det
-        rows[d, T_M] = (rows[d, GAMMA_M] - beta * i_m) / det
-        rows[d, T_X] = (rows[d, GAMMA_X] - beta * i_x) / det
-        rows[d, I_0] = i_0 + a_down * rows[d, T_0]
-        rows[d, I_M] = i_m + a_down * rows[d, T_M]
-        rows[d, I_X] = i_x + a_down * rows[d, T_X]
-    beyond(shape.width, rows, span[0], span[0] + 1)
-    leaving(shape, rows, span[0], span[0] + 1, travel, exit_tension, out)
-    d, u = span[0], span[0] + 1
-    h = rows[u, TRAVEL] - rows[d, TRAVEL]
-    f = (shape.length - travel + rows[u, TRAVEL]) / h
-    out[LIFTED] = lifted + 0.5 * f * h * (2.0 * rows[u, RISE] + f * (rows[d, RISE] - rows[u, RISE]))
+    first, nip, width = span[0], span[1], shape.width
+    t_0, t_m, t_x = rows[nip, GAMMA_0], rows[nip, GAMMA_M], rows[nip, GAMMA_X]
+    i_0, i_m, i_x = 0.0, 0.0, 0.0
+    rows[nip, T_0], rows[nip, T_M], rows[nip, T_X] = t_0, t_m, t_x
+    rows[nip, I_0], rows[nip, I_M], rows[nip, I_X] = i_0, i_m, i_x
+    t_u, i_u, z_u, give_u = (
+        rows[nip, TENSION], rows[nip, SHORT], rows[nip, TRAVEL], rows[nip, GIVE],
+    )  # fmt: skip
+    rise_u, lifted = rows[nip, RISE], 0.0
+    out[IN], out[IN_M], out[IN_X] = t_u + t_0, t_m, t_x
+    for j in range(nip - 1, first - 1, -1):
+        t, i, z, give = rows[j, TENSION], rows[j, SHORT], rows[j, TRAVEL], rows[j, GIVE]
+        rise, h = rows[j, RISE], z_u - z
+        a_d, a_u = 0.5 * h * give, 0.5 * h * give_u
+        r_0 = i_0 + a_u * t_0 - (i - i_u - a_d * t - a_u * t_u)
+        r_m, r_x = i_m + a_u * t_m, i_x + a_u * t_x
+        if j > first:
+            lifted += 0.5 * h * (rise + rise_u)
+            beta = rows[j, BETA]
+            det = 1.0 / (1.0 + beta * a_d)
+            t_0 = (rows[j, GAMMA_0] - beta * r_0) * det
+            t_m = (rows[j, GAMMA_M] - beta * r_m) * det
+            t_x = (rows[j, GAMMA_X] - beta * r_x) * det
+        else:
+            # the exit nip lies in this cell: W = I there; then the piece beyond it
+            f = (shape.length - travel + z_u) / h
+            up = f * a_u
+            over = 0.5 * f * h * (give_u + f * (give - give_u))
+            out[WRAPPED] = i_u + i_0 + over * exit_tension + up * (t_u + t_0)
+            out[WRAPPED_M], out[WRAPPED_X] = i_m + up * t_m, i_x + up * t_x + over
+            out[LIFTED] = lifted + 0.5 * f * h * (2.0 * rise_u + f * (rise - rise_u))
+            b = 0.5 * width * h
+            k_d, k_u, rest = rows[j, BY_CREEP], rows[j + 1, BY_CREEP], rows[j + 1, BY_TENSION]
+            cell = t - t_u + b * (rows[j, NEW_STRESS] + rows[j + 1, NEW_STRESS])
+            rest, m12 = 1.0 - b * rest, -b * k_d
+            det = 1.0 / (1.0 + b * rows[j, BY_TENSION] + m12 * a_d)
+            t_0 = (rest * t_0 + b * k_u * i_0 - cell - m12 * r_0) * det
+            t_m = (rest * t_m + b * k_u * i_m - b * (k_d + k_u) - m12 * r_m) * det
+            t_x = (rest * t_x + b * k_u * i_x - m12 * r_x) * det
+        i_0, i_m, i_x = r_0 + a_d * t_0, r_m + a_d * t_m, r_x + a_d * t_x
+        rows[j, T_0], rows[j, T_M], rows[j, T_X] = t_0, t_m, t_x
+        rows[j, I_0], rows[j, I_M], rows[j, I_X] = i_0, i_m, i_x
+        t_u, i_u, z_u, give_u, rise_u = t, i, z, give, rise
 
 
-def beyond(width: float, rows: Any, d: int, u: int) -> None:
-    """Change T and I of the piece beyond the exit by the equations of its cell."""
-    h = rows[u, TRAVEL] - rows[d, TRAVEL]
-    b, a_down, a_up = 0.5 * width * h, 0.5 * h * rows[d, GIVE], 0.5 * h * rows[u, GIVE]
-    m11, m12 = 1.0 + b * rows[d, BY_TENSION], -b * rows[d, BY_CREEP]
-    det = m11 + m12 * a_down
-    miss = rows[d, TENSION] - rows[u, TENSION] + b * (rows[d, NEW_STRESS] + rows[u, NEW_STRESS])
-    short = rows[d, SHORT] - rows[u, SHORT] - a_down * rows[d, TENSION] - a_up * rows[u, TENSION]
-    rest, slope = 1.0 - b * rows[u, BY_TENSION], b * rows[u, BY_CREEP]
-    moving = -b * (rows[d, BY_CREEP] + rows[u, BY_CREEP])
-    t_0 = rest * rows[u, T_0] + slope * rows[u, I_0] - miss
-    t_m = rest * rows[u, T_M] + slope * rows[u, I_M] + moving
-    t_x = rest * rows[u, T_X] + slope * rows[u, I_X]
-    i_0, i_m, i_x = (
-        rows[u, I_0] + a_up * rows[u, T_0] - short,
-        rows[u, I_M] + a_up * rows[u, T_M],
-        rows[u, I_X] + a_up * rows[u, T_X],
-    )
-    rows[d, T_0], rows[d, I_0] = (t_0 - m12 * i_0) / det, (a_down * t_0 + m11 * i_0) / det
-    rows[d, T_M], rows[d, I_M] = (t_m - m12 * i_m) / det, (a_down * t_m + m11 * i_m) / det
-    rows[d, T_X], rows[d, I_X] = (t_x - m12 * i_x) / det, (a_down * t_x + m11 * i_x) / det
-
-
-def leaving(
-    shape: Shape, rows: Any, d: int, u: int, travel: float, exit_tension: float, out: Any
-) -> None:
-    """W = I at the exit nip with its slopes, and what the belt leaves with."""
-    h = rows[u, TRAVEL] - rows[d, TRAVEL]
-    f = (shape.length - travel + rows[u, TRAVEL]) / h
-    a_up = 0.5 * f * h * rows[u, GIVE]
-    a_out = 0.5 * f * h * (rows[u, GIVE] + f * (rows[d, GIVE] - rows[u, GIVE]))
-    out[WRAPPED] = rows[u, SHORT] + rows[u, I_0] + a_out * exit_tension
-    out[WRAPPED] += a_up * (rows[u, TENSION] + rows[u, T_0])
-    out[WRAPPED_M] = rows[u, I_M] + a_up * rows[u, T_M]
-    out[WRAPPED_X] = rows[u, I_X] + a_up * rows[u, T_X] + a_out
-    out[EXIT_STRESS] = rows[u, NEW_STRESS] + f * (rows[d, NEW_STRESS] - rows[u, NEW_STRESS])
+def change(
+    diameter: float, width: float, shear: float, kick: float, kick_coefficient: float,
+    rows: Any, span: Any, dm: float, dx: float,
+) -> float:  # fmt: skip
+    """Change the rows by what the sweep found, for a change of m and T_out; the largest dT/T."""
+    worst = 0.0
+    for j in range(span[0], span[1] + 1):
+        t = rows[j, TENSION]
+        dt = rows[j, T_0] + rows[j, T_M] * dm + rows[j, T_X] * dx
+        di = rows[j, I_0] + rows[j, I_M] * dm + rows[j, I_X] * dx
+        worst = max(worst, abs(dt) / t)
+        dt = max(dt, -0.8 * t)  # a step far off the solution may not leave the belt without tension
+        rows[j, TENSION] = t + dt
+        rows[j, SHORT] += di
+        # the trial follows to first order
+        du = dm - di
+        dtau = rows[j, BY_TENSION] * dt + rows[j, BY_CREEP] * du
+        if span[2] != 0 and j == span[1]:
+            p = max(2.0 / (width * diameter) * (t + dt), 1.0)
+            du = kick + kick_coefficient * p**1.5 - rows[j, NEW_SLIP] - shear * rows[j, NEW_STRESS]
+        rows[j, NEW_STRESS] += dtau
+        rows[j, NEW_SLIP] += du - shear * dtau
+    return worst
 
 
 def keep(
-    width: float, length: float, rows: Any, turns: Any, counts: Any, span: Any, travel: float
-) -> float:
+    width: float, length: float, rows: Any, turns: Any, counts: Any, span: Any, travel: float,
+    h: float,
+) -> float:  # fmt: skip
     """Take the trial for good; the friction work of the step over the wrap [J].
 
-    `travel` is that at the middle of the step: what leaves on the way works half of it.
+    `travel` is that at the middle of the step: what leaves on the way works half of it. `h` is how
+    long it took [s], 0 if nothing is to be extrapolated from it.
     """
     first, nip = span[0], span[1]
     before = 0.0
@@ -302,15 +282,20 @@ def keep(
         if new:
             done = 0.0
         if j > first:
-            h = rows[j, TRAVEL] - rows[j - 1, TRAVEL]
+            d = rows[j, TRAVEL] - rows[j - 1, TRAVEL]
             if j == first + 1:
-                f = (length - travel + rows[j, TRAVEL]) / h
-                work += f * h * (done + 0.5 * f * (before - done))
+                f = (length - travel + rows[j, TRAVEL]) / d
+                work += f * d * (done + 0.5 * f * (before - done))
             else:
-                work += 0.5 * h * (before + done)
+                work += 0.5 * d * (before + done)
         before = done
         rows[j, SLIP], rows[j, STRESS] = rows[j, NEW_SLIP], rows[j, NEW_STRESS]
         rows[j, SIDE] = rows[j, NEW_SIDE]
         rows[j, REACH] = max(rows[j, REACH], abs(rows[j, SLIP]))
-        counts[j] = shortened(turns, j * ROOM, int(rows[j, NEW_TURNS]))
+        if counts[j] != 0 or rows[j, NEW_TURNS] != 0.0:
+            counts[j] = shortened(turns, j * ROOM, int(rows[j, NEW_TURNS]))
+        if h > 0.0:
+            rows[j, T_RATE_0], rows[j, I_RATE_0] = rows[j, T_RATE], rows[j, I_RATE]
+            rows[j, T_RATE] = (rows[j, TENSION] - rows[j, T_CARRIED]) / h
+            rows[j, I_RATE] = (rows[j, SHORT] - rows[j, I_CARRIED]) / h
     return work * width

@@ -9,36 +9,14 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections import deque
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from wraparc.drive import Limit
+from wraparc.motion.turning import Coupled, Duty, Exact, Following, Lagging, Mains, Turning
 from wraparc.schema.limits import limit_problems, raise_all
-
-
-@dataclass(frozen=True)
-class Duty:
-    """A drum in its steady state.
-
-    Attributes
-    ----------
-    speed
-        omega [rad/s].
-    torque
-        On the drum [N m].
-    inertia
-        J of everything that turns with the drum, as seen at its shaft [kg m2].
-    radius
-        Of the loaded lagging [m].
-    """
-
-    speed: float
-    torque: float
-    inertia: float
-    radius: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,33 +65,6 @@ class Control(ABC):
         raise NotImplementedError
 
 
-class Turning(ABC):
-    """The march of one drive. `level` is the set speed over that of the steady state."""
-
-    #: whether the speed is given whatever the torque
-    holds = False
-    #: the drive whose torque is followed
-    master = -1
-
-    def __init__(self, duty: Duty, rating: float) -> None:
-        self.duty, self.rating = duty, rating
-        self.on = 1.0  # of the torque: 0 after a power failure
-
-    def begin(self, h: float, level: float) -> None:
-        """Begin a step of h [s] that ends at a level of the set speed [-]."""
-        self.h, self.level = h, level
-
-    @abstractmethod
-    def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
-        """Torque at the end of the step, its slopes by speed and by the master's torque."""
-
-    def accept(self, omega: float, torque: float, lead: float) -> None:  # noqa: B027
-        """Take the step for good."""
-
-    def run(self, level: float, omega: float, torque: float) -> None:  # noqa: B027
-        """Be in a state that has lasted: a level of the set speed, a speed and a torque."""
-
-
 @dataclass(frozen=True, kw_only=True)
 class ExactSpeed(Control):
     """The speed is held whatever the torque."""
@@ -122,18 +73,11 @@ class ExactSpeed(Control):
 
     def turning(self, duty: Duty) -> Turning:
         """Return what marches."""
-        return _Exact(duty, self.rating(duty))
+        return Exact(duty, self.rating(duty))
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Infinite: as stiff as makes no difference."""
         return complex(math.inf)
-
-
-class _Exact(Turning):
-    holds = True
-
-    def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
-        return 0.0, 0.0, 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -164,7 +108,7 @@ class Droop(Control):
         """Return what marches."""
         rating = self.rating(duty)
         stiffness = rating / (self.droop * duty.speed)
-        return _Lagging(duty, rating, stiffness, 0.0, self.lag, self.torque_limit)
+        return Lagging(duty, rating, stiffness, 0.0, self.lag, self.torque_limit)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Rated torque over droop, behind the lag."""
@@ -203,56 +147,13 @@ class SpeedLoop(Control):
 
     def turning(self, duty: Duty) -> Turning:
         """Return what marches."""
-        return _Lagging(
+        return Lagging(
             duty, self.rating(duty), self.gain(duty), self.reset, self.lag, self.torque_limit
         )
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Gain of both parts, behind the lag."""
         return self.gain(duty) * (1.0 + 1.0 / (lam * self.reset)) / (1.0 + lam * self.lag)
-
-
-class _Lagging(Turning):
-    """Droop and the speed loop: a gain on the miss of speed, an integral, a lag, a limit."""
-
-    def __init__(
-        self, duty: Duty, rating: float, gain: float, reset: float, lag: float, limit: float
-    ) -> None:
-        super().__init__(duty, rating)
-        self.gain, self.reset, self.lag, self.limit = gain, reset, lag, limit
-        # droop: the set speed is above the steady one by what the steady torque takes
-        self.above = 0.0 if reset else duty.torque / gain
-        self.held = self.miss = self.asked = self.given = 0.0
-
-    def run(self, level: float, omega: float, torque: float) -> None:
-        self.miss = level * self.duty.speed + self.above * level - omega
-        self.held = torque - self.gain * self.miss if self.reset else 0.0
-        self.asked = self.given = torque
-
-    def _asked(self, omega: float) -> tuple[float, float, float]:
-        """Torque asked for, its slope, and the integral part."""
-        miss = self.level * (self.duty.speed + self.above) - omega
-        held, slope = self.held, -self.gain
-        if self.reset:
-            held += 0.5 * self.h * self.gain / self.reset * (self.miss + miss)
-            slope -= 0.5 * self.h * self.gain / self.reset
-        asked, end = self.gain * miss + held, self.limit * self.rating
-        if abs(asked) > end:  # the integral stands still at the limit
-            return math.copysign(end, asked), 0.0, self.held
-        return asked, slope, held
-
-    def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
-        asked, slope, _ = self._asked(omega)
-        if self.lag == 0.0:
-            return self.on * asked, self.on * slope, 0.0
-        w = 0.5 * self.h / self.lag
-        value = (self.given * (1.0 - w) + w * (self.asked + self.on * asked)) / (1.0 + w)
-        return value, self.on * w * slope / (1.0 + w), 0.0
-
-    def accept(self, omega: float, torque: float, lead: float) -> None:
-        asked, _, self.held = self._asked(omega)
-        self.miss = self.level * (self.duty.speed + self.above) - omega
-        self.asked, self.given = self.on * asked, torque
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -288,33 +189,20 @@ class InductionMotor(Control):
         d = peak * peak + slip * slip
         return 2.0 * b * peak * slip / d, 2.0 * b * peak * (peak * peak - slip * slip) / (d * d)
 
+    def slip_at(self, load: float) -> float:
+        """Slip at a load in rated torques, below breakdown [-]."""
+        b = self.breakdown_ratio
+        x = min(max(load / b, -0.999), 0.999)
+        return self.rated_slip * (b + math.sqrt(b * b - 1.0)) * x / (1.0 + math.sqrt(1.0 - x * x))
+
     def turning(self, duty: Duty) -> Turning:
         """Return what marches."""
-        return _Mains(duty, self.rating(duty), self)
+        return Mains(duty, self.rating(duty), self)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Slope of the curve at the steady torque."""
-        slip, top = _slip_at(self, duty.torque / self.rating(duty)), duty.speed
+        slip, top = self.slip_at(duty.torque / self.rating(duty)), duty.speed
         return self.curve(slip)[1] * self.rating(duty) * (1.0 - slip) / top
-
-
-def _slip_at(motor: InductionMotor, load: float) -> float:
-    b = motor.breakdown_ratio
-    x = min(max(load / b, -0.999), 0.999)
-    return motor.rated_slip * (b + math.sqrt(b * b - 1.0)) * x / (1.0 + math.sqrt(1.0 - x * x))
-
-
-class _Mains(Turning):
-    def __init__(self, duty: Duty, rating: float, motor: InductionMotor) -> None:
-        super().__init__(duty, rating)
-        self.motor = motor
-        self.top = duty.speed / (1.0 - _slip_at(motor, duty.torque / rating))
-        self.level = 1.0
-
-    def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
-        on = self.on if self.level > 0.0 else 0.0
-        value, slope = self.motor.curve(1.0 - omega / self.top)
-        return on * self.rating * value, -on * self.rating * slope / self.top, 0.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -375,76 +263,14 @@ class CoupledMotor(Control):
 
     def turning(self, duty: Duty) -> Turning:
         """Return what marches."""
-        return _Coupled(duty, self.rating(duty), self)
+        return Coupled(duty, self.rating(duty), self)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Coupling against the pump, whose inertia hangs on the motor."""
-        run, w = _Coupled(duty, self.rating(duty), self), duty.speed
+        run, w = Coupled(duty, self.rating(duty), self), duty.speed
         _, by_pump, by_drum = run.through(run.pump, w)
         motor = -run.mains(run.pump)[1] + lam * self.pump_inertia
         return -by_drum * motor / (motor + by_pump)
-
-
-class _Coupled(Turning):
-    def __init__(self, duty: Duty, rating: float, control: CoupledMotor) -> None:
-        super().__init__(duty, rating)
-        self.control, self.motor = control, control.motor
-        load = duty.torque / rating
-        self.pump = duty.speed / (1.0 - control.slip_at(load))
-        self.top = self.pump / (1.0 - _slip_at(self.motor, load))
-        self.rated_pump = self.pump
-        self.fill, self.full = 1.0, 1.0
-        self.speed = duty.speed
-        self.level = 1.0
-
-    def mains(self, pump: float) -> tuple[float, float]:
-        """Motor torque and its slope by speed."""
-        on = self.on if self.level > 0.0 else 0.0
-        value, slope = self.motor.curve(1.0 - pump / self.top)
-        return on * self.rating * value, -on * self.rating * slope / self.top
-
-    def through(self, pump: float, omega: float) -> tuple[float, float, float]:
-        """Torque of the coupling and its slopes by pump and drum speed."""
-        size = max(abs(pump), 1e-3 * self.rated_pump)
-        slip = (pump - omega) / size
-        value, slope = self.control.transmitted(slip)
-        part = self.fill * self.rating * (size / self.rated_pump) ** 2
-        torque = part * value
-        by_drum = -part * slope / size
-        by_pump = part * slope * (omega / (size * size)) + 2.0 * torque / size
-        return torque, by_pump, by_drum
-
-    def run(self, level: float, omega: float, torque: float) -> None:
-        self.level, self.speed = level, omega
-        if omega == 0.0:
-            self.pump = 0.0
-
-    def _solved(self, omega: float) -> tuple[float, float, float]:
-        """Pump speed at the end of the step, torque and its slope by drum speed."""
-        j, h = self.control.pump_inertia, self.h
-        pump = self.pump
-        before = self.mains(pump)[0] - self.through(pump, self.speed)[0]
-        torque = by_pump = by_drum = slope = 0.0
-        for _ in range(30):
-            motor, motor_slope = self.mains(pump)
-            torque, by_pump, by_drum = self.through(pump, omega)
-            miss = j * (pump - self.pump) - 0.5 * h * (before + motor - torque)
-            slope = j - 0.5 * h * (motor_slope - by_pump)
-            step = miss / slope
-            pump -= step
-            if abs(step) < 1e-12 * self.top:
-                break
-        # d pump / d omega from the same equation
-        follow = -0.5 * h * by_drum / slope
-        return pump, torque, by_drum + by_pump * follow
-
-    def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
-        _, torque, slope = self._solved(omega)
-        return torque, slope, 0.0
-
-    def accept(self, omega: float, torque: float, lead: float) -> None:
-        self.pump = self._solved(omega)[0]
-        self.speed = omega
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -486,60 +312,11 @@ class Follower(Control):
 
     def turning(self, duty: Duty) -> Turning:
         """Return what marches."""
-        return _Following(duty, self.rating(duty), self)
+        return Following(duty, self.rating(duty), self)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """The speed feedback alone."""
         return complex(self.speed_gain(duty))
-
-
-class _Following(Turning):
-    def __init__(self, duty: Duty, rating: float, control: Follower) -> None:
-        super().__init__(duty, rating)
-        self.control, self.gain = control, control.speed_gain(duty)
-        self.ratio = control.ratio or 1.0
-        self.asked = self.given = 0.0
-        self.past: deque[float] = deque()
-
-    def run(self, level: float, omega: float, torque: float) -> None:
-        # at rest the master's torque is 0 as well
-        self.given = torque - self.gain * (level * self.duty.speed - omega)
-        self.asked = self.given
-        self.past.clear()
-
-    def _asked(self, lead: float) -> tuple[float, float]:
-        dead = self.control.dead_time
-        if dead < self.h:
-            return self.ratio * lead, self.ratio
-        count = round(dead / self.h)
-        return (self.past[-count] if len(self.past) >= count else self.asked), 0.0
-
-    def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
-        asked, by_lead = self._asked(lead)
-        w = 0.5 * self.h / self.control.lag if self.control.lag > 0.0 else math.inf
-        if math.isinf(w):
-            given, share = asked, 1.0
-        else:
-            given, share = (
-                (self.given * (1.0 - w) + w * (self.asked + asked)) / (1.0 + w),
-                w / (1.0 + w),
-            )
-        miss = self.level * self.duty.speed - omega
-        return (
-            self.on * (given + self.gain * miss),
-            -self.on * self.gain,
-            self.on * share * by_lead,
-        )
-
-    def accept(self, omega: float, torque: float, lead: float) -> None:
-        asked, _ = self._asked(lead)
-        miss = self.level * self.duty.speed - omega
-        self.given = torque / self.on - self.gain * miss if self.on else 0.0
-        self.asked = asked
-        if self.control.dead_time >= self.h:
-            self.past.append(self.ratio * lead)
-            while len(self.past) > round(self.control.dead_time / self.h):
-                self.past.popleft()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -567,26 +344,3 @@ class Trim:
 
     def __post_init__(self) -> None:
         raise_all(limit_problems(self, self.LIMITS))
-
-
-class Trimming:
-    """The march of a trim: second order, by what was measured up to the step."""
-
-    def __init__(self, trim: Trim, share: float) -> None:
-        self.trim, self.goal = trim, share
-        self.value, self.rate, self.filtered = 0.0, 0.0, share
-        self.past: deque[float] = deque()
-
-    def next(self, h: float, share: float) -> float:
-        """Return the trim one step after a share was measured."""
-        count = round(self.trim.dead_time / h)
-        self.past.append(share)
-        measured = self.past.popleft() if len(self.past) > count else self.goal
-        if self.trim.filter_time > 0.0:
-            self.filtered += (measured - self.filtered) * -math.expm1(-h / self.trim.filter_time)
-        else:
-            self.filtered = measured
-        rate = self.trim.gain * (self.goal - self.filtered)
-        self.value += h * (1.5 * rate - 0.5 * self.rate)
-        self.rate = rate
-        return self.value

@@ -11,8 +11,10 @@ import numpy as np
 from wraparc.batch.native import available
 from wraparc.errors import InputError, Problem
 from wraparc.motion import arc_kernel as k
+from wraparc.motion.drum_state import DrumState
+from wraparc.motion.equations import HaltError
 from wraparc.motion.event import Event, Measured, OnDrum, Start
-from wraparc.motion.march import DrumState, HaltError, March
+from wraparc.motion.march import March
 from wraparc.motion.result import Array, DrumHistory, Outcome, RunResult
 from wraparc.motion.station import Station
 from wraparc.units import display
@@ -266,7 +268,7 @@ class _Keeper:
         for i, d in enumerate(m.drums):
             slip, stress, shear = _exit_of(d)
             creep = slip + d.arc.shape.shear * stress
-            entry = m.T[i] + m._run_rise(i)
+            entry = m.T[i] + m.run_rise(i)
             row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
         return row
 

@@ -20,13 +20,14 @@ from wraparc.motion.control import (
     Control,
     CoupledMotor,
     Droop,
-    Duty,
     ExactSpeed,
     Follower,
     SpeedLoop,
 )
-from wraparc.motion.march import duty_of, steady_of
+from wraparc.motion.drum_state import duty_of
+from wraparc.motion.march import steady_of
 from wraparc.motion.station import Drum, Station
+from wraparc.motion.turning import Duty
 from wraparc.train import CaseResult
 
 #: Highest frequency looked at [Hz], real parts searched [1/s], points on the left side.

@@ -1,0 +1,59 @@
+"""A station before it starts: the belt as tight as its take-up makes it, an incline hung in."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from wraparc.errors import InputError, Problem
+from wraparc.motion import arc_kernel as k
+
+if TYPE_CHECKING:
+    from wraparc.motion.march import March
+
+
+def rest(march: March) -> None:
+    """Put a station to rest.
+
+    Raises
+    ------
+    InputError
+        If its state at rest is not known.
+    """
+    for d in march.drums:
+        d.arc.lay_at_rest(march.slack)
+        d.locked = True
+        d.turning.run(0.0, 0.0, 0.0)
+    march.T = [march.slack] * (march.n + 1)
+    for i, rise in enumerate(march.runs):
+        if rise:
+            message = "a rise of tension over a run at rest is not known"
+            remedy = "Leave [train.run] out for an event that begins at rest."
+            raise InputError(Problem(key=f"run[{i + 1}]", message=message, remedy=remedy))
+    lift = march.station.lift_share * march.pull
+    if lift <= 0.0:
+        return
+    if not any(d.backstop or d.brake for d in march.drums):
+        message = "nothing holds an inclined conveyor at rest"
+        remedy = "Give a drum backstop = true or a brake_torque."
+        raise InputError(Problem(key="lift_share", message=message, remedy=remedy))
+    for j in range(1, 41):  # the load hangs itself into the drums, which stand
+        march.T[0] = march.slack + lift * j / 40.0
+        _hang(march)
+
+
+def _hang(march: March) -> None:
+    """Find the tensions between standing drums for the outer ones: no belt runs through."""
+    for i, d in enumerate(march.drums):
+        last = i == march.n - 1
+        exit_ = march.slack if last else march.slack + (march.T[0] - march.slack) * 0.5
+        if not last:
+            march.T[i + 1] = exit_
+        d.arc.begin(d.arc.travel)
+        m = d.arc.m
+        for _ in range(30):
+            out = d.arc.sweep(d.arc.travel, m, exit_)
+            dm = (march.T[i] - out[k.IN]) / out[k.IN_M]
+            m += dm
+            if abs(dm) < 1e-12:
+                break
+        d.arc.finish(m, exit_)

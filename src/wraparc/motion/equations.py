@@ -1,0 +1,264 @@
+"""The end of a step: the equations of drums, runs and conveyor around the arcs, and their solution.
+
+Trapezium rule. Flows of belt appear only as their integrals over the step, so that belt is
+conserved to rounding. Newton's method on m of every drum, every tension, omega of every drum and
+the speed of the conveyor, in this order, with the arcs as affine maps.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from wraparc.motion import arc_kernel as k
+from wraparc.motion.drum_state import DrumState
+
+if TYPE_CHECKING:
+    from wraparc.motion.march import March
+
+_ITERATIONS = 16
+#: Last relative change of a tension and of a drum's speed with which a step is solved: what is left
+#: is of the order of the square.
+_SETTLED, _SPEED_SETTLED = 2e-5, 1e-6
+_STANDS = 1e-13  # least travel of an arc that moves [m]
+
+
+class HaltError(ArithmeticError):
+    """The run cannot go on; says why."""
+
+    def __init__(self, what: str, place: str) -> None:
+        super().__init__(what, place)
+        self.what, self.place = what, place
+
+
+@dataclass
+class Trial:
+    """A trial of the end of a step of h [s]: the unknowns, and what follows of them.
+
+    Attributes
+    ----------
+    h
+        Length of the step [s].
+    m, tensions, omega, v
+        The unknowns: [m], [N], [rad/s], [m/s].
+    residual, slopes
+        Of the equations, and their derivatives.
+    travels, angles, surfaces
+        Of every drum: S [m], turn [rad]; rise, compliance and dryness at the nip.
+    flow_in, flow_out
+        Unstretched belt through the nips over the step with its slopes by m, T_in, omega, and
+        behind the drum by T_out too.
+    """
+
+    h: float
+    m: list[float]
+    tensions: list[float]
+    omega: list[float]
+    v: float
+    residual: Any = None
+    slopes: Any = None
+    travels: list[float] = field(default_factory=list)
+    angles: list[float] = field(default_factory=list)
+    surfaces: list[tuple[float, float, float]] = field(default_factory=list)
+    flow_in: list[tuple[float, float, float, float]] = field(default_factory=list)
+    flow_out: list[tuple[float, float, float, float, float]] = field(default_factory=list)
+
+
+def solved(march: March, h: float) -> Trial:
+    """Solve for the end of a step of h [s].
+
+    Raises
+    ------
+    HaltError
+        If there is no such end: the belt goes slack or a drive breaks away.
+    """
+    n = march.n
+    trial = guessed(march, h)
+    softer = [march.softer_run(i, [d.arc.travel for d in march.drums]) for i in range(n - 1)]
+    worst, place = 0.0, march.names[-1]
+    for iteration in range(_ITERATIONS):
+        trial.residual, trial.slopes = np.zeros(3 * n + 2), np.zeros((3 * n + 2, 3 * n + 2))
+        _arcs(march, trial, iteration == 0)
+        _runs(march, trial, softer)
+        _ends(march, trial)
+        _turn(march, trial)
+        try:
+            change = np.linalg.solve(trial.slopes, -trial.residual)
+        except np.linalg.LinAlgError:
+            raise HaltError("breaks away", place) from None
+        step: list[float] = change.tolist()
+        if not math.isfinite(sum(step)):
+            raise HaltError("breaks away", place)
+        fall = max(-step[n + i] / trial.tensions[i] for i in range(n + 1))
+        if fall > 0.8:  # too far: no tension may turn into a push on the way
+            step = [0.8 / fall * s for s in step]
+        _take(trial, step, n)
+        worst = 0.0
+        for i, d in enumerate(march.drums):
+            moved = d.arc.change(trial.m[i], trial.tensions[i + 1])
+            if moved > worst:
+                worst, place = moved, march.names[i]
+        faster = max(
+            abs(s) / d.duty.speed
+            for s, d in zip(step[2 * n + 1 : 3 * n + 1], march.drums, strict=True)
+        )
+        if worst < _SETTLED and faster < _SPEED_SETTLED and fall <= 0.8:
+            return trial
+    if min(trial.tensions) < 0.05 * march.slack:
+        raise march.goes_slack(trial.tensions)
+    raise HaltError("breaks away", place)
+
+
+def guessed(march: March, h: float) -> Trial:
+    """Guess the end of a step: every unknown goes on as it went in the last two steps."""
+    return Trial(
+        h=h,
+        m=[d.arc.m + h * (2.0 * d.slope - d.slope_0) for d in march.drums],
+        tensions=[
+            max(t + h * (2.0 * r - r_0), 0.5 * t)
+            for t, r, r_0 in zip(march.T, march.rates, march.rates_0, strict=True)
+        ],
+        omega=[d.guessed(h) for d in march.drums],
+        v=march.v + h * (2.0 * march.v_rate - march.v_rate_0),
+    )
+
+
+def _take(trial: Trial, step: list[float], n: int) -> None:
+    trial.m = [a + b for a, b in zip(trial.m, step, strict=False)]
+    trial.tensions = [a + b for a, b in zip(trial.tensions, step[n:], strict=False)]
+    trial.omega = [a + b for a, b in zip(trial.omega, step[2 * n + 1 :], strict=False)]
+    trial.v += step[-1]
+
+
+def _arcs(march: March, trial: Trial, first: bool) -> None:
+    """Sweep the arcs: entry tensions, and the flow of belt through every nip."""
+    trial.travels, trial.angles, trial.surfaces = [], [], []
+    trial.flow_in, trial.flow_out = [], []
+    n, half, r, jac = march.n, 0.5 * trial.h, trial.residual, trial.slopes
+    for i, d in enumerate(march.drums):
+        arc, rise_of_run = d.arc, march.run_rise(i)
+        m1, w1, exit1 = trial.m[i], trial.omega[i], trial.tensions[i + 1]
+        entry0, entry1 = march.T[i] + rise_of_run, trial.tensions[i] + rise_of_run
+        turn = half * (d.omega + w1)
+        rise, give, dry = d.at_nip(arc.travel + turn * d.radius, d.angle + turn, march.stretch)
+        v_0 = d.omega * (d.radius - d.squeeze * entry0 + arc.rise)
+        v_1 = w1 * (d.radius - d.squeeze * entry1 + rise)
+        travel = arc.travel + half * (v_0 + v_1)
+        if first:
+            arc.begin(travel, trial.h)
+        if arc.span[2] and (d.riders or d.on_drum):
+            nip = arc.rows[arc.span[1]]
+            nip[k.GIVE], nip[k.RISE], nip[k.DRY] = give, rise, dry
+        trial.travels.append(travel)
+        trial.angles.append(d.angle + turn)
+        trial.surfaces.append((rise, give, dry))
+        out = arc.sweep(max(travel, arc.travel + _STANDS), m1, exit1)
+        # the arc: T_in = its affine map
+        r[i] = entry1 - out[k.IN]
+        jac[i, n + i], jac[i, n + i + 1], jac[i, i] = 1.0, -out[k.IN_X], -out[k.IN_M]
+        # belt through the entry nip: a = 1/EA' there, belt alone without the recovery
+        own0, own1 = arc.give - d.recovery, give - d.recovery
+        down = 1.0 / (1.0 + 0.5 * (own0 * entry0 + own1 * entry1))
+        up = half * (v_0 * (1.0 + arc.give * entry0) + v_1 * (1.0 + give * entry1))
+        q = (up - (m1 - arc.m)) * down
+        by_t = half * (v_1 * give - w1 * d.squeeze * (1.0 + give * entry1)) - 0.5 * q * own1
+        by_t *= down
+        by_w = half * (v_1 / w1 if w1 else d.radius) * (1.0 + give * entry1) * down
+        trial.flow_in.append((q, -down, by_t, by_w))
+        # belt through the exit nip: Q + dW - d Lambda
+        out_flow = q + out[k.WRAPPED] - arc.wrapped - (out[k.LIFTED] - arc.lifted) / d.radius
+        trial.flow_out.append((out_flow, out[k.WRAPPED_M] - down, by_t, out[k.WRAPPED_X], by_w))
+
+
+def _runs(march: March, trial: Trial, softer: list[float]) -> None:
+    """Unstretched belt on the runs between the drums: what comes less what leaves."""
+    n, r, jac = march.n, trial.residual, trial.slopes
+    for i in range(n - 1):
+        row, length = n + i, march.drums[i + 1].run
+        c0 = length * march.stretch + softer[i]
+        c1 = length * march.stretch + march.softer_run(i, trial.travels)
+        q, by_m, by_t, by_w = trial.flow_in[i + 1]
+        p, p_m, p_t, p_x, p_w = trial.flow_out[i]
+        rise = 0.5 * march.run_rise(i + 1)
+        r[row] = (trial.tensions[i + 1] + rise) * c1 - (march.T[i + 1] + rise) * c0 - q + p
+        jac[row, n + i], jac[row, n + i + 1] = p_t, c1 - by_t + p_x
+        jac[row, i], jac[row, i + 1] = p_m, -by_m
+        jac[row, 2 * n + 1 + i], jac[row, 2 * n + 2 + i] = p_w, -by_w
+
+
+def _ends(march: March, trial: Trial) -> None:
+    """Equations of the first and last tension, and of the conveyor."""
+    n, station, half, t1 = march.n, march.station, 0.5 * trial.h, march.t + trial.h
+    r, jac, before, after = trial.residual, trial.slopes, march.T, trial.tensions
+    first, last, own = 2 * n - 1, 2 * n, 3 * n + 1
+    if station.conveyor_mass is None:
+        r[first] = after[0] - (march.slack + march.pull * march.load(t1))
+        r[last] = after[n] - march.slack
+        jac[first, n] = jac[last, 2 * n] = jac[own, own] = 1.0
+        return
+    carry, back = station.carry_run * march.stretch, station.return_run * march.stretch
+    v0, v1 = march.v, trial.v
+    q, by_m, by_t, by_w = trial.flow_in[0]
+    r[first] = carry * (after[0] - before[0]) - q + half * (v0 + v1)
+    jac[first, n], jac[first, 0] = carry - by_t, -by_m
+    jac[first, 2 * n + 1], jac[first, own] = -by_w, half
+    if station.take_up == "gravity":
+        r[last] = after[n] - march.slack
+        jac[last, 2 * n] = 1.0
+    else:
+        p, p_m, p_t, p_x, p_w = trial.flow_out[-1]
+        r[last] = back * (after[n] - before[n]) - half * (v0 + v1) + p
+        jac[last, 2 * n], jac[last, 2 * n - 1] = back + p_x, p_t
+        jac[last, n - 1], jac[last, 3 * n], jac[last, own] = p_m, p_w, -half
+        if station.take_up == "winch":
+            r[last] -= trial.h * march.winch(before[n])
+    f0, _ = march.resistance(v0, march.t)
+    f1, slope = march.resistance(v1, t1)
+    mass = station.conveyor_mass
+    r[own] = mass * (v1 - v0) - half * (before[0] - before[n] - f0 + after[0] - after[n] - f1)
+    jac[own, n], jac[own, 2 * n], jac[own, own] = -half, half, mass + half * slope
+
+
+def _turn(march: March, trial: Trial) -> None:
+    """Equations of the drums."""
+    n, r, jac = march.n, trial.residual, trial.slopes
+    leads: dict[int, tuple[float, float]] = {}
+    for i in march.order:
+        d, row = march.drums[i], 2 * n + 1 + i
+        w1, entry = trial.omega[i], trial.tensions[i] + march.run_rise(i)
+        moment, by_in, by_out = d.moment_of(entry, trial.tensions[i + 1], *d.rises())
+        if d.on_drum:
+            d.extra = d.ripple(trial.angles[i])
+        jac[row, row] = 1.0
+        if d.locked:
+            r[row] = w1
+            leads[i] = (0.0, 0.0)
+            continue
+        if d.held:
+            r[row] = w1 - d.duty.speed * d.level
+            # what holds the speed gives the torque that the belt and the drum's inertia ask
+            leads[i] = (moment + d.inertia * (w1 - d.omega) / trial.h, d.inertia / trial.h)
+            continue
+        lead = leads[d.master] if d.master >= 0 else (0.0, 0.0)
+        torque, slope, by_lead = d.driven(w1, lead[0])
+        scale = 0.5 * trial.h / d.inertia
+        r[row] = w1 - d.omega - scale * (d.torque - d.moment + torque - moment)
+        jac[row, row] = 1.0 - scale * slope
+        jac[row, n + i] += scale * by_in
+        jac[row, n + i + 1] += scale * by_out
+        if d.master >= 0 and by_lead:
+            _lead(march, trial, d, row, scale * by_lead, lead[1])
+        leads[i] = (torque, slope)
+
+
+def _lead(march: March, trial: Trial, d: DrumState, row: int, by_lead: float, slope: float) -> None:
+    """Slopes of a follower's torque by what decides its master's."""
+    n, jac, lead = march.n, trial.slopes, march.drums[d.master]
+    jac[row, 2 * n + 1 + d.master] -= by_lead * slope
+    if lead.held:
+        arm = lead.radius - lead.squeeze * trial.tensions[d.master]
+        jac[row, n + d.master] -= by_lead * arm
+        jac[row, n + d.master + 1] += by_lead * arm
