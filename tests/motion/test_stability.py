@@ -18,16 +18,10 @@ from wraparc.motion.control import (
     Trim,
 )
 from wraparc.motion.event import Event, OnDrum
+from wraparc.motion.linear import Linear, contour, windings
 from wraparc.motion.march import March
 from wraparc.motion.station import Drum, Station
-from wraparc.motion.vibration import (
-    Linear,
-    contour,
-    response,
-    stability,
-    stability_map,
-    winding,
-)
+from wraparc.motion.vibration import response, stability, stability_map
 
 INERTIA = {"fabric": 2200.0, "steel-cord": 6000.0}
 TRAINS = {name: load_train(f"examples/tandem-{name}.toml") for name in INERTIA}
@@ -123,8 +117,8 @@ def test_winding_counts_zeros() -> None:
     path = contour(0.0)
     pair = (path - complex(1.0, 8.0)) * (path - complex(1.0, -8.0))
     left = (path - complex(-1.0, 8.0)) * (path - complex(-1.0, -8.0))
-    assert winding(pair / (path + 3.0) ** 2) == 2
-    assert winding(left / (path + 3.0) ** 2) == 0
+    assert windings(pair / (path + 3.0) ** 2) == 2
+    assert windings(left / (path + 3.0) ** 2) == 0
 
 
 @pytest.mark.parametrize(

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from wraparc.errors import InputError, Problem
 from wraparc.motion import arc_kernel as k
-
-if TYPE_CHECKING:
-    from wraparc.motion.march import March
+from wraparc.motion.station_state import StationState
 
 
-def rest(march: March) -> None:
+def rest(march: StationState) -> None:
     """Put a station to rest.
 
     Raises
@@ -41,7 +37,7 @@ def rest(march: March) -> None:
         _hang(march)
 
 
-def _hang(march: March) -> None:
+def _hang(march: StationState) -> None:
     """Find the tensions between standing drums for the outer ones: no belt runs through."""
     for i, d in enumerate(march.drums):
         last = i == march.n - 1

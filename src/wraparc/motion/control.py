@@ -8,15 +8,36 @@ one is given, its speed the set speed.
 from __future__ import annotations
 
 import math
-from abc import ABC, abstractmethod
+from abc import ABC
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from wraparc.drive import Limit
-from wraparc.motion.turning import Coupled, Duty, Exact, Following, Lagging, Mains, Turning
 from wraparc.schema.limits import limit_problems, raise_all
+
+
+@dataclass(frozen=True)
+class Duty:
+    """A drum in its steady state.
+
+    Attributes
+    ----------
+    speed
+        omega [rad/s].
+    torque
+        On the drum [N m].
+    inertia
+        J of everything that turns with the drum, as seen at its shaft [kg m2].
+    radius
+        Of the loaded lagging [m].
+    """
+
+    speed: float
+    torque: float
+    inertia: float
+    radius: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,10 +69,6 @@ class Control(ABC):
         limit: float = getattr(self, "torque_limit", math.inf)
         return limit * self.rating(duty)
 
-    @abstractmethod
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches with the steps."""
-
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Fall of torque per speed of the drum for small vibrations, -dM/d omega [N m s].
 
@@ -70,10 +87,6 @@ class ExactSpeed(Control):
     """The speed is held whatever the torque."""
 
     words = "exact speed"
-
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches."""
-        return Exact(duty, self.rating(duty))
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Infinite: as stiff as makes no difference."""
@@ -103,12 +116,6 @@ class Droop(Control):
     droop: float = 0.01
     lag: float = 0.0
     torque_limit: float = 2.5
-
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches."""
-        rating = self.rating(duty)
-        stiffness = rating / (self.droop * duty.speed)
-        return Lagging(duty, rating, stiffness, 0.0, self.lag, self.torque_limit)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Rated torque over droop, behind the lag."""
@@ -144,12 +151,6 @@ class SpeedLoop(Control):
     def gain(self, duty: Duty) -> float:
         """Torque per miss of speed [N m s]."""
         return 2.0 * math.pi * self.bandwidth * duty.inertia
-
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches."""
-        return Lagging(
-            duty, self.rating(duty), self.gain(duty), self.reset, self.lag, self.torque_limit
-        )
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Gain of both parts, behind the lag."""
@@ -194,10 +195,6 @@ class InductionMotor(Control):
         b = self.breakdown_ratio
         x = min(max(load / b, -0.999), 0.999)
         return self.rated_slip * (b + math.sqrt(b * b - 1.0)) * x / (1.0 + math.sqrt(1.0 - x * x))
-
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches."""
-        return Mains(duty, self.rating(duty), self)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Slope of the curve at the steady torque."""
@@ -261,15 +258,29 @@ class CoupledMotor(Control):
         x = min(abs(load) / self.coupling_limit, 0.999)
         return math.copysign(-s0 * math.log1p(-x), load)
 
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches."""
-        return Coupled(duty, self.rating(duty), self)
+    def running(self, duty: Duty) -> tuple[float, float]:
+        """Steady speed of the pump, and of the motor without load [rad/s]."""
+        load = duty.torque / self.rating(duty)
+        pump = duty.speed / (1.0 - self.slip_at(load))
+        return pump, pump / (1.0 - self.motor.slip_at(load))
+
+    def through(
+        self, rating: float, rated_pump: float, pump: float, omega: float
+    ) -> tuple[float, float, float]:
+        """Torque [N m] and its slopes by the speeds of pump and drum [rad/s]."""
+        size = max(abs(pump), 1e-3 * rated_pump)
+        value, slope = self.transmitted((pump - omega) / size)
+        part = rating * (size / rated_pump) ** 2
+        torque = part * value
+        by_pump = part * slope * (omega / (size * size)) + 2.0 * torque / size
+        return torque, by_pump, -part * slope / size
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """Coupling against the pump, whose inertia hangs on the motor."""
-        run, w = Coupled(duty, self.rating(duty), self), duty.speed
-        _, by_pump, by_drum = run.through(run.pump, w)
-        motor = -run.mains(run.pump)[1] + lam * self.pump_inertia
+        rating = self.rating(duty)
+        pump, top = self.running(duty)
+        _, by_pump, by_drum = self.through(rating, pump, pump, duty.speed)
+        motor = rating * self.motor.curve(1.0 - pump / top)[1] / top + lam * self.pump_inertia
         return -by_drum * motor / (motor + by_pump)
 
 
@@ -309,10 +320,6 @@ class Follower(Control):
     def behind(self, lam: Any) -> Any:
         """F: torque over the master's torque, without the ratio."""
         return np.exp(-lam * self.dead_time) / (1.0 + lam * self.lag)
-
-    def turning(self, duty: Duty) -> Turning:
-        """Return what marches."""
-        return Following(duty, self.rating(duty), self)
 
     def yielding(self, duty: Duty, lam: Any) -> Any:
         """The speed feedback alone."""

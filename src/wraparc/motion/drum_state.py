@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 from wraparc.motion import arc_kernel as k
 from wraparc.motion.arc import MovingArc
-from wraparc.motion.control import Follower
+from wraparc.motion.control import Duty, Follower
 from wraparc.motion.event import Event, Measured, OnBelt, OnDrum
 from wraparc.motion.station import Station
-from wraparc.motion.turning import Duty, Trimming, Turning
+from wraparc.motion.turning import Trimming, Turning, turning_of
 from wraparc.train import CaseResult
 from wraparc.train.solve import arc_of
 
@@ -152,7 +152,7 @@ def drum_of(station: Station, event: Event, steady: CaseResult, i: int, points: 
     arc = MovingArc(arc_of(station.train, case, pulley, pair), points)
     duty = duty_of(station, steady, i)
     control, master = drum.control, -1
-    turning = control.turning(duty)
+    turning = turning_of(control, duty)
     if isinstance(control, Follower):
         master = station.index(control.master)
         if control.ratio is None:

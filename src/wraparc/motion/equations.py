@@ -9,29 +9,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from wraparc.motion import arc_kernel as k
 from wraparc.motion.drum_state import DrumState
-
-if TYPE_CHECKING:
-    from wraparc.motion.march import March
+from wraparc.motion.station_state import HaltError, StationState
 
 _ITERATIONS = 16
 #: Last relative change of a tension and of a drum's speed with which a step is solved: what is left
 #: is of the order of the square.
 _SETTLED, _SPEED_SETTLED = 2e-5, 1e-6
 _STANDS = 1e-13  # least travel of an arc that moves [m]
-
-
-class HaltError(ArithmeticError):
-    """The run cannot go on; says why."""
-
-    def __init__(self, what: str, place: str) -> None:
-        super().__init__(what, place)
-        self.what, self.place = what, place
 
 
 @dataclass
@@ -67,7 +57,7 @@ class Trial:
     flow_out: list[tuple[float, float, float, float, float]] = field(default_factory=list)
 
 
-def solved(march: March, h: float) -> Trial:
+def solved(march: StationState, h: float) -> Trial:
     """Solve for the end of a step of h [s].
 
     Raises
@@ -112,7 +102,7 @@ def solved(march: March, h: float) -> Trial:
     raise HaltError("breaks away", place)
 
 
-def guessed(march: March, h: float) -> Trial:
+def guessed(march: StationState, h: float) -> Trial:
     """Guess the end of a step: every unknown goes on as it went in the last two steps."""
     return Trial(
         h=h,
@@ -133,7 +123,7 @@ def _take(trial: Trial, step: list[float], n: int) -> None:
     trial.v += step[-1]
 
 
-def _arcs(march: March, trial: Trial, first: bool) -> None:
+def _arcs(march: StationState, trial: Trial, first: bool) -> None:
     """Sweep the arcs: entry tensions, and the flow of belt through every nip."""
     trial.travels, trial.angles, trial.surfaces = [], [], []
     trial.flow_in, trial.flow_out = [], []
@@ -173,7 +163,7 @@ def _arcs(march: March, trial: Trial, first: bool) -> None:
         trial.flow_out.append((out_flow, out[k.WRAPPED_M] - down, by_t, out[k.WRAPPED_X], by_w))
 
 
-def _runs(march: March, trial: Trial, softer: list[float]) -> None:
+def _runs(march: StationState, trial: Trial, softer: list[float]) -> None:
     """Unstretched belt on the runs between the drums: what comes less what leaves."""
     n, r, jac = march.n, trial.residual, trial.slopes
     for i in range(n - 1):
@@ -189,7 +179,7 @@ def _runs(march: March, trial: Trial, softer: list[float]) -> None:
         jac[row, 2 * n + 1 + i], jac[row, 2 * n + 2 + i] = p_w, -by_w
 
 
-def _ends(march: March, trial: Trial) -> None:
+def _ends(march: StationState, trial: Trial) -> None:
     """Equations of the first and last tension, and of the conveyor."""
     n, station, half, t1 = march.n, march.station, 0.5 * trial.h, march.t + trial.h
     r, jac, before, after = trial.residual, trial.slopes, march.T, trial.tensions
@@ -222,7 +212,7 @@ def _ends(march: March, trial: Trial) -> None:
     jac[own, n], jac[own, 2 * n], jac[own, own] = -half, half, mass + half * slope
 
 
-def _turn(march: March, trial: Trial) -> None:
+def _turn(march: StationState, trial: Trial) -> None:
     """Equations of the drums."""
     n, r, jac = march.n, trial.residual, trial.slopes
     leads: dict[int, tuple[float, float]] = {}
@@ -254,7 +244,9 @@ def _turn(march: March, trial: Trial) -> None:
         leads[i] = (torque, slope)
 
 
-def _lead(march: March, trial: Trial, d: DrumState, row: int, by_lead: float, slope: float) -> None:
+def _lead(
+    march: StationState, trial: Trial, d: DrumState, row: int, by_lead: float, slope: float
+) -> None:
     """Slopes of a follower's torque by what decides its master's."""
     n, jac, lead = march.n, trial.slopes, march.drums[d.master]
     jac[row, 2 * n + 1 + d.master] -= by_lead * slope

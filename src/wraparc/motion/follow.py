@@ -12,11 +12,11 @@ from wraparc.batch.native import available
 from wraparc.errors import InputError, Problem
 from wraparc.motion import arc_kernel as k
 from wraparc.motion.drum_state import DrumState
-from wraparc.motion.equations import HaltError
 from wraparc.motion.event import Event, Measured, OnDrum, Start
 from wraparc.motion.march import March
 from wraparc.motion.result import Array, DrumHistory, Outcome, RunResult
 from wraparc.motion.station import Station
+from wraparc.motion.station_state import HaltError
 from wraparc.units import display
 
 #: Rows and pictures that are kept at most; when there are more, every other one is dropped.

@@ -7,23 +7,18 @@ from __future__ import annotations
 
 import math
 
-from wraparc.arc import Distributed
-from wraparc.errors import InputError, Problem
 from wraparc.motion.at_rest import rest
-from wraparc.motion.drum_state import SOFT, DrumState, drum_of
-from wraparc.motion.equations import HaltError, Trial, solved
-from wraparc.motion.event import Event, LoadStep, OnBelt, PowerFailure, Start
+from wraparc.motion.drum_state import DrumState
+from wraparc.motion.equations import Trial, solved
+from wraparc.motion.event import Event, OnBelt, Start
 from wraparc.motion.station import Station
-from wraparc.train import CaseResult
-from wraparc.train.solve import solve_case
+from wraparc.motion.station_state import HaltError, StationState
 
 #: Part of the wrap by which a drum may turn back.
 _BACK = 0.05
-#: Part of the set tension by which it may be missed before the winch goes at its full speed.
-_WINCH = 0.05
 
 
-class March:
+class March(StationState):
     """A station on the march; `step` takes it one step further.
 
     Parameters
@@ -39,32 +34,7 @@ class March:
     def __init__(
         self, station: Station, event: Event, step: float | None = None, points: int = 100
     ) -> None:
-        self.station, self.event = station, event
-        train = station.train
-        self.case = case = train.case(station.load_case)
-        self.steady = steady_of(station)
-        self.stretch = 1.0 / train.belt.axial_stiffness
-        self.runs = [case.run(i) for i in range(len(train.pulleys) - 1)]
-        self.n = len(train.pulleys)
-        self.drums = [drum_of(station, event, self.steady, i, points) for i in range(self.n)]
-        # masters before those that follow them
-        self.order = sorted(range(self.n), key=lambda i: self.drums[i].master >= 0)
-        self.names = station.names
-        lead = self.drums[0]
-        self.speed = lead.duty.speed * lead.duty.radius
-        finest = min(d.arc.spacing for d in self.drums)
-        self.h = step or 1.2 * finest / self.speed
-        self.t = 0.0
-        self.pull = case.entry_tension - case.exit_tension
-        self.slack = case.exit_tension
-        self.loads = [h for h in event.of(LoadStep) if isinstance(h, LoadStep)]
-        self.failures = [h for h in event.of(PowerFailure) if isinstance(h, PowerFailure)]
-        between = [m.arc.exit_tension for m in self.steady.members[:-1]]
-        self.T = [case.entry_tension, *between, case.exit_tension]
-        self.v = self.speed if not event.from_rest else 0.0
-        # dT/dt and dv/dt, and in the step before
-        self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
-        self.v_rate = self.v_rate_0 = 0.0
+        super().__init__(station, event, step, points)
         if event.from_rest:
             rest(self)
         else:
@@ -184,48 +154,6 @@ class March:
         lead = self.drums[d.master].torque if d.master >= 0 else 0.0
         return d.driven(0.0, lead)[0] > d.moment
 
-    def load(self, t: float) -> float:
-        """Resistance over that of the load case [-]."""
-        share = 1.0
-        for step in self.loads:
-            if t >= step.at:
-                share = step.share(t)
-        return share
-
-    def resistance(self, v: float, t: float) -> tuple[float, float]:
-        """Resistance of the conveyor [N] and its slope by speed."""
-        soft, lift = SOFT * self.speed, self.station.lift_share
-        root = math.hypot(v, soft)
-        part, slope = v / root, soft * soft / root**3
-        full = self.pull * self.load(t)
-        return full * (lift + (1.0 - lift) * part), full * (1.0 - lift) * slope
-
-    def winch(self, tension: float) -> float:
-        """Speed with which the winch takes belt in [m/s]."""
-        miss = (self.slack - tension) / (_WINCH * self.slack)
-        return self.station.winch_speed * min(max(miss, -1.0), 1.0)
-
-    def softer_run(self, i: int, travels: list[float]) -> float:
-        """What a splice in the run behind drum i adds to its compliance [m/N]."""
-        more = 0.0
-        d, e = self.drums[i], self.drums[i + 1]
-        for (rider, front), (_, next_front) in zip(d.riders, e.riders, strict=True):
-            if rider.compliance != 1.0:
-                left = d.past_exit(travels[i], rider.length, front)
-                come = min(max(travels[i + 1] - next_front, 0.0), rider.length)
-                more += (left - come) * (rider.compliance - 1.0) * self.stretch
-        return more
-
-    def run_rise(self, i: int) -> float:
-        """Rise of tension over the run before drum i [N]."""
-        return self.runs[i - 1] if 0 < i <= len(self.runs) else 0.0
-
-    def goes_slack(self, tensions: list[float]) -> HaltError:
-        """The end of a run whose belt goes slack."""
-        least = min(range(self.n + 1), key=lambda i: tensions[i])
-        places = [f"before {self.names[0]}", *(f"behind {n}" for n in self.names)]
-        return HaltError("the belt goes slack", places[least])
-
     def _accept(self, trial: Trial) -> None:
         """Take a step for good."""
         h, after, torques = trial.h, trial.tensions, [0.0] * self.n
@@ -259,36 +187,3 @@ class March:
         self.T, self.v, self.t = list(after), trial.v, self.t + h
         if min(self.T) < 0.05 * self.slack:
             raise self.goes_slack(self.T)
-
-    def belt(self) -> float:
-        """Unstretched belt on drums and runs, less a constant [m]; closed trains keep it."""
-        total = 0.0
-        travels = [d.arc.travel for d in self.drums]
-        for i, d in enumerate(self.drums):
-            total += d.arc.lifted / d.radius - d.arc.wrapped
-            if i + 1 < self.n:
-                c = self.drums[i + 1].run * self.stretch + self.softer_run(i, travels)
-                total -= (self.T[i + 1] + 0.5 * self.run_rise(i + 1)) * c
-        if self.station.conveyor_mass is not None:
-            total -= self.T[0] * self.station.carry_run * self.stretch
-            total -= self.T[self.n] * self.station.return_run * self.stretch
-        return total
-
-
-def steady_of(station: Station) -> CaseResult:
-    """Return the steady state of a station.
-
-    Raises
-    ------
-    InputError
-        If there is none to move from.
-    """
-    train = station.train
-    result = solve_case(train, train.case(station.load_case), Distributed(capacities=False))
-    if not result.status.solved:
-        message = f"there is no steady state to move from: {result.reason} {result.status}"
-        raise InputError(Problem(key="motion", message=message))
-    if not result.belt_speed > 0.0:
-        message = "what moves needs a belt speed"
-        raise InputError(Problem(key="belt.speed", message=message, remedy="Give [belt] speed."))
-    return result

@@ -5,33 +5,17 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections import deque
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from wraparc.motion.control import CoupledMotor, Follower, InductionMotor, Trim
-
-
-@dataclass(frozen=True)
-class Duty:
-    """A drum in its steady state.
-
-    Attributes
-    ----------
-    speed
-        omega [rad/s].
-    torque
-        On the drum [N m].
-    inertia
-        J of everything that turns with the drum, as seen at its shaft [kg m2].
-    radius
-        Of the loaded lagging [m].
-    """
-
-    speed: float
-    torque: float
-    inertia: float
-    radius: float
+from wraparc.motion.control import (
+    Control,
+    CoupledMotor,
+    Droop,
+    Duty,
+    Follower,
+    InductionMotor,
+    SpeedLoop,
+    Trim,
+)
 
 
 class Turning(ABC):
@@ -60,6 +44,24 @@ class Turning(ABC):
 
     def run(self, level: float, omega: float, torque: float) -> None:  # noqa: B027
         """Be in a state that has lasted: a level of the set speed, a speed and a torque."""
+
+
+def turning_of(control: Control, duty: Duty) -> Turning:
+    """Return what marches of a control, in the steady state."""
+    rating = control.rating(duty)
+    if isinstance(control, Droop):
+        gain = rating / (control.droop * duty.speed)
+        return Lagging(duty, rating, gain, 0.0, control.lag, control.torque_limit)
+    if isinstance(control, SpeedLoop):
+        gain, reset = control.gain(duty), control.reset
+        return Lagging(duty, rating, gain, reset, control.lag, control.torque_limit)
+    if isinstance(control, InductionMotor):
+        return Mains(duty, rating, control)
+    if isinstance(control, CoupledMotor):
+        return Coupled(duty, rating, control)
+    if isinstance(control, Follower):
+        return Following(duty, rating, control)
+    return Exact(duty, rating)
 
 
 class Exact(Turning):
@@ -140,9 +142,7 @@ class Coupled(Turning):
     def __init__(self, duty: Duty, rating: float, control: CoupledMotor) -> None:
         super().__init__(duty, rating)
         self.control, self.motor = control, control.motor
-        load = duty.torque / rating
-        self.pump = duty.speed / (1.0 - control.slip_at(load))
-        self.top = self.pump / (1.0 - self.motor.slip_at(load))
+        self.pump, self.top = control.running(duty)
         self.rated_pump = self.pump
         self.speed = duty.speed
         self.level = 1.0
@@ -155,14 +155,7 @@ class Coupled(Turning):
 
     def through(self, pump: float, omega: float) -> tuple[float, float, float]:
         """Torque of the coupling and its slopes by pump and drum speed."""
-        size = max(abs(pump), 1e-3 * self.rated_pump)
-        slip = (pump - omega) / size
-        value, slope = self.control.transmitted(slip)
-        part = self.fill * self.rating * (size / self.rated_pump) ** 2
-        torque = part * value
-        by_drum = -part * slope / size
-        by_pump = part * slope * (omega / (size * size)) + 2.0 * torque / size
-        return torque, by_pump, by_drum
+        return self.control.through(self.fill * self.rating, self.rated_pump, pump, omega)
 
     def run(self, level: float, omega: float, torque: float) -> None:
         """Be in a state that has lasted."""

@@ -1,0 +1,149 @@
+"""A station at one instant of the march, and the forces and lengths that follow of it."""
+
+from __future__ import annotations
+
+import math
+
+from wraparc.arc import Distributed
+from wraparc.errors import InputError, Problem
+from wraparc.motion.drum_state import SOFT, drum_of
+from wraparc.motion.event import Event, LoadStep, PowerFailure
+from wraparc.motion.station import Station
+from wraparc.train import CaseResult
+from wraparc.train.solve import solve_case
+
+#: Part of the set tension by which it may be missed before the winch goes at its full speed.
+_WINCH = 0.05
+
+
+class HaltError(ArithmeticError):
+    """The run cannot go on; says why."""
+
+    def __init__(self, what: str, place: str) -> None:
+        super().__init__(what, place)
+        self.what, self.place = what, place
+
+
+class StationState:
+    """A station at one instant, running steadily; see `March` for what its numbers are given by.
+
+    Attributes
+    ----------
+    t, h
+        Time and length of a step [s].
+    T, v
+        Tensions before, between and behind the drums [N]; speed of the conveyor [m/s].
+    rates, v_rate
+        dT/dt [N/s] and dv/dt [m/s2] of the last step; with _0 of the one before.
+    drums
+        In belt order.
+    pull, slack
+        Effective tension of all drums, and tension of the take-up [N].
+    stretch
+        1/EA of the belt [1/N].
+    """
+
+    def __init__(
+        self, station: Station, event: Event, step: float | None = None, points: int = 100
+    ) -> None:
+        self.station, self.event = station, event
+        train = station.train
+        self.case = case = train.case(station.load_case)
+        self.steady = steady_of(station)
+        self.stretch = 1.0 / train.belt.axial_stiffness
+        self.runs = [case.run(i) for i in range(len(train.pulleys) - 1)]
+        self.n = len(train.pulleys)
+        self.drums = [drum_of(station, event, self.steady, i, points) for i in range(self.n)]
+        # masters before those that follow them
+        self.order = sorted(range(self.n), key=lambda i: self.drums[i].master >= 0)
+        self.names = station.names
+        lead = self.drums[0]
+        self.speed = lead.duty.speed * lead.duty.radius
+        finest = min(d.arc.spacing for d in self.drums)
+        self.h = step or 1.2 * finest / self.speed
+        self.t = 0.0
+        self.pull = case.entry_tension - case.exit_tension
+        self.slack = case.exit_tension
+        self.loads = [h for h in event.of(LoadStep) if isinstance(h, LoadStep)]
+        self.failures = [h for h in event.of(PowerFailure) if isinstance(h, PowerFailure)]
+        between = [m.arc.exit_tension for m in self.steady.members[:-1]]
+        self.T = [case.entry_tension, *between, case.exit_tension]
+        self.v = self.speed if not event.from_rest else 0.0
+        # dT/dt and dv/dt, and in the step before
+        self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
+        self.v_rate = self.v_rate_0 = 0.0
+
+    def load(self, t: float) -> float:
+        """Resistance over that of the load case [-]."""
+        share = 1.0
+        for step in self.loads:
+            if t >= step.at:
+                share = step.share(t)
+        return share
+
+    def resistance(self, v: float, t: float) -> tuple[float, float]:
+        """Resistance of the conveyor [N] and its slope by speed."""
+        soft, lift = SOFT * self.speed, self.station.lift_share
+        root = math.hypot(v, soft)
+        part, slope = v / root, soft * soft / root**3
+        full = self.pull * self.load(t)
+        return full * (lift + (1.0 - lift) * part), full * (1.0 - lift) * slope
+
+    def winch(self, tension: float) -> float:
+        """Speed with which the winch takes belt in [m/s]."""
+        miss = (self.slack - tension) / (_WINCH * self.slack)
+        return self.station.winch_speed * min(max(miss, -1.0), 1.0)
+
+    def softer_run(self, i: int, travels: list[float]) -> float:
+        """What a splice in the run behind drum i adds to its compliance [m/N]."""
+        more = 0.0
+        d, e = self.drums[i], self.drums[i + 1]
+        for (rider, front), (_, next_front) in zip(d.riders, e.riders, strict=True):
+            if rider.compliance != 1.0:
+                left = d.past_exit(travels[i], rider.length, front)
+                come = min(max(travels[i + 1] - next_front, 0.0), rider.length)
+                more += (left - come) * (rider.compliance - 1.0) * self.stretch
+        return more
+
+    def run_rise(self, i: int) -> float:
+        """Rise of tension over the run before drum i [N]."""
+        return self.runs[i - 1] if 0 < i <= len(self.runs) else 0.0
+
+    def goes_slack(self, tensions: list[float]) -> HaltError:
+        """The end of a run whose belt goes slack."""
+        least = min(range(self.n + 1), key=lambda i: tensions[i])
+        places = [f"before {self.names[0]}", *(f"behind {n}" for n in self.names)]
+        return HaltError("the belt goes slack", places[least])
+
+    def belt(self) -> float:
+        """Unstretched belt on drums and runs, less a constant [m]; closed trains keep it."""
+        total = 0.0
+        travels = [d.arc.travel for d in self.drums]
+        for i, d in enumerate(self.drums):
+            total += d.arc.lifted / d.radius - d.arc.wrapped
+            if i + 1 < self.n:
+                c = self.drums[i + 1].run * self.stretch + self.softer_run(i, travels)
+                total -= (self.T[i + 1] + 0.5 * self.run_rise(i + 1)) * c
+        if self.station.conveyor_mass is not None:
+            total -= self.T[0] * self.station.carry_run * self.stretch
+            total -= self.T[self.n] * self.station.return_run * self.stretch
+        return total
+
+
+def steady_of(station: Station) -> CaseResult:
+    """Return the steady state of a station.
+
+    Raises
+    ------
+    InputError
+        If there is none to move from.
+    """
+    train = station.train
+    result = solve_case(train, train.case(station.load_case), Distributed(capacities=False))
+    if not result.status.solved:
+        message = f"there is no steady state to move from: {result.reason} {result.status}"
+        raise InputError(Problem(key="motion", message=message))
+    if not result.belt_speed > 0.0:
+        message = "what moves needs a belt speed"
+        raise InputError(Problem(key="belt.speed", message=message, remedy="Give [belt] speed."))
+    return result
