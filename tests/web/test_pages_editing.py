@@ -152,6 +152,34 @@ def test_back_turns_the_page_and_keeps_the_design(visitor: Visitor) -> None:
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")
 
 
+def test_back_while_the_address_is_written_turns_the_page(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.solved()
+    page.wait_for_function("location.hash.split('/').length === 3")
+    page.click("#nav-compare")
+    page.wait_for_selector("#compare tbody tr")
+    page.click("#nav-drive")
+    # packing the design takes until it is let go
+    page.evaluate("""() => {
+      const whole = Response.prototype.arrayBuffer;
+      const gate = new Promise((open) => { window.letGo = open; });
+      Response.prototype.arrayBuffer = async function () {
+        window.packing = true;
+        await gate;
+        return whole.call(this);
+      };
+    }""")
+    page.fill("#f-pulley-0-exit_tension", "71")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.wait_for_function("() => window.packing === true")
+    page.go_back()
+    expect(page.locator("#compare")).to_be_visible()
+    page.evaluate("window.letGo()")
+    page.wait_for_function("() => location.hash.split('/').length === 3")
+    assert page.evaluate("location.hash.split('/')[1]") == "compare"
+    expect(page.locator("#compare")).to_be_visible()
+
+
 def test_reload_and_another_window_bring_back_what_was_typed(visitor: Visitor) -> None:
     page = visitor.open("drive")
     page.fill("#f-pulley-0-exit_tension", "72.5")

@@ -30,7 +30,9 @@ export const mine = () => history.state?.mine === true;
 export const keepAddress = later(250, async () => {
   const { doc: d, units: u, pulley: p, case: c, design, page } = app;
   const view = { d, u, p, c, s: design && { ...design, saved: undefined } };
-  history.replaceState({ mine: true }, "", `#/${page}/${await packed(view)}`);
+  const text = await packed(view);
+  // the address may have turned meanwhile: its entry of the history belongs to another page
+  if (pageOfAddress() === page) history.replaceState({ mine: true }, "", `#/${page}/${text}`);
 });
 /** @param {string} page */
 export function turnTo(page) {
