@@ -174,7 +174,7 @@ def test_undo_redo_and_link(visitor: Visitor, calculator: Calculator) -> None:
     page.click("#redo")
     page.click("#redo")
     expect(page.locator("#f-pulley-0-diameter")).to_have_value("1000")
-    page.wait_for_function("location.hash.split('/').length === 3")
+    page.wait_for_function("() => location.hash.split('/').length === 3")
     page.get_by_label("US", exact=True).check(force=True)
     wait_for(lambda: in_the_address(page.evaluate("location.href"))["u"] == "us")
     visitor.solved()

@@ -134,7 +134,7 @@ def test_file_that_is_no_drive_says_what_it_is(
 def test_back_turns_the_page_and_keeps_the_design(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.solved()
-    page.wait_for_function("location.hash.split('/').length === 3")
+    page.wait_for_function("() => location.hash.split('/').length === 3")
     page.click("#nav-compare")
     page.wait_for_selector("#compare tbody tr")
     page.click("#nav-drive")
@@ -155,7 +155,7 @@ def test_back_turns_the_page_and_keeps_the_design(visitor: Visitor) -> None:
 def test_back_while_the_address_is_written_turns_the_page(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.solved()
-    page.wait_for_function("location.hash.split('/').length === 3")
+    page.wait_for_function("() => location.hash.split('/').length === 3")
     page.click("#nav-compare")
     page.wait_for_selector("#compare tbody tr")
     page.click("#nav-drive")
