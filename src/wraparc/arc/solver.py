@@ -62,8 +62,8 @@ class Distributed:
         found = answer(law, geometry, load, self.steps)
         if found.outcome == BREAKAWAY:
             found = at_gross_slip(law, geometry, load, self.steps)
-        out = zeros(profile_size(law, found.par, found.z, self.steps, self.points))
-        shot, count = profile_of(law, found, arc.exit_tension, self.steps, self.points, out)
+        out = zeros(profile_size(law, found, self.points))
+        shot, count = profile_of(law, found, arc.exit_tension, self.points, out)
         capacities = Capacities()
         if self.capacities:
             carried = find_capacities(law, geometry, load, CAPACITIES, self.steps)

@@ -58,11 +58,11 @@ def solve_one(given: Any, bank: Any, steps: int, points: int, out: Any, found: A
     solved = answer(law, row.geometry_of(given), load, steps)
     if solved.outcome != SOLVED:
         return 0
-    size = profile_size(law, solved.par, solved.z, steps, points)
+    size = profile_size(law, solved, points)
     if size > len(out):
         return -size
     records = zeros(size)
-    shot, count = profile_of(law, solved, load.exit_tension, steps, points, records)
+    shot, count = profile_of(law, solved, load.exit_tension, points, records)
     for i in range(RECORD * count):
         out[i] = records[i]
     for i in range(7):
@@ -108,7 +108,7 @@ class Compiled:
             plain = Distributed(self.steps, self.points, capacities=False)
             return replace(plain.solve(arc), capacities=capacities)
         par = parameters_at(arc.entry_tension, arc.geometry())
-        solved = Answer(SOLVED, par, 0.0, Shot(*found.tolist()), NO_LAYERS)
+        solved = Answer(SOLVED, par, 0.0, Shot(*found.tolist()), NO_LAYERS, self.steps)
         records = out[: RECORD * count].tolist()
         return result_of(self.name, arc, solved, records, count, capacities)
 

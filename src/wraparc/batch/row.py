@@ -154,8 +154,8 @@ def find_tensions(
     if solved.outcome != SOLVED:
         return
     par = solved.par
-    out = zeros(profile_size(law, par, solved.z, steps, points))
-    shot, count = profile_of(law, solved, load.exit_tension, steps, points, out)
+    out = zeros(profile_size(law, solved, points))
+    shot, count = profile_of(law, solved, load.exit_tension, points, out)
     found[LOG_RATIO], found[EXIT_SLIP], found[EXIT_CREEP] = shot.log_tension, shot.slip, shot.creep
     found[EXIT_STRESS], found[WORK], found[CREEP_RATIO] = shot.stress, shot.work, shot.creep_ratio
     found[STUCK_LENGTH], found[ENTRY_STRESS] = shot.stuck_length, out[4]

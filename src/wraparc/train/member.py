@@ -169,12 +169,15 @@ class Member:
         """Send the belt over the pulley between two tensions; None if friction cannot."""
         side = 1.0 if entry >= exit_ else -1.0
         par = self.parameters(entry, side)
-        outcome, z, shot, _ = solve_tension(self.law, par, exit_, steps)
-        if outcome == STUCK and z < -1.0:  # an overrun may turn the creep of a light load around
+        found = solve_tension(self.law, par, exit_, steps)
+        if (
+            found.outcome == STUCK and found.z < -1.0
+        ):  # an overrun may turn the creep of a light load around
             side = -side
             par = self.parameters(entry, side)
-            outcome, z, shot, _ = solve_tension(self.law, par, exit_, steps)
-        if outcome not in (SOLVED, STUCK):
+            found = solve_tension(self.law, par, exit_, steps)
+        z, shot = found.z, found.shot
+        if found.outcome not in (SOLVED, STUCK):
             return None
         if self.holds:
             effort = side * max(z + (0.0 if self.rests else 1.0), 0.0)

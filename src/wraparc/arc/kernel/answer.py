@@ -55,11 +55,15 @@ FAR_FOR_CAPACITIES = 20.0  # the same, beyond which capacities at a creep or sli
 #: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
 #: not resolved the law
 LOSS_MISS = 1e-5
+FINER = (1, 2, 4)  # times the mesh, until the loss of energy is met; cheaper than layers
 BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
 
 # capacities that may be asked for, to be added up
 CREEP_LIMIT, TESTED_SLIP, LEAST, GROSS_SLIP = 2, 4, 8, 16
 CAPACITIES = CREEP_LIMIT + TESTED_SLIP + LEAST + GROSS_SLIP
+
+
+NO_SHOT = Shot(nan, nan, nan, nan, nan, nan, nan)
 
 
 class Found(NamedTuple):
@@ -76,12 +80,15 @@ class Found(NamedTuple):
         The arc at its exit.
     layers
         Its layers, where it is solved by them.
+    steps
+        Mesh steps of the march that found it.
     """
 
     outcome: int
     z: float
     shot: Shot
     layers: Layers
+    steps: int
 
 
 def solve_tension(law: CompactLaw, par: Parameters, exit_tension: float, steps: int) -> Found:
@@ -93,28 +100,47 @@ def solve_tension(law: CompactLaw, par: Parameters, exit_tension: float, steps: 
             end = zone_end(law, par, par.length)[1]
             z = creep / end - 1.0 if end != 0.0 else 0.0
             shot, _ = stuck_shot(law, par, exit_tension, creep, 0, zeros(0))
-            return Found(STUCK, z, shot, NO_LAYERS)
+            return Found(STUCK, z, shot, NO_LAYERS, steps)
     if abs(goal) < NO_PULL and par.kick == 0.0:
-        return Found(SOLVED, -inf, Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), NO_LAYERS)
+        still = Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return Found(SOLVED, -inf, still, NO_LAYERS, steps)
     if not jumps(law) and lags(law, par) > FAR:
         far = by_layers(law, par, exit_tension)
         if far.outcome != UNSOLVED:
             return far
     tight = max(par.entry_tension, exit_tension) / (par.width * par.radius)
     if goal < plateau_capacity(law, tight, par.length / par.radius):
-        aim = Aim(TENSION, goal)
-        outcome, z, shot = refine(law, par, aim, first_guess(law, par, aim), steps)
-        if outcome != BREAKAWAY:
-            found = Found(outcome, z, shot, NO_LAYERS)
-            if outcome == SOLVED and (jumps(law) or loss_miss(law, par, shot) < LOSS_MISS):
-                return found
-            if jumps(law) and par.shear == 0.0:
+        found = _by_marches(law, par, goal, steps)
+        if found.outcome != BREAKAWAY:
+            if _resolved(law, par, found):
                 return found
             other = by_layers(law, par, exit_tension)
             return other if other.outcome == SOLVED else found
     z = largest_effort(law, par)
     shot, _ = shoot_from(law, par, z, steps, 0, zeros(0))
-    return Found(BREAKAWAY, z, shot, NO_LAYERS)
+    return Found(BREAKAWAY, z, shot, NO_LAYERS, steps)
+
+
+def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Found:
+    """Meet ln(tight/slack) by marches from the entry, on a finer mesh while it is not resolved."""
+    aim = Aim(TENSION, goal)
+    guess = first_guess(law, par, aim)
+    found = Found(BREAKAWAY, nan, NO_SHOT, NO_LAYERS, steps)
+    for finer in FINER:
+        outcome, z, shot = refine(law, par, aim, guess, finer * steps)
+        if outcome == BREAKAWAY:
+            break
+        found = Found(outcome, z, shot, NO_LAYERS, finer * steps)
+        if _resolved(law, par, found):
+            break
+    return found
+
+
+def _resolved(law: CompactLaw, par: Parameters, found: Found) -> bool:
+    """Whether a march has met its aim on a mesh fine enough for the law."""
+    if jumps(law):
+        return found.outcome == SOLVED or par.shear == 0.0
+    return found.outcome == SOLVED and loss_miss(law, par, found.shot) < LOSS_MISS
 
 
 def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
@@ -131,7 +157,7 @@ def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
 def by_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> Found:
     """`solve_tension` by layers, where no effort at the entry tells what happens at the exit."""
     outcome, layers = solve_layers(law, par, exit_tension)
-    return Found(outcome, nan, shot_of_layers(law, par, layers), layers)
+    return Found(outcome, nan, shot_of_layers(law, par, layers), layers, 0)
 
 
 def stuck_shot(
@@ -146,13 +172,6 @@ def stuck_shot(
     return Shot(q, state.slip, creep, tau, state.work, g, length), count
 
 
-def profile_size(law: CompactLaw, par: Parameters, z: float, steps: int, points: int) -> int:
-    """Numbers that the records of `trace` need: points, nodes and kinks."""
-    if z != z:
-        return RECORD * (points + 2 * NODES + 10)
-    return RECORD * (points + 4 * mesh_steps(law, par, steps) + 600)
-
-
 class Answer(NamedTuple):
     """The operating point of an arc.
 
@@ -162,7 +181,7 @@ class Answer(NamedTuple):
         SOLVED, BREAKAWAY or UNSOLVED.
     par
         The numbers it was solved with.
-    z, shot, layers
+    z, shot, layers, steps
         As `Found` has them.
     """
 
@@ -171,17 +190,18 @@ class Answer(NamedTuple):
     z: float
     shot: Shot
     layers: Layers
+    steps: int
 
 
 def answer(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
     """Operating point of an arc, judged by the balance T(phi) = T2."""
     par = parameters_at(load.entry_tension, geometry)
-    outcome, z, shot, layers = solve_tension(law, par, load.exit_tension, steps)
+    outcome, z, shot, layers, marched = solve_tension(law, par, load.exit_tension, steps)
     if outcome != BREAKAWAY:
         miss = load.entry_tension * exp(shot.log_tension) / load.exit_tension - 1.0
         good = outcome in (SOLVED, STUCK) and abs(miss) <= BALANCE
         outcome = SOLVED if good else UNSOLVED
-    return Answer(outcome, par, z, shot, layers)
+    return Answer(outcome, par, z, shot, layers, marched)
 
 
 def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
@@ -190,14 +210,21 @@ def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -
     guess = geometry.side * log(load.entry_tension / load.exit_tension)
     _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, steps)
     par = parameters_at(entry, geometry)
-    return Answer(BREAKAWAY, par, z, Shot(nan, nan, nan, nan, nan, nan, nan), NO_LAYERS)
+    return Answer(BREAKAWAY, par, z, NO_SHOT, NO_LAYERS, steps)
+
+
+def profile_size(law: CompactLaw, found: Answer, points: int) -> int:
+    """Numbers that the records of `trace` need: points, nodes and kinks."""
+    if found.z != found.z:
+        return RECORD * (points + 2 * NODES + 10)
+    return RECORD * (points + 4 * mesh_steps(law, found.par, found.steps) + 600)
 
 
 def trace(
-    law: CompactLaw, found: Answer, exit_tension: float, steps: int, points: int, out: Buffer
+    law: CompactLaw, found: Answer, exit_tension: float, points: int, out: Buffer
 ) -> tuple[Shot, int]:
     """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
-    par, z = found.par, found.z
+    par, z, steps = found.par, found.z, found.steps
     goal = par.side * log(par.entry_tension / exit_tension)
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
@@ -221,14 +248,14 @@ def trace(
 
 
 def profile_of(
-    law: CompactLaw, found: Answer, exit_tension: float, steps: int, points: int, out: Buffer
+    law: CompactLaw, found: Answer, exit_tension: float, points: int, out: Buffer
 ) -> tuple[Shot, int]:
     """Exit quantities of an answer and the number of records of its profile, in `out`.
 
     `out` has room for `profile_size` zeros; an arc that nothing drives has a profile of them.
     """
     if found.z != -inf:
-        return trace(law, found, exit_tension, steps, points, out)
+        return trace(law, found, exit_tension, points, out)
     for i in range(points + 1):
         out[RECORD * i] = found.par.length * i / points
     return found.shot, points + 1
