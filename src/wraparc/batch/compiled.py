@@ -14,60 +14,26 @@ from typing import Any
 import numpy as np
 
 from wraparc.arc import ArcResult, Capacities, Distributed, WrapArc
-from wraparc.arc.kernel.answer import (
-    CAPACITIES,
-    Answer,
-    Carried,
-    answer,
-    profile_of,
-    profile_size,
-)
+from wraparc.arc.kernel.answer import CAPACITIES, Answer, Carried
 from wraparc.arc.kernel.layers import NO_LAYERS
-from wraparc.arc.kernel.quantities import RECORD, SOLVED, Shot, parameters_at, zeros
+from wraparc.arc.kernel.quantities import RECORD, SOLVED, Shot, parameters_at
 from wraparc.arc.solver import capacities_of, result_of
 from wraparc.batch import row
 from wraparc.batch.laws import LawBank
 from wraparc.batch.native import available, compiled
-from wraparc.batch.precise import capacity_rows, law_of
+from wraparc.batch.precise import capacity_rows, tension_rows
 from wraparc.friction import FrictionLaw
 
 _ROOM = 2_000  # records of a profile that there is room for at first
-
-
-def solve_one(given: Any, bank: Any, steps: int, points: int, out: Any, found: Any) -> int:
-    """Solve an arc and trace its profile, as `Distributed.solve` does; compiled only.
-
-    Parameters
-    ----------
-    given
-        Its numbers, in the order of `wraparc.batch.row.INPUTS`, shape (16,).
-    bank
-        A bank of one law.
-    steps, points
-        Mesh steps, and equal parts of the wrap in the profile.
-    out
-        Takes the records of the profile.
-    found
-        Takes the shot, shape (7,).
-
-    Returns
-    -------
-    Records of the profile; 0 if the arc is not solved; negative: the room that `out` needs.
-    """
-    law, load = law_of(bank, 0), row.load_of(given)
-    solved = answer(law, row.geometry_of(given), load, steps)
-    if solved.outcome != SOLVED:
-        return 0
-    size = profile_size(law, solved, points)
-    if size > len(out):
-        return -size
-    records = zeros(size)
-    shot, count = profile_of(law, solved, load.exit_tension, points, records)
-    for i in range(RECORD * count):
-        out[i] = records[i]
-    for i in range(7):
-        found[i] = shot[i]
-    return count
+_SHOT = (  # where a row has it
+    row.LOG_RATIO,
+    row.EXIT_SLIP,
+    row.EXIT_CREEP,
+    row.EXIT_STRESS,
+    row.WORK,
+    row.CREEP_RATIO,
+    row.STUCK_LENGTH,
+)
 
 
 @lru_cache(maxsize=64)
@@ -96,27 +62,33 @@ class Compiled:
 
     def solve(self, arc: WrapArc) -> ArcResult:
         """Solve one arc; see `wraparc.arc.Distributed`."""
-        bank, given = _bank(arc.law).arrays, np.array((*arc.geometry(), *arc.load()))
-        kernel, found = compiled(solve_one), np.zeros(len(Shot._fields))
-        out = np.zeros(RECORD * _ROOM)
-        count = int(kernel(given, bank, self.steps, self.points, out, found))
-        if count < 0:
-            out = np.zeros(-count)
-            count = int(kernel(given, bank, self.steps, self.points, out, found))
+        bank, given = _bank(arc.law).arrays, np.array([(*arc.geometry(), *arc.load())])
+        found, out, count = self._operating_point(given, bank)
         capacities = self._capacities(arc, given, bank) if self.capacities else Capacities()
         if not count:  # a breakaway: what is left to tell of it is not worth compiling
             plain = Distributed(self.steps, self.points, capacities=False)
             return replace(plain.solve(arc), capacities=capacities)
         par = parameters_at(arc.entry_tension, arc.geometry())
-        solved = Answer(SOLVED, par, 0.0, Shot(*found.tolist()), NO_LAYERS, self.steps)
+        solved = Answer(SOLVED, par, 0.0, Shot(*found[_SHOT,].tolist()), NO_LAYERS, self.steps)
         records = out[: RECORD * count].tolist()
         return result_of(self.name, arc, solved, records, count, capacities)
+
+    def _operating_point(self, given: Any, bank: Any) -> tuple[Any, Any, int]:
+        """Row of results, profile and its number of records, 0 where the arc is not solved."""
+        found, out = np.empty((1, row.FOUND_NUMBERS)), np.empty(RECORD * _ROOM)
+        which, wanted = np.zeros(1, dtype=np.int64), np.array([row.TENSIONS], dtype=np.int64)
+        kernel, mesh = compiled(tension_rows), (self.steps, self.points)
+        count = int(kernel(given, bank, which, wanted, mesh, found, out))
+        if RECORD * count > len(out):
+            out = np.empty(RECORD * count)
+            kernel(given, bank, which, wanted, mesh, found, out)
+        return found[0], out, count
 
     def _capacities(self, arc: WrapArc, given: Any, bank: Any) -> Capacities:
         rows = np.full((1, row.FOUND_NUMBERS), math.nan)
         rows[0, row.OUTCOME] = SOLVED
         which, wanted = np.zeros(1, dtype=np.int64), np.array([CAPACITIES], dtype=np.int64)
-        compiled(capacity_rows)(given[None, :], bank, which, wanted, self.steps, rows)
+        compiled(capacity_rows)(given, bank, which, wanted, self.steps, rows)
         places = (
             row.CREEP_CAPACITY,
             row.SLIP_CAPACITY,

@@ -22,11 +22,18 @@ STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
 
 def tension_rows(
-    given: Any, bank: Any, which: Any, parts: Any, steps: int, points: int, found: Any
-) -> None:
-    """Begin rows of arcs, each with its law, and find operating points; compiled only."""
+    given: Any, bank: Any, which: Any, parts: Any, mesh: Any, found: Any, records: Any
+) -> int:
+    """Begin rows of arcs, each with its law, and find operating points; compiled only.
+
+    `mesh` has the mesh steps and the equal parts of the wrap in a profile. The profile of the last
+    arc is left in `records` where it fits; its number of records is returned.
+    """
+    count = 0
     for i in range(len(given)):
-        tensions_of_row(law_of(bank, which[i]), given[i], parts[i], steps, points, found[i])
+        law = law_of(bank, which[i])
+        count = tensions_of_row(law, given[i], parts[i], mesh[0], mesh[1], found[i], records)
+    return count
 
 
 def capacity_rows(given: Any, bank: Any, which: Any, parts: Any, steps: int, found: Any) -> None:
@@ -63,14 +70,15 @@ def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
     found = np.empty((n, FOUND_NUMBERS))
     if available():
         bank = arcs.laws.arrays
-        compiled(tension_rows)(given, bank, arcs.law, wanted, STEPS, POINTS, found)
+        mesh = (STEPS, POINTS)
+        compiled(tension_rows)(given, bank, arcs.law, wanted, mesh, found, np.empty(0))
         if np.any(wanted & CAPACITIES):
             compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found)
         return found
     for i in range(n):
         law, numbers, part = arcs.laws.compact(int(arcs.law[i])), given[i].tolist(), int(wanted[i])
         row: list[float] = [0.0] * FOUND_NUMBERS
-        tensions_of_row(law, numbers, part, STEPS, POINTS, row)
+        tensions_of_row(law, numbers, part, STEPS, POINTS, row, [])
         capacities_of_row(law, numbers, part, STEPS, row)
         found[i] = row
     return found

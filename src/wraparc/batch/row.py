@@ -21,6 +21,7 @@ from wraparc.arc.kernel.answer import (
 )
 from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.quantities import (
+    RECORD,
     REFUSED,
     SOLVED,
     Buffer,
@@ -95,8 +96,14 @@ def load_of(given: Buffer) -> Load:
 
 
 def tensions_of_row(
-    law: CompactLaw, given: Buffer, parts: int, steps: int, points: int, found: Buffer
-) -> None:
+    law: CompactLaw,
+    given: Buffer,
+    parts: int,
+    steps: int,
+    points: int,
+    found: Buffer,
+    records: Buffer,
+) -> int:
     """Begin the row of an arc, and find its operating point if that is wanted.
 
     Parameters
@@ -111,6 +118,12 @@ def tensions_of_row(
         Mesh steps, and equal parts of the wrap at which its profile is looked at.
     found
         A row of results.
+    records
+        Takes the records of the profile where they fit.
+
+    Returns
+    -------
+    Records of the profile; 0 if none was asked for or the arc is not solved.
     """
     for k in range(FOUND_NUMBERS):
         found[k] = nan
@@ -119,7 +132,8 @@ def tensions_of_row(
     if refused(law, geometry, load):
         found[OUTCOME] = REFUSED
     elif parts & TENSIONS:
-        find_tensions(law, geometry, load, steps, points, found)
+        return find_tensions(law, geometry, load, steps, points, found, records)
+    return 0
 
 
 def capacities_of_row(
@@ -146,13 +160,19 @@ def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
 
 
 def find_tensions(
-    law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int, found: Buffer
-) -> None:
+    law: CompactLaw,
+    geometry: Geometry,
+    load: Load,
+    steps: int,
+    points: int,
+    found: Buffer,
+    records: Buffer,
+) -> int:
     """Solve for the tensions and read the profile."""
     solved = answer(law, geometry, load, steps)
     found[OUTCOME] = solved.outcome
     if solved.outcome != SOLVED:
-        return
+        return 0
     par = solved.par
     out = zeros(profile_size(law, solved, points))
     shot, count = profile_of(law, solved, load.exit_tension, points, out)
@@ -167,3 +187,7 @@ def find_tensions(
         found[OUTSIDE] = share_outside(
             par, out, count, load.pressure_min, load.pressure_max, load.slip_max
         )
+    if RECORD * count <= len(records):
+        for i in range(RECORD * count):
+            records[i] = out[i]
+    return count

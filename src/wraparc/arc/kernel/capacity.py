@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from math import exp, inf, log, nan
 
-from wraparc.arc.kernel.effort import CREEP, Aim, first_guess, mesh_steps
+from wraparc.arc.kernel.effort import CREEP, Aim, first_guess, jumps, mesh_steps
 from wraparc.arc.kernel.gross_slip import plateau_capacity
 from wraparc.arc.kernel.quantities import (
     SOLVED,
@@ -142,8 +142,9 @@ def meet(
             mesh = steps
             r1, r2, shot = _misses(law, geometry, case, t, z, mesh, table)
             continue
+        far = max(1.0, abs(z)) if jumps(law) else 1.0  # the effort of a rest arc is no logarithm
         if fresh:
-            dz, dt = 1e-4, 1e-4
+            dz, dt = 1e-4 * far, 1e-4
             a1, a2, _ = _misses(law, geometry, case, t, z + dz, mesh, table)
             b1, b2, _ = _misses(law, geometry, case, t + dt, z, mesh, table)
             j11, j21 = (a1 - r1) / dz, (a2 - r2) / dz
@@ -152,7 +153,7 @@ def meet(
         if det == 0.0:
             return False, z, exp(t), shot, 0.0
         dz, dt = (r2 * j12 - r1 * j22) / det, (r1 * j21 - r2 * j11) / det
-        scale = min(1.0, 1.5 / max(abs(dz), 1e-300), 0.5 / max(abs(dt), 1e-300))
+        scale = min(1.0, 1.5 * far / max(abs(dz), 1e-300), 0.5 / max(abs(dt), 1e-300))
         dz, dt = scale * dz, scale * dt
         z, t = z + dz, t + dt
         if t > log(most):
