@@ -4,7 +4,7 @@ import pytest
 
 from files.samples import EXAMPLE_DRIVES, example
 from wraparc import Kind
-from wraparc.checks import before
+from wraparc.checks import Place, before
 from wraparc.drive import Drive
 from wraparc.files import load_drive
 
@@ -35,7 +35,7 @@ def test_the_steel_cord_drive_leaves_the_tested_pressures() -> None:
     missed = next(
         c for c in before(load("steel-cord-drive")).missed if c.name == "tested_pressure_max"
     )
-    assert missed.place == ("head", "start")
+    assert missed.place == Place("head", "start")
     assert "695.8 kPa is above the 690.0 kPa that lagging full-ceramic" in missed.sentence()
 
 

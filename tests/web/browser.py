@@ -22,7 +22,7 @@ FLAGS = [
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--hide-scrollbars", "--force-color-profile=srgb",
 ]  # fmt: skip
-PAGES = ("drive", "compare", "tests", "train", "study", "saved")
+PAGES = ("drive", "compare", "tests", "train", "events", "study", "saved")
 PHONE: ViewportSize = {"width": 390, "height": 844}
 DESKTOP: ViewportSize = {"width": 1360, "height": 900}
 #: What a page shows once everything it asked for has arrived.
@@ -31,6 +31,7 @@ READY = {
     "compare": "#compare tbody tr",
     "tests": "#tests .drop",
     "train": "#train .verdict",
+    "events": "#events form",
     "study": "#study form",
     "saved": "#saved .scroll :is(table, p)",
 }

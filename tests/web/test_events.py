@@ -72,24 +72,19 @@ def test_what_is_played_keeps_the_largest_values() -> None:
     assert shown.shear[-1][0] == pytest.approx(drum.shear[-1, 0], rel=2e-3)
 
 
-def test_a_map_and_a_bode_picture_on_demand(api: TestClient) -> None:
-    answer = asked(api, document=short(), what="stability", run_out="1 mm")
-    assert answer["played"] is None
-    picture = api.get(f"{API}/events/{answer['id']}/pictures/{answer['pictures'][0]}")
-    assert picture.headers["content-type"] == "image/svg+xml"
-    assert b"</svg>" in picture.content
-    missing = api.get(f"{API}/events/{answer['id']}/pictures/no.svg")
-    assert missing.status_code == 404
-
-
-def test_without_events_the_usual_ones_are_followed_and_it_is_said(api: TestClient) -> None:
+def test_without_events_the_usual_ones_are_there_and_it_is_said(api: TestClient) -> None:
     bare = short()
     del bare["motion"]["event"]
-    bare["motion"]["conveyor_mass"] = "100 t"
     answer = asked(api, document=bare, event="no such")
     assert '"start", "start and stop"' in answer["detail"]
-    begun = asked(api, document=bare, what="stability")
-    assert begun["note"].startswith("The file has no events")
+    answer = asked(api, document=bare, what="stability", run_out="1 mm")
+    assert answer["note"].startswith("The file has no events")
+    assert answer["played"] is None
+    where = f"{API}/events/{answer['id']}/pictures"
+    picture = api.get(f"{where}/{answer['pictures'][0]}")
+    assert picture.headers["content-type"] == "image/svg+xml"
+    assert b"</svg>" in picture.content
+    assert api.get(f"{where}/no.svg").status_code == 404
 
 
 @pytest.mark.parametrize(

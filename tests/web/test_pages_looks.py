@@ -20,7 +20,10 @@ from web.calculators import Process, wait_for
 
 Calculator = tuple[Browser, Process]
 #: How much of each page is shown in the documentation.
-HEIGHTS = {"drive": 1120, "compare": 560, "tests": 1560, "train": 1050, "study": 1180, "saved": 440}
+HEIGHTS = {
+    "drive": 1120, "compare": 560, "tests": 1560, "train": 1050, "events": 1560, "study": 1180,
+    "saved": 440,
+}  # fmt: skip
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
 
 
@@ -45,7 +48,8 @@ def _at(calculator: Calculator) -> tuple[Browser, str]:
 
 def used(visitor: Visitor, name: str) -> Page:
     """Open a page and use it, so that all of its parts show."""
-    examples = {"train": "Tandem head drive, fabric belt", "study": "Head drive, ROM conveyor"}
+    tandem = "Tandem head drive, fabric belt"
+    examples = {"train": tandem, "events": tandem, "study": "Head drive, ROM conveyor"}
     if name in examples:
         visitor.open("drive")
         visitor.example(examples[name])
@@ -59,6 +63,11 @@ def used(visitor: Visitor, name: str) -> Page:
         page.get_by_role("button", name="Use it in the drive at once").wait_for()
     elif name == "train":
         page.wait_for_selector("#train .tables table:visible")
+    elif name == "events":
+        page.select_option("#e-points", "30")
+        page.click("#follow")
+        page.wait_for_selector("#play")
+        page.locator("#play-time").fill("5.6")
     elif name == "saved" and page.locator("#saved tbody tr").count() == 0:
         page.get_by_label("Note on this version").fill("as tendered")
         page.get_by_role("button", name="Save as a new design").click()

@@ -58,16 +58,18 @@ class Place(NamedTuple):
 
     Attributes
     ----------
-    pulley, load_case
+    pulley, load_case, event
         Names.
     """
 
     pulley: str = ""
     load_case: str = ""
+    event: str = ""
 
     def __str__(self) -> str:
         parts = [f"pulley {self.pulley}"] if self.pulley else []
         parts += [f"load case {self.load_case}"] if self.load_case else []
+        parts += [f"event {self.event}"] if self.event else []
         return ", ".join(parts)
 
 

@@ -26,7 +26,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
             name="run",
             title="Followed to its end",
             level=Level.FAILS,
-            place=Place("", event),
+            place=Place(event=event),
             says=f"{run.reason} {run.outcome.value}",
             short="not followed to its end",
         )
@@ -35,7 +35,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
             name="run",
             title="Followed to its end",
             level=Level.ATTENTION,
-            place=Place("", event),
+            place=Place(event=event),
             says=f"{run.reason} {run.outcome.value}",
             short="not followed to its end",
         )
@@ -57,7 +57,7 @@ def _creeps(run: RunResult) -> Iterator[Check]:
             abs(float(drum.exit_creep[i])),
             train.creep_limit_of(pulley),
             "length",
-            place=Place(drum.name, run.event.name),
+            place=Place(drum.name, event=run.event.name),
             short="over creep limit",
             says=f"Creeps {{value}} at {display(float(run.time[i]), 'time', digits=3)}, more than "
             f"the limit of {{limit}}, and is over it for {display(over, 'time', digits=2)}.",
@@ -69,7 +69,7 @@ def _creeps(run: RunResult) -> Iterator[Check]:
 def _tension(run: RunResult) -> Check:
     belt, peak = run.station.train.belt, run.peak_tension
     rule, title = tension_rule("starting"), "Largest belt tension"
-    place = Place("", run.event.name)
+    place = Place(event=run.event.name)
     if belt.rating is None:
         return not_checked(rule.name, title, "the rating of the belt is not given", place)
     factor = tension_factor(belt, "starting")

@@ -50,7 +50,7 @@ def _run_sentences(run: RunResult, system: System) -> Iterator[str]:
         f"{named('entry_tension', tension.value, system)}, {tension.place} after "
         f"{display(tension.time, 'time', digits=3)}."
     )
-    if not math.isnan(run.build_distance):
+    if run.outcome.whole and not math.isnan(run.build_distance):
         travelled = display(run.build_distance, "length", system, digits=3)
         yield f"Creep settles within 5 % after {travelled} of belt travel."
     if run.belt_speed[-1] < 0.01 * max(run.belt_speed):

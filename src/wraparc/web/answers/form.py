@@ -8,6 +8,7 @@ from wraparc.files.drive_keys import BELT, LOAD_CASE, PULLEY, TENSIONS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.glossary import GLOSSARY
 from wraparc.glossary import Quantity as GlossaryQuantity
+from wraparc.motion.keys import CONTROL, DRUM, MOTION
 from wraparc.schema.kinds import Choice, Flag, Kind, Name, Quantity, TextOr, WordOr
 from wraparc.schema.tables import Entry, Table
 from wraparc.train.keys import TRAIN, TRAIN_FILE
@@ -151,6 +152,18 @@ def form() -> Form:
             _section("lagging", "Lagging", "pulley[].lagging.", lagging, repeated=True),
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
             _section("train", "Train", "train.", TRAIN.entries),
+            _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
+            _section(
+                "motion_drum",
+                "Drums in time",
+                "motion.drum[].",
+                filter(_is_plain, DRUM.entries),
+                repeated=True,
+            ),
+            *(
+                _section(f"control {kind}", kind, "motion.drum[].control.", table.entries[1:])
+                for kind, table in CONTROL.tables.items()
+            ),
         ],
     )
 
@@ -161,6 +174,11 @@ def _term(quantity: GlossaryQuantity) -> Term:
 
 def _is_field(entry: Entry) -> bool:
     return entry.key not in ("format", "belt", "pulley", "lagging", "load_case", "train")
+
+
+def _is_plain(entry: Entry) -> bool:
+    """Whether an entry is one value, and no table or list of them."""
+    return _kind_name("", entry.kind) != "table"
 
 
 _CHOICES: dict[str, tuple[str, ...]] = {
@@ -183,7 +201,11 @@ def _section(
     key: str, title: str, prefix: str, entries: Iterable[Entry], *, repeated: bool = False
 ) -> Section:
     names = _IN_GLOSSARY if key == "belt" else _IN_LAGGING if key == "lagging" else {}
-    fields = [_field(entry, prefix, names.get(entry.key, entry.key)) for entry in entries]
+    in_time = prefix.startswith("motion.")  # a run is a length there, and no rise of tension
+    fields = [
+        _field(entry, prefix, "" if in_time else names.get(entry.key, entry.key))
+        for entry in entries
+    ]
     return Section(key=key, title=title, repeated=repeated, fields=fields)
 
 

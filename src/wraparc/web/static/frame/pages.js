@@ -19,6 +19,7 @@ export const PAGES = {
   compare: { title: "Compare", load: () => import("../pages/compare.js") },
   tests: { title: "Tests", load: () => import("../pages/tests.js") },
   train: { title: "Train", load: () => import("../pages/train.js") },
+  events: { title: "Events", load: () => import("../pages/events.js") },
   study: { title: "Study", load: () => import("../pages/study.js") },
   saved: { title: "Saved", load: () => import("../pages/saved.js") },
 };

@@ -7,7 +7,7 @@ import { Component, createRef, h } from "../vendor/preact.js";
 
 /**
  * A chart that is drawn anew when its data are other ones.
- * @typedef {ChartLook & {data: ChartData, class?: string}} PlotProps
+ * @typedef {ChartLook & {data: ChartData, class?: string, hold?: (chart: Chart) => void}} PlotProps
  * @extends {Component<PlotProps>}
  */
 export class Plot extends Component {
@@ -15,6 +15,7 @@ export class Plot extends Component {
   componentDidMount() {
     this.chart = new Chart(this.box.current, this.props);
     this.chart.draw(this.props.data);
+    this.props.hold?.(this.chart);
   }
   /** @param {PlotProps} next */
   shouldComponentUpdate(next) {

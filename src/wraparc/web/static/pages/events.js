@@ -1,0 +1,275 @@
+// Drives in time: an event is followed, then played; whether the drives pulsate, and what cures it.
+import { app, redraw } from "../base/design.js";
+import { act, ask, complain, onReturn, refusal } from "../base/server.js";
+import { words } from "../base/units.js";
+import { list, refused, table, verdict } from "../parts/answers.js";
+import { choose } from "../parts/choose.js";
+import { mark } from "../parts/problems.js";
+import { h } from "../vendor/preact.js";
+import { assumed, events, motionInputs } from "./events/inputs.js";
+import { Player } from "./events/player.js";
+
+/** @import { Design, Problem, Table } from "../types.d.ts" */
+/** @typedef {"run" | "stability" | "map"} What */
+/** @typedef {{id: string, state: string, done: number, total: number, message: string,
+ *   problems: Problem[], of: Design, [key: string]: any}} Job */
+
+const plan = { event: "", points: "60", step: "", over: "droop" };
+const state = {
+  problems: /** @type {Problem[]} */ ([]),
+  jobs: /** @type {Record<What, Job | null>} */ ({ run: null, stability: null, map: null }),
+  opened: -1,
+  timer: 0,
+};
+export function update() {
+  const names = events().map(([n]) => n);
+  if (!names.includes(plan.event)) plan.event = names[0] || "";
+  if (state.opened === app.opened) return;
+  state.opened = app.opened;
+  state.problems = [];
+  state.jobs = { run: null, stability: null, map: null };
+}
+onReturn(() => void follow());
+
+/** @param {What} what */
+async function begin(what) {
+  state.problems = [];
+  const old = state.jobs[what];
+  const { event, points, step, over } = plan;
+  const asked = { document: app.doc, what, event, points: +points, step: step || null, over };
+  const of = app.doc;
+  try {
+    const job = await ask("events", asked);
+    state.jobs[what] = { ...job, of };
+    mark([]);
+  } catch (x) {
+    const problems = refusal(x);
+    const rest = mark(problems);
+    state.problems = rest.length ? rest : problems;
+  }
+  if (old) await forget(old);
+  await follow();
+}
+/** What is not shown any more need not be kept. @param {Job} job */
+async function forget(job) {
+  if (!busy(job)) await ask(`events/${job.id}`, undefined, { method: "DELETE" }).catch(() => {});
+}
+/** Look after the jobs as long as one of them is at work and the page is open. */
+async function follow() {
+  clearTimeout(state.timer);
+  try {
+    for (const [what, job] of Object.entries(state.jobs))
+      if (job && busy(job)) {
+        const found = { ...(await ask(`events/${job.id}`)), of: job.of };
+        if (state.jobs[/** @type {What} */ (what)] === job)
+          state.jobs[/** @type {What} */ (what)] = found;
+      }
+  } catch (x) {
+    if (!app.gone) complain(x);
+    return;
+  }
+  redraw();
+  if (Object.values(state.jobs).some((j) => j && busy(j))) state.timer = setTimeout(follow, 300);
+}
+/** @param {Job} j */
+const busy = (j) => j.state === "queued" || j.state === "running";
+
+export const Page = () =>
+  h(
+    "div",
+    { class: "two" },
+    h(
+      "form",
+      {
+        class: "inputs",
+        "aria-label": "In time",
+        onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
+      },
+      motionInputs(),
+    ),
+    h(
+      "div",
+      { class: "results" },
+      asking(),
+      h(
+        "div",
+        { role: "alert", key: "problems" },
+        state.problems.length > 0 && refused("The event cannot be followed.", state.problems),
+      ),
+      standing("run", "Following the event"),
+      state.jobs.run?.state === "done" ? result(state.jobs.run) : !state.jobs.run && intro(),
+      pictures(),
+    ),
+  );
+const intro = () =>
+  h(
+    "div",
+    { class: "card", key: "intro" },
+    h("h2", {}, "Does it slip when it starts? Why does the second drive pulsate?"),
+    h(
+      "p",
+      {},
+      "Choose an event and follow it: the belt and the shear of the lagging are played on the ",
+      "pulleys, and the answers stand above them. It takes some seconds, the first time longer.",
+    ),
+  );
+function asking() {
+  const put = (/** @type {"event" | "points" | "step"} */ key) => (/** @type {string} */ v) => {
+    plan[key] = v;
+    redraw();
+  };
+  /** @type {[string, string][]} */
+  const finer = [
+    ["30", "quick"],
+    ["60", "usual"],
+    ["120", "fine"],
+  ];
+  const typed = (/** @type {any} */ e) => put("step")(e.currentTarget.value.trim());
+  return h(
+    "section",
+    { class: "card", "aria-label": "Event", key: "asking" },
+    h(
+      "div",
+      { class: "bar" },
+      h("label", {}, "What happens", choose(plan.event, events(), put("event"), "e-event")),
+      h("label", {}, "Accuracy", choose(plan.points, finer, put("points"), "e-points")),
+      h(
+        "label",
+        {},
+        "Time step",
+        h("input", {
+          type: "text",
+          id: "e-step",
+          size: 8,
+          value: plan.step,
+          placeholder: "chosen",
+          autocomplete: "off",
+          onChange: typed,
+        }),
+      ),
+      h(
+        "button",
+        {
+          type: "button",
+          class: "main",
+          id: "follow",
+          disabled: Boolean(state.jobs.run && busy(state.jobs.run)),
+          onClick: act(() => begin("run")),
+        },
+        "Follow the event",
+      ),
+    ),
+    assumed() &&
+      h(
+        "p",
+        { class: "help", key: "assumed" },
+        "The design has no events: the usual ones are offered, with ramps of 20 s up and 15 s ",
+        "down. Write [[motion.event]] tables in its file for others.",
+      ),
+  );
+}
+/** How a job stands while it is at work, and how it ended if not well.
+ * @param {What} what @param {string} title */
+function standing(what, title) {
+  const job = state.jobs[what];
+  if (!job || job.state === "done") return null;
+  const cancel = async () => {
+    await ask(`events/${job.id}`, undefined, { method: "DELETE" });
+    await follow();
+  };
+  if (job.state === "failed")
+    return h(
+      "div",
+      { role: "alert", key: `failed ${what}` },
+      refused("The event cannot be followed.", job.problems),
+    );
+  if (job.state === "cancelled")
+    return h("p", { class: "verdict", role: "status", key: `stopped ${what}` }, "Cancelled.");
+  const said = job.state === "queued" ? "waiting for another run" : words(job.message);
+  return h(
+    "section",
+    { class: "card job", "aria-label": title, "data-state": job.state, key: `at ${what}` },
+    h("h2", {}, title),
+    h(
+      "div",
+      { class: "inline" },
+      h("progress", { max: job.total || 1, value: job.done || 0, "aria-label": "Progress" }),
+      h("span", { role: "status" }, said),
+      h("button", { type: "button", onClick: act(cancel) }, "Cancel"),
+    ),
+  );
+}
+/** @param {Job} job */
+const result = (job) => [
+  job.of !== app.doc &&
+    h(
+      "p",
+      { class: "verdict warn", key: "old" },
+      "The design has changed since: follow the event again.",
+    ),
+  h("h2", { key: "asked" }, `${job.title}: does it hold?`),
+  h("div", { key: "run" }, verdict(job.run.verdict)),
+  h("h2", { key: "pulsates" }, "Will it pulsate?"),
+  h("div", { key: "stability" }, verdict(job.stability.verdict)),
+  job.note && h("p", { class: "help", key: "note" }, job.note),
+  h(Player, { run: job.played, key: job.id }),
+  h(
+    "div",
+    { class: "tables", key: "tables" },
+    [...job.run.tables, ...job.stability.tables].map((/** @type {Table} */ t, i) =>
+      table({ ...t, key: `e${i}` }),
+    ),
+  ),
+  list([...new Set([...job.run.remarks, ...job.stability.remarks].map(words))], "help"),
+  sources(job.run.table_sources),
+];
+/** @param {string[]} texts */
+const sources = (texts) =>
+  texts.length > 0 && h("p", { class: "help", key: "sources" }, `Source: ${texts.join("; ")}.`);
+
+function pictures() {
+  /** @type {[string, string][]} */
+  const overs = [
+    ["droop", "droop and inertia"],
+    ["coupling slip", "coupling slip and inertia"],
+  ];
+  const put = (/** @type {string} */ v) => {
+    plan.over = v;
+    redraw();
+  };
+  const draw = (/** @type {What} */ what) => ({
+    type: /** @type {const} */ ("button"),
+    disabled: Boolean(state.jobs[what] && busy(/** @type {Job} */ (state.jobs[what]))),
+    onClick: act(() => begin(what)),
+  });
+  return h(
+    "section",
+    { class: "card", "aria-label": "Small vibrations", key: "pictures" },
+    h("h2", {}, "Small vibrations"),
+    h(
+      "div",
+      { class: "bar" },
+      h("button", draw("stability"), "Draw how run-out becomes pull (Bode)"),
+      h("label", {}, "Map over", choose(plan.over, overs, put, "e-over")),
+      h("button", draw("map"), "Draw where it pulsates"),
+    ),
+    standing("stability", "Looking for vibrations"),
+    drawn("stability", "How the pulls and the creep answer to run-out, by frequency"),
+    standing("map", "Looking for vibrations over the map"),
+    drawn("map", "Where the drives pulsate by themselves"),
+  );
+}
+/** @param {What} what @param {string} alt */
+function drawn(what, alt) {
+  const job = state.jobs[what];
+  if (job?.state !== "done") return null;
+  const src = `/api/v1/events/${job.id}/pictures/${job.pictures[0]}`;
+  const old = job.of !== app.doc && h("p", { class: "help" }, "Of the design as it was before.");
+  return h(
+    "figure",
+    { key: `drawn ${what}` },
+    what === "stability" && verdict(job.stability.verdict),
+    old,
+    h("img", { src, alt: `${alt}; the tables say it in numbers`, key: job.id, class: "drawn" }),
+  );
+}

@@ -1,0 +1,248 @@
+// The player: pulleys with belt and stress in motion, a slider of time, histories with a cursor.
+import { app } from "../../base/design.js";
+import { percent, show, unit } from "../../base/units.js";
+import { choose } from "../../parts/choose.js";
+import { Plot } from "../../parts/plot.js";
+import { MovingPulley } from "../../plots/moving.js";
+import { colourScale } from "../../plots/pulley.js";
+import { Component, createRef, h } from "../../vendor/preact.js";
+import { angles, between, largest, value, wrap } from "./course.js";
+import { histories } from "./histories.js";
+
+/** @import { Chart } from "../../plots/chart.js" */
+/** @import { Between, Drum, Played } from "./course.js" */
+
+/** @typedef {"shear" | "creep"} What */
+/** @type {Record<What, [string, string]>} */
+const WHATS = { shear: ["Shear stress of the lagging", "pressure"], creep: ["Creep", "length"] };
+/** @type {[number, string][]} */
+const RATES = [
+  [0.1, "a tenth of real time"],
+  [0.25, "a quarter of real time"],
+  [1, "real time"],
+  [4, "four times as fast"],
+];
+/** Who asked for less motion sees steps of this length [s], and no belt that runs. */
+const STEP = 0.5;
+const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+/**
+ * @typedef {{playing: boolean, rate: number, what: What}} PlayerState
+ * @extends {Component<{run: Played}, PlayerState>}
+ */
+export class Player extends Component {
+  /** @type {PlayerState} */
+  state = { playing: false, rate: 1, what: "shear" };
+  now = 0;
+  last = 0;
+  request = 0;
+  slider = createRef();
+  reading = createRef();
+  scale = createRef();
+  /** @type {(HTMLElement | null)[]} */
+  boxes = [];
+  /** @type {MovingPulley[]} */
+  pulleys = [];
+  /** @type {Set<Chart>} */
+  charts = new Set();
+  /** @type {number[][]} */
+  turned = [];
+  units = app.units;
+  most = 1;
+
+  componentDidMount() {
+    const { run } = this.props;
+    this.pulleys = run.drums.map(
+      (d, i) => new MovingPulley(/** @type {HTMLElement} */ (this.boxes[i]), d.diameter / 2),
+    );
+    this.turned = run.drums.map((d) => angles(run, d));
+    this.key();
+    this.seek(0);
+    if (!calm()) this.play();
+  }
+  componentDidUpdate() {
+    this.key();
+    this.seek(this.now);
+  }
+  componentWillUnmount() {
+    cancelAnimationFrame(this.request);
+  }
+  /** @param {{run: Played}} next @param {PlayerState} state */
+  shouldComponentUpdate(next, state) {
+    const other = state !== this.state || this.units !== app.units || next.run !== this.props.run;
+    this.units = app.units;
+    return other;
+  }
+  get end() {
+    const { time } = this.props.run;
+    return time[time.length - 1];
+  }
+  key() {
+    const { what } = this.state;
+    const [title, dimension] = WHATS[what];
+    this.most = largest(this.props.run.drums.map((d) => d[what]));
+    const [u, f] = unit(dimension);
+    colourScale(this.scale.current, `${title} [${u}]`, this.most / f);
+  }
+  play = () => {
+    if (this.now >= this.end) this.now = 0;
+    this.last = performance.now();
+    this.setState({ playing: true });
+    this.request = requestAnimationFrame(this.frame);
+  };
+  pause = () => {
+    cancelAnimationFrame(this.request);
+    this.setState({ playing: false });
+  };
+  /** @param {number} at */
+  frame = (at) => {
+    const shown = document.getElementById("events");
+    const gone = Math.max(at - this.last, 0) * 1e-3 * this.state.rate;
+    if (gone >= (calm() ? STEP : 0)) {
+      this.last = at;
+      // another page, or another window: it waits
+      if (!shown?.hidden && gone < 2) this.seek(this.now + gone);
+    }
+    if (this.now >= this.end) this.pause();
+    else this.request = requestAnimationFrame(this.frame);
+  };
+  /** Show an instant. @param {number} t */
+  seek(t) {
+    const { run } = this.props;
+    this.now = Math.max(0, Math.min(t, this.end));
+    const row = between(run.time, this.now);
+    const frame = between(run.frame_time, this.now);
+    run.drums.forEach((d, i) => {
+      this.show(d, i, row, frame);
+    });
+    for (const chart of this.charts) chart.at(this.now / this.end);
+    const told = `${this.now.toFixed(2)} s`;
+    const input = this.slider.current;
+    if (input) {
+      input.value = String(this.now);
+      input.setAttribute("aria-valuetext", told);
+    }
+    const speed = show(value(run.belt_speed, row), "speed", 3);
+    const travel = show(value(run.travel, row), "length", 3);
+    if (this.reading.current)
+      this.reading.current.textContent = `${told}: belt ${speed}, travelled ${travel}`;
+  }
+  /** @param {Drum} d @param {number} i @param {Between} row @param {Between} frame */
+  show(d, i, row, frame) {
+    const [t1, t2] = [value(d.entry_tension, row), value(d.exit_tension, row)];
+    const values = wrap(d[this.state.what], frame);
+    const share = value(d.share, row);
+    const creep = show(value(d.exit_creep, row), "length", 3);
+    const pulls = `${t1 < t2 ? "brakes" : "pulls"} ${show(Math.abs(t1 - t2), "force", 3)}`;
+    const step = d.wrap_angle / (values.length - 1);
+    this.pulleys[i].draw({
+      phi: d.wrap_angle,
+      position: values.map((_, k) => k * step),
+      values,
+      most: this.most,
+      t1,
+      t2,
+      text1: `T1 ${show(t1, "force", 3)}`,
+      text2: `T2 ${show(t2, "force", 3)}`,
+      duty: "",
+      outside: [],
+      stuck: 0,
+      peak: 0,
+      told: `${d.name}: ${pulls}, creep at exit ${creep}`,
+    });
+    const caption = this.boxes[i]?.parentElement?.querySelector("figcaption span");
+    const part = Number.isNaN(share) ? "" : `, share ${percent(share, 2)}`;
+    if (caption) caption.textContent = `${pulls}${part}, creep ${creep}`;
+    if (!calm()) {
+      const { travel } = this.props.run;
+      this.pulleys[i].turn(value(travel, row), value(this.turned[i], row));
+    }
+  }
+  render() {
+    const { run } = this.props;
+    const { playing, rate, what } = this.state;
+    const drawn = histories(run);
+    const box = (/** @type {number} */ i) => (/** @type {HTMLElement | null} */ e) => {
+      this.boxes[i] = e;
+    };
+    const hold = (/** @type {Chart} */ chart) => {
+      this.charts.add(chart);
+      chart.at(this.now / this.end);
+    };
+    return h(
+      "section",
+      { class: "card player", "aria-label": `Event ${run.event}` },
+      this.controls(playing, rate, what),
+      h("output", { class: "reading-time", for: "play-time", ref: this.reading }),
+      h(
+        "div",
+        { class: "drums" },
+        run.drums.map((d, i) =>
+          h(
+            "figure",
+            { key: d.name },
+            h("figcaption", {}, h("strong", {}, d.name), " ", h("span", {})),
+            h("div", { ref: box(i) }),
+          ),
+        ),
+      ),
+      h("div", { class: "scale", ref: this.scale }),
+      h(
+        "p",
+        { class: "help" },
+        "Blue where it acts the other way: there the drum brakes the belt.",
+      ),
+      h(
+        "div",
+        { class: "plots" },
+        drawn.map(({ title, data }) =>
+          h(Plot, { title, data, hold, height: 170, xlabel: "Time [s]", key: title }),
+        ),
+      ),
+    );
+  }
+  /** @param {boolean} playing @param {number} rate @param {What} what */
+  controls(playing, rate, what) {
+    const slide = (/** @type {any} */ e) => {
+      if (playing) this.pause();
+      this.seek(+e.currentTarget.value);
+    };
+    /** @type {[string, string][]} */
+    const whats = Object.entries(WHATS).map(([k, [title]]) => [k, title]);
+    return h(
+      "div",
+      { class: "bar transport" },
+      h(
+        "button",
+        { type: "button", class: "main", id: "play", onClick: playing ? this.pause : this.play },
+        playing ? "❚❚ Pause" : "▶ Play",
+      ),
+      h(
+        "label",
+        { class: "time" },
+        "Time",
+        h("input", {
+          type: "range",
+          id: "play-time",
+          ref: this.slider,
+          min: 0,
+          max: this.end,
+          step: Math.max(+(this.end / 500).toPrecision(2), 0.001),
+          onInput: slide,
+        }),
+      ),
+      h(
+        "label",
+        {},
+        "Speed",
+        choose(rate, RATES, (v) => this.setState({ rate: +v }), "play-rate"),
+      ),
+      h(
+        "label",
+        {},
+        "Colour",
+        choose(what, whats, (v) => this.setState({ what: /** @type {What} */ (v) }), "play-what"),
+      ),
+    );
+  }
+}

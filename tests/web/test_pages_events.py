@@ -1,0 +1,141 @@
+"""The page of drives in time: a start of both shipped tandems is followed and played."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from web.browser import PHONE, Visitor, browsing
+from web.calculators import Process
+from wraparc.web.examples import examples
+
+Calculator = tuple[Browser, Process]
+TANDEMS = ("tandem-fabric", "tandem-steel-cord")
+
+
+@pytest.fixture(scope="module")
+def calculator() -> Iterator[Calculator]:
+    with browsing() as found:
+        yield found
+
+
+@pytest.fixture
+def visitor(calculator: Calculator) -> Iterator[Visitor]:
+    browser, server = calculator
+    found = Visitor(browser, server.address)
+    yield found
+    found.context.close()
+    assert found.wrong == []
+    assert found.elsewhere == []
+
+
+def short(name: str) -> str:
+    """Return a shipped tandem whose start is looked at for 3 s."""
+    text = next(e.text for e in examples() if e.name == name)
+    assert 'duration = "40 s"' in text
+    return text.replace('duration = "40 s"', 'duration = "3 s"')
+
+
+def opened(visitor: Visitor, text: str, folder: Path) -> Page:
+    """Open a drive file from the menu and go to its events."""
+    page = visitor.open("drive")
+    file = folder / "mine.toml"
+    file.write_text(text, "utf-8")
+    with page.expect_file_chooser() as asked:
+        page.click("#file > summary")
+        page.get_by_role("button", name="Open a drive or lagging file").click()
+    asked.value.set_files(file)
+    expect(page.locator("#toast")).to_contain_text("opened", ignore_case=True)
+    visitor.open("events")
+    page.select_option("#e-points", "30")
+    return page
+
+
+@pytest.mark.parametrize("name", TANDEMS)
+def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, name: str, tmp_path: Path) -> None:
+    page = opened(visitor, short(name), tmp_path)
+    page.click("#follow")
+    # the answers stand first, and it plays by itself
+    expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("does not pulsate")
+    expect(page.locator("#play")).to_contain_text("Play")  # when it has come to its end
+    reading = page.locator("#events .reading-time")
+    expect(reading).to_contain_text(re.compile(r"^3\.0\d s: belt"))
+    drum = page.locator("#events svg.pulley").first
+    told, colours = drum.get_attribute("aria-label"), _colours(page)
+    assert told is not None
+    assert re.match(r"first: pulls [\d.]+ kN, creep at exit [\d.]+ mm", told)
+    assert len(set(colours)) > 5
+    # by keyboard to its beginning: no pull, no colour, belt and drum at another place
+    marks = page.locator("#events .belt-marks").first.get_attribute("stroke-dashoffset")
+    page.focus("#play-time")
+    page.keyboard.press("Home")
+    expect(reading).to_have_text(re.compile(r"^0\.00 s: belt 0"))
+    assert drum.get_attribute("aria-label") != told
+    assert len(set(_colours(page))) == 1
+    assert page.locator("#events .belt-marks").first.get_attribute("stroke-dashoffset") != marks
+    assert page.locator("#events .plots .cursor[d]").count() == 6
+    page.focus("#play")
+    page.keyboard.press("Space")
+    expect(page.locator("#play")).to_contain_text("Pause")
+    page.keyboard.press("Space")
+    expect(page.locator("#play")).to_contain_text("Play")
+
+
+def _colours(page: Page) -> list[str]:
+    cells = page.locator("#events svg.pulley").first.locator("path[fill]")
+    found: list[str] = cells.evaluate_all("(all) => all.map((e) => e.getAttribute('fill'))")
+    return found
+
+
+def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visitor) -> None:
+    page = visitor.open("events")
+    assert "no events: the usual ones" in page.inner_text("#events")
+    page.click("#follow")
+    field = "#e-motion-drum-head-inertia"
+    expect(page.locator(f"{field}-e")).to_contain_text("motion.drum.head.inertia: missing")
+    page.fill(field, "2200")
+    page.select_option("#e-motion-drum-head-control-kind", "speed-loop")
+    page.click("#follow")
+    expect(page.locator("#e-motion-drum-head-control-reset-e")).to_contain_text("missing")
+    expect(page.locator(f"{field}-e")).to_be_empty()
+    page.select_option("#e-motion-drum-head-control-kind", "")
+    page.click("#follow")
+    mass = page.locator("#e-motion-conveyor_mass-e")
+    expect(mass).to_contain_text("a start or stop needs the mass that is moved")
+    page.click("#undo")
+    expect(page.locator("#e-motion-drum-head-control-kind")).to_have_value("speed-loop")
+    page.fill(field, "")
+    page.click("#follow")
+    expect(page.locator(f"{field}-e")).to_contain_text("missing")
+
+
+def test_a_run_is_cancelled_and_another_one_goes_slack(
+    calculator: Calculator, tmp_path: Path
+) -> None:
+    # on a phone, by somebody who wants less motion
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, PHONE, reduced_motion="reduce")
+    back = '{ kind = "load-step", at = "0.5 s", factor = -2.0, time = "0.5 s" }'
+    start = '{ kind = "start", shape = "s-curve", time = "20 s" }'
+    text = short("tandem-fabric")
+    assert start in text
+    page = opened(visitor, text.replace(start, back), tmp_path)
+    page.click("#follow")
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.locator("#events .results")).to_contain_text("Cancelled.")
+    page.click("#follow")
+    headline = page.locator("#events .verdict .headline").first
+    expect(headline).to_contain_text("The belt goes slack before first at 1.3")
+    assert float(page.get_attribute("#play-time", "max") or 0) < 1.5
+    # nothing moves before it is asked to, and then in steps
+    expect(page.locator("#events .reading-time")).to_have_text(re.compile(r"^0\.00 s"))
+    expect(page.locator("#play")).to_contain_text("Play")
+    assert page.locator("#events .belt-marks[stroke-dashoffset]").count() == 0
+    assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
+    # an answer of another design says so
+    page.fill("#e-motion-conveyor_mass", "120")
+    expect(page.locator("#events .results")).to_contain_text("The design has changed since")
+    assert visitor.wrong == []
+    visitor.context.close()
