@@ -68,19 +68,20 @@ class MovingArc:
         _refuse(arc)
         self.entry = self.exit = arc.exit_tension
         self.give = arc.compliance
-        self.shape, self.numbers = shape_of(arc), numbers_of(arc)
-        self.spacing = arc.length / self.points
+        self.shape, self.spacing = shape_of(arc), arc.length / self.points
+        self.what, *law = numbers_of(arc, self.spacing)
         room = 6 * self.points + 40
         self.rows = np.zeros((room, k.COLUMNS))
         self.turns = np.zeros(room * ROOM)
         self.counts = np.zeros(room, dtype=np.int64)
         self.span = np.zeros(3, dtype=np.int64)
-        self.at, self.out = np.zeros(5), np.zeros(k.ANSWERS)
+        self.out = np.zeros(k.ANSWERS)
+        self.tables = (self.what, *law, self.rows, self.turns, self.counts, self.span)
         fast = available()
         self._sweep: Any = compiled(k.sweep) if fast else k.sweep
         self._change: Any = compiled(k.change) if fast else k.change
         self._keep: Any = compiled(k.keep) if fast else k.keep
-        self.open, self.h = False, 1.0
+        self.open, self.begun, self.ahead, self.h = False, False, 0.0, 1.0
         self.given, self.to = (0.0, 0.0), 0.0
         self.lay_at_rest(arc.exit_tension)
 
@@ -93,10 +94,10 @@ class MovingArc:
         self.rows[:n, k.TENSION], self.rows[:n, k.DRY] = tension, 1.0
         self.rows[:n, k.SHORT] = self.give * tension * (self.travel - place)
         self.rows[:n, k.KEPT] = self.m - self.rows[:n, k.SHORT]
-        self.span[:] = 0, n - 1, 0
+        beyond = self.travel - place[1] >= self.shape.length
+        self.span[:] = int(beyond), n - 1, 0
         self.entry = self.exit = tension
         self.wrapped = self.give * tension * self.shape.length
-        self._drop(self.travel)
 
     # --- one step, in three parts: begin, sweep and change as often as needed, finish ---
 
@@ -107,57 +108,42 @@ class MovingArc:
         nip = int(self.span[1])
         if nip + 3 >= len(self.rows):
             nip = self._shift()
-        if moving:
-            if not self.span[2]:  # the piece at the nip stood there and remembers: it stays
-                jumped = abs(self.m - self.rows[nip, k.KEPT] - self.overrun(self.entry))
-                for _ in range(2 if jumped > 1e-9 else 1):  # old and fresh contact may meet there
-                    nip += 1
-                    self._fresh(nip, self.m - self.overrun(self.entry), nip - 1)
-                self.span[1] = nip
-            self._fresh(nip, 0.0, nip)
+        if moving and not self.span[2]:  # the piece at the nip stood there and remembers: it stays
+            jumped = abs(self.m - self.rows[nip, k.KEPT] - self.overrun(self.entry))
+            for _ in range(2 if jumped > 1e-9 else 1):  # old and fresh contact may meet there
+                nip += 1
+                self._fresh(nip, self.m - self.overrun(self.entry), nip - 1)
+            self.span[1] = nip
         self.span[2] = int(moving)
-        self.at[3], self.at[4] = ahead if moving else 0.0, h
-        self.h = h
+        self.ahead, self.h, self.begun = ahead if moving else 0.0, h, True
 
     def sweep(self, travel: float, m: float, exit_tension: float) -> list[float]:
         """One Newton step for the end of the step; see :mod:`wraparc.motion.arc_kernel`."""
-        at = self.at
         if self.open:
             self.change(m, exit_tension)
-        if self.span[2]:
-            self._drop(travel)
-            self.rows[self.span[1], k.TRAVEL] = travel
         self.to = travel if self.span[2] else self.travel
         self.given = m, exit_tension
-        at[0], at[1], at[2] = self.to, m, exit_tension
-        self._sweep(*self.numbers, self.rows, self.turns, self.counts, self.span, at, self.out)
-        at[4], self.open = 0.0, True
+        first = (self.ahead, self.h) if self.begun else (0.0, 0.0)
+        self._sweep(*self.tables, self.out, self.to, m, exit_tension, *first)
+        self.begun, self.open = False, True
         self.found: list[float] = self.out.tolist()
         return self.found
 
     def change(self, m: float, exit_tension: float) -> float:
         """Change tensions and creep as the sweep found, for m and T_out; the largest dT/T."""
-        at, shape = self.given, self.shape
+        at = self.given
         worst: float = self._change(
-            shape.diameter,
-            shape.width,
-            shape.shear,
-            shape.kick,
-            shape.kick_coefficient,
-            self.rows,
-            self.span,
-            m - at[0],
-            exit_tension - at[1],
+            self.what, self.rows, self.span, m - at[0], exit_tension - at[1]
         )
         self.open = False
         return worst
 
     def undo(self) -> None:
         """Go back to before the step that was begun; the next one is guessed without rates."""
-        if self.at[4] > 0.0:  # it was not swept
+        if self.begun:  # it was not swept
             return
         part = self.rows[self.span[0] : self.span[1] + 1]
-        ahead = self.at[3]
+        ahead = self.ahead
         part[:, k.TENSION] = part[:, k.T_CARRIED] + self.shape.width * part[:, k.STRESS] * ahead
         part[:, k.SHORT] = part[:, k.I_CARRIED] - part[:, k.GIVE] * part[:, k.TENSION] * ahead
         part[:, k.T_RATE : k.I_RATE_0 + 1] = 0.0
@@ -170,30 +156,22 @@ class MovingArc:
         if self.open:
             self.change(m, exit_tension)
         out, at = self.found, self.given
-        travel, dm, dx = self.to, m - at[0], exit_tension - at[1]
-        self.work += self._keep(
-            self.shape.width,
-            self.shape.length,
-            self.rows,
-            self.turns,
-            self.counts,
-            self.span,
-            0.5 * (self.travel + travel),
-            self.h,
-        )
+        dm, dx = m - at[0], exit_tension - at[1]
         self.entry = out[k.IN] + out[k.IN_M] * dm + out[k.IN_X] * dx
         self.wrapped = out[k.WRAPPED] + out[k.WRAPPED_M] * dm + out[k.WRAPPED_X] * dx
         self.lifted = out[k.LIFTED]
-        self.travel, self.m, self.exit = travel, m, exit_tension
-        nip = int(self.span[1])
         if self.span[2]:
-            row = self.rows[nip]
-            row[k.KEPT] = m - self.overrun(self.entry)
-            row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
-            if travel - self.rows[nip - 1, k.TRAVEL] >= 0.999 * self.spacing:
-                self.span[1] = nip + 1
-                self.rows[nip + 1] = row
-                self.counts[nip + 1] = self.counts[nip]
+            self.at_nip(self.give, self.rise, self.dry)
+        self.work += self._keep(
+            self.what, self.rows, self.turns, self.counts, self.span,
+            self.travel, self.to, m, self.entry, self.h,
+        )  # fmt: skip
+        self.travel, self.m, self.exit = self.to, m, exit_tension
+
+    def at_nip(self, give: float, rise: float, dry: float) -> None:
+        """Say what the belt and the lagging at the nip are like."""
+        row = self.rows[self.span[1]]
+        row[k.GIVE], row[k.RISE], row[k.DRY] = give, rise, dry
 
     # --- with the tensions at both nips held, nothing depends on time ---
 
@@ -240,8 +218,7 @@ class MovingArc:
 
     def overrun(self, tension: float) -> float:
         """x_c at an entry tension [m]."""
-        pressure = 2.0 * tension / (self.shape.width * self.shape.diameter)
-        return float(self.shape.kick + self.shape.kick_coefficient * max(pressure, 0.0) ** 1.5)
+        return k.overrun(self.what, tension)
 
     def place(self) -> Array:
         """Positions on the wrap of the pieces, from the entry nip to the exit nip [m]."""
@@ -275,15 +252,6 @@ class MovingArc:
         row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
         self.counts[j] = 0
 
-    def _drop(self, travel: float) -> None:
-        first = int(self.span[0])
-        while (
-            first + 2 < self.span[1]
-            and travel - self.rows[first + 1, k.TRAVEL] >= self.shape.length
-        ):
-            first += 1
-        self.span[0] = first
-
     def _shift(self) -> int:
         first, nip = int(self.span[0]), int(self.span[1])
         n = nip - first + 1
@@ -294,10 +262,10 @@ class MovingArc:
         return n - 1
 
 
-def numbers_of(arc: WrapArc) -> tuple[Array, Array, Array, Array]:
-    """Return law and shape of an arc in arrays; see `arc_kernel.arc_of`."""
+def numbers_of(arc: WrapArc, spacing: float) -> tuple[Array, Array, Array, Array]:
+    """Return law, shape and spacing of an arc in arrays; see `arc_kernel.arc_of`."""
     law = arc.law.compact()
-    what = np.array([law.kind, law.onset_compliance, *shape_of(arc)], dtype=float)
+    what = np.array([law.kind, law.onset_compliance, *shape_of(arc), spacing], dtype=float)
     edges, coefficients, slips = (
         np.array(v, dtype=float) for v in (law.edges, law.coefficients, law.slips)
     )

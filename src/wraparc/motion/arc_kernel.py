@@ -17,6 +17,7 @@ Plain functions on flat numbers: one source runs interpreted and compiled.
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Any, NamedTuple
 
 from wraparc.batch.elementwise import memory
@@ -88,8 +89,12 @@ def sweep(
     turns: Any,
     counts: Any,
     span: Any,
-    at: Any,
     out: Any,
+    travel: float,
+    m: float,
+    exit_tension: float,
+    ahead: float,
+    h: float,
 ) -> None:
     """One Newton step of an arc.
 
@@ -101,20 +106,26 @@ def sweep(
         The table of the pieces, their turning points and how many of them hold.
     span
         First row, row of the nip, whether the piece there is new: integers.
-    at
-        S, m, T_out; how far the surface moves in the step and how long that takes if this is its
-        first sweep, which begins with a guess, else 0.
     out
         Takes the answers.
+    travel, m, exit_tension
+        S, m [m] and T_out [N].
+    ahead, h
+        How far the surface moves in the step [m] and how long that takes [s] if this is its first
+        sweep, which begins with a guess; else 0.
     """
     law, shape = arc_of(what, edges, coefficients, slips)
     width, c = shape.width, shape.shear
-    if at[4] > 0.0:
-        guess(width, rows, span, at[2], at[3], at[4])
-    travel, m, exit_tension = at[0], at[1], at[2]
+    if h > 0.0:
+        guess(width, rows, counts, span, exit_tension, ahead, h)
+    if span[2] != 0:
+        rows[span[1], TRAVEL] = travel
+        while span[0] + 2 < span[1] and travel - rows[span[0] + 1, TRAVEL] >= shape.length:
+            span[0] += 1
+    history = memory(turns, "turns")
     per = 2.0 / (width * shape.diameter)
     first, nip = span[0], span[1]
-    h, f, b, a_d, a_u = 0.0, 0.0, 0.0, 0.0, 0.0
+    f, b, a_d, a_u = 0.0, 0.0, 0.0, 0.0
     t_d, i_d, tau_d, k_d, p_d, z_d, give_d = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     beta, gamma_0, gamma_m, gamma_x = 0.0, 0.0, 0.0, 0.0
     for j in range(first, nip + 1):
@@ -124,13 +135,13 @@ def sweep(
         u, by_t = m - rows[j, KEPT] - i, 0.0
         new = j == nip and span[2] != 0
         if new:
-            root = pressure**0.5
+            root = sqrt(pressure)
             u = shape.kick + shape.kick_coefficient * pressure * root
             by_t = 1.5 * shape.kick_coefficient * root * per
         near, tau, k = rows[j, NEW_SLIP], rows[j, NEW_STRESS], rows[j, BY_CREEP]
         near += (1.0 - c * k) * (u - near - c * tau)
         point = moved(
-            law, c, u, pressure, turns, j * ROOM, counts[j], rows[j, SIDE], rows[j, SLIP],
+            law, c, u, pressure, history, j * ROOM, counts[j], rows[j, SIDE], rows[j, SLIP],
             rows[j, STRESS], rows[j, REACH], rows[j, DRY], near,
         )  # fmt: skip
         tau, k, p = point.stress, point.by_creep, point.by_pressure * per
@@ -143,15 +154,15 @@ def sweep(
         # the cell between this piece and the one before:
         # T_d - T_u + b (tau_d + tau_u) = 0, I_d - I_u - (a T)_d - (a T)_u = 0
         if j > first:
-            h = z - z_d
-            b, a_d, a_u = 0.5 * width * h, 0.5 * h * give_d, 0.5 * h * give
+            dz = z - z_d
+            b, a_d, a_u = 0.5 * width * dz, 0.5 * dz * give_d, 0.5 * dz * give
             m12 = -b * k_d
             det = 1.0 + b * p_d + m12 * a_d
             cell = t_d - t + b * (tau_d + tau)
             short = i_d - i - a_d * t_d - a_u * t
             alpha = 0.0
             if j == first + 1:  # the exit nip is inside: T_u - near tau_u - far tau_d = T_out
-                f = (shape.length - travel + z) / h
+                f = (shape.length - travel + z) / dz
                 near, far = 2.0 * b * f * (1.0 - 0.5 * f), b * f * f
                 one = -far * (p_d - k_d * a_d) / det
                 two = far * k_d - one * m12
@@ -174,9 +185,15 @@ def sweep(
     back(shape, rows, span, exit_tension, travel, out)
 
 
-def guess(width: float, rows: Any, span: Any, least: float, ahead: float, h: float) -> None:
+def guess(
+    width: float, rows: Any, counts: Any, span: Any, least: float, ahead: float, h: float
+) -> None:
     """Guess the end of a step: what travel carries on, and what else changed, extrapolated."""
     first, nip = span[0], span[1]
+    if span[2] != 0:  # the piece at the nip is fresh
+        for column in (KEPT, SLIP, STRESS, SIDE, REACH, NEW_SLIP, NEW_STRESS, BY_CREEP):
+            rows[nip, column] = 0.0
+        counts[nip] = 0
     for j in range(first, nip + 1):
         t, i = rows[j, TENSION], rows[j, SHORT]
         if j < nip or span[2] == 0:
@@ -239,12 +256,9 @@ def back(shape: Shape, rows: Any, span: Any, exit_tension: float, travel: float,
         t_u, i_u, z_u, give_u, rise_u = t, i, z, give, rise
 
 
-def change(
-    diameter: float, width: float, shear: float, kick: float, kick_coefficient: float,
-    rows: Any, span: Any, dm: float, dx: float,
-) -> float:  # fmt: skip
+def change(what: Any, rows: Any, span: Any, dm: float, dx: float) -> float:
     """Change the rows by what the sweep found, for a change of m and T_out; the largest dT/T."""
-    worst = 0.0
+    shear, worst = what[5], 0.0
     for j in range(span[0], span[1] + 1):
         t = rows[j, TENSION]
         dt = rows[j, T_0] + rows[j, T_M] * dm + rows[j, T_X] * dx
@@ -257,45 +271,62 @@ def change(
         du = dm - di
         dtau = rows[j, BY_TENSION] * dt + rows[j, BY_CREEP] * du
         if span[2] != 0 and j == span[1]:
-            p = max(2.0 / (width * diameter) * (t + dt), 1.0)
-            du = kick + kick_coefficient * p**1.5 - rows[j, NEW_SLIP] - shear * rows[j, NEW_STRESS]
+            du = overrun(what, t + dt) - rows[j, NEW_SLIP] - shear * rows[j, NEW_STRESS]
         rows[j, NEW_STRESS] += dtau
         rows[j, NEW_SLIP] += du - shear * dtau
     return worst
 
 
+def overrun(what: Any, tension: float) -> float:
+    """x_c at an entry tension [m]."""
+    pressure: float = max(2.0 / (what[2] * what[3]) * tension, 0.0)
+    return float(what[6] + what[7] * pressure * sqrt(pressure))
+
+
 def keep(
-    width: float, length: float, rows: Any, turns: Any, counts: Any, span: Any, travel: float,
-    h: float,
+    what: Any, rows: Any, turns: Any, counts: Any, span: Any, before: float, travel: float,
+    m: float, entry: float, h: float,
 ) -> float:  # fmt: skip
     """Take the trial for good; the friction work of the step over the wrap [J].
 
-    `travel` is that at the middle of the step: what leaves on the way works half of it. `h` is how
-    long it took [s], 0 if nothing is to be extrapolated from it.
+    Parameters
+    ----------
+    before, travel
+        S at the beginning and the end of the step [m]: what leaves on the way works half of it.
+    m, entry
+        m [m] and T_in [N] at its end.
+    h
+        How long it took [s].
     """
-    first, nip = span[0], span[1]
-    before = 0.0
-    work = 0.0
+    first, nip, length = span[0], span[1], what[4]
+    history = memory(turns, "turns")
+    last, work = 0.0, 0.0
     for j in range(first, nip + 1):
-        new = span[2] != 0 and j == nip
         done = 0.5 * (rows[j, STRESS] + rows[j, NEW_STRESS]) * (rows[j, NEW_SLIP] - rows[j, SLIP])
-        if new:
+        if span[2] != 0 and j == nip:
             done = 0.0
         if j > first:
             d = rows[j, TRAVEL] - rows[j - 1, TRAVEL]
             if j == first + 1:
-                f = (length - travel + rows[j, TRAVEL]) / d
-                work += f * d * (done + 0.5 * f * (before - done))
+                f = (length - 0.5 * (before + travel) + rows[j, TRAVEL]) / d
+                work += f * d * (done + 0.5 * f * (last - done))
             else:
-                work += 0.5 * d * (before + done)
-        before = done
+                work += 0.5 * d * (last + done)
+        last = done
         rows[j, SLIP], rows[j, STRESS] = rows[j, NEW_SLIP], rows[j, NEW_STRESS]
         rows[j, SIDE] = rows[j, NEW_SIDE]
         rows[j, REACH] = max(rows[j, REACH], abs(rows[j, SLIP]))
         if counts[j] != 0 or rows[j, NEW_TURNS] != 0.0:
-            counts[j] = shortened(turns, j * ROOM, int(rows[j, NEW_TURNS]))
-        if h > 0.0:
-            rows[j, T_RATE_0], rows[j, I_RATE_0] = rows[j, T_RATE], rows[j, I_RATE]
-            rows[j, T_RATE] = (rows[j, TENSION] - rows[j, T_CARRIED]) / h
-            rows[j, I_RATE] = (rows[j, SHORT] - rows[j, I_CARRIED]) / h
-    return work * width
+            counts[j] = shortened(history, j * ROOM, int(rows[j, NEW_TURNS]))
+        rows[j, T_RATE_0], rows[j, I_RATE_0] = rows[j, T_RATE], rows[j, I_RATE]
+        rows[j, T_RATE] = (rows[j, TENSION] - rows[j, T_CARRIED]) / h
+        rows[j, I_RATE] = (rows[j, SHORT] - rows[j, I_CARRIED]) / h
+    if span[2] != 0:
+        rows[nip, KEPT] = m - overrun(what, entry)
+        # laid for good once the surface has moved on by a spacing: the next one begins like it
+        if travel - rows[nip - 1, TRAVEL] >= 0.999 * what[8]:
+            for column in range(COLUMNS):
+                rows[nip + 1, column] = rows[nip, column]
+            counts[nip + 1] = counts[nip]
+            span[1] = nip + 1
+    return float(work * what[2])

@@ -36,9 +36,9 @@ class DrumState:
     omega, moment, torque, level, angle
         Speed [rad/s], moment of the belt, torque of motor and brake [N m], set speed [-], turn
         [rad].
-    turned_back, locked, braked, extra
-        How far it has turned back [m], whether it stands held, whether its brake is on, torque
-        ripple [N m].
+    turned_back, locked, held, braked, extra
+        How far it has turned back [m]; whether it stands held, whether the motor gives the speed
+        whatever the torque, whether its brake is on; torque ripple [N m].
     """
 
     arc: MovingArc
@@ -63,6 +63,7 @@ class DrumState:
     angle: float = 0.0
     turned_back: float = 0.0
     locked: bool = False
+    held: bool = False
     braked: bool = False
     extra: float = 0.0
     t1: float = 0.0
@@ -72,11 +73,16 @@ class DrumState:
     rate: float = 0.0  # d omega/dt [rad/s2], and in the step before
     rate_0: float = 0.0
 
-    @property
-    def held(self) -> bool:
-        """Whether the motor gives the speed, whatever the torque."""
+    def command(self, h: float, t1: float, level: float, on: bool, braked: bool) -> None:
+        """Begin a step of h [s] that ends at t1 at a level of the set speed."""
         given = self.measured is not None and self.measured.what == "torque"
-        return self.turning.holds and self.turning.on > 0.0 and not given
+        if self.measured is not None and not given:
+            level = self.measured.value(t1) / self.duty.speed
+        self.level, self.t1, self.extra = level, t1, 0.0
+        self.braked = braked and self.brake > 0.0
+        self.turning.on = 1.0 if on else 0.0
+        self.held = self.turning.holds and on and not given
+        self.turning.begin(h, level)
 
     def guessed(self, h: float) -> float:
         """Speed at the end of a step of h [s], as far as it is known before [rad/s]."""

@@ -129,7 +129,7 @@ def _arcs(march: StationState, trial: Trial, first: bool) -> None:
     trial.flow_in, trial.flow_out = [], []
     n, half, r, jac = march.n, 0.5 * trial.h, trial.residual, trial.slopes
     for i, d in enumerate(march.drums):
-        arc, rise_of_run = d.arc, march.run_rise(i)
+        arc, rise_of_run = d.arc, march.run_rises[i]
         m1, w1, exit1 = trial.m[i], trial.omega[i], trial.tensions[i + 1]
         entry0, entry1 = march.T[i] + rise_of_run, trial.tensions[i] + rise_of_run
         turn = half * (d.omega + w1)
@@ -140,8 +140,7 @@ def _arcs(march: StationState, trial: Trial, first: bool) -> None:
         if first:
             arc.begin(travel, trial.h)
         if arc.span[2] and (d.riders or d.on_drum):
-            nip = arc.rows[arc.span[1]]
-            nip[k.GIVE], nip[k.RISE], nip[k.DRY] = give, rise, dry
+            arc.at_nip(give, rise, dry)
         trial.travels.append(travel)
         trial.angles.append(d.angle + turn)
         trial.surfaces.append((rise, give, dry))
@@ -172,7 +171,7 @@ def _runs(march: StationState, trial: Trial, softer: list[float]) -> None:
         c1 = length * march.stretch + march.softer_run(i, trial.travels)
         q, by_m, by_t, by_w = trial.flow_in[i + 1]
         p, p_m, p_t, p_x, p_w = trial.flow_out[i]
-        rise = 0.5 * march.run_rise(i + 1)
+        rise = 0.5 * march.run_rises[i + 1]
         r[row] = (trial.tensions[i + 1] + rise) * c1 - (march.T[i + 1] + rise) * c0 - q + p
         jac[row, n + i], jac[row, n + i + 1] = p_t, c1 - by_t + p_x
         jac[row, i], jac[row, i + 1] = p_m, -by_m
@@ -218,7 +217,7 @@ def _turn(march: StationState, trial: Trial) -> None:
     leads: dict[int, tuple[float, float]] = {}
     for i in march.order:
         d, row = march.drums[i], 2 * n + 1 + i
-        w1, entry = trial.omega[i], trial.tensions[i] + march.run_rise(i)
+        w1, entry = trial.omega[i], trial.tensions[i] + march.run_rises[i]
         moment, by_in, by_out = d.moment_of(entry, trial.tensions[i + 1], *d.rises())
         if d.on_drum:
             d.extra = d.ripple(trial.angles[i])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import ClassVar, Literal
 
 from wraparc.drive import Limit
@@ -274,17 +275,29 @@ class Event:
         """Return what happens of a kind (with its own kinds)."""
         return [h for h in self.happenings if isinstance(h, kind)]
 
+    @cached_property
+    def moves(self) -> tuple[Start, ...]:
+        """Starts and stops in time."""
+        moves = (h for h in self.happenings if isinstance(h, Start))
+        return tuple(sorted(moves, key=lambda h: h.at))
+
     @property
     def from_rest(self) -> bool:
         """Whether the station stands when it begins."""
-        moves = [h for h in self.happenings if isinstance(h, Start)]
-        return bool(moves) and type(min(moves, key=lambda h: h.at)) is Start
+        return bool(self.moves) and type(self.moves[0]) is Start
 
     def level(self, t: float) -> float:
         """Set speed over that of the steady state [-]."""
-        moves = sorted((h for h in self.happenings if isinstance(h, Start)), key=lambda h: h.at)
         level = 0.0 if self.from_rest else 1.0
-        for move in moves:
+        for move in self.moves:
             if t >= move.at:
                 level = move.level(t)
         return level
+
+    def fill(self, t: float) -> float:
+        """How full the fluid couplings are [-]."""
+        filled = 1.0
+        for move in self.moves:
+            if t >= move.at and move.shape == "coupling-fill" and type(move) is Start:
+                filled = max(move.level(t), 1e-6)
+        return filled

@@ -268,7 +268,7 @@ class _Keeper:
         for i, d in enumerate(m.drums):
             slip, stress, shear = _exit_of(d)
             creep = slip + d.arc.shape.shear * stress
-            entry = m.T[i] + m.run_rise(i)
+            entry = m.T[i] + m.run_rises[i]
             row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
         return row
 

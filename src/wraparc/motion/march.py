@@ -10,7 +10,7 @@ import math
 from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
 from wraparc.motion.equations import Trial, solved
-from wraparc.motion.event import Event, OnBelt, Start
+from wraparc.motion.event import Event, OnBelt
 from wraparc.motion.station import Station
 from wraparc.motion.station_state import HaltError, StationState
 
@@ -125,25 +125,14 @@ class March(StationState):
         level = self.event.level(t1)
         failed = any(t1 >= f.at for f in self.failures)
         braking = any(f.brakes and t1 >= f.at for f in self.failures)
-        fill = self._fill(t1)
         for d in self.drums:
             own = level
             if d.trimming is not None:
                 total = math.fsum(o.moment for o in self.drums)
                 share = d.moment / total if abs(total) > 1e-9 else d.trimming.goal
                 own = level * (1.0 + d.trimming.next(h, share))
-            if d.measured is not None and d.measured.what == "speed":
-                own = d.measured.value(t1) / d.duty.speed
-            d.level, d.t1, d.extra = own, t1, 0.0
-            d.braked = braking and d.brake > 0.0
-            d.turning.on, d.turning.fill = 0.0 if failed else 1.0, fill
-            d.turning.begin(h, own)
-
-    def _fill(self, t1: float) -> float:
-        """How full the fluid couplings are."""
-        starts = [s for s in self.event.of(Start) if isinstance(s, Start)]
-        filling = [s for s in starts if s.shape == "coupling-fill" and t1 >= s.at]
-        return max(filling[-1].level(t1), 1e-6) if filling else 1.0
+            d.turning.fill = self.event.fill(t1)
+            d.command(h, t1, own, not failed, braking)
 
     def _released(self, d: DrumState) -> bool:
         """Whether a drum that stands is turned by its motor."""
@@ -159,7 +148,7 @@ class March(StationState):
         h, after, torques = trial.h, trial.tensions, [0.0] * self.n
         for i in self.order:
             d, w1 = self.drums[i], trial.omega[i]
-            entry = after[i] + self.run_rise(i)
+            entry = after[i] + self.run_rises[i]
             moment = d.moment_of(entry, after[i + 1], *d.rises())[0]
             lead = torques[d.master] if d.master >= 0 else 0.0
             if d.locked:

@@ -7,7 +7,7 @@ import math
 from wraparc.arc import Distributed
 from wraparc.errors import InputError, Problem
 from wraparc.motion.drum_state import SOFT, drum_of
-from wraparc.motion.event import Event, LoadStep, PowerFailure
+from wraparc.motion.event import Event, LoadStep, OnBelt, PowerFailure
 from wraparc.motion.station import Station
 from wraparc.train import CaseResult
 from wraparc.train.solve import solve_case
@@ -52,6 +52,10 @@ class StationState:
         self.steady = steady_of(station)
         self.stretch = 1.0 / train.belt.axial_stiffness
         self.runs = [case.run(i) for i in range(len(train.pulleys) - 1)]
+        self.run_rises = [0.0, *self.runs]  # of tension over the run before every drum [N]
+        self.splices = [
+            h for h in event.of(OnBelt) if isinstance(h, OnBelt) and h.compliance != 1.0
+        ]
         self.n = len(train.pulleys)
         self.drums = [drum_of(station, event, self.steady, i, points) for i in range(self.n)]
         # masters before those that follow them
@@ -96,6 +100,8 @@ class StationState:
 
     def softer_run(self, i: int, travels: list[float]) -> float:
         """What a splice in the run behind drum i adds to its compliance [m/N]."""
+        if not self.splices:
+            return 0.0
         more = 0.0
         d, e = self.drums[i], self.drums[i + 1]
         for (rider, front), (_, next_front) in zip(d.riders, e.riders, strict=True):
@@ -104,10 +110,6 @@ class StationState:
                 come = min(max(travels[i + 1] - next_front, 0.0), rider.length)
                 more += (left - come) * (rider.compliance - 1.0) * self.stretch
         return more
-
-    def run_rise(self, i: int) -> float:
-        """Rise of tension over the run before drum i [N]."""
-        return self.runs[i - 1] if 0 < i <= len(self.runs) else 0.0
 
     def goes_slack(self, tensions: list[float]) -> HaltError:
         """The end of a run whose belt goes slack."""
@@ -123,7 +125,7 @@ class StationState:
             total += d.arc.lifted / d.radius - d.arc.wrapped
             if i + 1 < self.n:
                 c = self.drums[i + 1].run * self.stretch + self.softer_run(i, travels)
-                total -= (self.T[i + 1] + 0.5 * self.run_rise(i + 1)) * c
+                total -= (self.T[i + 1] + 0.5 * self.run_rises[i + 1]) * c
         if self.station.conveyor_mass is not None:
             total -= self.T[0] * self.station.carry_run * self.stretch
             total -= self.T[self.n] * self.station.return_run * self.stretch
