@@ -22,13 +22,14 @@ FLAGS = [
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--hide-scrollbars", "--force-color-profile=srgb",
 ]  # fmt: skip
-PAGES = ("drive", "compare", "tests", "train", "events", "study", "saved")
+PAGES = ("drive", "compare", "across", "tests", "train", "events", "study", "saved")
 PHONE: ViewportSize = {"width": 390, "height": 844}
 DESKTOP: ViewportSize = {"width": 1360, "height": 900}
 #: What a page shows once everything it asked for has arrived.
 READY = {
     "drive": "#drive .t-capacity",
     "compare": "#compare tbody tr",
+    "across": "#across .verdict",
     "tests": "#tests .drop",
     "train": "#train .verdict",
     "events": "#events form",

@@ -21,7 +21,7 @@ from web.calculators import Process, wait_for
 Calculator = tuple[Browser, Process]
 #: How much of each page is shown in the documentation.
 HEIGHTS = {
-    "drive": 1120, "compare": 560, "tests": 1560, "train": 1050, "events": 1560, "study": 1180,
+    "drive": 1120, "compare": 560, "across": 1240, "tests": 1560, "train": 1050, "events": 1560, "study": 1180,
     "saved": 440,
 }  # fmt: skip
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
@@ -49,7 +49,12 @@ def _at(calculator: Calculator) -> tuple[Browser, str]:
 def used(visitor: Visitor, name: str) -> Page:
     """Open a page and use it, so that all of its parts show."""
     tandem = "Tandem head drive, fabric belt"
-    examples = {"train": tandem, "events": tandem, "study": "Head drive, ROM conveyor"}
+    examples = {
+        "train": tandem,
+        "events": tandem,
+        "study": "Head drive, ROM conveyor",
+        "across": "Worn head drive, ROM conveyor",
+    }
     if name in examples:
         visitor.open("drive")
         visitor.example(examples[name])
@@ -61,6 +66,8 @@ def used(visitor: Visitor, name: str) -> Page:
         page.wait_for_selector("#tests tbody tr")
         page.get_by_role("button", name="Fit the lagging").click()
         page.get_by_role("button", name="Use it in the drive at once").wait_for()
+    elif name == "across":
+        page.wait_for_selector("#across .t-shares")
     elif name == "train":
         page.wait_for_selector("#train .tables table:visible")
     elif name == "events":

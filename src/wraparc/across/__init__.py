@@ -2,14 +2,15 @@
 
 from wraparc.across.build import Stiffness, in_plane_stiffness, wide_arc
 from wraparc.across.compiled import prepare
-from wraparc.across.measured import READINGS, MeasuredProfile, read_profile, within
+from wraparc.across.measured import READINGS, MeasuredProfile, profile_of, read_profile, within
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.screening import DefectShare, Screening, screen
 from wraparc.across.solve import across_of, slack_words, solve_across, uneven_pulleys
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.spans import TransitionSpan
-from wraparc.across.wear import WearHistory, march_wear
+from wraparc.across.thickness import Cushion, cushion
+from wraparc.across.wear import WearHistory, march_wear, measured_coefficient
 from wraparc.across.wide_arc import WideArc
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "AcrossResult",
     "AcrossSolver",
     "AcrossStatus",
+    "Cushion",
     "DefectShare",
     "Fields",
     "MeasuredProfile",
@@ -29,10 +31,13 @@ __all__ = [
     "WearHistory",
     "WideArc",
     "across_of",
+    "cushion",
     "in_plane_stiffness",
     "march_wear",
+    "measured_coefficient",
     "mode_response",
     "prepare",
+    "profile_of",
     "read_profile",
     "screen",
     "slack_words",

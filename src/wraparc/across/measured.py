@@ -107,7 +107,21 @@ def read_profile(
         With what cannot be told, and what to give to tell it.
     """
     file = os.fspath(path)
-    tables = find_tables(read_bytes(file, _EXPORT), file).tables
+    data = read_bytes(file, _EXPORT)
+    return profile_of(data, file, new=new, unit=unit, columns=columns, centred=centred)
+
+
+def profile_of(
+    data: bytes,
+    file: str,
+    *,
+    new: float | None = None,
+    unit: str = "",
+    columns: tuple[str | int, str | int] | None = None,
+    centred: bool | None = None,
+) -> MeasuredProfile:
+    """Return the profile that a file of a name holds; everything else as `read_profile`."""
+    tables = find_tables(data, file).tables
     if not tables:
         raise InputError(Problem(file=file, message="holds no table of numbers", remedy=_EXPORT))
     table = max(tables, key=lambda t: t.rows)

@@ -228,6 +228,11 @@ class AcrossResult(Viewable):
         return mode_response(self.wide, 4, even=self.even).levelling_depth
 
     @property
+    def wear_grows(self) -> bool:
+        """Whether wear makes some unevenness of the lagging larger, as on a pulley that brakes."""
+        return bool(np.any(self.levelling_depth < 0.0))
+
+    @property
     def outside_tested_share(self) -> float:
         """Share of the wrapped area outside the tested range [-]; nan without one."""
         tested = self.wide.arc.law.tested

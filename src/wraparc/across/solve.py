@@ -11,7 +11,7 @@ from wraparc.across.solver import AcrossSolver
 from wraparc.arc import DriveResult, WrapArc
 from wraparc.drive import Across, Drive, LoadCase, Pulley
 from wraparc.errors import BreakawayError, ConvergenceError, SlackBeltError
-from wraparc.units import display
+from wraparc.units import System, display
 
 
 def solve_across(
@@ -111,13 +111,13 @@ def uneven_pulleys(drive: Drive) -> tuple[Pulley, ...]:
     return tuple(p for p in drive.pulleys if p.across is not None) or drive.pulleys
 
 
-def slack_words(result: AcrossResult) -> str:
+def slack_words(result: AcrossResult, system: System = "si") -> str:
     """Say which strip goes slack and by how much; empty if none does."""
     slack = result.slack
     if slack is None:
         return ""
-    place = display(slack.position, "length", digits=3)
-    lacking = display(-slack.tension, "force_per_width", digits=3)
+    place = display(slack.position, "length", system, 3)
+    lacking = display(-slack.tension, "force_per_width", system, 3)
     text = f"The strip at {place} from the middle of the belt goes slack: it lacks {lacking}"
     if slack.share < 1.0:
         return f"{text}, and is slack from {100.0 * slack.share:.0f} % of the given unevenness on."

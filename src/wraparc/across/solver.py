@@ -47,7 +47,8 @@ class AcrossSolver:
         start
             Result of one like it, to begin from; None to begin from the even belt.
         """
-        even = Distributed(capacities=False).solve(wide.arc)
+        even = start.even if start is not None and start.wide.arc is wide.arc else None
+        even = even or Distributed(capacities=False).solve(wide.arc)
         mesh = mesh_of(wide, even, self.steps)
         system = System(wide, mesh, self.marches)
         begin = started(wide, even, mesh)

@@ -11,6 +11,8 @@ from wraparc.across.modes import mode_response
 from wraparc.across.result import AcrossResult
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.wide_arc import Array, WideArc
+from wraparc.errors import InputError, Problem
+from wraparc.units import display
 
 #: steps of wear over a levelling depth, second order; 10 leave 0.2 % of what is levelled over one
 _PER_DEPTH = 10
@@ -58,6 +60,12 @@ class WearHistory:
         return bool(self.unevenness[-1] < self.unevenness[0])
 
     @property
+    def levelled(self) -> float:
+        """Unevenness at the end over that at the beginning [-]; nan for an even beginning."""
+        first = float(self.unevenness[0])
+        return float(self.unevenness[-1]) / first if first > 0.0 else math.nan
+
+    @property
     def hours(self) -> Array:
         """Running time [h], shape (k,); nan without a wear coefficient or a belt speed."""
         speed = self.wide.arc.belt_speed
@@ -77,28 +85,36 @@ class WearHistory:
 
 def march_wear(
     wide: WideArc,
-    depth: float,
+    depth: float | None = None,
     *,
-    coefficient: Array | None = None,
+    passes: float | None = None,
+    coefficient: Array | float | None = None,
     least_thickness: float = 0.0,
+    per_depth: int = _PER_DEPTH,
     solver: AcrossSolver | None = None,
 ) -> WearHistory:
-    """Wear a lagging down to a mean depth, each strip in proportion to its frictional energy.
+    """Wear a lagging to a mean depth or a number of passes, each strip by its frictional energy.
 
-    d h/d w = -k e / mean(k e), with the wear coefficient k by strip; midpoint rule in steps of a
-    tenth of the levelling depth.
+    d h/d w = -k e / mean(k e), with the wear coefficient k by strip, to a depth w, or
+    d h/d n = -k e to a number of passes n; midpoint rule in steps of a tenth of the levelling
+    depth.
 
     Parameters
     ----------
     wide
         The arc to begin with.
     depth
-        Depth to wear off, mean over the width, > 0 [m].
+        Depth to wear off, mean over the width, > 0 [m]; one of this and `passes`.
+    passes
+        Passes of the belt, one a turn of the pulley, > 0 [-].
     coefficient
-        Worn volume per energy by strip, shape (n,) [m3/J], where it is not everywhere that of the
-        lagging: grit in a zone. Frictional energy alone tells nothing of it.
+        Worn volume per energy [m3/J] where it is not that of the lagging; by strip, shape (n,),
+        where it is not everywhere the same: grit in a zone. Frictional energy alone tells nothing
+        of it.
     least_thickness
         Thickness of the thinnest strip at which to stop [m].
+    per_depth
+        Steps over a levelling depth; 10 leave 0.2 % of what is levelled over one, 5 leave 0.7 %.
     solver
         How each state is solved.
 
@@ -106,43 +122,94 @@ def march_wear(
     -------
     WearHistory
         Ends early, saying why, where a strip wears through or the belt is no longer carried.
+
+    Raises
+    ------
+    InputError
+        If neither depth nor passes are given or both, or one is not positive, or passes are counted
+        without a wear coefficient.
     """
     solver = solver or AcrossSolver()
-    level = np.min(np.abs(mode_response(wide, 4).levelling_depth))
-    steps = int(min(max(math.ceil(depth / (level / _PER_DEPTH)), 2), _MOST_STEPS))
-    step = depth / steps
-    relative = np.ones(wide.strips) if coefficient is None else coefficient / np.mean(coefficient)
+    k = wide.arc.wear_coefficient if coefficient is None else coefficient
+    rates = _rates(wide, depth, passes, k)
     at = solver.solve(wide)
+    to = _extent(depth, passes, rates, at)
+    level = np.min(np.abs(mode_response(wide, 4, even=at.even).levelling_depth))
+    steps = int(min(max(math.ceil(to.depth * per_depth / level), 2), _MOST_STEPS))
     worn, results, ended = [0.0], [at], "" if at.status.solved else str(at.status)
     for _ in range(steps):
         if ended:
             break
-        half = _thinner(at, 0.5 * step, relative, at)
+        half = _thinner(at, 0.5 / steps, to, at)
         middle = solver.solve(half, start=at) if half is not None else None
-        new = _thinner(at, step, relative, middle) if middle is not None else None
+        new = _thinner(at, 1.0 / steps, to, middle) if middle is not None else None
         if new is None or float(np.min(new.thickness)) < least_thickness:
             ended = "The thinnest strip is down to the least thickness."
             break
         if middle is None or not middle.status.solved:
             ended = "" if middle is None else str(middle.status)
             break
+        worn.append(worn[-1] + float(np.mean(at.wide.thickness - new.thickness)))
         at = solver.solve(new, start=middle)
         if not at.status.solved:
             ended = str(at.status)
+            worn.pop()
             break
-        worn.append(worn[-1] + step)
         results.append(at)
-    return _history(wide, worn, results, coefficient, ended)
+    return _history(wide, worn, results, k, ended)
+
+
+@dataclass(frozen=True)
+class _Extent:
+    """How far to wear: to a mean depth [m], or over a number of passes if there is one."""
+
+    rates: Array
+    depth: float
+    passes: float | None
+
+    def off(self, share: float, energy: Array) -> Array:
+        """Depth worn off by strip over a share of the whole at an energy by strip [m]."""
+        if self.passes is not None:
+            return np.asarray(share * self.passes * self.rates * energy)
+        return np.asarray(share * self.depth * self.rates * energy / np.mean(self.rates * energy))
+
+
+def _rates(
+    wide: WideArc, depth: float | None, passes: float | None, k: Array | float | None
+) -> Array:
+    """Return the wear coefficient by strip, 1 where only its shape matters."""
+    problems = []
+    if (depth is None) == (passes is None):
+        message = "wear goes to a mean depth or over a number of passes"
+        problems.append(Problem(key="depth", message=message, remedy="Give one of the two."))
+    if depth is not None and not 0.0 < depth < math.inf:
+        value = display(depth, "length")
+        problems.append(Problem(key="depth", value=value, message="must be more than 0"))
+    if passes is not None and not 0.0 < passes < math.inf:
+        problems.append(Problem(key="passes", value=f"{passes:g}", message="must be more than 0"))
+    if passes is not None and k is None:
+        message = "wear over a number of passes needs a wear coefficient, and the lagging has none"
+        remedy = "Give the coefficient, or wear to a mean depth."
+        problems.append(Problem(key="passes", message=message, remedy=remedy))
+    if problems:
+        raise InputError(problems)
+    return np.ones(wide.strips) * (1.0 if k is None else k)
+
+
+def _extent(depth: float | None, passes: float | None, rates: Array, at: AcrossResult) -> _Extent:
+    if depth is not None:
+        return _Extent(rates, depth, None)
+    count = passes or 0.0
+    return _Extent(rates, count * float(np.mean(rates * at.frictional_energy)), count)
 
 
 def _thinner(
-    at: AcrossResult, depth: float, relative: Array, by: AcrossResult | None
+    at: AcrossResult, share: float, to: _Extent, by: AcrossResult | None
 ) -> WideArc | None:
-    """The arc with a mean depth more worn off; None where a strip would be worn through."""
+    """The arc with a share more worn off; None where a strip would be worn through."""
     if by is None:
         return None
-    rate = relative * by.frictional_energy
-    off = depth * rate / np.mean(rate)
+    off = to.off(share, by.frictional_energy)
     return at.wide.worn(off) if np.all(at.wide.thickness - off > 0.0) else None
 
 
@@ -150,12 +217,11 @@ def _history(
     wide: WideArc,
     worn: list[float],
     results: list[AcrossResult],
-    coefficient: Array | None,
+    k: Array | float | None,
     ended: str,
 ) -> WearHistory:
     depth = np.array(worn)
     energy = np.array([r.frictional_energy for r in results])
-    k: Array | float | None = wide.arc.wear_coefficient if coefficient is None else coefficient
     passes = np.full(len(worn), math.nan)
     if k is not None:
         per_pass = np.mean(k * energy, axis=1)
@@ -170,3 +236,40 @@ def _history(
         passes=passes,
         ended=ended,
     )
+
+
+def measured_coefficient(result: AcrossResult, depth: float, hours: float) -> float:
+    """Wear coefficient that has worn a lagging by a mean depth in a running time [m3/J].
+
+    k = depth / (passes mean(e)), with the energy as it is now.
+
+    Parameters
+    ----------
+    result
+        The pulley as it is now; its drive knows the speed of the belt.
+    depth
+        Depth worn off since the lagging was new, mean over the width, > 0 [m].
+    hours
+        Running time since then, > 0 [h].
+
+    Raises
+    ------
+    InputError
+        If one is not positive, or the speed of the belt is not known.
+    """
+    arc = result.wide.arc
+    problems = []
+    if not 0.0 < depth < math.inf:
+        message = "nothing is worn off yet, so that hours do not tell how fast it wears"
+        remedy = "Give the worn depth, or leave the hours out."
+        problems.append(Problem(key="hours", message=message, remedy=remedy))
+    if not 0.0 < hours < math.inf:
+        message = "must be more than 0 to tell how fast it wears"
+        problems.append(Problem(key="hours", value=f"{hours:g} h", message=message))
+    if not arc.belt_speed:
+        message = "the speed of the belt is not given, so that hours are no passes"
+        problems.append(Problem(key="belt.speed", message=message, remedy="Give the belt speed."))
+    if problems or not arc.belt_speed:
+        raise InputError(problems)
+    passes = 3600.0 * hours * arc.belt_speed / (math.pi * arc.diameter)
+    return depth / (passes * float(np.mean(result.frictional_energy)))

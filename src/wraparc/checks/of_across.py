@@ -12,6 +12,7 @@ from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.of_drive import escaped, judged, not_checked, origin, tests_of
 from wraparc.checks.rules import ACROSS_RULES, tension_factor
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
+from wraparc.units import display
 
 #: Tension at an edge that a belt may bear over its rating [-].
 EDGE_FACTOR = 1.15
@@ -28,6 +29,8 @@ _TRANSITION_SOURCE = (
 )
 #: Largest crown, on diameter per width: 1/8 in per foot.
 LARGEST_CROWN = 1.0 / 96.0
+#: Least extent of a profile over the belt width [-]: an inch read as a millimetre leaves a 25th.
+LEAST_EXTENT = 0.1
 #: Largest miss of the balance of energy that a solution is trusted with [-].
 BALANCE = 1e-3
 
@@ -38,6 +41,7 @@ def across(drive: Drive, case: LoadCase, result: AcrossResult) -> Iterator[Check
     place = Place(pulley.name, case.name)
     yield _carried(result, place)
     yield from _static(drive, case, pulley, result, place)
+    yield from _extent(drive.belt, pulley)
     if result.status is not AcrossStatus.SOLVED:
         return
     yield _edge(drive.belt, case, "edge_tension", "Edge tension, running",
@@ -217,12 +221,33 @@ def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
     )
 
 
+def _extent(belt: Belt, pulley: Pulley) -> Iterator[Check]:
+    """Ask about a profile too narrow to be one of the whole face: inches read as millimetres."""
+    least = LEAST_EXTENT * belt.width
+    for name, profile in (pulley.across.profiles() if pulley.across else {}).items():
+        if not profile.position or profile.position[-1] - profile.position[0] >= least:
+            continue
+        yield judged(
+            ACROSS_RULES["profile_extent"],
+            f"Extent of the profile {name}",
+            profile.position[-1] - profile.position[0],
+            least,
+            "length",
+            source="a tenth of the width: a profile of the face reaches further",
+            short="profile too narrow",
+            says=f"The rows of {name} reach over {{value}} of a belt "
+            f"{display(belt.width, 'length')} wide: were inches read as millimetres?",
+            remedy="Give every position its unit, and rows over the whole face.",
+            place=Place(pulley.name),
+            binding=False,
+        )
+
+
 def _wear(result: AcrossResult, place: Place) -> Check:
     """Say whether uneven wear heals or grows."""
     depth = result.levelling_depth
-    growing = depth[depth < 0.0]
-    grows = growing.size > 0
-    level = float(np.min(np.abs(growing))) if grows else float(np.max(depth))
+    grows = result.wear_grows
+    level = float(np.min(np.abs(depth[depth < 0.0]))) if grows else float(np.max(depth))
     return Check(
         name="uneven_wear",
         title="Uneven wear of the lagging levels itself",

@@ -89,9 +89,12 @@ ACROSS_RULES = {
         Rule("uneven_fatigue_stress", "the fatigue limit of the lagging, across the width"),
         Rule("uneven_creep", "the creep limit, across the width"),
         Rule("crown", "the crown of the pulley"),
+        Rule("profile_extent", "the extent of a profile", at_most=False),
         Rule("across_balance", "the energy balance across the width", Level.FAULT),
     )
 }
+#: Names of all checks across the width, those without a limit too.
+ACROSS_CHECKS = frozenset({*ACROSS_RULES, "slack_edge", "uneven_wear"})
 #: Where gross slip cannot be avoided, whatever its safety factor.
 NO_GRIP = Level.FAILS
 

@@ -133,13 +133,13 @@ class Profile(Kind):
         return self.kind.schema()
 
 
-_PULLEY = Table(
+PULLEY_END = Table(
     "pulley",
     need("distance", "Length of the span from tangent to tangent."),
     of=GrippingPulley,
     on_one_line=True,
 )
-_TRANSITION = Table(
+TRANSITION = Table(
     "transition",
     need("length", "From the last full trough to the pulley.", example='length = "2.9 m"'),
     need("trough_angle", "Of the wing rolls.", example='trough_angle = "35 deg"'),
@@ -149,8 +149,8 @@ _TRANSITION = Table(
     of=Transition,
     on_one_line=True,
 )  # fmt: skip
-BEFORE = Variant("kind", "What the span before the pulley comes from.", _PULLEY, _TRANSITION)
-AFTER = Variant("kind", "Where the span after the pulley goes to.", _PULLEY)
+BEFORE = Variant("kind", "What the span before the pulley comes from.", PULLEY_END, TRANSITION)
+AFTER = Variant("kind", "Where the span after the pulley goes to.", PULLEY_END)
 
 ACROSS = Table(
     "Across the width",

@@ -71,7 +71,7 @@ def plot_across(
         arc = result.wide.arc
         title = f"Across the width: pulley {arc.pulley}, load case {arc.load_case}"
         figure.text(0.02, 0.945, title, fontsize=13, weight="bold")
-        words = slack_words(result)
+        words = slack_words(result, system)
         if result.status is AcrossStatus.SOLVED:
             words = (
                 f"Entry tension at most {result.entry_unevenness:.3g} of its mean, wear "

@@ -59,7 +59,7 @@ def answer_table(result: AcrossResult, system: System) -> Table:
     arc = result.wide.arc
     title = f"Across the width: pulley {arc.pulley}, load case {arc.load_case}"
     if result.status is not AcrossStatus.SOLVED:
-        words = slack_words(result) or str(result.status)
+        words = slack_words(result, system) or str(result.status)
         return Table(title, (Row("Not solved", (NONE,), note=words, level=Level.FAILS),))
     strips, y = result.fields.tension, result.position
     t1 = result.entry_tension
@@ -105,7 +105,7 @@ def _depths(result: AcrossResult, system: System) -> str:
 
 
 def _wear_words(result: AcrossResult) -> str:
-    if bool(np.all(result.levelling_depth > 0.0)):
+    if not result.wear_grows:
         return "uneven wear heals: each of this mean wear leaves 37 % of it"
     return "negative: uneven wear grows, as on a pulley that brakes"
 

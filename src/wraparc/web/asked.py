@@ -137,6 +137,36 @@ class TrainRequest(Request):
     map: bool = False
 
 
+class AcrossRequest(Request):
+    """A pulley across the width of its belt."""
+
+    document: Document
+    pulley: Line | None = Field(None, description="The first if left out.")
+    load_case: Line | None = Field(None, description="The first if left out.")
+
+
+class AcrossWearRequest(AcrossRequest):
+    """What wear makes of an uneven lagging."""
+
+    depth: Short | None = Field(
+        None, description="Mean depth to wear off; or `passes`; on to re-lagging if left out."
+    )
+    passes: float | None = Field(None, gt=0.0, le=1e12, description="Turns of the pulley.")
+    least_thickness: Short = Field("3 mm", description="Of the thinnest strip when re-lagged.")
+    hours: float | None = Field(
+        None,
+        gt=0.0,
+        le=1e7,
+        description="Run since the lagging was new, to tell how fast it wears.",
+    )
+
+
+class AcrossThicknessRequest(AcrossRequest):
+    """What thicker laggings cushion."""
+
+    thicknesses: list[Short] = Field(min_length=2, max_length=12)
+
+
 class StudyRequest(Request):
     """A study of a drive."""
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from wraparc.drive import CREEP_LIMIT
+from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
 from wraparc.files.drive_keys import BELT, LOAD_CASE, PULLEY, TENSIONS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.glossary import GLOSSARY
@@ -48,6 +49,7 @@ _SLIDERS: dict[str, tuple[float, float, bool]] = {
     "creep_limit": (1e-3, 2.5e-2, False),
 }
 _STEPS = 200
+_ACROSS = "pulley[].across."
 
 
 class Slider(Answer):
@@ -164,6 +166,9 @@ def form() -> Form:
                 _section(f"control {kind}", kind, "motion.drum[].control.", table.entries[1:])
                 for kind, table in CONTROL.tables.items()
             ),
+            _section("across", "Across the width", _ACROSS, ACROSS.entries, repeated=True),
+            _section("transition", "Transition", f"{_ACROSS}before.", TRANSITION.entries),
+            _section("gripping", "Other pulley", f"{_ACROSS}after.", PULLEY_END.entries),
         ],
     )
 

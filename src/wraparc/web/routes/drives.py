@@ -2,14 +2,22 @@
 
 from typing import Annotated
 
-from fastapi import Query, Request, Response
+from fastapi import File, Form, Query, Request, Response, UploadFile
 
 from wraparc.errors import shown
-from wraparc.web.answers import catalogue, compare, documents, drives, form, texts, trains
+from wraparc.web.answers import across, catalogue, compare, documents, drives, form, texts, trains
 from wraparc.web.answers.shown import Answer, Data, DriveKind
 from wraparc.web.errors import refused
 from wraparc.web.examples import examples
-from wraparc.web.routes.parts import client_of, json_answer, offer, router, state_of
+from wraparc.web.routes.parts import (
+    client_of,
+    json_answer,
+    offer,
+    router,
+    state_of,
+    waited,
+)
+from wraparc.web.sessions import shown_name
 from wraparc.web.work import QUICK
 
 api = router("", "drives")
@@ -89,3 +97,22 @@ offer(api, "/lagging/read", texts.read_lagging)
 offer(api, "/quantities", texts.quantities, queue=QUICK)
 offer(api, "/compare", compare.compare)
 offer(api, "/train", trains.train, long=lambda asked: asked.match)
+offer(api, "/across", across.solve_width)
+offer(api, "/across/wear", across.wear_width, long=lambda asked: True)
+offer(api, "/across/thickness", across.thickness_width)
+
+
+@api.post("/across/profile", response_model=across.ProfileAnswer)
+async def measured_profile(
+    request: Request,
+    file: Annotated[UploadFile, File(description="Positions and readings over the face.")],
+    width: Annotated[str, Form(max_length=60)] = "",
+    unit: Annotated[str, Form(max_length=20)] = "",
+    new: Annotated[str, Form(max_length=60)] = "",
+) -> Response:
+    """A measured profile as rows of ``[pulley.across]``, smoothed."""
+    data, name = await file.read(), shown_name(file.filename)
+    work = state_of(request).workers.short(
+        client_of(request), across.read_profile, data, name, width, unit, new
+    )
+    return json_answer(await waited(request, work))

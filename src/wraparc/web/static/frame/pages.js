@@ -17,6 +17,7 @@ import { Component, h } from "../vendor/preact.js";
 export const PAGES = {
   drive: { title: "Drive", view: { Page: DrivePage } },
   compare: { title: "Compare", load: () => import("../pages/compare.js") },
+  across: { title: "Across the width", load: () => import("../pages/across.js") },
   tests: { title: "Tests", load: () => import("../pages/tests.js") },
   train: { title: "Train", load: () => import("../pages/train.js") },
   events: { title: "Events", load: () => import("../pages/events.js") },

@@ -21,10 +21,10 @@ export function place(text) {
     let key = m[2] ? +m[2] - 1 : (m[1] ?? m[3]);
     if (Array.isArray(node) && typeof key === "string") {
       const name = key;
-      key = Math.max(
-        0,
-        node.findIndex((n) => n?.name === name),
-      );
+      // of a row of a profile: its position, its value
+      const part = ["position", "value"].indexOf(name);
+      const found = node.findIndex((n) => n?.name === name);
+      key = found < 0 && part >= 0 ? part : Math.max(0, found);
     }
     keys.push(key);
     node = node?.[key];

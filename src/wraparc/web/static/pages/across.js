@@ -1,0 +1,124 @@
+// Across the width: an uneven pulley, what it does to the belt, and what comes of it.
+import { app, redraw } from "../base/design.js";
+import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
+import { words } from "../base/units.js";
+import { list, refused, table, verdict } from "../parts/answers.js";
+import { choose } from "../parts/choose.js";
+import { mark } from "../parts/problems.js";
+import { h } from "../vendor/preact.js";
+import { acrossInputs } from "./across/inputs.js";
+import { QUANTITIES, widthPicture } from "./across/pictures.js";
+import { questions } from "./across/questions.js";
+
+/** @import { Design, Problem, Table } from "../types.d.ts" */
+
+const state = {
+  answer: /** @type {any} */ (null),
+  of: /** @type {Design | null} */ (null),
+  where: "",
+  problems: /** @type {Problem[]} */ ([]),
+  quantity: "frictional_energy",
+  waiting: false,
+};
+export function update() {
+  const where = `${app.pulley} ${app.case}`;
+  if (state.of === app.doc && state.where === where) return;
+  Object.assign(state, { of: app.doc, where, waiting: true });
+  solve(app.doc, where);
+}
+onReturn(() => {
+  state.of = null;
+});
+/** @type {AbortController | null} */
+let stop = null;
+const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */ where) => {
+  stop?.abort();
+  stop = new AbortController();
+  const asked = {
+    document: doc,
+    pulley: doc.pulley[app.pulley]?.name || null,
+    load_case: app.case || null,
+  };
+  try {
+    const answer = await ask("across", asked, { signal: stop.signal });
+    if (doc !== app.doc || where !== state.where) return;
+    Object.assign(state, { answer, problems: [], waiting: false });
+    mark([]);
+  } catch (x) {
+    if (aborted(x) || app.gone) return;
+    const problems = refusal(x);
+    const rest = mark(problems);
+    Object.assign(state, { problems: rest.length ? rest : problems, waiting: false });
+  }
+  redraw();
+});
+
+export const Page = () =>
+  h(
+    "div",
+    { class: `two${state.waiting ? " waiting" : ""}` },
+    acrossInputs(),
+    h(
+      "div",
+      { class: "results" },
+      h(
+        "div",
+        { role: "alert", key: "problems" },
+        state.problems.length > 0 && refused("", state.problems),
+      ),
+      state.answer ? result(state.answer) : h("p", { class: "help", key: "wait" }, "Solving …"),
+      state.answer && questions(),
+      state.answer && tables(state.answer),
+    ),
+  );
+/** @param {any} a */
+function result(a) {
+  return h(
+    "div",
+    { key: "result", id: "across-result", "data-settled": String(!state.waiting) },
+    verdict(a.verdict),
+    !a.solved && h("p", { class: "verdict bad", key: "failed" }, words(a.status_text)),
+    a.even &&
+      h(
+        "p",
+        { class: "verdict", key: "even" },
+        "Nothing is uneven yet: draw or load a profile, or give a crown or a misalignment.",
+      ),
+    list(a.remarks, "help"),
+    a.map && picture(a),
+  );
+}
+/** @param {any} a */
+const picture = (a) =>
+  h(
+    "section",
+    { class: "card", "aria-label": "Belt unrolled over wrap angle and width", key: "picture" },
+    h(
+      "div",
+      { class: "bar" },
+      h("h2", {}, `Pulley ${a.pulley}, load case ${a.load_case}`),
+      h(
+        "label",
+        {},
+        "Map of",
+        choose(
+          state.quantity,
+          QUANTITIES,
+          (q) => {
+            state.quantity = q;
+            redraw();
+          },
+          "across-quantity",
+        ),
+      ),
+    ),
+    widthPicture(a, state.quantity),
+  );
+/** @param {any} a */
+const tables = (a) =>
+  h(
+    "div",
+    { class: "tables", key: "tables" },
+    a.checks && table({ ...a.checks, title: "Checks across the width" }),
+    a.tables.map((/** @type {Table} */ t) => table(t, t.key !== "profile")),
+  );

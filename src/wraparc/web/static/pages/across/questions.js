@@ -1,0 +1,128 @@
+// Questions asked of an uneven pulley: will it heal, when to re-lag, does thicker lagging help?
+import { app, redraw } from "../../base/design.js";
+import { act, ask, refusal } from "../../base/server.js";
+import { refused, table, verdict } from "../../parts/answers.js";
+import { valueIn } from "../../parts/choose.js";
+import { h } from "../../vendor/preact.js";
+
+/** @import { Children, Design, Problem } from "../../types.d.ts" */
+/**
+ * @typedef {{title: string, button: string, path: string, help: string,
+ *   given: {key: string, label: string, value: string, placeholder?: string}[],
+ *   body: (given: Record<string, string>) => any}} Question
+ */
+
+/** @type {Record<string, Question>} */
+const QUESTIONS = {
+  wear: {
+    title: "Will the wear heal, and when to re-lag?",
+    button: "Wear it on",
+    path: "across/wear",
+    help:
+      "Each strip wears by its frictional energy, until the thinnest is down to the thickness " +
+      "given. Hours run since the lagging was new tell how fast, if its wear coefficient does not.",
+    given: [
+      { key: "least_thickness", label: "Re-lag at", value: "3 mm" },
+      { key: "hours", label: "Hours run so far", value: "", placeholder: "not known" },
+      { key: "passes", label: "Turns to look ahead", value: "", placeholder: "to re-lagging" },
+    ],
+    body: (g) => ({
+      least_thickness: g.least_thickness || "3 mm",
+      ...(g.hours ? { hours: +g.hours.replace(/[\s,]/g, "") } : {}),
+      ...(g.passes ? { passes: +g.passes.replace(/[\s,]/g, "") } : {}),
+    }),
+  },
+  thickness: {
+    title: "Does thicker lagging help, and what does it cost?",
+    button: "Compare thicknesses",
+    path: "across/thickness",
+    help: "The same unevenness under new lagging of each thickness.",
+    given: [{ key: "thicknesses", label: "Thicknesses", value: "8 mm, 12 mm, 20 mm" }],
+    body: (g) => ({
+      thicknesses: g.thicknesses
+        .split(/[;,]/)
+        .map((t) => t.trim())
+        .filter(Boolean),
+    }),
+  },
+};
+/** @type {Record<string, {given: Record<string, string>, answer: any, of: Design | null,
+ *   problems: Problem[]}>} */
+const asked = Object.fromEntries(
+  Object.entries(QUESTIONS).map(([name, q]) => [
+    name,
+    {
+      given: Object.fromEntries(q.given.map((g) => [g.key, g.value])),
+      answer: null,
+      of: null,
+      problems: [],
+    },
+  ]),
+);
+/** @param {string} name */
+async function put(name) {
+  const { path, body } = QUESTIONS[name];
+  const state = asked[name];
+  const doc = app.doc;
+  const question = {
+    document: doc,
+    pulley: doc.pulley[app.pulley].name || null,
+    load_case: app.case || null,
+    ...body(state.given),
+  };
+  try {
+    const answer = await ask(path, question);
+    Object.assign(state, { answer, of: doc, problems: [] });
+  } catch (x) {
+    Object.assign(state, { answer: null, of: doc, problems: refusal(x) });
+  }
+  redraw();
+}
+/** @returns {Children} */
+export const questions = () => Object.keys(QUESTIONS).map(card);
+/** @param {string} name */
+function card(name) {
+  const q = QUESTIONS[name];
+  const { given, answer, of, problems } = asked[name];
+  const old = of !== app.doc;
+  return h(
+    "section",
+    { class: "card", "aria-label": q.title, id: `question-${name}`, key: name },
+    h("h2", {}, q.title),
+    h("p", { class: "help" }, q.help),
+    h(
+      "div",
+      { class: "bar" },
+      q.given.map((g) =>
+        h(
+          "label",
+          { key: g.key },
+          g.label,
+          h("input", {
+            type: "text",
+            id: `ask-${g.key}`,
+            value: given[g.key],
+            placeholder: g.placeholder,
+            onInput: (e) => {
+              given[g.key] = valueIn(e);
+            },
+          }),
+        ),
+      ),
+      h(
+        "button",
+        { type: "button", class: "main", id: `ask-${name}`, onClick: act(() => put(name)) },
+        q.button,
+      ),
+    ),
+    h(
+      "div",
+      { role: "status", key: "answer" },
+      problems.length > 0 && !old && refused("", problems),
+      answer &&
+        (old
+          ? h("p", { class: "help" }, "The design has changed since: ask again.")
+          : [verdict(answer.verdict), table(answer.table)]),
+    ),
+  );
+}

@@ -1,0 +1,234 @@
+"""The page across the width: profiles drawn and loaded, and its four questions."""
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from cli.running import wraparc
+from web.browser import Visitor, browsing
+from web.calculators import Process
+
+Calculator = tuple[Browser, Process]
+#: Counts what a hand does: presses of the mouse, wherever they land.
+_COUNT = "window.presses = 0; addEventListener('pointerdown', () => { presses += 1; }, true);"
+_CHOSEN = 2  # presses to choose from a list, or a file in its window: outside the page
+
+
+@pytest.fixture(scope="module")
+def calculator() -> Iterator[Calculator]:
+    with browsing() as found:
+        yield found
+
+
+@pytest.fixture
+def visitor(calculator: Calculator) -> Iterator[Visitor]:
+    browser, server = calculator
+    found = Visitor(browser, server.address)
+    found.context.add_init_script(_COUNT)
+    yield found
+    found.context.close()
+    assert found.wrong == []
+    assert found.elsewhere == []
+
+
+def presses(page: Page) -> int:
+    return int(page.evaluate("window.presses"))
+
+
+def settled(page: Page) -> None:
+    """Wait until the answer is that of what stands in the form."""
+    expect(page.locator("#across .waiting")).to_have_count(0)
+
+
+def downloaded(page: Page, folder: Path) -> Path:
+    with page.expect_download() as arriving:
+        page.keyboard.press("Control+s")
+    file = folder / "drive.toml"
+    arriving.value.save_as(file)
+    return file
+
+
+def figure(page: Page, title: str) -> str:
+    row = page.locator("#across .t-answer tr", has=page.locator(f"th:text-is('{title}')"))
+    return row.locator("td.num").inner_text()
+
+
+def load(page: Page, file: Path) -> None:
+    with page.expect_file_chooser() as asked:
+        page.click("#load-profile")
+    asked.value.set_files(file)
+
+
+def test_will_this_measured_wear_heal(visitor: Visitor, tmp_path: Path) -> None:
+    # expected: what the march of wear says of a driving pulley
+    file = tmp_path / "gauge.csv"
+    rows = [(-22, 0.457), (-11, 0.413), (0, 0.374), (11, 0.414), (22, 0.456)]
+    lines = [f"{y};{h}" for y, h in rows]
+    file.write_text("\n".join(["position [in];thickness [in]", *lines]) + "\n", "utf-8")
+    page = visitor.open("drive")
+    page.click("#nav-across")
+    load(page, file)
+    expect(page.locator("#toast")).to_contain_text("5 readings of thickness")
+    expect(page.locator("#x-pulley-0-across-worn_depth-rows-0-0")).to_have_value("-558.8")
+    settled(page)
+    page.click("#ask-hours")
+    page.fill("#ask-hours", "18 000")
+    page.click("#ask-wear")
+    told = page.locator("#question-wear .verdict .headline")
+    expect(told).to_contain_text("Heals: wear evens it out")
+    assert presses(page) + _CHOSEN < 10
+    expect(page.locator("#question-wear")).to_contain_text("Re-lag after")
+
+
+def test_is_build_up_on_one_side_serious(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.example("Crowned and dirty head drive, overland conveyor")
+    before = presses(page)
+    page.click("#nav-across")
+    page.click("#across .tabs button:has-text('Build-up')")
+    page.click("#shape-side")
+    settled(page)
+    expect(page.locator("#across-result .verdict .headline")).to_contain_text("of the rating")
+    assert presses(page) - before < 10
+
+
+def test_may_this_pulley_be_crowned(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.example("Crowned and dirty head drive, overland conveyor")
+    before = presses(page)
+    page.click("#nav-across")
+    box = page.locator("#x-pulley-0-across-shell_profile-crown")
+    box.click()
+    box.fill("1")
+    box.press("Tab")
+    settled(page)
+    expect(page.locator("#across-result")).to_contain_text(
+        "Steel-cord belts run on pulleys without"
+    )
+    assert presses(page) - before < 10
+    # cleared: the crown goes, what was there of the shell with it
+    box.fill("")
+    box.press("Tab")
+    settled(page)
+    expect(page.locator("#across-result")).not_to_contain_text("without a crown")
+    page.keyboard.press("Control+z")
+    expect(box).to_have_value("1")
+
+
+def test_does_thicker_lagging_help(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.example("Worn head drive, ROM conveyor")
+    before = presses(page)
+    page.click("#nav-across")
+    page.click("#ask-thickness")
+    told = page.locator("#question-thickness .verdict .headline")
+    expect(told).to_contain_text(re.compile(r"takes \d+ % off the unevenness .* creep by \+\d+ %"))
+    assert presses(page) - before < 10
+
+
+def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_path: Path) -> None:
+    # expected: what `wraparc solve` says of the file that the page downloads
+    page = visitor.open("across")
+    page.fill("#shape-height", "1 mm")
+    page.click("#shape-middle")
+    grip = page.locator("#across .grip").nth(2)
+    box = grip.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2 + 40, box["y"] + 25, steps=4)
+    page.mouse.up()
+    grip = page.locator("#across .grip").nth(2)
+    dragged = grip.get_attribute("aria-valuetext") or ""
+    assert float(dragged.split()[0]) > 1.0  # down is deeper
+    grip.press("ArrowUp")
+    lifted = f"{float(dragged.split()[0]) - 0.1:.4g} mm"
+    expect(grip).to_have_attribute("aria-valuetext", lifted)
+    page.click("#across .tabs button:has-text('Build-up')")
+    page.click("#add-point")
+    page.fill("#x-pulley-0-across-build_up-1-1", "0.02 in")
+    page.press("#x-pulley-0-across-build_up-1-1", "Tab")
+    page.fill("#x-pulley-0-across-misalignment", "1.5")
+    page.press("#x-pulley-0-across-misalignment", "Tab")
+    page.select_option("#across-before", "pulley")
+    page.fill("#x-pulley-0-across-before-distance", "2.5 m")
+    page.press("#x-pulley-0-across-before-distance", "Tab")
+    settled(page)
+    file = downloaded(page, tmp_path)
+    code, out, _ = wraparc("solve", str(file), "--json", "-")
+    assert code == 0
+    (told,) = json.loads(out)["across"]
+    assert told["across"]["lagging_thickness"] != told["across"]["lagging_thickness"][0]
+    running = f"{told['largest_running_tension'] / 1e3:.4g} kN/m"
+    assert figure(page, "Largest tension, running") == running
+    assert figure(page, "Wear, largest over mean") == f"{told['energy_unevenness']:.4g}"
+    text = file.read_text("utf-8")
+    for words in ("[pulley.across]", "worn_depth", lifted, "0.02 in", "1.5 mm/m", "2.5 m"):
+        assert words in text
+    # undo goes back through all of it
+    for _ in range(40):
+        page.keyboard.press("Control+z")
+    expect(page.locator("#across .tabs .mark")).to_have_count(0)
+
+
+def test_errors_stand_at_the_field(visitor: Visitor) -> None:
+    page = visitor.open("across")
+    page.click("#shape-slope")
+    cell = page.locator("#x-pulley-0-across-worn_depth-1-0")
+    cell.fill("900")
+    cell.press("Tab")
+    wrong = page.locator("#across .editor .error").first
+    expect(wrong).to_contain_text("beyond the belt")
+    cell.fill("-700")
+    cell.press("Tab")
+    expect(wrong).to_contain_text(re.compile("ascend|beyond"))
+    cell.fill("600 mm")
+    cell.press("Tab")
+    expect(page.locator("#across .editor .error:not(:empty)")).to_have_count(0)
+    value = page.locator("#x-pulley-0-across-worn_depth-1-1")
+    value.fill("2 kg")
+    value.press("Tab")
+    row = page.locator("#across .rows .wrong .error")
+    expect(row).to_contain_text("kg")
+    value.fill("")
+    value.press("Tab")
+    expect(row).to_be_visible()
+    value.fill("0.08 in")
+    value.press("Tab")
+    expect(page.locator("#across .rows .wrong")).to_have_count(0)
+    page.get_by_label("US", exact=True).check(force=True)
+    expect(value).to_have_value("0.08")
+    expect(cell).to_have_value("23.622")
+    page.click("#clear-points")
+    expect(page.locator("#across .grip")).to_have_count(0)
+
+
+def test_a_map_of_each_quantity(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.example("Worn head drive, ROM conveyor")
+    visitor.open("across")
+    for quantity, words in (
+        ("shear_stress", "Shear stress over wrap angle"),
+        ("creep", "Creep over wrap angle"),
+        ("wrap_pressure", "Wrap pressure over wrap angle"),
+        ("frictional_energy", "Frictional energy over wrap angle"),
+    ):
+        page.select_option("#across-quantity", quantity)
+        expect(page.locator("#across svg.map")).to_have_attribute(
+            "aria-label", re.compile(f"^{words}")
+        )
+    expect(page.locator("#across .beside")).to_have_count(2)
+
+
+def test_a_slack_belt_is_told_in_the_verdict(visitor: Visitor) -> None:
+    page = visitor.open("across")
+    page.click("#across .tabs button:has-text('Build-up')")
+    page.fill("#shape-height", "40 mm")
+    page.click("#shape-side")
+    settled(page)
+    told = page.locator("#across-result .verdict").first
+    expect(told).to_contain_text("goes slack: it lacks")
