@@ -304,7 +304,7 @@ export class Editor extends Component {
       cy: this.Y(v),
       r: 6.5,
       class: "pt grip",
-      tabIndex: 0,
+      tabindex: 0, // of SVG, where attributes have small letters
       role: "slider",
       "aria-orientation": "vertical",
       "aria-label": `Point ${k + 1} at ${place}`,
