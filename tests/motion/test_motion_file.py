@@ -14,6 +14,7 @@ from wraparc import InputError, load_drive, load_motion, load_train
 from wraparc.checks import Level, judge_run
 from wraparc.motion import Droop, ExactSpeed, Follower, Start, simulate, stability, stability_map
 from wraparc.motion.file import motion_from_text, read_record
+from wraparc.motion.result import RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
 from wraparc.present.motion_sheet import run_sheet, stability_sheet
 
@@ -214,3 +215,43 @@ def test_pictures_and_words_of_a_run_and_of_a_follower() -> None:
     assert "damping" in verdict.sentences[0]
     assert plot_stability(found).to_bytes("png")[:4] == b"\x89PNG"
     assert plot_stability_map(stability_map(motion.station, points=4)).to_bytes("png")
+
+
+def test_the_note_follows_the_events_that_ask_for_it(tmp_path: Path) -> None:
+    note = tmp_path / "note.md"
+    asked = ("--set", "motion.event.start.report=true", "--set", QUICK[0])
+    done = run_command("report", TANDEMS[0], "-o", str(note), *asked)
+    text = note.read_text("utf-8")
+    assert "In time: events and vibrations" in text
+    assert "The drums: start" in text
+    assert "does not pulsate by itself" in text
+    run = simulate_short()
+    worst = judge_run(run)
+    # its checks count: they stand among the others, and in the headline where they are the worst
+    assert worst.headline() in " ".join(text.split())
+    assert done.code in (0, 1)
+    plain = tmp_path / "plain.md"
+    run_command("report", TANDEMS[0], "-o", str(plain))
+    assert "In time" not in plain.read_text("utf-8")
+    bad = run_command("report", TANDEMS[0], "-o", "-", "--set", 'motion.event.start.report="yes"')
+    assert bad.code == 2
+    assert "motion.event.start.report" in bad.err
+
+
+def test_an_event_that_fails_leads_the_note_and_its_exit_code(tmp_path: Path) -> None:
+    path, note = tmp_path / "drive.toml", tmp_path / "note.md"
+    text = Path(TANDEMS[0]).read_text("utf-8").partition("[[motion.event]]")[0]
+    back = '{ kind = "load-step", at = "0.5 s", factor = -2.0, time = "0.5 s" }'
+    text += (
+        f'[[motion.event]]\nname = "back"\nduration = "2 s"\nreport = true\nhappens = [{back}]\n'
+    )
+    path.write_text(text, "utf-8")
+    done = run_command("report", str(path), "-o", str(note))
+    assert done.code == 1
+    said = note.read_text("utf-8")
+    assert said.index("The belt goes slack before first at 1.3") < said.index("Checks against")
+
+
+def simulate_short() -> RunResult:
+    motion = load_motion(TANDEMS[0], overrides=QUICK)
+    return simulate(motion.station, motion.event("start"), points=60)

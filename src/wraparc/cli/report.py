@@ -10,10 +10,19 @@ import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
+from wraparc.checks import Level
 from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import say
-from wraparc.cli.solve import METHODS, exit_code, solve_as_train, with_case, with_limit
+from wraparc.cli.solve import (
+    FAILS,
+    METHODS,
+    SOLVED,
+    exit_code,
+    solve_as_train,
+    with_case,
+    with_limit,
+)
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.report.note import PAPERS, NoteHead, Paper
@@ -22,6 +31,7 @@ from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
 if TYPE_CHECKING:
+    from wraparc.motion.reported import InTime
     from wraparc.train import Train, TrainResult
 
 SUFFIXES = (".pdf", ".xlsx", ".md")
@@ -86,8 +96,21 @@ def report(
     )
     read = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))
     results, train = _solved(read, file, case, creep_limit)
-    _write(output, results, head, units, train)
-    return exit_code(results[0] if train is None else train)
+    in_time = _in_time(file, settings)
+    _write(output, results, head, units, train, in_time)
+    code = exit_code(results[0] if train is None else train)
+    if in_time is not None and code == SOLVED:
+        from wraparc.checks import judge_run
+
+        code = FAILS if any(judge_run(r).level is Level.FAILS for r in in_time.runs) else SOLVED
+    return code
+
+
+def _in_time(file: str, settings: tuple[str, ...]) -> "InTime | None":
+    """Follow the events that the file wants in its note."""
+    from wraparc.motion.reported import load_followed
+
+    return load_followed(file, overrides=settings)
 
 
 def _head(**values: str) -> NoteHead:
@@ -117,14 +140,15 @@ def _write(
     head: NoteHead,
     units: System,
     train: "TrainResult | None",
+    in_time: "InTime | None",
 ) -> None:
     from wraparc.report import markdown, pdf, workbook
 
     if output == STANDARD_OUTPUT:
-        say(markdown(results, head, system=units, train=train), end="")
+        say(markdown(results, head, system=units, train=train, in_time=in_time), end="")
         return
     makers: dict[str, Callable[..., str | bytes]]
     makers = {".pdf": pdf, ".xlsx": workbook, ".md": markdown}
     make = makers[os.path.splitext(output)[1].lower()]
-    save_file(output, make(results, head, system=units, train=train))
+    save_file(output, make(results, head, system=units, train=train, in_time=in_time))
     click.echo(f"Wrote {output}", err=True)

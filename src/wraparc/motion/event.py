@@ -261,12 +261,15 @@ class Event:
         Of the run [s].
     happenings
         What happens.
+    report
+        Whether the calculation note follows it and counts its checks.
     """
 
     LIMITS: ClassVar[dict[str, Limit]] = {"duration": Limit("time", open=True, most=1e6)}
     name: str = "event"
     duration: float = 60.0
     happenings: tuple[Happening, ...] = field(default=())
+    report: bool = False
 
     def __post_init__(self) -> None:
         raise_all(limit_problems(self, self.LIMITS))

@@ -21,7 +21,7 @@ from wraparc.motion.event import (
     Stop,
 )
 from wraparc.motion.station import TAKE_UPS, Drum, Station
-from wraparc.schema.kinds import ByName, Choice, Name, Rows, Text
+from wraparc.schema.kinds import ByName, Choice, Flag, Name, Rows, Text
 from wraparc.schema.tables import Entry, Table, Variant, need
 
 _RATING = Entry(
@@ -180,6 +180,12 @@ EVENT = Table(
     Entry("duration", "How long it is looked at; 60 s if left out."),
     need(
         "happens", "What happens, in any order.", Rows(HAPPENING, 1, 50), example="happens = [..]"
+    ),
+    Entry(
+        "report",
+        "Whether the calculation note follows it and counts its checks; false if left out.",
+        Flag(),
+        title="In the note",
     ),
     of=Event,
 )

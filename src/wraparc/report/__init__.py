@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from wraparc.arc import DriveResult
+    from wraparc.motion.reported import InTime
     from wraparc.report.note import NoteHead
     from wraparc.train import TrainResult
     from wraparc.units import System
@@ -31,6 +32,7 @@ def pdf(
     *,
     system: "System" = "si",
     train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
 ) -> bytes:
     """Return the calculation note of a solved drive as PDF (PDF/A-2a, PDF/UA-1).
 
@@ -44,6 +46,8 @@ def pdf(
         Units to show.
     train
         How the drives share the load, where there are several on the belt.
+    in_time
+        Events that were followed for the note; their checks count in its verdict.
 
     Raises
     ------
@@ -55,7 +59,7 @@ def pdf(
     from wraparc.report.note import NoteHead, make_note
     from wraparc.report.note_pdf import note_pdf
 
-    return note_pdf(make_note(results, head or NoteHead(), system, train))
+    return note_pdf(make_note(results, head or NoteHead(), system, train, in_time))
 
 
 def workbook(
@@ -64,6 +68,7 @@ def workbook(
     *,
     system: "System" = "si",
     train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
 ) -> bytes:
     """Return the calculation note as an Excel workbook; parameters as for `pdf`.
 
@@ -75,7 +80,7 @@ def workbook(
     from wraparc.report.note import NoteHead
     from wraparc.report.note_workbook import note_workbook
 
-    return note_workbook(results, head or NoteHead(), system, train)
+    return note_workbook(results, head or NoteHead(), system, train, in_time)
 
 
 def markdown(
@@ -84,9 +89,10 @@ def markdown(
     *,
     system: "System" = "si",
     train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
 ) -> str:
     """Return the calculation note as Markdown; parameters as for `pdf`."""
     from wraparc.report.note import NoteHead, make_note
     from wraparc.report.note_markdown import note_markdown
 
-    return note_markdown(make_note(results, head or NoteHead(), system, train))
+    return note_markdown(make_note(results, head or NoteHead(), system, train, in_time))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Literal
 
 from wraparc.arc import ArcResult, DriveResult
+from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
 from wraparc.drive import Lagging
 from wraparc.drive.conditions import SCALED
@@ -40,6 +41,7 @@ from wraparc.units import System, display_unit
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
+    from wraparc.motion.reported import InTime
     from wraparc.train import TrainResult
 
 Paper = Literal["a4", "us-letter"]
@@ -121,6 +123,8 @@ class Note:
         Headings, and the name of the belt.
     told
         The answer in words.
+    judged
+        Every check.
     summary
         How the checks end, in one sentence.
     sections
@@ -132,6 +136,7 @@ class Note:
     subtitle: str
     belt: str
     told: Verdict
+    judged: Judgement
     summary: str
     sections: tuple[Section, ...]
 
@@ -157,6 +162,7 @@ def make_note(
     head: NoteHead,
     system: System = "si",
     train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
 ) -> Note:
     """Return the note of a solved drive.
 
@@ -170,10 +176,19 @@ def make_note(
         Units to show.
     train
         How the drives share the load, where there are several on the belt.
+    in_time
+        Events that were followed for the note; their checks count in its verdict.
     """
     first = results[0]
     of = Sources()
     judged = judge(first if train is None else train)
+    told = verdict(first, system) if train is None else _train_verdict(train, system)
+    in_time_sections: tuple[Section, ...] = ()
+    if in_time is not None:
+        from wraparc.report.note_in_time import judged_with, section, told_with
+
+        judged, told = judged_with(judged, in_time), told_with(told, in_time, system)
+        in_time_sections = (Section("In time: events and vibrations", *section(in_time, system)),)
     least = [t for t in (least_table(first if train is None else train, system),) if t]
     details = tuple(_details(results, system, of))
     inputs = Section("Inputs and where they came from", tables=_inputs(first, system, of, train))
@@ -183,6 +198,7 @@ def make_note(
         _results_section(results, system, train),
         *details,
         *_across_sections(first, system),
+        *in_time_sections,
         inputs,
         assumed,
         _equation_section(results, train),
@@ -194,7 +210,8 @@ def make_note(
         title=head.title or first.drive.title or "Drive",
         subtitle=first.drive.description,
         belt=first.drive.belt.name,
-        told=verdict(first, system) if train is None else _train_verdict(train, system),
+        told=told,
+        judged=judged,
         summary=checks_summary(judged),
         sections=tuple(s for s in sections if s.sentences or s.tables or s.drawings or s.equations),
     )

@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import Check, Verdict, judge
+from wraparc.checks import Check, Verdict
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import METHOD_TITLES
@@ -19,6 +19,7 @@ from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
 from wraparc.units import Dimension, System, display_unit
 
 if TYPE_CHECKING:
+    from wraparc.motion.reported import InTime
     from wraparc.train import TrainResult
 
 Cell = str | float
@@ -33,6 +34,7 @@ def note_workbook(
     head: NoteHead,
     system: System = "si",
     train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
 ) -> bytes:
     """Return an .xlsx of a solved drive, see `make_note` for the parameters.
 
@@ -49,7 +51,7 @@ def note_workbook(
     # no text of the user's may become a formula or a link
     options = {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False}
     with xlsxwriter.Workbook(data, options) as book:
-        note = make_note(results, head, system, train)
+        note = make_note(results, head, system, train, in_time)
         book.set_properties(_properties(note))
         _Workbook(book, note, results, system, train).write()
     return data.getvalue()
@@ -170,7 +172,7 @@ class _Workbook:
             sheet.set_column(column, column, width)
 
     def _judged(self) -> Verdict:
-        return judge(self.results[0] if self.train is None else self.train)
+        return self.note.judged
 
     def _check(self, check: Check) -> tuple[Cell, ...]:
         unit, size = self._unit(check.dimension)

@@ -5,9 +5,11 @@ from typing import Any
 
 from wraparc.arc import PaperMarch, solve
 from wraparc.drive import Drive
+from wraparc.motion.file import motion_from_document
+from wraparc.motion.reported import asks, followed
 from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.train import solve_train
-from wraparc.web.answers.documents import read
+from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import ReportRequest
 
@@ -27,5 +29,8 @@ def report(asked: ReportRequest, kind: str) -> bytes:
         train = solve_train(thing, raise_on_failure=False)
         first = train.drive_result()
     second = solve(first.drive, method=PaperMarch(), raise_on_failure=False)
-    made = _KINDS[kind]([first, second], head, system=asked.units, train=train)
+    document, in_time = without_none(asked.document), None
+    if asks(document):
+        in_time = followed(motion_from_document(document))
+    made = _KINDS[kind]([first, second], head, system=asked.units, train=train, in_time=in_time)
     return made.encode("utf-8") if isinstance(made, str) else bytes(made)

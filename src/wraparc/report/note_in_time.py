@@ -1,0 +1,79 @@
+"""The section of a calculation note on drives in time, and what it adds to the verdict."""
+
+from dataclasses import replace
+
+from wraparc.checks import Verdict as Judgement
+from wraparc.checks import judge_run
+from wraparc.motion.reported import InTime
+from wraparc.motion.result import RunResult
+from wraparc.plot.motion import plot_run, plot_stability
+from wraparc.present.motion_sheet import run_sheet, stability_sheet
+from wraparc.present.sheet import Table, Verdict, named
+from wraparc.report.drawings import Drawing
+from wraparc.units import System, display
+
+
+def judged_with(before: Judgement, in_time: InTime) -> Judgement:
+    """Return the checks of the drive with those of its events; data are judged once."""
+    more = (c for run in in_time.runs for c in judge_run(run).checks if c.name != "data")
+    return Judgement((*before.checks, *more))
+
+
+def told_with(before: Verdict, in_time: InTime, system: System) -> Verdict:
+    """Return the answer in words; an event that is worse than everything else leads it."""
+    found = [judge_run(run) for run in in_time.runs]
+    worst = max(found, key=lambda v: v.level.rank, default=None)
+    if worst is None:
+        return before
+    said = worst.headline(system)
+    if worst.level.rank > before.level.rank:
+        sentences = (before.headline, *before.sentences)
+        return Verdict(worst.level, said, sentences, worst.word)
+    return replace(before, sentences=(*before.sentences, f"In time: {said}"))
+
+
+def section(
+    in_time: InTime, system: System
+) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[Drawing, ...]]:
+    """Return what each event comes to, and whether the drives pulsate: words, tables, pictures."""
+    vibrations = stability_sheet(in_time.stability, system)
+    sheets = [run_sheet(run, system) for run in in_time.runs]
+    sentences = []
+    for name, sheet in (
+        *((run.event.name, sheet) for run, sheet in zip(in_time.runs, sheets, strict=True)),
+        ("Will it pulsate?", vibrations),
+    ):
+        if sheet.verdict is not None:
+            said = (sheet.verdict.headline, *sheet.verdict.sentences)
+            sentences.append(f"{name}{'' if name.endswith('?') else ':'} {' '.join(said)}")
+    tables = [
+        replace(table, title=f"{table.title}: {run.event.name}")
+        for run, sheet in zip(in_time.runs, sheets, strict=True)
+        for table in sheet.tables
+    ]
+    drawings = (
+        *(_run_drawing(run, system) for run in in_time.runs[:1]),
+        _stability_drawing(in_time, system),
+    )
+    return (*sentences, *vibrations.remarks), (*tables, *vibrations.tables), drawings
+
+
+def _run_drawing(run: RunResult, system: System) -> Drawing:
+    peak, tension = run.peak_creep, run.peak_tension
+    alt = (
+        f"Speed, tensions, pulls and creep over time, and creep over the wraps. The largest creep, "
+        f"{named('exit_creep', peak.value, system)}, comes at {peak.place} after "
+        f"{display(peak.time, 'time', digits=3)}; the largest tension, "
+        f"{named('entry_tension', tension.value, system)}, {tension.place}."
+    )
+    return Drawing(lambda: plot_run(run, system), f"Event {run.event.name}.", alt)
+
+
+def _stability_drawing(in_time: InTime, system: System) -> Drawing:
+    found = in_time.stability
+    alt = (
+        "How pull and creep answer to run-out of the last drum over frequency, and how other "
+        "controls compare; the table says it in numbers."
+    )
+    caption = f"Run-out of {named('exit_creep', found.run_out, system)}: answer by frequency."
+    return Drawing(lambda: plot_stability(found, system), caption, alt)
