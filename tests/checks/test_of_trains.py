@@ -18,6 +18,7 @@ from checks.test_rows import NONE
 from cli.running import wraparc
 from files.samples import example
 from present.drives import BELT
+from report.test_note_files import sheets
 from wraparc import Train, TrainResult, load_drive, load_lagging, load_train, solve_train
 from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Criteria, DesignStandard, Pulley, Sag, TakeUp
@@ -25,8 +26,9 @@ from wraparc.files.write import drive_document
 from wraparc.present.document import result_document
 from wraparc.present.train_document import train_document
 from wraparc.present.train_sheet import train_sheet
-from wraparc.report import markdown
+from wraparc.report import markdown, workbook
 from wraparc.train import Shares, TrainCase
+from wraparc.web.answers.trains import train_part
 
 TANDEM = example("tandem-steel-cord")
 
@@ -122,6 +124,35 @@ def test_every_door_tells_the_verdict_of_a_train(number: int) -> None:
     assert (sheet.verdict.level, sheet.verdict.told) == (verdict.level, verdict.word)
     assert f"**{verdict.word}.**" in markdown([result.drive_result()], train=result)
     assert result_document([result.drive_result()])["solved"]
+    listed = {c.title: c.level.value for c in verdict.listed}
+    assert {c["title"]: c["level"] for c in told["checks"]} == listed
+    page = train_part(result)
+    assert page.verdict is not None
+    assert (page.verdict.level, page.verdict.told) == (verdict.level, verdict.word)
+    assert page.verdict.headline.si == verdict.headline()
+    rows = sheets(workbook([result.drive_result()], train=result))["Summary"]
+    assert {str(row[0]): row[6] for row in rows if len(row) > 6 and row[0] in listed} == listed
+
+
+def test_the_command_line_tells_the_verdict_of_a_train() -> None:
+    verdict = judge(solve_train(load_train(TANDEM)))
+    ran = wraparc("solve", TANDEM)
+    assert ran.out.splitlines()[2].startswith(verdict.word)
+    assert ran.code == {Level.FAILS: 1, Level.FAULT: 3}.get(verdict.level, 0)
+    told = wraparc("solve", TANDEM, "--json", "-").json["verdict"]
+    assert (told["level"], told["word"]) == (verdict.level.value, verdict.word)
+
+
+def test_a_fixed_take_up_holds_the_sum_where_a_load_case_gives_the_pull_of_the_train_alone(
+    tmp_path: Path,
+) -> None:
+    """The outer tensions of the full train stay in sum: 325 + 65 = 390 kN, 80 kN of pull."""
+    text = TANDEM.read_text("utf-8") + '\n[take_up]\nkind = "fixed"\n'
+    path = tmp_path / "fixed.toml"
+    path.write_text(text, "utf-8")
+    case = load_train(path).case("empty")
+    assert (case.entry_tension, case.exit_tension) == pytest.approx((235e3, 155e3))
+    assert load_train(TANDEM).case("empty").exit_tension == 65e3
 
 
 def test_a_fixed_take_up_holds_the_sum_of_the_whole_train() -> None:
@@ -214,4 +245,4 @@ def test_the_choice_for_a_pulley_has_the_least_tension_of_the_train(
     found = least_tension(solve_train(load_train(TANDEM)))
     assert found is not None
     ran = wraparc("choose", tmp_path / "choose.toml")
-    assert f"slack-side tension of {found.tension / 1e3:.2f} kN" in ran.words
+    assert f"slack-side tension of {found.tension / 1e3:.1f} kN" in ran.words

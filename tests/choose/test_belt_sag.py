@@ -57,14 +57,14 @@ def test_the_least_take_up_is_not_below_it() -> None:
 
 
 def test_a_given_take_up_below_it_is_rejected_with_the_reason() -> None:
-    """45 kN and 60 kN against 300 kg/m on 3 m at 2 %: 55.16 kN, 18 % short."""
+    """45 kN and 60 kN against 300 kg/m on 3 m at 2 %: 55.2 kN, 18 % short."""
     found = choose(search(limits=Limits(sag=HEAVY)))
     short = found.grid.slack == 45e3
     assert np.array_equal(found.held["belt_sag"].broken, short)
     design = int(np.flatnonzero(short)[0])
     told = reason(found, design, "belt_sag")
     assert told.startswith(
-        "slack-side tension 45.00 kN, at least 55.16 kN (18 % under) for the sag of the belt ["
+        "slack-side tension 45 kN, at least 55.2 kN (18 % under) for the sag of the belt ["
     )
 
 
@@ -72,7 +72,7 @@ def test_the_choose_file_gives_it_and_the_remarks_say_whether() -> None:
     given = load_search(EXAMPLES / "choose.toml")
     assert given.limits.sag == Sag(spacing=3.0, line_mass=22.0)
     told = choose_sheet(choose(given))
-    assert any("belt sag of 2.0 % of the idler spacing (4.045 kN)" in r for r in told.remarks)
+    assert any("belt sag of 2 % of the idler spacing (4.05 kN)" in r for r in told.remarks)
     assert any("CEMA" in s and "DIN 22101" in s for s in told.sources)
     silent = choose_sheet(choose(replace(given, limits=replace(given.limits, sag=None))))
     assert any("it is not checked" in remark for remark in silent.remarks)
@@ -90,6 +90,11 @@ def test_a_table_that_lacks_the_mass_is_told(tmp_path: Path) -> None:
     assert "22 kg/m" in ran.err
 
 
+def mass(tension: float) -> str:
+    """Mass of a counterweight in three digits."""
+    return f"{float(f'{2.0 * tension / GRAVITY:.2e}'):.0f}"
+
+
 def test_the_saving_is_that_of_the_cheapest_design() -> None:
     """Both load cases of the drive keep 55 kN on the slack side; 130 kN is its largest tension."""
     found = choose(search(slack_tensions=()))
@@ -97,9 +102,9 @@ def test_the_saving_is_that_of_the_cheapest_design() -> None:
     best = int(found.ranking[0])
     then = float(found.slack_tension[best])
     take_up, rating = saving_words(found)
-    assert f"{abs(55e3 - then) / 1e3:.4g}"[:4] in take_up
+    assert f"{abs(55e3 - then) / 1e3:.4g}"[:3] in take_up
     assert "less" in take_up if then < 55e3 else "more" in take_up
-    assert f"from {2 * 55e3 / GRAVITY:.0f} kg to {2 * then / GRAVITY:.0f} kg" in take_up
+    assert f"from {mass(55e3)} kg to {mass(then)} kg" in take_up
     tight = float(found.tight_tension[best]) / 1.2e3
-    assert f"from {130 / 1.2:.1f} kN/m to {tight:.4g}"[:25] in rating
+    assert f"from {130 / 1.2:.0f} kN/m to {tight:.2f}"[:19] in rating
     assert list(saving_words(choose(search()))) == []

@@ -23,7 +23,7 @@ def test_lagging_shows_law_coefficients_and_design_values() -> None:
     ran = wraparc("lagging", "full-ceramic")
     assert ran.code == 0
     assert "A [1/mm] b [1/mm] x_pk [mm] mu_pk m [1/mm] mu_res" in ran.words
-    assert "207.0 kPa -0.07515 -0.28583 16.50 1.240 0 1.240" in ran.words
+    assert "207 kPa -0.07515 -0.28583 16.5 1.240 0 1.240" in ran.words
     assert "CEMA 0.50 published [3], dimpled ceramic" in ran.words
     assert "Illustrative: it describes no product." in ran.words
 
@@ -31,9 +31,9 @@ def test_lagging_shows_law_coefficients_and_design_values() -> None:
 def test_lagging_in_us_units() -> None:
     """A_in = 25.4 A_mm; 16.5 mm = 0.6496 in."""
     ran = wraparc("lagging", "full-ceramic", "--units", "us")
-    assert f"30.02 psi {-1.24 / 16.5 * 25.4:.5f}" in ran.words
+    assert f"30.0 psi {-1.24 / 16.5 * 25.4:.5f}" in ran.words
     assert "A [1/in] b [1/in] x_pk [in]" in ran.words
-    assert "0.6496" in ran.words
+    assert "0.650" in ran.words
 
 
 def test_lagging_of_a_file(tmp_path: Path) -> None:
@@ -75,6 +75,6 @@ def test_belts_lists_all_by_kind() -> None:
     assert ran.code == 0
     for belt in catalogue.belts():
         assert belt.name in ran.out
-    assert "Flexsteel ST2000 300.0 kN/m 144000 kN/m 1000 mm" in ran.words
-    assert "Plylon Plus 1000/4 175.0 kN/m 12960 kN/m -" in ran.words
+    assert "Flexsteel ST2000 300 kN/m 144000 kN/m 1000 mm" in ran.words
+    assert "Plylon Plus 1000/4 175 kN/m 12960 kN/m -" in ran.words
     assert "[1] Goodyear EP conveyor belt catalogue, 2012" in ran.words

@@ -39,15 +39,15 @@ def test_a_drive_within_its_limit(drive: Path) -> None:
 def test_a_creep_over_its_limit_is_said_and_is_no_failure(drive: Path) -> None:
     ran = wraparc("solve", drive)
     assert ran.code == 0
-    assert "ATTENTION Pulley head, load case design: Creeps 7.377 mm, more than" in ran.words
-    assert "ATTENTION: 116 % of the limit, 6.350 mm" in ran.words
+    assert "ATTENTION Pulley head, load case design: Creeps 7.38 mm, more than" in ran.words
+    assert "ATTENTION: 116 % of the limit, 6.35 mm" in ran.words
 
 
 def test_a_breakaway_is_printed_and_gives_exit_code_1(drive: Path) -> None:
     ran = wraparc("solve", drive, *BREAKING)
     assert (ran.code, ran.err) == (1, "")
     assert "FAILS Pulley head, load case design: Gross slip: the friction carries" in ran.words
-    assert "Asked for T1/T2 = 75.00; the largest the friction can carry is 28." in ran.words
+    assert "Asked for T1/T2 = 75; the largest the friction can carry is 28." in ran.words
     assert "Creep at exit" not in ran.out
 
 
@@ -59,7 +59,7 @@ def test_a_breakaway_of_a_softening_law_tells_the_creep_there(tmp_path: Path) ->
     ratio, creep = result.capacities.gross_slip_capacity, result.capacities.gross_slip_creep
     assert ratio < 150 / 60
     assert math.isfinite(creep)
-    assert f"can carry is {ratio:.3f}, at a creep of {1e3 * creep:.3f} mm" in ran.words
+    assert f"can carry is {ratio:.2f}, at a creep of {1e3 * creep:.2f} mm" in ran.words
 
 
 def test_one_breakaway_among_many_gives_exit_code_1(drive: Path) -> None:
@@ -85,10 +85,10 @@ def test_settings_go_over_the_file(drive: Path) -> None:
 
 def test_a_creep_limit_goes_over_every_pulley(tmp_path: Path) -> None:
     path = drive_file(tmp_path, DRIVE.replace("[belt]", 'creep_limit = "1 mm"\n[belt]'))
-    assert "more than the limit of 1.000 mm" in wraparc("solve", path).words
+    assert "more than the limit of 1 mm" in wraparc("solve", path).words
     ran = wraparc("solve", path, "--creep-limit", "10 mm")
     assert "OK, on illustrative data All 10 checks are kept" in ran.words
-    assert "at most 10.00 mm" in ran.words
+    assert "at most 10 mm" in ran.words
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -102,7 +102,7 @@ def test_both_methods_stand_side_by_side(drive: Path) -> None:
     ran = wraparc("solve", drive, "--method", "both", "--load-case", "design")
     first = solve(load_drive(drive)).arc("head")
     second = solve(load_drive(drive), method=PaperMarch()).arc("head")
-    texts = [f"{1e3 * r.exit_creep:.{p}f} mm" for r, p in ((first, 3), (second, 2))]
+    texts = [f"{1e3 * r.exit_creep:.{p}f} mm" for r, p in ((first, 2), (second, 1))]
     assert f"Creep at exit u(phi) {texts[0]} {texts[1]}" in ran.words
 
 

@@ -166,7 +166,7 @@ def test_everything_wrong_is_told_at_once() -> None:
 
 
 def test_what_does_not_fit_together_is_refused() -> None:
-    assert refused(lift=700.0) == ["lift: must be less than the length, 600.0 m"]
+    assert refused(lift=700.0) == ["lift: must be less than the length, 600 m"]
     assert refused(take_up_distance=601.0)[0].startswith("take_up_distance: is more than")
     assert refused(length=50.0, take_up_distance=0.0)[0].startswith("length: is below 80 m")
     assert refused(drive_at="middle")[0].startswith("drive_at: must be one of head, tail")

@@ -76,8 +76,8 @@ def test_a_drive_survives_pickling() -> None:
             lambda: Belt(name=" ", width=0.0, modulus=-1e6, rating=math.nan, speed=0.0),
             [
                 'name = " ": must be a printable text of 1 to 60 characters.',
-                "width = 0 mm: must be between 1.00 mm and 1000 m.",
-                "modulus = -1000 kN/m: must be at least 0.00100 kN/m.",
+                "width = 0 mm: must be between 1 mm and 1000 m.",
+                "modulus = -1000 kN/m: must be at least 0.001 kN/m.",
                 "rating = nan kN/m: must be finite.",
                 "speed = 0 m/s: must be more than 0 m/s.",
             ],
@@ -89,23 +89,23 @@ def test_a_drive_survives_pickling() -> None:
         (
             lambda: replace(PULLEY, diameter=-0.8, wrap_angle=13.0, overrun=-1e-3, creep_limit=0.0),
             [
-                "diameter = -800.0 mm: must be between 1.00 mm and 1000 m.",
+                "diameter = -800 mm: must be between 1 mm and 1000 m.",
                 "wrap_angle = 744.8 deg: must be more than 0 deg and at most 720 deg.",
-                f"overrun = -1.000 mm: must be between 0 mm and 1000 mm: {FORWARD}.",
+                f"overrun = -1 mm: must be between 0 mm and 1000 mm: {FORWARD}.",
                 "creep_limit = 0 mm: must be more than 0 mm.",
             ],
         ),
         (
             lambda: replace(LAGGING, thickness=-0.012, shear_modulus=0.0, surface="wood"),
             [
-                "thickness = -12.00 mm: must be between 0 mm and 1000 mm.",
-                "shear_modulus = 0 kPa: must be at least 0.00100 kPa.",
+                "thickness = -12 mm: must be between 0 mm and 1000 mm.",
+                "shear_modulus = 0 kPa: must be at least 0.001 kPa.",
                 'surface = "wood": must be one of bare, rubber, polyurethane, ceramic.',
             ],
         ),
         (
             lambda: Tensions(entry=math.inf, exit=-5.0),
-            ["entry = inf kN: must be finite.", "exit = -0.005000 kN: must be more than 0 kN and "
+            ["entry = inf kN: must be finite.", "exit = -0.005 kN: must be more than 0 kN and "
              "at most 1000000 kN."],
         ),
         (
@@ -113,7 +113,7 @@ def test_a_drive_survives_pickling() -> None:
                 material=-1, installation=0, currency="AUD", area=6.28, life_years=(2.0, 1.0)
             ),
             [
-                "material = -1.000: must be at least 0.",
+                "material = -1: must be at least 0.",
                 "life_years = [2.0, 1.0]: must be the shortest and the longest life in years, "
                 "both more than 0.",
             ],
@@ -121,7 +121,7 @@ def test_a_drive_survives_pickling() -> None:
         (
             lambda: Block(shape="round", width=0.0, height=0.01),  # type: ignore[arg-type]
             [
-                "width = 0 mm: must be between 0.100 mm and 10.0 m.",
+                "width = 0 mm: must be between 0.1 mm and 10 m.",
                 'shape = "round": must be one of square, strip.',
             ],
         ),
@@ -191,7 +191,7 @@ FIT = Fit(
             {"covariance": ((4e-8, 1e-5), (1e-5, 4e-4))},
             "covariance: must have no negative eigenvalue: no variance is negative.",
         ),
-        ({"residual_noise": -0.1}, "residual_noise = -0.1000: must be at least 0."),
+        ({"residual_noise": -0.1}, "residual_noise = -0.1: must be at least 0."),
     ],
 )
 def test_a_covariance_that_is_none_is_refused(change: dict[str, object], expected: str) -> None:

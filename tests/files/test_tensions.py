@@ -104,14 +104,14 @@ def test_three_that_contradict_each_other() -> None:
     keys = ("entry_tension", "exit_tension", "power")
     assert complaints(drive({key: given[key] for key in keys})) == [
         "drive.toml: pulley.p1: entry_tension, exit_tension and power contradict each other: entry "
-        "less exit tension is 90.00 kN, power makes 100.0 kN. Leave one of them out."
+        "less exit tension is 90 kN, power makes 100 kN. Leave one of them out."
     ]
 
 
 def test_a_pull_beyond_the_tight_side() -> None:
     text = drive({"entry_tension": "150 kN", "effective_tension": "160 kN"})
     assert complaints(text) == [
-        'drive.toml: pulley.p1.effective_tension = "160 kN": leaves an exit tension of -10.00 kN, '
+        'drive.toml: pulley.p1.effective_tension = "160 kN": leaves an exit tension of -10 kN, '
         "and a belt cannot push. Give a smaller pull or a larger tension on the slack side."
     ]
     text = drive({"exit_tension": "150 kN", "power": "-450 kW"})
@@ -196,6 +196,30 @@ def test_load_cases_override_their_own_kind_or_all() -> None:
     assert tensions(text, "brake") == [(60e3, 150e3)]
 
 
+FIXED = '\n[take_up]\nkind = "fixed"\n'
+
+
+@pytest.mark.parametrize("key", ["effective_tension", "torque", "power"])
+def test_a_fixed_take_up_holds_the_sum_where_a_load_case_gives_the_pull_alone(key: str) -> None:
+    """150 + 60 = 210 kN held: a pull of 30 kN makes 120 and 90 kN, braking 30 kN the reverse."""
+    size = {"effective_tension": "30 kN", "torque": "12 kN m", "power": "90 kW"}[key]
+    table = '\n[[load_case]]\nname = "{name}"\npulley.p1.{key} = "{size}"\n'
+    more = FIXED + table.format(name="empty", key=key, size=size)
+    more += table.format(name="back", key=key, size=f"-{size}")
+    text = drive({"effective_tension": "90 kN", "exit_tension": "60 kN"}, more=more)
+    assert tensions(text, "empty") == [pytest.approx((120e3, 90e3))]
+    assert tensions(text, "back") == [pytest.approx((90e3, 120e3))]
+    held = text.replace("fixed", "gravity")
+    assert tensions(held, "empty") == [(90e3, 60e3)]
+
+
+def test_under_a_fixed_take_up_a_pull_alone_is_not_enough_where_the_sum_is_not_known() -> None:
+    case = '\n[[load_case]]\nname = "empty"\npulley.p1.effective_tension = "30 kN"\n'
+    text = drive({"exit_tension": "60 kN"}, more=FIXED + case)
+    (told,) = complaints(text)
+    assert "only effective_tension is given, and it takes two quantities" in told
+
+
 def test_pulleys_without_enough_of_their_own_make_no_load_case() -> None:
     text = drive({"exit_tension": "60 kN"}, more=CASES.replace("exit_tension", "power", 1))
     text = text.replace('power = "70 kN"', 'power = "70 kW"')
@@ -206,7 +230,7 @@ def test_a_third_quantity_in_a_load_case() -> None:
     text = drive({"entry_tension": "150 kN", "exit_tension": "60 kN"}, more=CASES)
     assert complaints(text) == [
         "drive.toml: load_case.empty.pulley.p1: entry_tension, exit_tension and power contradict "
-        "each other: entry less exit tension is 90.00 kN, power makes 30.00 kN. Give two of them "
+        "each other: entry less exit tension is 90 kN, power makes 30 kN. Give two of them "
         "in the load case: they replace those of the pulley."
     ]
 

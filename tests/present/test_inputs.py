@@ -50,7 +50,7 @@ def test_an_overrun_by_formula_is_called_computed() -> None:
     assert entries["Entry overrun"].origin is None
     assert "1.25 delta sqrt(delta/R)" in entries["Entry overrun"].remark
     given = {e.title: e for e in drive_inputs(drive(overrun=2e-5))}
-    assert given["Entry overrun"].text("si") == "0.02000 mm"
+    assert given["Entry overrun"].text("si") == "0.02 mm"
 
 
 def test_pulleys_alike_stand_side_by_side() -> None:
@@ -63,8 +63,10 @@ def test_pulleys_alike_stand_side_by_side() -> None:
     two = replace(base, pulleys=(base.pulleys[0], second), load_cases=(case,))
     tables = {t.title: t for t in input_tables(drive_inputs(two), "si", Sources())}
     assert tables["Pulleys"].heads == ("head", "second")
-    assert tables["Pulleys"].rows[0].values == ("800.0 mm", "900.0 mm")
+    assert tables["Pulleys"].rows[0].values == ("800 mm", "900 mm")
     assert [row.title for row in tables["Tensions"].rows] == [
         "full, pulley head",
         "full, pulley second",
     ]
+    assert tables["Tensions"].heads == ("T1", "T2", "x_c")
+    assert all(len(row.values) == len(t.heads) for t in tables.values() for row in t.rows)

@@ -60,7 +60,7 @@ def texts(sheet: Sheet) -> list[str]:
 
 
 def test_rows_of_the_glossary_hold_the_result(result: DriveResult) -> None:
-    """Read back: title, symbol and value to the four digits shown."""
+    """Read back: title, symbol and value to the three digits shown."""
     arc, checked = result.arc("head"), 0
     for t in drive_sheet([result]).tables:
         for r in t.rows:
@@ -69,7 +69,7 @@ def test_rows_of_the_glossary_hold_the_result(result: DriveResult) -> None:
             entry, value = GLOSSARY[r.name], arc.scalars()[r.name]
             assert r.title == entry.title
             number = r.values[0].partition(" (")[0].partition(" of ")[0]
-            assert parse_quantity(number, entry.dimension) == pytest.approx(value, rel=6e-4)
+            assert parse_quantity(number, entry.dimension) == pytest.approx(value, rel=6e-3)
             checked += 1
     assert checked >= (4 if not result.solved else 15)
 
@@ -89,7 +89,7 @@ def test_us_units_say_the_same(result: DriveResult) -> None:
                     parse_quantity(re.sub(r" \(.*", "", x) if "%" in x else x, dimension)
                     for x in (a, b)
                 ]
-                assert values[0] == pytest.approx(values[1], rel=2e-3)
+                assert values[0] == pytest.approx(values[1], rel=1e-2)
                 pairs += 1
     assert pairs >= 12
     units = " ".join(texts(us))
@@ -101,26 +101,26 @@ def test_the_creep_budget_adds_up() -> None:
     shares = [float(re.findall(r"\(([-0-9.]+) %\)", r.values[0])[0]) for r in creep.rows[:3]]
     assert sum(shares) == pytest.approx(100.0, abs=1.0)
     parts = [float(r.values[0].split()[0]) for r in creep.rows]
-    assert sum(parts[:3]) == pytest.approx(parts[3], abs=2e-3)
+    assert sum(parts[:3]) == pytest.approx(parts[3], abs=2e-2)
 
 
 def test_the_comparison_holds_closed_forms() -> None:
     """T_slack = Te/(exp(mu phi) - 1), ratio exp(mu phi), slipping arc ln(T1/T2)/mu, at 180 deg."""
     rows = table(drive_sheet([solved()]), "Compared with constant friction")
     assert row(rows, "This load").values == (
-        f"{math.log(2.5) / math.pi:.3f}", "2.500", "60.00 kN", "180.0 deg"
+        f"{math.log(2.5) / math.pi:.3f}", "2.5", "60 kN", "180 deg"
     )  # fmt: skip
     cema = row(rows, "CEMA, rubber")
     slack, ratio = 90.0 / math.expm1(0.35 * math.pi), math.exp(0.35 * math.pi)
     slips = math.degrees(math.log(2.5) / 0.35)
-    assert cema.values == ("0.35", f"{ratio:.3f}", f"{slack:.2f} kN", f"{slips:.1f} deg")
+    assert cema.values == ("0.35", f"{ratio:.2f}", f"{slack:.1f} kN", f"{slips:.0f} deg")
     dirty = row(rows, "DIN 22101, rubber, wet and dirty")
     assert dirty.values[3] == "gross slip"
     assert dirty.level is Level.ATTENTION
     c = solved().arc("head").capacities
     assert row(rows, "At the creep limit").values == (
         f"{c.equivalent_friction:.3f}",
-        f"{c.creep_limit_capacity:.3f}",
+        f"{c.creep_limit_capacity:.2f}",
         named("tension", c.least_exit_tension),
         "-",
     )
@@ -162,7 +162,7 @@ def test_one_line_for_each_arc(system: System, force: float, length: float) -> N
             150e3 / force, 60e3 / force, 2.5, full.exit_creep / length,
             full.capacities.least_exit_tension / force,
         ],
-        rel=6e-4,
+        rel=6e-3,
     )  # fmt: skip
     assert lines.rows[0].values[4] == f"{100 * full.exit_creep / 6.35e-3:.0f} %"
     assert lines.rows[1].values[3:] == ("-", "-", "none", "breaks away")
@@ -261,7 +261,7 @@ def test_the_friction_table_is_the_law(system: str) -> None:
     for r in shown.rows:
         pressure = parse_quantity(r.title, "pressure")
         expected = lagging.law.friction(np.array([float(h) for h in shown.heads]) * unit, pressure)
-        assert [float(v) for v in r.values] == pytest.approx(expected.tolist(), abs=1.5e-3)
+        assert [float(v) for v in r.values] == pytest.approx(expected.tolist(), abs=3e-3)
 
 
 def test_coefficients_turn_back_into_the_law() -> None:
@@ -289,9 +289,9 @@ def test_texts_of_numbers() -> None:
     assert quantity(math.inf, "length") == "without bound"
     assert percent(0.12345) == "12.3 %"
     assert percent(math.nan) == "-"
-    assert between("tension", 150e3, 60e3) == "150.0 to 60.00 kN"
-    assert between("tension", 60e3, 60e3) == "60.00 kN"
-    assert between("tension", 50e3, 30e3, "us") == "11.24 klbf to 6744 lbf"
+    assert between("tension", 150e3, 60e3) == "150 to 60 kN"
+    assert between("tension", 60e3, 60e3) == "60 kN"
+    assert between("tension", 50e3, 30e3, "us") == "11.2 klbf to 6740 lbf"
 
 
 def test_a_source_is_numbered_once() -> None:

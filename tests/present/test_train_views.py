@@ -84,4 +84,4 @@ def test_in_us_units_nothing_stays_in_si() -> None:
     ).text
     assert not re.findall(r"\d (?:kN|N|mm|m|kW|W|kPa|kN m)\b", " ".join(page))
     assert re.search(r"Motor torque M_m [\d.]+ lbf ft", " ".join(" ".join(page).split()))
-    assert "0.03937 in worn off first" in " ".join(page)
+    assert "0.0394 in worn off first" in " ".join(page)

@@ -212,7 +212,7 @@ def _motors(case: object) -> tuple[object, ...]:
         (
             text("share = [0.5, 0.5]", TENSIONS + 'effective_tension = "90 kN"\n'),
             "t.toml: train: entry_tension, exit_tension and effective_tension contradict each "
-            "other: entry less exit tension is 100.0 kN, effective_tension makes 90.00 kN. Leave "
+            "other: entry less exit tension is 100 kN, effective_tension makes 90 kN. Leave "
             "one of them out.",
         ),
         (
@@ -231,11 +231,11 @@ def _motors(case: object) -> tuple[object, ...]:
         (
             text('share = ["200 kW", "200 kW"]'),
             "t.toml: train.share: the powers make a pull of 133.3 kN at the belt speed, and the "
-            "tensions one of 100.0 kN. Leave one of them out.",
+            "tensions one of 100 kN. Leave one of them out.",
         ),
         (
             text("share = [1.8, -0.8]"),
-            "t.toml: train.share: leaves a tension of -30.00 kN in the belt, and a belt cannot "
+            "t.toml: train.share: leaves a tension of -30 kN in the belt, and a belt cannot "
             "push. Give other shares, or more tension on the slack side.",
         ),
         (

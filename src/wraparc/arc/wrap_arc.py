@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.quantities import Geometry, Load
@@ -12,8 +16,26 @@ from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
 
+_Number = TypeVar("_Number", float, NDArray[np.float64])
+
 #: Overrun by formula over delta sqrt(delta/R) [-].
 OVERRUN = 1.25
+
+
+def overrun_coefficient(compliance: _Number, radius: _Number) -> _Number:
+    """Overrun by formula over the entry pressure to the power 1.5 [m/Pa^1.5].
+
+    x_c = 1.25 delta sqrt(delta/R) with the compression delta = (h/E_c) p1 of the lagging.
+
+    Parameters
+    ----------
+    compliance
+        h/E_c [m/Pa], >= 0.
+    radius
+        R over the unloaded lagging [m], > 0.
+    """
+    found: _Number = OVERRUN * compliance**1.5 / radius**0.5
+    return found
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -236,15 +258,15 @@ class WrapArc:
         """x_c, the slip at the entry nip that is used [m]."""
         if self.overrun is not None:
             return self.overrun
-        return OVERRUN * self.compression * math.sqrt(self.compression / self.radius)
+        pressure = self.entry_pressure
+        return self._overrun_coefficient * pressure * math.sqrt(pressure)
 
     @property
     def _overrun_coefficient(self) -> float:
         """Overrun over the entry pressure to the power 1.5, 0 where it is given [m/Pa^1.5]."""
         if self.overrun is not None:
             return 0.0
-        found: float = OVERRUN * self.compression_compliance**1.5 / math.sqrt(self.radius)
-        return found
+        return overrun_coefficient(self.compression_compliance, self.radius)
 
     def geometry(self) -> Geometry:
         """Numbers of the arc for the march, but for the entry tension."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from wraparc.arc import WrapArc
-from wraparc.arc.wrap_arc import OVERRUN
+from wraparc.arc.wrap_arc import overrun_coefficient
 from wraparc.batch.laws import LawBank
 from wraparc.drive import CREEP_LIMIT, Lagging
 from wraparc.errors import InputError, Problem, shown
@@ -174,7 +174,7 @@ class Arcs:
             self.compliance,
             self.shear_compliance,
             np.where(by_formula, 0.0, self.overrun),
-            np.where(by_formula, OVERRUN * squeeze**1.5 / np.sqrt(radius), 0.0),
+            np.where(by_formula, overrun_coefficient(squeeze, radius), 0.0),
             self.laws.onset_compliance[self.law],
             self.entry_tension,
             self.exit_tension,

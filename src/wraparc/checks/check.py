@@ -12,11 +12,11 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.units import Dimension, System, display
+from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
 
-#: Digits that two numbers are told apart by, and the most that are shown to tell them apart.
+#: Digits that a value and its limit are compared in, and the most shown to tell them apart.
 DIGITS, MOST_DIGITS = 4, 9
 
 
@@ -36,14 +36,14 @@ class Level(StrEnum):
 
 
 def same_shown(value: float, limit: float) -> bool:
-    """Whether two numbers are equal in the digits that are shown."""
+    """Whether two numbers are equal in the digits they are compared in."""
     if not (math.isfinite(value) and math.isfinite(limit)):
         return value == limit
     return f"{value:.{DIGITS - 1}e}" == f"{limit:.{DIGITS - 1}e}"
 
 
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
-    """Whether a value keeps its limit, compared in the digits that are shown."""
+    """Whether a value keeps its limit, compared in `DIGITS` digits."""
     within = value <= limit if at_most else value >= limit
     return within or same_shown(value, limit)
 
@@ -141,7 +141,7 @@ class Check:
     def texts(self, system: System = "si") -> tuple[str, str]:
         """Return value and limit with their units, in as many digits as tell them apart."""
         value = limit = ""
-        for digits in range(DIGITS, MOST_DIGITS + 1):
+        for digits in range(RESULT_DIGITS, MOST_DIGITS + 1):
             value = quantity_text(self.value, self.dimension, system, digits)
             limit = quantity_text(self.limit, self.dimension, system, digits)
             if value != limit or not self.missed:
@@ -166,7 +166,7 @@ class Check:
 
 
 def quantity_text(
-    value: float, dimension: Dimension, system: System = "si", digits: int = DIGITS
+    value: float, dimension: Dimension, system: System = "si", digits: int = RESULT_DIGITS
 ) -> str:
     """Return a value [SI] with its unit; empty for nan, words for infinity."""
     if math.isnan(value):
@@ -251,8 +251,7 @@ class Verdict:
         if worst is None:
             return "Nothing could be checked."
         if worst.missed:
-            where = f"{_capital(str(worst.place))}: " if str(worst.place) else ""
-            return f"{where}{worst.sentence(system)}"
+            return _placed(worst, system)
         kept = sum(c.level is Level.OK for c in self.listed)
         text = f"All {kept} checks are kept"
         if math.isnan(worst.margin) or math.isinf(worst.margin):
@@ -266,11 +265,9 @@ class Verdict:
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""
-        told = []
-        for check in self.missed:
-            if check.name != (self.governing.name if self.governing else ""):
-                where = f"{_capital(str(check.place))}: " if str(check.place) else ""
-                told.append(f"{check.level}: {where}{check.sentence(system)}")
+        first = self.governing.name if self.governing else ""
+        others = (check for check in self.missed if check.name != first)
+        told = [f"{check.level}: {_placed(check, system)}" for check in others]
         if self.level.rank > Level.OK.rank and self.qualifier:
             told.append(f"All of this stands {self.qualifier}.")
         return tuple(told)
@@ -291,6 +288,12 @@ def _badness(check: Check) -> tuple[int, float]:
     if math.isnan(margin):
         margin = -math.inf if check.missed and check.binding else math.inf
     return -check.level.rank, margin
+
+
+def _placed(check: Check, system: System) -> str:
+    """Return the sentence of a check with its place, once."""
+    where, said = _capital(str(check.place)), check.sentence(system)
+    return said if not where or said.startswith(where) else f"{where}: {said}"
 
 
 def _capital(text: str) -> str:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
-from wraparc.across import across_of
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import of_across, of_arc, of_drive
+from wraparc.checks import of_arc, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, LoadCase
@@ -62,15 +61,24 @@ def _drive(result: DriveResult) -> Iterator[Check]:
         by_case.setdefault(arc.arc.load_case, []).append(arc)
     for name, arcs in by_case.items():
         yield from _case(drive.in_case(cases[name]), cases[name], arcs)
-    for uneven in across_of(result):
-        case = cases[uneven.wide.arc.load_case]
-        yield from of_across.across(drive.in_case(case), case, uneven)
+    if any(pulley.across for pulley in drive.pulleys):
+        yield from _across(result)
     yield from of_drive.take_up(drive)
     for pulley in drive.pulleys:
         yield of_drive.pulley_diameter(drive, pulley)
     yield from of_drive.usual_sizes(drive)
     for pulley in drive.pulleys:
         yield of_drive.data(drive, pulley)
+
+
+def _across(result: DriveResult) -> Iterator[Check]:
+    """Yield what only an uneven pulley can miss; its solver is loaded for one alone."""
+    from wraparc.across import across_of
+    from wraparc.checks.of_across import across
+
+    for uneven in across_of(result):
+        case = result.drive.load_case(uneven.wide.arc.load_case)
+        yield from across(result.drive.in_case(case), case, uneven)
 
 
 def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check]:

@@ -23,6 +23,7 @@ from wraparc.checks.of_drive import (
 )
 from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+from wraparc.units import RESULT_DIGITS, display
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
@@ -54,7 +55,7 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         return Check(
             name=name, title=title, level=NO_GRIP, value=min(k, 1.0), limit=factor,
             at_most=False, source=source, short="gross slip",
-            says="Gross slip: the friction carries {value} of the pull at most, whatever the "
+            says="Gross slip: the friction carries at most {value} times the pull, whatever the "
             "creep.",
             remedy="Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a "
             "lagging with more friction.",
@@ -187,7 +188,7 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     passes = ""
     if result.arc.belt_speed is not None:
         per_hour = 3600.0 * result.arc.belt_speed / (math.pi * result.arc.diameter)
-        passes = f", {per_hour:.4g} times an hour,"
+        passes = f", {display(per_hour, 'number', digits=RESULT_DIGITS)} times an hour,"
     for name, key, title, says, short in (
         ("bond_stress", "bond_strength", "Shear stress of lagging and bond, steady",
          "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.",

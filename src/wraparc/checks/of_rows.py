@@ -25,7 +25,7 @@ from wraparc.checks.rules import (
     tension_factor,
     wrap_pressure,
 )
-from wraparc.drive import Drive
+from wraparc.drive import Drive, Pulley
 from wraparc.drive.conditions import SCALED
 
 Array = NDArray[np.float64]
@@ -185,6 +185,13 @@ def _factors(
             factors = np.where(np.isnan(factors), math.inf, factors)
         found[rows] = factors
     return found
+
+
+def not_checked(pulley: Pulley) -> Iterator[str]:
+    """Yield what `judge` checks of one drive and `judge_rows` does not, in words."""
+    yield "the energy balance of each solution"
+    if pulley.across is not None:
+        yield "what is uneven across the width"
 
 
 def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple[Codes, Codes]:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.of_drive import data, judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
-from wraparc.motion.result import Outcome, RunResult
 from wraparc.units import display
+
+if TYPE_CHECKING:
+    from wraparc.motion.result import RunResult
 
 
 def judge_run(run: RunResult) -> Verdict:
@@ -21,6 +23,8 @@ def judge_run(run: RunResult) -> Verdict:
 
 def _checks(run: RunResult) -> Iterator[Check]:
     event = run.event.name
+    from wraparc.motion.result import Outcome  # the rooms of drives in time are for these alone
+
     if run.outcome in (Outcome.SLACK, Outcome.BREAKAWAY):
         yield Check(
             name="run",

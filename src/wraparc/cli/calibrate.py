@@ -38,8 +38,8 @@ def calibrate(
 ) -> int:
     """Calibrate friction and elasticities of a drive to what a calibrate FILE says was measured.
 
-    Exit code 1 if the data cannot tell some of the parameters: those get no number, and no
-    lagging is written.
+    Exit code 1 if the measurements leave some parameter open: it gets no number then, and no
+    lagging file is written.
     """
     from wraparc.calibrate.calibration import calibrate as fit
     from wraparc.calibrate.file import load_measured
@@ -107,11 +107,13 @@ def _lagging_text(found: "Calibration", measured: "Measured", name: str | None) 
 @units_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
 @click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw records over the prediction.")
+@click.option(
+    "--plot", "plot_file", metavar="FILE", help="Draw the measurements over the prediction."
+)
 def overlay(
     file: str, units: System, settings: tuple[str, ...], pulley: str | None, plot_file: str | None
 ) -> int:
-    """Lay what a calibrate FILE says was measured beside the prediction of both methods."""
+    """Compare the measurements that a calibrate FILE lists with the prediction of both methods."""
     from wraparc.calibrate.file import load_measured, overlays
     from wraparc.present.calibrate_sheet import overlay_sheet
 
@@ -141,8 +143,20 @@ def overlay(
 @click.argument("output", type=click.Path())
 @click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
 @click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
-@click.option("--samples", type=click.IntRange(100, 2_000_000), default=3600, show_default=True)
-@click.option("--revolutions", type=click.FloatRange(0.1, 1e5), default=5.0, show_default=True)
+@click.option(
+    "--samples",
+    type=click.IntRange(100, 2_000_000),
+    default=3600,
+    show_default=True,
+    help="Readings in the record.",
+)
+@click.option(
+    "--revolutions",
+    type=click.FloatRange(0.1, 1e5),
+    default=5.0,
+    show_default=True,
+    help="Turns of the pulley.",
+)
 @click.option(
     "--noise",
     type=click.FloatRange(0, 1),
@@ -161,7 +175,7 @@ def virtual_record(
     noise: float,
     seed: int,
 ) -> int:
-    """Write the record an instrumented pulley of a drive FILE would leave, as CSV."""
+    """Write to OUTPUT, as CSV, what an instrumented pulley of a drive FILE would record."""
     from wraparc.arc import Distributed, WrapArc
     from wraparc.calibrate.virtual_pulley import record_text
     from wraparc.calibrate.virtual_pulley import virtual_record as make

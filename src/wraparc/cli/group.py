@@ -20,13 +20,13 @@ class Command(NamedTuple):
 COMMANDS: dict[str, Command] = {
     "solve": Command("wraparc.cli.solve:solve", "Solve a drive file and print the answer."),
     "trim": Command(
-        "wraparc.cli.trim:trim", "Show how exactly the drives on one belt must be matched."
+        "wraparc.cli.trim:trim", "Show how closely the drives on one belt must be matched."
     ),
     "run": Command(
         "wraparc.cli.motion:run", "Follow drives through an event: start, stop, load step, splice."
     ),
     "stability": Command(
-        "wraparc.cli.motion:stability", "Tell whether drives pulsate, why, and what cures it."
+        "wraparc.cli.motion:stability", "Show whether drives pulsate, why, and what cures it."
     ),
     "report": Command(
         "wraparc.cli.report:report", "Write the calculation note of a drive: PDF, Excel, Markdown."
@@ -39,7 +39,7 @@ COMMANDS: dict[str, Command] = {
         "wraparc.cli.shear_test:read", "Show columns and units of a test machine's file."
     ),
     "fit": Command("wraparc.cli.shear_test:fit", "Fit a lagging's friction law to shear tests."),
-    "rig": Command("wraparc.cli.shear_test:rig", "Make virtual shear tests of a known law."),
+    "rig": Command("wraparc.cli.shear_test:rig", "Simulate shear tests of a known friction law."),
     "choose": Command(
         "wraparc.cli.choose:choose", "Choose lagging, belt and take-up: rank candidates by cost."
     ),
@@ -56,16 +56,16 @@ COMMANDS: dict[str, Command] = {
         "wraparc.cli.family:family", "Show creep along the wrap for a family of tension ratios."
     ),
     "overlay": Command(
-        "wraparc.cli.calibrate:overlay", "Lay a measured drive beside the prediction."
+        "wraparc.cli.calibrate:overlay", "Compare measurements of a drive with the prediction."
     ),
     "calibrate": Command(
         "wraparc.cli.calibrate:calibrate", "Calibrate a lagging to what was measured on a drive."
     ),
     "virtual-record": Command(
-        "wraparc.cli.calibrate:virtual_record", "Make the record of a virtual instrumented pulley."
+        "wraparc.cli.calibrate:virtual_record", "Simulate the record of an instrumented pulley."
     ),
     "field": Command(
-        "wraparc.cli.field:field", "Tell speeds to measure, alarm levels and wear of a drive."
+        "wraparc.cli.field:field", "Show speeds to measure, alarm levels and wear of a drive."
     ),
     "serve": Command("wraparc.cli.serve:serve", "Open the calculator in the browser."),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),

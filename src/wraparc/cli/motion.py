@@ -59,7 +59,7 @@ def run(
     """Follow the drives of FILE through an event: start, stop, load step, splice ...
 
     The file needs a [motion] table with the inertias and the events. Interrupt it (Ctrl-C), and
-    what was followed so far is shown.
+    what was computed so far is shown.
     """
     check_outputs(
         {
@@ -101,12 +101,16 @@ def run(
 @click.command()
 @click.argument("file", type=click.Path())
 @click.option(
-    "--run-out", metavar="LENGTH", default="0.5 mm", show_default=True, help="Amplitude to tell of."
+    "--run-out",
+    metavar="LENGTH",
+    default="0.5 mm",
+    show_default=True,
+    help="Amplitude to report on.",
 )
 @click.option("--map", "map_file", metavar="FILE", help="Draw a map over droop and inertia.")
 @click.option(
     "--over", type=click.Choice(["droop", "coupling slip"]), default="droop", show_default=True,
-    help="What the map goes over.",
+    help="What is varied beside inertia.",
 )  # fmt: skip
 @units_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
@@ -120,7 +124,7 @@ def stability(
     settings: tuple[str, ...],
     plot_file: str | None,
 ) -> int:
-    """Tell whether the drives of FILE pulsate, why, how much, and which control cures it."""
+    """Show whether the drives of FILE pulsate, why, how much, and which control cures it."""
     from wraparc.motion.vibration import stability as found_by
     from wraparc.motion.vibration import stability_map
 

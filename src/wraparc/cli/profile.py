@@ -13,8 +13,12 @@ from wraparc.units import System, display, parse_quantity
 @click.argument("file", type=click.Path())
 @units_option
 @click.option("--width", metavar="LENGTH", help="Belt width: readings beside it are left out.")
-@click.option("--new", metavar="LENGTH", help="Thickness of the new lagging, of thicknesses.")
-@click.option("--unit", default="", metavar="UNIT", help="Of both columns, if the file has none.")
+@click.option(
+    "--new", metavar="LENGTH", help="Thickness when new, where the readings are thicknesses."
+)
+@click.option(
+    "--unit", default="", metavar="UNIT", help="Unit of both columns, if the file has none."
+)
 @click.option(
     "--columns", metavar="POSITION,READING", help="Names or numbers, if the names do not tell."
 )

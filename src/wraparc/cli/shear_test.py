@@ -98,7 +98,7 @@ def fit(
 ) -> int:
     """Fit the friction law of a lagging to the tests of a PLAN.
 
-    Tests that cannot be used are left out and named; the law is that of the others.
+    Tests that cannot be used are left out, each with the reason; the law is fitted to the others.
     """
     from wraparc.files.write import lagging_text
     from wraparc.present.document import json_text
@@ -207,10 +207,10 @@ def _progress() -> Any:
 )
 @click.option("--seed", type=int, default=1, show_default=True, help="Seed of noise and scatter.")
 def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
-    """Make a FOLDER of virtual shear tests of a known law, with the plan to fit them.
+    """Simulate shear tests of a known friction law: a FOLDER of files, with the plan to fit them.
 
-    For trying the reader and the fit, and for teaching: the files look as if machines had
-    written them, the truth is in the lagging they were made from.
+    For trying the reader and the fit, and for teaching: the files look like those of test
+    machines, and the law to be found again is known.
     """
     from wraparc.cli.virtual_tests import write_virtual_tests
 

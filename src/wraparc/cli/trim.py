@@ -1,4 +1,4 @@
-"""``wraparc trim``: how exactly the drives on one belt must be matched."""
+"""``wraparc trim``: how closely the drives on one belt must be matched."""
 
 from dataclasses import replace
 from typing import Any

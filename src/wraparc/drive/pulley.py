@@ -16,8 +16,9 @@ from wraparc.units import display
 FORWARD = (
     "negative is towards travel, as the brief positive spikes of belt movement in figure 11 of "
     "DeVries are; friction then first works against the drive and turns where slip passes zero, "
-    "which no solver here follows. It is of the order of 0.01 to 0.1 mm: solve with "
-    'overrun = "0 mm" and with its size rearward, and take the worse'
+    "which no solver here follows. It is of the order of 0.01 to 0.1 mm. Solve with "
+    'overrun = "0 mm" and with its size rearward: towards travel the creep of a driving pulley is '
+    "more than with none by about as much as it is less rearward"
 )
 
 

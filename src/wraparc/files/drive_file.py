@@ -3,7 +3,7 @@
 import os
 from typing import cast
 
-from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, repeated
+from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, TakeUp, repeated
 from wraparc.errors import InputError, nearest, shown
 from wraparc.files.across_keys import check_width
 from wraparc.files.conditions import build_conditions, condition_name, in_each_condition
@@ -118,7 +118,7 @@ def drive_from_document(
     if "conveyor" in document:
         conveyor, cases = build_conveyor(record, criteria.take_up, report)
     else:
-        cases = _load_cases(record, records, report)
+        cases = _load_cases(record, records, criteria.take_up, report)
     report.raise_all()
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     return report.sure(
@@ -134,7 +134,9 @@ def drive_from_document(
     )
 
 
-def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[LoadCase, ...]:
+def _load_cases(
+    record: Record, pulleys: list[Record], take_up: TakeUp, report: Report
+) -> tuple[LoadCase, ...]:
     """Return the load case of the pulleys' own tensions, if they have them, and the others."""
     belt = record.get("belt")
     names = [item["name"] for item in pulleys if "name" in item]
@@ -153,7 +155,7 @@ def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[
     for case in cases:
         if "train" in case:
             report.add((*case.place, "train"), "there is no [train] table", "Write one.")
-        given = _of_case(case, own, report)
+        given = _of_case(case, own, take_up, speed, report)
         whole = sure and case.sound()
         tensions = resolve(given, speed, report, sure=whole)
         if "name" in case:
@@ -164,7 +166,9 @@ def _load_cases(record: Record, pulleys: list[Record], report: Report) -> tuple[
     return tuple(built)
 
 
-def _of_case(case: Record, own: list[Given], report: Report) -> list[Given]:
+def _of_case(
+    case: Record, own: list[Given], take_up: TakeUp, speed: float | None, report: Report
+) -> list[Given]:
     """Return the tensions of the pulleys with those of a load case put over them."""
     tables = case.get("pulley", {})
     names = [item.name for item in own]
@@ -178,5 +182,5 @@ def _of_case(case: Record, own: list[Given], report: Report) -> list[Given]:
         table = tables.get(item.name)
         place = (*case.place, "pulley", item.name)
         over = table if isinstance(table, Record) else Record({}, place, {})
-        given.append(item.overridden(over))
+        given.append(item.overridden(over, fixed=take_up.fixed, speed=speed))
     return given

@@ -1,7 +1,7 @@
 """Tensions at the pulleys from any two of the quantities that fix them."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from wraparc.drive import Tensions
 from wraparc.errors import InputError
@@ -50,14 +50,42 @@ class Given:
         values = {key: record[key] for key in KEYS if key in record}
         return cls(name, record.place, values, record.raw, diameter)
 
-    def overridden(self, record: Record) -> "Given":
+    def overridden(
+        self,
+        record: Record,
+        *,
+        fixed: bool = False,
+        speed: float | None = None,
+        runs: tuple[float, float] = (0.0, 0.0),
+    ) -> "Given":
         """Return these tensions with those of a load case put over them.
 
-        Two independent quantities replace all; a single one replaces its own kind.
+        Two independent quantities replace all; a single one replaces its own kind. A pull alone
+        takes the exit tension with it, or under a fixed take-up the sum of both tensions; where
+        that sum is not known it is not enough.
+
+        Parameters
+        ----------
+        record
+            What the load case gives.
+        fixed
+            Whether the take-up holds the sum of both tensions.
+        speed
+            Belt speed [m/s], or None.
+        runs
+            What of the pull the belt gains between the pulleys, here and in the load case [N].
         """
         over = Given.of(self.name, record, self.diameter)
         if len(over.families) >= 2:
             return over
+        pull = over.pull(speed)
+        if fixed and pull is not None and len(over.effective) == 1:
+            entry, exit_ = spread([less_runs(self, runs[0], speed)], speed)[0]
+            if entry is None or exit_ is None:
+                return over
+            half, between = 0.5 * (entry + exit_), 0.5 * (pull - runs[1])
+            both = {ENTRY: half + between, EXIT: half - between}
+            return Given(self.name, over.place, both, over.raw, self.diameter)
         replaced = {*over.values, *(EFFECTIVE if over.effective else ())}
         kept = {key: value for key, value in self.values.items() if key not in replaced}
         return Given(
@@ -125,6 +153,18 @@ def resolve(
 def complete(given: Sequence[Given], speed: float | None) -> bool:
     """Whether all tensions follow from what is given."""
     return all(None not in pair for pair in spread(given, speed))
+
+
+def less_runs(given: Given, runs: float, speed: float | None) -> Given:
+    """Return what is given with the pull between the outer tensions: that of the pulleys less runs.
+
+    What the pulleys pull together is entry less exit tension and what the runs between them add.
+    """
+    pull = given.pull(speed)
+    if runs == 0.0 or pull is None:
+        return given
+    kept = {key: value for key, value in given.values.items() if key not in given.effective}
+    return replace(given, values={**kept, "effective_tension": pull - runs})
 
 
 Pair = tuple[float | None, float | None]

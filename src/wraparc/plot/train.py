@@ -9,7 +9,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
 from wraparc.plot.profiles import angles, column, heading
 from wraparc.train import Axis, CaseResult, MarkKind, Matching, ShareCurve, ShareMap, TrainResult
-from wraparc.units import System, display
+from wraparc.units import RESULT_DIGITS, System, display
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -86,13 +86,14 @@ def _draw_chain(ax: "Axes", case: CaseResult, units: System) -> None:
         ax.text(x, 1.2, m.name, ha="center", va="bottom", fontsize=10, color=colour, weight="bold")
         trim = "" if np.isnan(m.speed_trim) else f"trim {100.0 * m.speed_trim:.3f} %"
         creep = display(m.arc.exit_creep, "length", units, digits=3)
-        does = f"{'brakes' if pull < 0.0 else 'pulls'} {display(abs(pull), 'force', units)}"
+        force = display(abs(pull), "force", units, RESULT_DIGITS)
+        does = f"{'brakes' if pull < 0.0 else 'pulls'} {force}"
         text = "\n".join(part for part in (does, trim, f"creep {creep}") if part)
         ax.text(x, -1.2, text, ha="center", va="top", fontsize=8.5)
-        _arrow(ax, x - 2.9, x - 1.15, display(m.arc.entry_tension, "force", units))
+        _arrow(ax, x - 2.9, x - 1.15, display(m.arc.entry_tension, "force", units, RESULT_DIGITS))
     last = case.members[-1].arc.exit_tension
     end = 4.2 * (len(case.members) - 1)
-    _arrow(ax, end + 1.15, end + 2.9, display(last, "force", units))
+    _arrow(ax, end + 1.15, end + 2.9, display(last, "force", units, RESULT_DIGITS))
     ax.set_xlim(-3.1, end + 3.1)
     ax.set_ylim(-2.6, 1.8)
 

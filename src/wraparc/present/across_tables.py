@@ -21,7 +21,7 @@ from wraparc.arc import DriveResult
 from wraparc.checks import Level
 from wraparc.drive import Drive
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import NONE, Row, Table, named, percent, row_of
+from wraparc.present.sheet import NONE, Row, Table, named, percent, quantity, row_of
 from wraparc.units import System, display_unit
 
 #: Places across the belt in a table; all of them are in the data.
@@ -128,7 +128,7 @@ def profile_table(result: AcrossResult, system: System) -> Table:
     rows = []
     for place in places.tolist():
         values = [
-            f"{float(np.interp(place, y, column)) / size:.4g}"
+            quantity(float(np.interp(place, y, column)) / size, "number")
             for (_, _, column), (_, size) in zip(columns, sizes, strict=True)
         ]
         values.append(f"{100.0 * float(np.interp(place, y, energy)):.0f} %")

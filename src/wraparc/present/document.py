@@ -10,12 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.across import across_of
 from wraparc.arc import ArcResult, ClassicalDrive, DriveResult, WrapArc, classical_drives
 from wraparc.checks import Level, judge
 from wraparc.drive import Belt, Drive, Lagging
 from wraparc.glossary import GLOSSARY
-from wraparc.present.across_tables import across_data
 from wraparc.present.checks_table import check_data, verdict_document
 from wraparc.present.conditions_table import conditions_data
 from wraparc.present.conveyor_table import conveyor_data
@@ -55,7 +53,7 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     told = judge(results[0])
     arcs = [_arc_data(arc, result) for result in results for arc in result]
     conveyor = conveyor_data(drive)
-    uneven = [across_data(found) for found in across_of(results[0])]
+    uneven = _uneven(results[0])
     return {
         "format": DOCUMENT_FORMAT,
         "program": {"name": "wraparc", "version": __version__},
@@ -74,6 +72,16 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         "sources": sources_of(drive),
         "units": _units(arcs),
     }
+
+
+def _uneven(result: DriveResult) -> list[Data]:
+    """Return what is told of uneven pulleys; their solver is loaded where there is one."""
+    if not any(pulley.across for pulley in result.drive.pulleys):
+        return []
+    from wraparc.across import across_of
+    from wraparc.present.across_tables import across_data
+
+    return [across_data(found) for found in across_of(result)]
 
 
 def json_text(document: Mapping[str, Any]) -> str:

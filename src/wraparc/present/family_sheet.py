@@ -25,7 +25,7 @@ def family_sheet(
     )  # fmt: skip
     rows = tuple(
         Row(
-            f"{tight}/{slack} = {_ratio(r):.4g}",
+            f"{tight}/{slack} = {named('tension_ratio', _ratio(r))}",
             _values(alone(drive, r), r, system),
             level=level_of(alone(drive, r), r),
         )

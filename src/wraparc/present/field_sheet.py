@@ -105,10 +105,10 @@ def _wear(found: FieldNumbers, source: str, system: System) -> Iterator[Table]:
     if found.passes_per_year <= 0.0:
         return
     rows = [
-        Row("Turns in a year", (f"{found.passes_per_year:.4g}",)),
+        Row("Turns in a year", (quantity(found.passes_per_year, "number"),)),
         Row(
             "Frictional energy in a year",
-            (f"{found.energy_per_year / 1e6:.4g} MJ/m2",),
+            (f"{quantity(found.energy_per_year / 1e6, 'number')} MJ/m2",),
         ),
     ]
     if not math.isnan(found.wear_per_year):

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Sequence
 
 from wraparc.arc import WrapArc
 from wraparc.drive import Drive
-from wraparc.glossary import GLOSSARY
 from wraparc.present.inputs import Input, arc_inputs
 from wraparc.present.sheet import Row, Table
 from wraparc.present.sources import Sources
@@ -72,7 +71,7 @@ def input_tables(
                 )
                 for name in names
             )
-            heads = tuple(GLOSSARY[n].symbol for n in ("entry_tension", "exit_tension"))
+            heads = tuple(entry.symbol for entry in groups[names[0]])
             tables.append(Table("Tensions", rows, heads, _TENSIONS))
             continue
         for start in range(0, len(names), _ABREAST):

@@ -15,7 +15,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import percent, quantity
 from wraparc.present.sources import Sources
 from wraparc.provenance import Kind, Provenance
-from wraparc.units import Dimension, System
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Dimension, System
 
 if TYPE_CHECKING:
     from wraparc.train import Train
@@ -65,8 +65,10 @@ class Input:
     def text(self, system: System) -> str:
         """Return the value with its unit."""
         if isinstance(self.value, float):
-            known = not math.isinf(self.value)
-            return quantity(self.value, self.dimension, system) if known else "rigid"
+            if math.isinf(self.value):
+                return "rigid"
+            digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
+            return quantity(self.value, self.dimension, system, digits)
         return str(self.value)
 
     def note(self, of: Sources) -> str:

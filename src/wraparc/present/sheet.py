@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
-from wraparc.units import Dimension, System, display, display_unit
+from wraparc.units import RESULT_DIGITS, Dimension, System, display, display_unit
 
 #: What stands where there is no number.
 NONE = "-"
@@ -130,13 +130,15 @@ class Sheet:
     sources: tuple[str, ...] = ()
 
 
-def quantity(value: float, dimension: Dimension, system: System = "si") -> str:
+def quantity(
+    value: float, dimension: Dimension, system: System = "si", digits: int = RESULT_DIGITS
+) -> str:
     """Return a value [SI] with its unit, `NONE` for nan and words for infinity."""
     if math.isnan(value):
         return NONE
     if math.isinf(value):
         return "without bound"
-    return display(value, dimension, system)
+    return display(value, dimension, system, digits)
 
 
 def named(name: str, value: float, system: System = "si") -> str:

@@ -103,12 +103,18 @@ def _verdict(summary: Summary) -> Verdict:
     level = Level.ATTENTION if missed or judged.total < total else Level.OK
     if judged.share(Level.FAILS).count == total:
         level = Level.FAILS
+    left = summary.data.get("not_checked", ())
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     headline = f"{total:,} rows: {_ends(judged)}."
     if missed:
         name, most = next(iter(missed.items()))
         of = "all of them" if len(missed) == 1 else f"{_share(most, sum(missed.values()))} of them"
         headline = f"{headline[:-1]}; {RULES[name].what} governs {of}."
+    if left:
+        sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
+    if level is Level.OK:
+        unsaid = left[1:] if ground else left[-1:]  # what is uneven is said besides the ground
+        ground = ", ".join(part for part in (ground, *(f"without {x}" for x in unsaid)) if part)
     return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
 
 
@@ -119,7 +125,7 @@ def _ends(judged: Judged) -> str:
         (Level.FAULT, "could not be solved"),
         (Level.FAILS, "fail"),
         (Level.ATTENTION, "need attention"),
-        (Level.OK, "keep every check"),
+        (Level.OK, "keep every check that is made"),
     ):
         share = judged.share(level)
         if share.count:

@@ -30,7 +30,7 @@ from wraparc.train import (
     Train,
     TrainResult,
 )
-from wraparc.units import System, display
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, System, display
 
 Cell = Callable[[MemberResult], str]
 _ROUNDING = 1e-9  # loss over power that is none
@@ -86,7 +86,7 @@ def case_table(case: CaseResult, system: System) -> Table:
         entry = GLOSSARY[name]
         return Row(entry.title, tuple(map(of, members)), entry.symbol, note, name)
 
-    def value(name: str, note: str = "", digits: int = 4) -> Row:
+    def value(name: str, note: str = "", digits: int = RESULT_DIGITS) -> Row:
         dimension = GLOSSARY[name].dimension
         return row(name, lambda m: _shown(m.scalars()[name], dimension, system, digits), note)
 
@@ -162,7 +162,7 @@ def _motor_rows(
         of("motor_load", percent),
         of("motor_power", lambda v: named("motor_power", v, system)),
         of("motor_torque", lambda v: named("motor_torque", v, system)),
-        of("motor_speed", lambda v: named("motor_speed", v, system)),
+        of("motor_speed", lambda v: display(v, "rotation_speed", system, GIVEN_DIGITS)),
         *(
             of(name, lambda v, name=name: named(name, v, system))  # type: ignore[misc]
             for name in _motor_extras(members)

@@ -55,7 +55,8 @@ def life_table(
     data = life_data(result, lagging)
     if data is None:
         return None
-    rows = [Row("Passes of the lagging under the belt", (f"{data['passes_per_hour']:.4g} 1/h",))]
+    passes = quantity(data["passes_per_hour"], "number")
+    rows = [Row("Passes of the lagging under the belt", (f"{passes} 1/h",))]
     depth = quantity(data["depth"], "length", system)
     if data["life_hours"] is not None:
         k = quantity(data["coefficient"], "wear_coefficient", system)

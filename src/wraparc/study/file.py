@@ -13,6 +13,7 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
+from wraparc.checks.of_rows import not_checked
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -112,6 +113,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
         ground=before(drive).qualifier,
+        not_checked=tuple(not_checked(drive.pulley(pulley))),
     )
     return StudyFile(
         study=study,
@@ -119,7 +121,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         pulley=pulley,
         sensitivity=sensitivity,
         inputs=(file, drive_path),
-        remarks=tuple(_remarks(axes, known)),
+        remarks=(*_remarks(axes, known), *source.remarks(drive)),
         sources=tuple(_sources(drive.pulley(pulley).lagging, record, axes, known)),
     )
 

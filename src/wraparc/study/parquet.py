@@ -116,6 +116,7 @@ def study_data(study: Study) -> dict[str, Any]:
         "setting": study.setting.value,
         "outputs": list(study.outputs),
         "ground": study.ground,
+        "not_checked": list(study.not_checked),
         "input": study.description,
     }
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -164,6 +164,22 @@ class DriveSource:
             known.update(fit.columns)
         return known.get(name)
 
+    def remarks(self, drive: Drive) -> Iterator[str]:
+        """Yield what a reader must know of the tensions: how a train divides them, the take-up."""
+        if "train" in self.document:
+            again = ", ".join(f.name for f in self._others)
+            yield (
+                f"The load of the train divides as its file says, and pulley {self.pulley} "
+                + (f"(divided anew for each value of {again}) " if again else "")
+                + "keeps its pull whatever else varies; `wraparc solve` divides the load anew."
+            )
+        take_up = drive.criteria.take_up
+        held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
+        yield (
+            f"The safety against gross slip is that of a take-up that holds {held}"
+            + (f" ({take_up.kind})." if take_up.kind else "; the file names no take-up.")
+        )
+
     def rows(self, values: Values, size: int, load_case: str) -> Rows:
         """Return designs in a load case."""
         bases, which = self._bases(values, size)
@@ -291,7 +307,9 @@ class DriveSource:
         tables = self._cases[case].get("pulley", {})
         table = tables.get(item.name, Record({}, (), {}))
         place = ("load_case", case, "pulley", item.name)
-        return item.overridden(Record(_numbers(table, place, at), (), {}))
+        over = Record(_numbers(table, place, at), (), {})
+        speed: Any = at.get(("belt", "speed"), self.drive.belt.speed)
+        return item.overridden(over, fixed=self.drive.criteria.take_up.fixed, speed=speed)
 
 
 _SCALING = (FRICTION_FACTOR, SLIP_FACTOR)

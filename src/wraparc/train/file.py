@@ -11,12 +11,11 @@ from wraparc.errors import InputError, Problem, nearest, placed, shown
 from wraparc.files.conditions import asking, build_conditions, condition_name, in_each_condition
 from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
 from wraparc.files.drive_file import drive_from_document, overridden
-from wraparc.files.tensions import KEYS, Given, complete, resolve
+from wraparc.files.tensions import KEYS, Given, complete, less_runs, resolve
 from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import NOTHING, Report, place_text
 from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
-from wraparc.train.as_drive import as_drive
 from wraparc.train.keys import EQUAL, MOTOR, TRAIN_FILE
 from wraparc.train.motors import Motor, TorqueFollower
 from wraparc.train.train import Division, Motors, Shares, Speeds, Train, TrainCase
@@ -108,6 +107,8 @@ def any_drive_from_document(document: Document, **more: Any) -> Drive:
     """Return the drive of a drive file that is already parsed, see `load_drive`."""
     whole = overridden(document, more.pop("overrides", ()), file=more.get("file", ""))
     if "train" in whole:
+        from wraparc.train.as_drive import as_drive  # takes the solver, which few files need
+
         return as_drive(train_from_document(whole, **more))
     return drive_from_document(whole, **more)
 
@@ -145,7 +146,8 @@ def train_from_document(
     criteria = build_criteria(record, report)
     report.raise_all()
     # nothing was reported, so nothing is None
-    reader = _Reader(record, cast(Belt, belt), [cast(Pulley, p) for p in pulleys], report)
+    known = cast(Belt, belt), [cast(Pulley, p) for p in pulleys]
+    reader = _Reader(record, *known, report, fixed=criteria.take_up.fixed)
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     cases = reader.cases()
     report.raise_all()
@@ -192,9 +194,15 @@ class _Reader:
     """The ``[train]`` table and those of the load cases, with belt and pulleys at hand."""
 
     def __init__(
-        self, record: Record, belt: Belt, pulleys: Sequence[Pulley], report: Report
+        self,
+        record: Record,
+        belt: Belt,
+        pulleys: Sequence[Pulley],
+        report: Report,
+        *,
+        fixed: bool = False,
     ) -> None:
-        self.belt, self.pulleys, self._report = belt, pulleys, report
+        self.belt, self.pulleys, self._report, self._fixed = belt, pulleys, report, fixed
         self._record = record
         self._train: Record = record["train"]
         self.nominal = tuple(p.diameter for p in pulleys)
@@ -243,7 +251,7 @@ class _Reader:
         pull = self._powers(train if over is None or "share" not in over else over)
         if pull and len(given.families) < 2:
             given = replace(given, values={**given.values, "effective_tension": pull})
-        given = _less_runs(given, sum(runs), self.belt.speed)
+        given = less_runs(given, sum(runs), self.belt.speed)
         tensions = resolve([given], self.belt.speed, self._report).get(given.name)
         if division is None or tensions is None:
             return None
@@ -269,7 +277,12 @@ class _Reader:
 
     def _given(self, train: Record, over: Record | None) -> Given:
         given = Given.of("train", train, None)
-        return given if over is None else given.overridden(over)
+        if over is None:
+            return given
+        runs = (0.0, 0.0)
+        if self._fixed:
+            runs = sum(self._runs(train, None)), sum(self._runs(train, over))
+        return given.overridden(over, fixed=self._fixed, speed=self.belt.speed, runs=runs)
 
     def _runs(self, train: Record, over: Record | None) -> tuple[float, ...]:
         table = dict(train.get("run", {}))
@@ -364,15 +377,3 @@ class _Reader:
     def _motor(self, record: Record) -> Motor | TorqueFollower | None:
         motor: Motor | TorqueFollower | None = MOTOR.built(record, self._report)
         return motor
-
-
-def _less_runs(given: Given, runs: float, speed: float | None) -> Given:
-    """Return what is given with the pull between the outer tensions: that of the pulleys less runs.
-
-    What the pulleys pull together is entry less exit tension and what the runs between them add.
-    """
-    pull = given.pull(speed)
-    if runs == 0.0 or pull is None:
-        return given
-    kept = {key: value for key, value in given.values.items() if key not in given.effective}
-    return replace(given, values={**kept, "effective_tension": pull - runs})

@@ -1,6 +1,6 @@
 """Quantities as people write them, and the SI values that everything else works with."""
 
-from wraparc.units.display import System, display, display_unit
+from wraparc.units.display import GIVEN_DIGITS, RESULT_DIGITS, System, display, display_unit
 from wraparc.units.numbers import parse_number
 from wraparc.units.parse import dimension_of, parse_quantity, unit_factor, unit_names
 from wraparc.units.table import DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
@@ -9,6 +9,8 @@ __all__ = [
     "DEFINITIONS",
     "DIMENSIONS",
     "DIMENSION_TEXT",
+    "GIVEN_DIGITS",
+    "RESULT_DIGITS",
     "Dimension",
     "System",
     "dimension_of",

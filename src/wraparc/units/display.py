@@ -1,12 +1,19 @@
 """SI values to text for people, in metric or US units."""
 
 import math
+from decimal import Decimal
 from typing import Literal
 
 from wraparc.units.parse import parse_quantity, unit_factor
 from wraparc.units.table import Dimension
 
 System = Literal["si", "us"]
+
+#: Significant digits of what was computed: no friction is known to more. Files hold every digit.
+RESULT_DIGITS = 3
+#: A number that so many digits hold entirely is one that somebody gave, and is shown as it is.
+GIVEN_DIGITS = 4
+_EXACT = 1e-9
 
 # Unit by the size from which it is used, in the first unit of the row: a value is shown
 # in the last unit whose bound it reaches. The first unit is the one for tables.
@@ -72,8 +79,10 @@ def display_unit(dimension: Dimension, system: System = "si") -> tuple[str, floa
     return unit, unit_factor(unit, dimension)
 
 
-def display(value: float, dimension: Dimension, system: System = "si", digits: int = 4) -> str:
-    """Return an SI value as text with a unit of fitting size, ``"150.0 kN"``.
+def display(
+    value: float, dimension: Dimension, system: System = "si", digits: int = GIVEN_DIGITS
+) -> str:
+    """Return an SI value as text with a unit of fitting size, ``"126 kN"``.
 
     Parameters
     ----------
@@ -84,7 +93,8 @@ def display(value: float, dimension: Dimension, system: System = "si", digits: i
     system
         ``"si"`` (mm, kN, kPa, deg ...) or ``"us"`` (in, lbf, psi, deg ...).
     digits
-        Significant digits shown; whole digits are never dropped.
+        Significant digits, `RESULT_DIGITS` for results. What was given, which `GIVEN_DIGITS` hold
+        entirely in the unit shown, is not rounded: ``"6.35 mm"``, ``"417.5 kN"``, ``"1250 mm"``.
 
     Notes
     -----
@@ -113,8 +123,16 @@ def _rounded(number: float, digits: int) -> str:
         return str(number)
     if number == 0:
         return "0"
-    rounded = float(f"{number:.{digits - 1}e}")
-    exponent = math.floor(math.log10(abs(rounded)))
+    given = f"{number:.{GIVEN_DIGITS - 1}e}"
+    whole = digits <= GIVEN_DIGITS and math.isclose(float(given), number, rel_tol=_EXACT)
+    if whole and -4 <= _exponent(given) < 12:
+        return f"{Decimal(given).normalize():f}"
+    rounded = f"{number:.{digits - 1}e}"
+    exponent = _exponent(rounded)
     if not -4 <= exponent < 12:
-        return f"{number:.{digits - 1}e}"
-    return f"{rounded if exponent < digits else number:.{max(0, digits - 1 - exponent)}f}"
+        return rounded
+    return f"{float(rounded):.{max(0, digits - 1 - exponent)}f}"
+
+
+def _exponent(scientific: str) -> int:
+    return int(scientific.rpartition("e")[2])

@@ -16,7 +16,7 @@ from wraparc.arc import Profile as ArcProfile
 from wraparc.checks import Level
 from wraparc.present import sheet as present
 from wraparc.provenance import Kind
-from wraparc.units import Dimension, System, display
+from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 Data = dict[str, Any]
 Numbers = list[float | None]
@@ -159,7 +159,7 @@ def both(make: Callable[[System], str]) -> Both:
 
 def quantity(value: float, dimension: Dimension) -> Both:
     """Return a value [SI] as text in both systems."""
-    return both(lambda system: display(value, dimension, system))
+    return both(lambda system: display(value, dimension, system, RESULT_DIGITS))
 
 
 def texts(make: Callable[[System], Iterable[str]]) -> list[Both]:

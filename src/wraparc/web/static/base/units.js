@@ -5,17 +5,20 @@ import { app } from "./design.js";
 /** @import { Children, Text, Units } from "../types.d.ts" */
 
 /**
- * A number with so many significant digits, plain where it fits; as the command line prints it.
+ * A number as the command line prints it: so many significant digits, plain where it fits, and
+ * whole where it was given, which four digits hold.
  * @param {number | null | undefined} v
  */
-export function digits(v, n = 4) {
+export function digits(v, n = 3) {
   if (v == null || Number.isNaN(v)) return "–";
   if (!Number.isFinite(v)) return "unbounded";
   if (Math.abs(v) < 1e-9) return "0"; // what is left of a difference of equal numbers
-  const r = +v.toExponential(n - 1);
-  const e = Math.floor(Math.log10(Math.abs(r)));
+  const given = +v.toExponential(3);
+  const whole = Math.abs(v - given) <= 1e-9 * Math.abs(v);
+  const r = whole ? given : +v.toExponential(n - 1);
+  const e = +r.toExponential().split("e")[1];
   if (e < -4 || e >= 12) return v.toExponential(n - 1);
-  return (e < n ? r : v).toFixed(Math.max(0, n - 1 - e));
+  return whole ? String(r) : r.toFixed(Math.max(0, n - 1 - e));
 }
 /**
  * Unit of a dimension and its SI value, in the units looked at.
@@ -54,7 +57,7 @@ const LARGER_US = { length: [10.16, "ft"], force: [44482.2, "klbf"], pressure: [
  * Value [SI] with the unit that people read it in.
  * @param {number | null | undefined} v @param {string} dimension
  */
-export function show(v, dimension, n = 4) {
+export function show(v, dimension, n = 3) {
   if (v == null) return "–";
   let [u, f] = unit(dimension);
   const big = (app.units === "us" ? LARGER_US : LARGER_SI)[dimension];

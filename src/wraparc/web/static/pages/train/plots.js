@@ -35,7 +35,7 @@ export function chain(c) {
     },
     h("path", { d: `M4 20H${wide - 4}`, class: "belt-line" }),
     c.drives.map(drum),
-    text(wide - 34, 14, "tx", show(c.drives[n - 1].exit_tension, "force", 4)),
+    text(wide - 34, 14, "tx", show(c.drives[n - 1].exit_tension, "force")),
   );
 }
 /** @param {number} x @param {number} y @param {string} cls @param {string} words */
@@ -54,7 +54,7 @@ function drum(m, i) {
     text(x, 136, "al", `${m.pulley}${m.share < 0 ? " (brakes)" : ""}`),
     text(x, 151, "tx", `trim ${percent(m.speed_trim, 6)}`),
     text(x, 166, "tx", `creep ${shown("exit_creep", m.exit_creep, 3)}`),
-    text(x - GAP / 2 + (i ? 0 : 30), 14, "tx", show(m.entry_tension, "force", 4)),
+    text(x - GAP / 2 + (i ? 0 : 30), 14, "tx", show(m.entry_tension, "force")),
   );
 }
 /** Part of the load as a part of the circle. @param {number} x @param {number} share */
