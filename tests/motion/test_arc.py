@@ -97,11 +97,15 @@ def log_ratio(points: int) -> list[float]:
 
 
 def test_a_start_from_rest_of_a_rigid_belt() -> None:
-    """ln(T1/T2) = [(V/w) Phi(w t) + mu(w t)(L - V t)]/R, then (V/w) Phi(w L/V)/R."""
-    coarse, fine = log_ratio(50), log_ratio(100)
-    assert max(map(abs, fine)) < 1e-4
+    """ln(T1/T2) = [(V/w) Phi(w t) + mu(w t)(L - V t)]/R, then (V/w) Phi(w L/V)/R.
+
+    4e-5 asks for 144 pieces (7.5e-5 with 100): the slope of the law is infinite at the nip, so that
+    the trapezium rule is of second order there but for a logarithm.
+    """
+    coarse, fine = log_ratio(72), log_ratio(144)
+    assert max(map(abs, fine)) < 4e-5
     for a, b in zip(coarse, fine, strict=True):
-        assert abs(b) < 1e-8 or math.log2(abs(a / b)) > 1.7
+        assert abs(b) < 1e-8 or math.log2(abs(a / b)) > 1.8
 
 
 def shear_only(points: int) -> MovingArc:
@@ -129,7 +133,7 @@ def test_deviations_of_held_tensions_die_as_they_must() -> None:
     assert z == pytest.approx(complex(-2.0888, 7.4615), abs=1e-4)
     for _ in range(700):
         arc.roll(arc.spacing, 1.2e5, 1e5)
-    rate = arc._slope  # of the steady state
+    rate = arc.slope  # of the steady state
     # lay what the pieces keep as that mode would have it, and see it go on
     part = arc.rows[arc.span[0] : arc.span[1] + 1]
     s = arc.travel - part[:, k.TRAVEL]
@@ -146,7 +150,7 @@ def test_deviations_of_held_tensions_die_as_they_must() -> None:
 
 def test_a_pull_cycled_at_rest_runs_through_masing_loops() -> None:
     """ln(T1/T2) = phi mu(x) with the loops of the law: area 2 mu_pk x_a^2/x_pk."""
-    arc, top = MovingArc(RIGID, 60), 8e-3
+    arc, top = MovingArc(RIGID, 160), 8e-3
     angles = np.linspace(0.0, 2.5 * math.pi, 1001)
     x, mu = [], []
     for a in angles:
@@ -154,7 +158,7 @@ def test_a_pull_cycled_at_rest_runs_through_masing_loops() -> None:
         x.append(arc.m)
         mu.append(math.log(arc.entry / 1e5) / math.pi)
     rise = angles <= 0.5 * math.pi
-    assert np.array(mu)[rise] == pytest.approx(FREE.friction(np.array(x)[rise], 1e5), rel=3e-4)
+    assert np.array(mu)[rise] == pytest.approx(FREE.friction(np.array(x)[rise], 1e5), rel=4e-5)
     area = np.trapezoid(mu[200:], x[200:])
     assert area == pytest.approx(2.0 * 0.8 * top**2 / 20e-3, rel=1e-3)
 
@@ -168,8 +172,8 @@ def test_held_tensions_depend_on_travel_alone() -> None:
         b.roll(b.spacing, 1.2e5, result.exit_tension)
         if j % 7 == 0:
             b.roll(0.0, 1.2e5, result.exit_tension)
-    assert b.creep()[-1] == pytest.approx(a.creep()[-1], rel=1e-5)
-    assert b.m == pytest.approx(a.m, rel=1e-5)
+    assert b.creep()[-1] == pytest.approx(a.creep()[-1], rel=1e-9)
+    assert b.m == pytest.approx(a.m, rel=1e-9)
 
 
 @pytest.mark.parametrize("file", ["tandem-fabric", "tandem-steel-cord"])
@@ -236,8 +240,9 @@ def test_work_of_a_start_goes_where_it_must() -> None:
     """Identity: drum work = belt work + friction work + change of shear energy and of int a T2/2
     ds + shear energy carried out at the exit; to second order in the pieces."""
     coarse, fine = work_miss(80), work_miss(160)
-    assert abs(fine) < 2e-4
-    assert abs(coarse) > 2.0 * abs(fine)
+    assert abs(coarse) < 2e-4
+    assert abs(fine) < 6e-5
+    assert math.log2(abs(coarse / fine)) > 1.9
 
 
 @pytest.mark.parametrize(

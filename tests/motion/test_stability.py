@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from wraparc import InputError, load_train, solve_train
+from motion.stations import INERTIA, TRAINS, station
+from wraparc import InputError, solve_train
 from wraparc.motion.arc_response import SteadyProfile
 from wraparc.motion.control import (
     Control,
@@ -20,16 +21,8 @@ from wraparc.motion.control import (
 from wraparc.motion.event import Event, OnDrum
 from wraparc.motion.linear import Linear, contour, windings
 from wraparc.motion.march import March
-from wraparc.motion.station import Drum, Station
+from wraparc.motion.station import Station
 from wraparc.motion.vibration import response, stability, stability_map
-
-INERTIA = {"fabric": 2200.0, "steel-cord": 6000.0}
-TRAINS = {name: load_train(f"examples/tandem-{name}.toml") for name in INERTIA}
-
-
-def station(name: str, first: Control, second: Control, **more: object) -> Station:
-    drums = tuple(Drum(inertia=INERTIA[name], control=c) for c in (first, second))
-    return Station(train=TRAINS[name], drums=drums, **more)  # type: ignore[arg-type]
 
 
 def follower(name: str, **more: float) -> Station:
@@ -38,11 +31,13 @@ def follower(name: str, **more: float) -> Station:
 
 @pytest.mark.parametrize("name", INERTIA)
 def test_the_slow_limit_is_the_static_train(name: str) -> None:
-    """Other code: the sensitivity of `solve_train`, to 5e-5; theory: 65.7491 and 51.3006."""
+    """Theory, 1e-5: 65.7491 and 51.3006; other code, the sensitivity of `solve_train`, whose own
+    error is the larger one (1.2e-5 of the theory's for steel cord): 2e-5."""
     linear = Linear.of(station(name, ExactSpeed(), ExactSpeed()))
     static = solve_train(TRAINS[name]).cases[0].sensitivity[1][1]
-    assert linear.share_by_speed(1) == pytest.approx(static, rel=5e-5)
-    assert static == pytest.approx({"fabric": 65.7491, "steel-cord": 51.3006}[name], rel=1e-4)
+    found = linear.share_by_speed(1)
+    assert found == pytest.approx({"fabric": 65.7491, "steel-cord": 51.3006}[name], rel=1e-5)
+    assert found == pytest.approx(static, rel=2e-5)
 
 
 @pytest.mark.parametrize(
@@ -87,14 +82,14 @@ def test_the_critical_gain_of_a_trim_loop(name: str, critical: float, growth: fl
         trim = Trim(gain=critical * factor, dead_time=0.5)
         return Linear.of(replace(base, drums=(base.drums[0], replace(base.drums[1], trim=trim))))
 
-    assert at(0.98).roots_beyond(0.0) == 0
-    assert at(1.02).roots_beyond(0.0) == 2
-    assert at(1.1).rightmost.real == pytest.approx(growth, rel=0.03)
+    assert at(0.99).roots_beyond(0.0) == 0
+    assert at(1.01).roots_beyond(0.0) == 2
+    assert at(1.1).rightmost.real == pytest.approx(growth, rel=0.01)
 
 
 def test_a_rigid_arc_answers_in_closed_form() -> None:
     """Z = (B/(c lam)) [L - (V/lam)(1 - e^(-lam L/V))] for a belt that does not stretch."""
-    n, length, b, k, v = 121, 1.3, 1.2, 2e8, 3.0
+    n, length, b, k, v = 1601, 1.3, 1.2, 2e8, 3.0
     xi = np.linspace(0.0, 1.0, n)
     profile = SteadyProfile(
         length=length,
@@ -110,7 +105,7 @@ def test_a_rigid_arc_answers_in_closed_form() -> None:
     )
     lam = np.array([0.3 + 2j, 5j, 20j])
     expected = b * k / lam * (length - v / lam * (1.0 - np.exp(-lam * length / v)))
-    assert profile.response(lam).entry_impedance == pytest.approx(expected, rel=1e-5)
+    assert profile.response(lam).entry_impedance == pytest.approx(expected, rel=1e-8)
 
 
 def test_winding_counts_zeros() -> None:

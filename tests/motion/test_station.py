@@ -11,7 +11,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from wraparc import InputError, load_train
+from motion.stations import TRAINS, moving, station
+from wraparc import InputError
 from wraparc.motion.control import (
     Control,
     CoupledMotor,
@@ -37,18 +38,6 @@ from wraparc.motion.march import March
 from wraparc.motion.result import Outcome
 from wraparc.motion.station import Drum, Station
 
-INERTIA = {"fabric": 2200.0, "steel-cord": 6000.0}
-TRAINS = {name: load_train(f"examples/tandem-{name}.toml") for name in INERTIA}
-
-
-def station(name: str, first: Control, second: Control, **more: object) -> Station:
-    drums = tuple(Drum(inertia=INERTIA[name], control=c) for c in (first, second))
-    return Station(train=TRAINS[name], drums=drums, **more)  # type: ignore[arg-type]
-
-
-def moving(name: str, first: Control, second: Control) -> Station:
-    return station(name, first, second, conveyor_mass=100e3)
-
 
 @pytest.mark.parametrize(
     ("name", "control", "amplitude", "phase"),
@@ -63,7 +52,8 @@ def test_run_out_of_the_second_drum(
 ) -> None:
     """Theory: tension between the drums per run-out, outer tensions held, run 3 m."""
     wave = OnDrum(pulley="second", run_out=0.1e-3)
-    march = March(station(name, control, control), Event(happenings=(wave,)))
+    pieces = 120 if phase and name == "steel-cord" else 100  # 2.5e-4 with 100, of second order
+    march = March(station(name, control, control), Event(happenings=(wave,)), points=pieces)
     angles, tensions = [], []
     while march.t < 7.0:
         march.step()
@@ -74,7 +64,7 @@ def test_run_out_of_the_second_drum(
     basis = np.stack([np.cos(a), np.sin(a), np.ones_like(a)], axis=1)
     c = np.linalg.lstsq(basis, np.array(tensions), rcond=None)[0]
     found = complex(c[0], -c[1]) / 0.1e-3
-    assert abs(found) == pytest.approx(amplitude, rel=3e-4)
+    assert abs(found) == pytest.approx(amplitude, rel=2e-4)
     if phase is not None:
         assert math.degrees(cmath.phase(found)) == pytest.approx(phase, abs=0.1)
 
@@ -95,7 +85,7 @@ def test_a_torque_follower_without_speed_feedback_grows(name: str, root: complex
     assert len(top) >= 4
     growth = np.polyfit(t[top], np.log(y[top]), 1)[0]
     period = float(np.mean(np.diff(t[top])))
-    assert growth == pytest.approx(root.real, rel=0.03)
+    assert growth == pytest.approx(root.real, rel=0.01)
     assert 2.0 * math.pi / period == pytest.approx(root.imag, rel=0.01)
 
 

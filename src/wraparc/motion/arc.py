@@ -45,6 +45,8 @@ class MovingArc:
         int rho ds over the wrap [m2].
     work
         Friction work so far [J].
+    slope
+        dm/dS of the last roll [-].
     give, rise, dry
         What the piece at the nip gets: compliance of belt and lagging recovery [1/N], extra
         radius [m], share of the friction [-].
@@ -59,6 +61,7 @@ class MovingArc:
     wrapped: float = 0.0
     lifted: float = 0.0
     work: float = 0.0
+    slope: float = 0.0
     give: float = field(init=False)
     rise: float = 0.0
     dry: float = 1.0
@@ -184,7 +187,9 @@ class MovingArc:
             If there is no creep with which the arc holds them.
         """
         self.begin(self.travel + ahead)
-        m, travel = self.m + (self._creep_rate() * ahead), self.travel + ahead
+        # a belt that does not creep is laid on stretched
+        rate = self.slope or self.give * entry
+        m, travel = self.m + rate * ahead, self.travel + ahead
         for _ in range(_ITERATIONS):
             out = self.sweep(travel, m, exit_tension)
             dm = (entry - out[k.IN]) / out[k.IN_M] if out[k.IN_M] != 0.0 else np.inf
@@ -196,13 +201,8 @@ class MovingArc:
                 break
         else:
             raise ArithmeticError
-        self._slope = (m - self.m) / ahead if ahead > STANDS else 0.0
+        self.slope = (m - self.m) / ahead if ahead > STANDS else 0.0
         self.finish(m, exit_tension)
-
-    _slope = 0.0
-
-    def _creep_rate(self) -> float:
-        return self._slope
 
     def settle(self, entry: float, exit_tension: float, wraps: float = 3.0) -> None:
         """Bring the arc into its steady state between two tensions."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 
+from wraparc.errors import InputError, Problem
 from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
 from wraparc.motion.equations import Trial, solved
@@ -46,7 +47,13 @@ class March(StationState):
         """Begin in the steady state."""
         for d, member in zip(self.drums, self.steady.members, strict=True):
             pair = (member.arc.entry_tension, member.arc.exit_tension)
-            d.arc.settle(*pair, wraps=5.0)
+            try:
+                d.arc.settle(*pair, wraps=5.0)
+            except ArithmeticError:
+                message = "its steady state could not be reached by marching"
+                remedy = "Give more points, or begin at rest."
+                problem = Problem(key=f"pulley.{member.name}", message=message, remedy=remedy)
+                raise InputError(problem) from None
             d.omega, d.level = d.duty.speed, 1.0
             d.moment = d.torque = d.moment_of(*pair, 0.0, 0.0)[0]
             d.turning.run(1.0, d.omega, d.torque)

@@ -144,7 +144,7 @@ class Coupled(Turning):
         self.control, self.motor = control, control.motor
         self.pump, self.top = control.running(duty)
         self.rated_pump = self.pump
-        self.speed = duty.speed
+        self.pump_before, self.h_before = self.pump, 0.0
         self.level = 1.0
 
     def mains(self, pump: float) -> tuple[float, float]:
@@ -159,27 +159,39 @@ class Coupled(Turning):
 
     def run(self, level: float, omega: float, torque: float) -> None:
         """Be in a state that has lasted."""
-        self.level, self.speed = level, omega
+        self.level = level
         if omega == 0.0:
-            self.pump = 0.0
+            self.pump = self.pump_before = 0.0
 
     def _solved(self, omega: float) -> tuple[float, float, float]:
-        """Pump speed at the end of the step, torque and its slope by drum speed."""
-        j, h = self.control.pump_inertia, self.h
-        pump = self.pump
-        before = self.mains(pump)[0] - self.through(pump, self.speed)[0]
-        torque = by_pump = by_drum = slope = 0.0
-        for _ in range(30):
+        """Pump speed at the end of the step, torque and its slope by drum speed.
+
+        Backward differences of second order: a pump that runs up without load is stiff. What is
+        asked rises with the pump's speed: Newton's method, halving where it leaves the bracket.
+        """
+        ratio = self.h / self.h_before if self.h_before else 0.0
+        share = (1.0 + ratio) / (1.0 + 2.0 * ratio) * self.h / self.control.pump_inertia
+        start = self.pump + ratio**2 / (1.0 + 2.0 * ratio) * (self.pump - self.pump_before)
+        most = 2.0 * max(self.top, abs(omega), abs(self.pump))
+        low, high, pump = -most, most, self.pump
+        torque = by_drum = by_pump = slope = 0.0
+        for _ in range(80):
             motor, motor_slope = self.mains(pump)
             torque, by_pump, by_drum = self.through(pump, omega)
-            miss = j * (pump - self.pump) - 0.5 * h * (before + motor - torque)
-            slope = j - 0.5 * h * (motor_slope - by_pump)
-            step = miss / slope
-            pump -= step
-            if abs(step) < 1e-12 * self.top:
+            miss = pump - start - share * (motor - torque)
+            slope = 1.0 - share * (motor_slope - by_pump)
+            if miss > 0.0:
+                high = pump
+            else:
+                low = pump
+            new = pump - miss / slope if slope > 0.0 else math.nan
+            if not low < new < high:
+                new = 0.5 * (low + high)
+            done, pump = abs(new - pump) < 1e-12 * self.top, new
+            if done:
                 break
         # d pump / d omega from the same equation
-        follow = -0.5 * h * by_drum / slope
+        follow = -share * by_drum / slope
         return pump, torque, by_drum + by_pump * follow
 
     def torque(self, omega: float, lead: float) -> tuple[float, float, float]:
@@ -189,8 +201,8 @@ class Coupled(Turning):
 
     def accept(self, omega: float, torque: float, lead: float) -> None:
         """Take the step for good."""
-        self.pump = self._solved(omega)[0]
-        self.speed = omega
+        self.pump_before, self.pump = self.pump, self._solved(omega)[0]
+        self.h_before = self.h
 
 
 class Following(Turning):
