@@ -139,10 +139,11 @@ def _verdict(result: StabilityResult, own: ControlAnswer, system: System) -> Ver
         f"{percent(calmest.pull * run_out, 2)} of the pull at one wave a turn, "
         f"{percent(calmest.pull_third * run_out, 2)} at three; {_cost(calmest)}."
     )
+    turn = result.linear.duties[-1].speed / (2.0 * math.pi)
     forced = (
         f"A run-out of {said} of the last drum makes its pull swing by "
-        f"{percent(amplitude, 2)} at one wave a turn and "
-        f"{percent(own.pull_third * run_out, 2)} at three."
+        f"{percent(amplitude, 2)} at one wave a turn ({turn:.3g} Hz) and "
+        f"{percent(own.pull_third * run_out, 2)} at three ({3.0 * turn:.3g} Hz)."
     )
     if not result.stable:
         double = math.log(2.0) / result.root.real
