@@ -17,6 +17,7 @@ from wraparc.checks.check import Level, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, rises_of
 from wraparc.checks.rules import (
+    ACROSS_CHECKS,
     IDLE,
     NO_GRIP,
     RULES,
@@ -35,7 +36,11 @@ Codes = NDArray[np.int8]
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
 #: Checks by their code: what governs a row. "" where nothing could be checked.
-NAMES = ("", *(name for name in RULES if name not in ("balance", "train_balance")))
+NAMES = (
+    "",
+    *(name for name in RULES if name not in ("balance", "train_balance")),
+    *sorted(ACROSS_CHECKS),
+)
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
 
@@ -214,6 +219,14 @@ def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple
     level, governing
         Places in `LEVELS` and `NAMES`, shape (n,) each.
     """
+    level, governing, _ = worst_of_rows(solved, held, friction_factor)
+    return level, governing
+
+
+def worst_of_rows(
+    solved: BatchResult, held: Held, friction_factor: Array
+) -> tuple[Codes, Codes, Array]:
+    """Return what `judge_rows` does, and the margin of the check that governs, shape (n,)."""
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
@@ -225,7 +238,7 @@ def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple
         governing = np.where(worse, NAMES.index(name), governing).astype(np.int8)
     lost = solved["status"] == REFUSED
     level[lost], governing[lost] = 0, 0
-    return level, governing
+    return level, governing, least
 
 
 def _checks(

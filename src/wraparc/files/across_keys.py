@@ -64,38 +64,44 @@ class Profile(Kind):
             Entry("rows", "Pairs of position, 0 in the middle of the belt, and value.", self.rows),
             Entry("crown", "Height of a parabola in the middle over the edges of the belt.",
                   Quantity(dimension)),
+            Entry("factor", "Factor on all values: how much of the profile there is.",
+                  Quantity("number", Limit("number", most=100.0))),
             Entry("uncertainty", "Standard uncertainty of the values.",
                   Quantity(dimension, Limit(dimension))),
         ]  # fmt: skip
         if diameters:
             words = "Whether the values are on radius (if left out) or on diameter."
             entries.append(Entry("on", words, Choice(("radius", "diameter"))))
-        self.kind = TextOr(self.rows, Table("Profile", *entries, on_one_line=True))
+        self.within = TextOr(self.rows, Table("Profile", *entries, on_one_line=True))
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return a `WidthProfile`, on radius; None for no rows at all."""
         found = len(report.problems)
-        read = self.kind.read(raw, place, report)
+        read = self.within.read(raw, place, report)
         if read is NOTHING or len(report.problems) > found:
             return NOTHING
         table = read if isinstance(read, Record) else {"rows": read}
         rows, on = table.get("rows", []), table.get("on", "radius")
         if not rows and "crown" not in table:
             return None
-        half = 0.5 if on == "diameter" else 1.0
+        half, factor = 0.5 if on == "diameter" else 1.0, table.get("factor", 1.0)
         values = [half * value for _, value in rows]
         if on == "diameter" and values and min(values) > _LARGEST:  # whole diameters
             mean = sum(values) / len(values)
             values = [value - mean for value in values]
-        heights = [*values, half * table.get("crown", 0.0)]
+        crown = factor * half * table.get("crown", 0.0)
+        values = [factor * value for value in values]
+        heights = [*values, crown]
         if self.diameters and not self._deviations(heights, half, place, report):
             return NOTHING
         built = report.tried(
             lambda: WidthProfile(
                 position=tuple(y for y, _ in rows),
                 value=tuple(values),
-                crown=half * table.get("crown", 0.0),
-                uncertainty=half * table["uncertainty"] if "uncertainty" in table else None,
+                crown=crown,
+                uncertainty=factor * half * table["uncertainty"]
+                if "uncertainty" in table
+                else None,
             ),
             place,
         )
@@ -130,7 +136,7 @@ class Profile(Kind):
 
     def schema(self) -> dict[str, Any]:
         """Rows, or a table."""
-        return self.kind.schema()
+        return self.within.schema()
 
 
 PULLEY_END = Table(

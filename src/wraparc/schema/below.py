@@ -15,6 +15,9 @@ def tables_of(kind: Kind | None, raw: object = None) -> tuple[Table, ...]:
         return (named,) if named else tuple(kind.tables.values())
     if isinstance(kind, TextOr):
         return tables_of(kind.table, raw)
+    within = getattr(kind, "within", None)  # of a kind that another one reads for it
+    if isinstance(within, Kind):
+        return tables_of(within, raw)
     return tables_of(kind.kind, raw) if isinstance(kind, WordOr | OneOrMore) else ()
 
 

@@ -25,6 +25,7 @@ from wraparc.schema.overrides import Overrides, load, read_document
 from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document, check_format, parse, read_text, read_whole
 from wraparc.schema.tables import Record
+from wraparc.study.across_rows import ACROSS_OUTPUTS
 from wraparc.study.fields import SCALING
 from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
 from wraparc.study.fitted import DrawnFit
@@ -226,7 +227,8 @@ def _outputs(
 def output_names() -> tuple[str, ...]:
     """Return the results that a study can keep."""
     nothing: Any = None
-    return tuple(name for name in BatchResult(nothing, nothing) if name not in _NO_OUTPUTS)
+    even = (name for name in BatchResult(nothing, nothing) if name not in _NO_OUTPUTS)
+    return (*even, *ACROSS_OUTPUTS)
 
 
 def _sensitivity(record: Record, report: Report) -> tuple[str, ...]:
@@ -340,7 +342,16 @@ def _same(one: Rows, other: Rows) -> bool:
     a, b = np.array(numbers, dtype=float)
     close = np.allclose(a, b, rtol=1e-12, atol=0.0, equal_nan=True)
     laws = [rows.arcs.laws.compact(int(rows.arcs.law[0])) for rows in (one, other)]
+    if _uneven(one) != _uneven(other):
+        return False
     return bool(close) and all(np.array_equal(p, q) for p, q in zip(*laws, strict=True))
+
+
+def _uneven(rows: Rows) -> object:
+    """What a single arc is solved across its width by; nothing of a pulley that is even."""
+    drive = rows.drives[int(rows.which[0])]
+    across = drive.pulley(rows.pulley).across
+    return across and (across, drive.belt.in_plane_shear_stiffness)
 
 
 def _remarks(axes: Sequence[tuple[Axis, Place]], conditions: Sequence[Condition]) -> list[str]:

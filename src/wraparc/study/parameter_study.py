@@ -15,8 +15,10 @@ from wraparc.arc import Capacities
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
-from wraparc.checks.of_rows import LEVELS, NAMES, Held, judge_rows
+from wraparc.checks.of_rows import LEVELS, NAMES, Held, worst_of_rows
+from wraparc.drive import Drive
 from wraparc.provenance import Provenance
+from wraparc.study.across_rows import solve_rows
 from wraparc.study.distributions import Distribution
 from wraparc.study.plan import DrawnField, Plan, Values
 from wraparc.units import Dimension
@@ -78,6 +80,10 @@ class Rows:
         Which of them are a drive at all; the numbers of the others mean nothing.
     friction_factor, slip_factor
         Factors on the friction and the slips of their laws [-].
+    drives, which
+        Drives they are of, and that of each design, shape (n,).
+    pulley, load_case
+        Names.
     """
 
     arcs: Arcs
@@ -85,6 +91,10 @@ class Rows:
     valid: Flags
     friction_factor: Array
     slip_factor: Array
+    drives: Sequence[Drive]
+    which: NDArray[np.int64]
+    pulley: str
+    load_case: str
 
 
 class Source(Protocol):
@@ -291,6 +301,15 @@ class Study:
                 capacities=capacities,
                 progress=progress,
             )
-            judged = judge_rows(solved, rows.held.rows(some), friction)
-            found.append({n: solved[n] for n in wanted} | dict(zip(JUDGED, judged, strict=True)))
+            judged = worst_of_rows(solved, rows.held.rows(some), friction)
+            uneven = solve_rows(
+                [rows.drives[i] for i in rows.which[some]],
+                arcs.rows(some),
+                friction,
+                rows.slip_factor[some],
+                (rows.pulley, rows.load_case),
+                judged,
+            )
+            kept = {n: uneven[n] if n in uneven else solved[n] for n in wanted}
+            found.append(kept | dict(zip(JUDGED, judged[:2], strict=True)))
         return {name: np.concatenate([part[name] for part in found]) for name in found[0]}

@@ -213,6 +213,10 @@ class DriveSource:
             valid=valid,
             friction_factor=values.get(self._scaling.get(FRICTION_FACTOR, ""), ones),
             slip_factor=values.get(self._scaling.get(SLIP_FACTOR, ""), ones),
+            drives=drives,
+            which=which,
+            pulley=self.pulley,
+            load_case=load_case,
         )
 
     def _laws(
