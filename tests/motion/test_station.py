@@ -33,7 +33,8 @@ from wraparc.motion.event import (
     Start,
     Stop,
 )
-from wraparc.motion.follow import row_names, simulate
+from wraparc.motion.follow import simulate
+from wraparc.motion.keeper import row_names
 from wraparc.motion.march import March
 from wraparc.motion.result import Outcome
 from wraparc.motion.station import Drum, Station

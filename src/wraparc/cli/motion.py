@@ -15,8 +15,10 @@ import click
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
-from wraparc.motion.follow import row_names, simulate
+from wraparc.motion.follow import simulate
+from wraparc.motion.keeper import row_names
 from wraparc.motion.result import Outcome, RunResult
 from wraparc.motion.station import Station
 from wraparc.saving import replacing
@@ -42,6 +44,12 @@ _BLOCK = 1000
 @click.option("--csv", "csv_file", metavar="FILE", help="Stream every row as CSV.")
 @click.option("--parquet", "parquet_file", metavar="FILE", help="Write every row as Parquet.")
 @click.option("--plot", "plot_file", metavar="FILE", help="Draw the run: .svg, .png or .pdf.")
+@click.option(
+    "--checkpoint",
+    "state_file",
+    metavar="FILE",
+    help="Save the state here now and then: the same command goes on from it.",
+)
 @click.option("--quiet", is_flag=True, help="Show no progress.")
 def run(
     file: str,
@@ -54,6 +62,7 @@ def run(
     csv_file: str | None,
     parquet_file: str | None,
     plot_file: str | None,
+    state_file: str | None,
     quiet: bool,
 ) -> int:
     """Follow the drives of FILE through an event: start, stop, load step, splice ...
@@ -66,16 +75,20 @@ def run(
             "--csv": (csv_file, (".csv",)),
             "--parquet": (parquet_file, (".parquet",)),
             "--plot": (plot_file, _PICTURES),
+            "--checkpoint": (state_file, (".npz",)),
         },
         [file],
     )
+    if state_file and (parquet_file or csv_file == "-"):
+        message = "rows of a run that goes on later can only be written to a file of --csv"
+        raise InputError(Problem(key="--checkpoint", value=state_file, message=message))
     if plot_file:
         from wraparc.plot import require_matplotlib
 
         require_matplotlib()
     motion = load_motion(file, overrides=settings)
     chosen = motion.event(event)
-    with _Rows(motion.station, csv_file, parquet_file) as rows:
+    with _Rows(motion.station, csv_file, parquet_file, goes_on=bool(state_file)) as rows:
         result = simulate(
             motion.station,
             chosen,
@@ -84,8 +97,12 @@ def run(
             every=None if every is None else _time("--every", every),
             sink=rows.take if rows.wanted else None,
             progress=None if quiet else _told(),
+            checkpoint=Checkpoint(state_file, rows.resumed, rows.flush) if state_file else None,
         )
-    written = [path for path in (csv_file, parquet_file) if path and path != "-"]
+        if state_file and result.outcome is Outcome.CANCELLED:
+            rows.later = True
+            click.echo(f"The same command goes on from {state_file}.", err=True)
+    written = [p for p in (csv_file, parquet_file) if p and p != "-" and not rows.later]
     files: dict[str, Content] = {}
     if plot_file:
         from wraparc.plot.motion import plot_run
@@ -155,9 +172,22 @@ def stability(
 
 
 class _Rows:
-    """Streams rows as they come, into drafts that take the places of the files at the end."""
+    """Streams rows as they come, into drafts that take the places of the files at the end.
 
-    def __init__(self, station: Station, csv_file: str | None, parquet_file: str | None) -> None:
+    The draft of a run that may go on later (`goes_on`) is FILE.part, which stays if it is broken
+    off.
+    """
+
+    def __init__(
+        self,
+        station: Station,
+        csv_file: str | None,
+        parquet_file: str | None,
+        *,
+        goes_on: bool = False,
+    ) -> None:
+        self.goes_on, self.later = goes_on, False
+        self.part: Any = None
         self.names = row_names(station)
         self.csv_file, self.parquet_file = csv_file, parquet_file
         self.block: list[Sequence[float]] = []
@@ -167,6 +197,10 @@ class _Rows:
     def __enter__(self) -> _Rows:
         if self.csv_file == "-":
             self._csv(sys.stdout)
+        elif self.csv_file and self.goes_on:
+            path = Path(os.path.realpath(self.csv_file) + ".part")
+            mode = "r+" if path.exists() else "w+"
+            self.part = self.stack.enter_context(path.open(mode, encoding="utf-8", newline=""))
         elif self.csv_file:
             draft = self.stack.enter_context(replacing(Path(os.path.realpath(self.csv_file))))
             self._csv(self.stack.enter_context(draft.open("w", encoding="utf-8", newline="")))
@@ -176,26 +210,49 @@ class _Rows:
 
     def __exit__(self, *error: Any) -> None:
         if error[0] is None:
-            self._flush()
+            self.flush()
         self.stack.__exit__(*error)
+        if self.part is not None and error[0] is None and not self.later:
+            os.replace(self.part.name, self.part.name.removesuffix(".part"))
+
+    def resumed(self, rows: int) -> None:
+        """Go on behind the rows that were streamed before."""
+        if self.part is None:
+            return
+        kept = 0
+        while kept < (rows + 1 if rows else 0) and self.part.readline():
+            kept += 1
+        if rows and kept < rows + 1:
+            message = f"has {max(kept - 1, 0)} rows; the saved state follows on row {rows}"
+            remedy = "Remove the saved state, and begin anew."
+            raise InputError(
+                Problem(key="--csv", value=self.part.name, message=message, remedy=remedy)
+            )
+        self.part.seek(self.part.tell())
+        self.part.truncate()
+        self._csv(self.part, head=not rows)
 
     @property
     def wanted(self) -> bool:
-        return bool(self.sinks)
+        return bool(self.sinks) or self.part is not None
 
     def take(self, row: Sequence[float]) -> None:
         self.block.append(row)
         if len(self.block) >= _BLOCK:
-            self._flush()
+            self.flush()
 
-    def _flush(self) -> None:
+    def flush(self) -> None:
+        """Write what has come so far."""
         for sink in self.sinks if self.block else ():
             sink(self.block)
         self.block = []
+        if self.part is not None:
+            self.part.flush()
 
-    def _csv(self, stream: Any) -> None:
+    def _csv(self, stream: Any, *, head: bool = True) -> None:
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(self.names)
+        if head:
+            writer.writerow(self.names)
         self.sinks.append(lambda rows: writer.writerows([f"{v:.10g}" for v in r] for r in rows))
 
     def _parquet(self, target: Path) -> None:

@@ -1,0 +1,156 @@
+"""The state of a run in a file, so that one that was broken off goes on where it was."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import time
+import zipfile
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from wraparc.errors import InputError, Problem
+from wraparc.motion.keeper import Keeper, Sink
+from wraparc.motion.march import March
+from wraparc.saving import replacing
+
+#: Least time between two savings [s].
+SELDOM = 2.0
+_FORMAT = "wraparc run 1"
+
+
+@dataclass
+class Checkpoint:
+    """Where a run is saved, and what is told to whoever writes its rows.
+
+    Attributes
+    ----------
+    path
+        Of the file.
+    resumed
+        Called once, before the first row, with the rows that were streamed before.
+    flush
+        Called before the state is saved: rows streamed so far must be safe by then.
+    seldom
+        Least time between two savings [s].
+    """
+
+    path: str | os.PathLike[str]
+    resumed: Callable[[int], None] = lambda rows: None
+    flush: Callable[[], None] = lambda: None
+    seldom: float = SELDOM
+
+    def begin(self, march: March, keeper: Keeper, sink: Sink | None) -> None:
+        """Go on from the file if it is there, else begin.
+
+        Raises
+        ------
+        InputError
+            If the file is none of this run.
+        """
+        self.saved = time.monotonic()
+        self.key = _key(march, keeper)
+        there = Path(self.path).exists()
+        if there:
+            self._restore(march, keeper)
+        self.resumed(keeper.told)
+        keeper.sink = sink
+        if not there:
+            keeper.stream()
+
+    def due(self, march: March, keeper: Keeper) -> None:
+        """Save if it is time."""
+        if time.monotonic() - self.saved >= self.seldom:
+            self.save(march, keeper)
+
+    def end(self, march: March, keeper: Keeper, *, whole: bool) -> None:
+        """Remove the file after a run that came to its end, else save it."""
+        if whole:
+            Path(self.path).unlink(missing_ok=True)
+        else:
+            self.save(march, keeper)
+
+    def save(self, march: March, keeper: Keeper) -> None:
+        """Save the state of a run."""
+        self.flush()
+        arrays: dict[str, Any] = {
+            "rows": np.array(keeper.rows),
+            "picture_times": np.array([p[0] for p in keeper.pictures]),
+            "creep": np.array([p[1] for p in keeper.pictures]),
+            "shear": np.array([p[2] for p in keeper.pictures]),
+        }
+        numbers: dict[str, Any] = {}
+        for name, part in _parts(march, keeper):
+            numbers[name] = {}
+            for key, value in vars(part).items():
+                if isinstance(value, np.ndarray):
+                    arrays[f"{name}.{key}"] = value
+                elif _is_number(value) or _are_numbers(value):
+                    numbers[name][key] = list(value) if not _is_number(value) else value
+        about = json.dumps({"format": _FORMAT, "key": self.key, "numbers": numbers})
+        try:
+            with replacing(Path(os.path.realpath(self.path))) as draft, draft.open("wb") as file:
+                np.savez(file, about=np.array(about), **arrays)
+        except OSError as error:
+            raise self._problem(f"cannot be written: {error.strerror}", "") from None
+        self.saved = time.monotonic()
+
+    def _restore(self, march: March, keeper: Keeper) -> None:
+        try:
+            with np.load(self.path, allow_pickle=False) as file:
+                arrays = {key: file[key] for key in file.files}
+            about = json.loads(str(arrays["about"]))
+            fits = (about["format"], about["key"]) == (_FORMAT, self.key)
+        except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
+            raise self._problem("is no saved state of a run", "Name another file.") from None
+        if not fits:
+            message = "is the state of another run: file, event, step, points or rows differ"
+            raise self._problem(message, "Remove it, or name another file.")
+        for name, part in _parts(march, keeper):
+            for key, value in about["numbers"][name].items():
+                kind = type(getattr(part, key, value))
+                setattr(part, key, kind(value) if kind in (tuple, deque) else value)
+            for key, value in vars(part).items():
+                if isinstance(value, np.ndarray):
+                    value[...] = arrays[f"{name}.{key}"]
+        keeper.rows = arrays["rows"].tolist()
+        pictures = zip(arrays["picture_times"], arrays["creep"], arrays["shear"], strict=True)
+        keeper.pictures = [(float(t), list(creep), list(shear)) for t, creep, shear in pictures]
+
+    def _problem(self, message: str, remedy: str) -> InputError:
+        return InputError(
+            Problem(key="--checkpoint", value=os.fspath(self.path), message=message, remedy=remedy)
+        )
+
+
+def _parts(march: March, keeper: Keeper) -> Iterator[tuple[str, Any]]:
+    """Everything that changes on the march, by name."""
+    yield "march", march
+    yield "keeper", keeper
+    for i, d in enumerate(march.drums):
+        yield f"drum{i}", d
+        yield f"arc{i}", d.arc
+        yield f"turning{i}", d.turning
+        if d.trimming is not None:
+            yield f"trimming{i}", d.trimming
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, bool | int | float)
+
+
+def _are_numbers(value: Any) -> bool:
+    return type(value) in (list, tuple, deque) and all(map(_is_number, value))
+
+
+def _key(march: March, keeper: Keeper) -> str:
+    """What a run is: the same station, event, step, pieces and rows."""
+    points = [d.arc.points for d in march.drums]
+    parts = (march.station, march.event, march.h, points, keeper.every)
+    return hashlib.sha256(repr(parts).encode()).hexdigest()

@@ -1,0 +1,204 @@
+"""What is kept of a run: rows and pictures, thinned so that they do not grow with its length."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from wraparc.batch.native import available
+from wraparc.motion import arc_kernel as k
+from wraparc.motion.drum_state import DrumState
+from wraparc.motion.march import March
+from wraparc.motion.result import Array, DrumHistory, Outcome, RunResult
+from wraparc.motion.station import Station
+
+#: Rows and pictures that are kept at most; when there are more, every other one is dropped.
+_ROWS, _PICTURES, _ACROSS = 4000, 240, 61
+
+Sink = Callable[[Sequence[float]], None]
+
+
+def row_names(station: Station) -> list[str]:
+    """Names of the numbers of a row, with their units."""
+    names = ["time [s]", "belt speed [m/s]"]
+    for name in station.names:
+        names += [f"{name}: {what}" for what in _COLUMNS]
+    return names
+
+
+_COLUMNS = (
+    "entry tension [N]",
+    "exit tension [N]",
+    "drum speed [rad/s]",
+    "torque [N m]",
+    "exit creep [m]",
+    "exit slip [m]",
+    "peak shear stress [Pa]",
+)
+
+
+@dataclass
+class Keeper:
+    """Keeps rows and pictures; thins them out when there are too many."""
+
+    march: March
+    every: float
+    sink: Sink | None
+    rows: list[list[float]] = field(default_factory=list)
+    pictures: list[tuple[float, list[Array], list[Array]]] = field(default_factory=list)
+    work: list[float] = field(default_factory=list)
+    count: int = 0
+
+    def __post_init__(self) -> None:
+        self.between = self.every
+        self.next = self.next_picture = 0.0
+        self.between_pictures = max(self.march.event.duration / _PICTURES, self.march.h, self.every)
+        self.streamed, self.told = -math.inf, 0
+        self.work = [0.0] * self.march.n
+        self.power = [0.0] * self.march.n
+        self.across = np.linspace(0.0, 1.0, _ACROSS)
+        self.travel0 = [d.arc.travel for d in self.march.drums]
+        for d in self.march.drums:
+            d.arc.work = 0.0
+        self.take(False)
+        self.count = 0
+
+    def stream(self) -> None:
+        """Give a row to the sink."""
+        if self.sink is not None:
+            self.sink(self._row())
+            self.told += 1
+        self.streamed = self.march.t
+
+    def take(self, last: bool) -> None:
+        """Take what the march has come to."""
+        m = self.march
+        self.count += 1
+        for i, d in enumerate(m.drums):
+            power = d.moment * d.omega
+            self.work[i] += 0.5 * m.h * (self.power[i] + power) if self.rows else 0.0
+            self.power[i] = power
+        if m.t >= self.next - 1e-9 or last:
+            self.rows.append(self._row())
+            self.next = m.t + self.between
+            if len(self.rows) > _ROWS and not last:
+                self.rows = self.rows[::2]
+                self.between *= 2.0
+        if m.t >= self.streamed + self.every - 1e-9 or last:
+            self.stream()
+        if m.t >= self.next_picture - 1e-9 or last:
+            self._picture()
+
+    def _row(self) -> list[float]:
+        m = self.march
+        row = [m.t, m.v if m.station.conveyor_mass is not None else m.speed]
+        for i, d in enumerate(m.drums):
+            slip, stress, shear = _exit_of(d)
+            creep = slip + d.arc.shape.shear * stress
+            entry = m.T[i] + m.run_rises[i]
+            row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
+        return row
+
+    def _picture(self) -> None:
+        m, creep, shear = self.march, [], []
+        for d in m.drums:
+            place = d.arc.place() / d.arc.shape.length
+            creep.append(np.interp(self.across, place, d.arc.creep()))
+            shear.append(np.interp(self.across, place, d.arc.along(k.STRESS)))
+        self.pictures.append((m.t, creep, shear))
+        self.next_picture = m.t + self.between_pictures
+        if len(self.pictures) > 2 * _PICTURES:
+            self.pictures = self.pictures[::2]
+            self.between_pictures *= 2.0
+
+    def result(self, outcome: Outcome, reason: str, steps: int) -> RunResult:
+        """Return everything, frozen."""
+        m = self.march
+        table = np.array(self.rows)
+        width = len(_COLUMNS)
+        columns = [table[:, 2 + width * i : 2 + width * (i + 1)] for i in range(m.n)]
+        pulls = [c[:, 0] - c[:, 1] for c in columns]
+        total = np.sum(pulls, axis=0)
+        small = np.abs(total) < 1e-3 * abs(m.pull)
+        drums = []
+        for i, c in enumerate(columns):
+            share = np.where(small, np.nan, pulls[i] / np.where(small, 1.0, total))
+            entry, exit_, speed, torque, creep, slip, shear = (
+                _frozen(c[:, j]) for j in range(width)
+            )
+            drums.append(
+                DrumHistory(
+                    name=m.station.names[i],
+                    entry_tension=entry,
+                    exit_tension=exit_,
+                    speed=speed,
+                    torque=torque,
+                    share=_frozen(share),
+                    exit_creep=creep,
+                    exit_slip=slip,
+                    peak_shear=shear,
+                    place=_frozen(self.across),
+                    creep=_frozen(np.array([p[1][i] for p in self.pictures])),
+                    shear=_frozen(np.array([p[2][i] for p in self.pictures])),
+                    friction_energy=m.drums[i].arc.work,
+                    drum_work=self.work[i],
+                )
+            )
+        return RunResult(
+            station=m.station,
+            event=m.event,
+            outcome=outcome,
+            reason=reason,
+            time=_frozen(table[:, 0]),
+            drums=tuple(drums),
+            belt_speed=_frozen(table[:, 1]),
+            picture_time=_frozen(np.array([p[0] for p in self.pictures])),
+            step=m.h,
+            steps=steps,
+            belt_error=self._belt_error(),
+            build_distance=self._build_distance(table, columns),
+            compiled=available(),
+        )
+
+    def _belt_error(self) -> float:
+        """Unstretched belt won or lost, over the stretch of the belt in the train."""
+        m = self.march
+        if m.station.conveyor_mass is None or m.station.take_up != "fixed":
+            return math.nan
+        return abs(m.belt() - m.belt_before) / abs(m.belt_before)
+
+    def _build_distance(self, table: Array, columns: list[Array]) -> float:
+        if not self.march.event.from_rest or len(table) < 3:
+            return math.nan
+        travel = np.concatenate(
+            [[0.0], np.cumsum(0.5 * np.diff(table[:, 0]) * (table[1:, 1] + table[:-1, 1]))]
+        )
+        worst = 0.0
+        for c in columns:
+            creep = c[:, 4]
+            off = np.nonzero(np.abs(creep - creep[-1]) > 0.05 * abs(creep[-1]))[0]
+            worst = max(worst, float(travel[min(off[-1] + 1, len(travel) - 1)]) if len(off) else 0)
+        return worst
+
+
+def _exit_of(d: DrumState) -> tuple[float, float, float]:
+    """Slip and shear stress at the exit nip, and the largest shear stress with its sign."""
+    arc = d.arc
+    first, nip = int(arc.span[0]), int(arc.span[1])
+    a, b = arc.rows[first], arc.rows[first + 1]
+    w = (arc.shape.length - arc.travel + b[k.TRAVEL]) / (b[k.TRAVEL] - a[k.TRAVEL])
+    stress = b[k.STRESS] + w * (a[k.STRESS] - b[k.STRESS])
+    slip = b[k.SLIP] + w * (a[k.SLIP] - b[k.SLIP])
+    stresses = arc.rows[first + 1 : nip + 1, k.STRESS]
+    top = float(stresses[np.argmax(np.abs(stresses))])
+    shear = top if abs(top) > abs(stress) else float(stress)
+    return float(slip), float(stress), shear
+
+
+def _frozen(values: Array) -> Array:
+    values = np.ascontiguousarray(values)
+    values.setflags(write=False)
+    return values
