@@ -23,7 +23,7 @@ SCHEMA = schemathesis.openapi.from_asgi(f"{API}/openapi.json", _APP, headers=_HO
 
 @SCHEMA.parametrize()
 @settings(
-    max_examples=6,
+    max_examples=4,
     derandomize=True,
     deadline=None,
     phases=[Phase.explicit, Phase.generate],
