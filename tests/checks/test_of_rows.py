@@ -26,6 +26,7 @@ from wraparc.checks.design_standard import asked, wrap_factors
 from wraparc.checks.of_arc import slip_speed
 from wraparc.checks.of_rows import LEVELS, NAMES, judge_rows
 from wraparc.drive import Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
+from wraparc.drive.lagging import Fit
 from wraparc.files import drive_from_document
 from wraparc.files.write import drive_document
 from wraparc.study.source import DriveSource
@@ -145,6 +146,20 @@ def test_a_law_scaled_to_its_condition_asks_for_attention_in_rows_too() -> None:
     of = drive_from_document(document)
     assert one_by_one(of) == ("ATTENTION", "condition")
     assert of_rows(of, document=document) == one_by_one(of)
+
+
+def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> None:
+    fit = Fit(
+        parameters=("knots[0].peak_friction",),
+        values=(0.6,),
+        covariance=((1e-4,),),
+        misfit=("the law misses the tests by 9 % of the peak", "two repeats disagree"),
+    )
+    of = quiet(lagging=replace(SOFT, fit=fit))
+    assert one_by_one(of) == ("ATTENTION", "fit")
+    assert of_rows(of) == one_by_one(of)
+    headline = judge(solve(of)).headline()
+    assert "misses the tests by 9 % of the peak (and 1 more of its lagging file)" in headline
 
 
 def test_compiled_pull_factors_are_those_of_the_interpreter(

@@ -2,14 +2,17 @@
 
 from dataclasses import replace
 from functools import cache
+from importlib import import_module
 from typing import Any
 
 import numpy as np
 import pytest
 
 from shear_test.virtual import (
+    PRESSURES,
     SHEAR_MODULUS,
     THICKNESS,
+    Edit,
     as_record,
     fitted,
     laboratory,
@@ -18,7 +21,14 @@ from shear_test.virtual import (
 )
 from wraparc.errors import InputError
 from wraparc.friction import Constant
-from wraparc.shear_test import MachineRecord, Sample, VirtualRig, reduce_record, run_virtual_test
+from wraparc.shear_test import (
+    FrictionCurve,
+    MachineRecord,
+    Sample,
+    VirtualRig,
+    reduce_record,
+    run_virtual_test,
+)
 from wraparc.shear_test.misfit import JudgedFit, judged_fit
 
 COMPLIANCE = THICKNESS / SHEAR_MODULUS
@@ -184,3 +194,67 @@ def test_a_test_without_normal_force_is_left_out() -> None:
     assert "Give pressure, normal_force or normal_force_column" in str(problem)
     with pytest.raises(InputError):
         fitted(replace(plan, tests=tests[:1]), records)
+
+
+def times(factor: float, *names: str) -> Edit:
+    """Read the force of some tests in another unit."""
+
+    def edit(name: str, record: MachineRecord) -> MachineRecord:
+        return replace(record, force=record.force * factor) if name in names else record
+
+    return edit
+
+
+@pytest.mark.parametrize(
+    ("factor", "hint"),
+    [
+        (1e3, "if a force in N had been read as kN"),
+        (1e-3, "if a force in kN had been read as N"),
+    ],
+)
+def test_friction_that_no_lagging_has_is_left_out_with_the_likely_slip(
+    factor: float, hint: str
+) -> None:
+    plan, records = laboratory(repeats=2, pressures=PRESSURES[:3])
+    edit = times(factor, "p1r0")
+    found = fitted(plan, {name: edit(name, record) for name, record in records.items()})
+    (problem,) = found.left_out
+    assert problem.key == "test[3]"
+    assert "outside the 0.02 to 3 that a test may reach" in problem.message
+    assert hint in problem.message
+    # all of them: no law at all
+    edit = times(factor, *records)
+    with pytest.raises(InputError) as caught:
+        fitted(plan, {name: edit(name, record) for name, record in records.items()})
+    assert len(caught.value.problems) == len(records)
+    # and a plan may say that it is right
+    wide = replace(plan, rig=replace(plan.rig, least_friction=1e-4, most_friction=1e4))
+    assert fitted(wide, {n: edit(n, record) for n, record in records.items()}).left_out == ()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_one_of_two_repeats_at_half_its_friction_is_named(seed: int) -> None:
+    """With few repeats too, where the scatter between samples is hardly known."""
+    plan, records = laboratory(seed=seed, repeats=2, pressures=PRESSURES[1::3])
+    edit = times(0.5, "p1r1")
+    found = fitted(plan, {name: edit(name, record) for name, record in records.items()})
+    (condition,) = found.conditions
+    assert condition.found.flagged.tolist() == [False, False, True, True, False, False]
+    assert any("disagree" in sentence for sentence in condition.misfit)
+
+
+def test_readings_that_no_curve_passes_leave_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    plan, records = laboratory(repeats=1, pressures=PRESSURES[:3])
+    module = import_module("wraparc.shear_test.fit_plan")
+    whole = judged_fit
+
+    def failing(curve: FrictionCurve, *more: float) -> JudgedFit:
+        if abs(curve.pressure / PRESSURES[1] - 1.0) < 0.02:
+            raise np.linalg.LinAlgError("Singular matrix")
+        return whole(curve, *more)
+
+    monkeypatch.setattr(module, "judged_fit", failing)
+    found = fitted(plan, records)
+    (problem,) = found.left_out
+    assert (problem.key, len(found.conditions[0].tests)) == ("test[2]", 2)
+    assert "no curve can be laid through its readings (Singular matrix)" in problem.message

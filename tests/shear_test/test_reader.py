@@ -110,6 +110,36 @@ def test_names_in_many_languages(travel: str, force: str) -> None:
     np.testing.assert_allclose(record.force, 10.5 * np.arange(12))
 
 
+@pytest.mark.parametrize(
+    ("demanded", "measured"),
+    [("Kraft Sollwert", "Kraft"), ("Load setpoint", "Load"), ("Command force", "Force"),
+     ("Target load", "Load cell"), ("Consigne force", "Force"), ("Fuerza consigna", "Fuerza"),
+     ("Siła zadana", "Siła"), ("設定荷重", "荷重")],
+)  # fmt: skip
+def test_what_was_demanded_is_never_taken_for_what_was_measured(
+    demanded: str, measured: str
+) -> None:
+    table = "\n".join(f"99;{10.5 * k};{0.25 * k}" for k in range(12))
+    head = f"{demanded};{measured};Travel\nN;N;mm\n"
+    record = read_machine_bytes((head + table).encode(), "x")
+    np.testing.assert_allclose(record.force, 10.5 * np.arange(12))
+    # alone, it is asked for
+    table = "\n".join(f"99;{0.25 * k}" for k in range(12))
+    with pytest.raises(InputError, match="force"):
+        read_machine_bytes(f"{demanded};Travel\nN;mm\n{table}\n".encode(), "x")
+
+
+def test_axes_of_a_tribometer() -> None:
+    """Fz presses, Fx is friction; Z is the depth of wear, not the travel."""
+    table = "\n".join(f"{0.01 * k};800;{10.5 * k};{0.25 * k}" for k in range(12))
+    record = read_machine_bytes(
+        f"Z;Fz;Fx;X\nmm;N;N;mm\n{table}\n".encode(), "x", Choices(travel="X")
+    )
+    assert record.normal_force is not None
+    np.testing.assert_allclose(record.normal_force, 800.0)
+    np.testing.assert_allclose(record.force, 10.5 * np.arange(12))
+
+
 def test_several_travel_columns_are_named() -> None:
     table = "\n".join(f"{k - 794.8},{k},{10 * k}" for k in range(12))
     data = f"Traverse absolue,Course standard,Force standard\nmm,mm,N\n{table}\n".encode()

@@ -48,6 +48,7 @@ def _unsolved(drive: Drive, case: LoadCase) -> Iterator[Check]:
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)
         yield from of_drive.condition(case, pulley)
+        yield from of_drive.fit(case, pulley)
     found = of_drive.sag(drive, case)
     if found is not None:
         yield found
@@ -95,6 +96,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield from of_arc.lagging_stress(pulley, result)
         yield from of_drive.tested_pressure(drive, case, pulley)
         yield from of_drive.condition(case, pulley)
+        yield from of_drive.fit(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
         balanced = of_arc.balance(result)
         if balanced is not None:

@@ -197,6 +197,29 @@ def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
     )
 
 
+def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+    """Ask for attention where the fit of a law left word that it does not describe its tests."""
+    lagging = pulley.lagging
+    if lagging.fit is None or not lagging.fit.misfit:
+        return
+    first, *more = lagging.fit.misfit
+    others = f" (and {len(more)} more of its lagging file)" if more else ""
+    yield Check(
+        name=RULES["fit"].name,
+        title=f"Friction of {lagging.name}, fit to its tests",
+        level=Level.ATTENTION,
+        place=Place(pulley.name, case.name),
+        source=origin(lagging.sources.get("law", lagging.provenance)),
+        short="does not fit its tests",
+        says=escaped(
+            f"The friction law of lagging {lagging.name} does not describe its tests: "
+            f"{first.rstrip('.')}{others}."
+        ),
+        remedy="Mend or repeat those tests and fit again, or keep more slack-side tension in hand.",
+        binding=False,
+    )
+
+
 def take_up(drive: Drive) -> Iterator[Check]:
     """Ask for attention where the tensions contradict the take-up that the drive file names."""
     kind = drive.criteria.take_up.kind

@@ -71,6 +71,8 @@ class Held:
         Least diameter [m].
     scaled
         Whether the law was not tested in its condition, but scaled to it.
+    misfit
+        Whether the law does not describe its tests.
     """
 
     safety: Array
@@ -87,6 +89,7 @@ class Held:
     sag: Array
     diameter: Array
     scaled: Flags
+    misfit: Flags
 
     def rows(self, which: slice | NDArray[np.int64]) -> Held:
         """Return some of the rows."""
@@ -117,9 +120,10 @@ def held_by(
     entry, leaving = tensions
     index = [p.name for p in drives[0].pulleys].index(pulley)
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
-    safety, fixed, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled = (
-        column[which] for column in numbers
-    )
+    (
+        safety, fixed, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
+        misfit,
+    ) = (column[which] for column in numbers)  # fmt: skip
     held = np.where(fixed > 0.0, BOTH_HELD, SLACK_HELD)
     tight_rise, slack_rise = rises_of(entry - leaving, index, held)
     driving = entry[0] >= leaving[-1]
@@ -146,6 +150,7 @@ def held_by(
         sag=sag,
         diameter=least,
         scaled=scaled > 0.0,
+        misfit=misfit > 0.0,
     )
 
 
@@ -166,6 +171,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         criteria.sag.tension if criteria.sag is not None else None,
         belt.least_pulley_diameter,
         float(SCALED in lagging.sources),
+        float(lagging.fit is not None and bool(lagging.fit.misfit)),
     )
 
 
@@ -256,8 +262,9 @@ def _checks(
         )
         yield name, np.where(never, missed, ranks), np.where(never, -math.inf, margins)
         if name == "tested_pressure_min":
-            told = RULES["condition"].missed.rank
-            yield "condition", np.where(held.scaled, told, 0), np.full(len(value), -math.inf)
+            for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
+                ranks = np.where(flags, RULES[told].missed.rank, 0)
+                yield told, ranks, np.full(len(value), -math.inf)
     yield _usual_sizes(solved.arcs)
 
 

@@ -66,6 +66,7 @@ RULES = {
         Rule("tested_pressure_max", "the largest wrap pressure tested"),
         Rule("tested_pressure_min", "the least wrap pressure tested", at_most=False),
         Rule("condition", "friction that was not tested in the condition"),
+        Rule("fit", "friction that does not fit its tests"),
         Rule("tested_slip", "the largest slip tested"),
         Rule("tested_slip_speed", "the slip speed tested"),
         Rule("balance", "the energy balance", Level.FAULT),

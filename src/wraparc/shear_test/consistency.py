@@ -20,22 +20,37 @@ def repeat_distances(points: CurvePoints, flagged: NDArray[np.bool_]) -> Array:
     """Distance of each curve from the mean of its repeats [standard deviations].
 
     The scatter between samples is taken from all other curves that are not flagged, so
-    that a curve does not hide behind the scatter it makes itself. NaN without a repeat.
+    that a curve does not hide behind the scatter it makes itself; of few degrees of freedom, it is
+    drawn towards a usual one. NaN without a repeat.
     """
     distances = np.full(len(points.level), np.nan)
     for k in range(len(points.level)):
         others = ~flagged
         others[k] = False
         repeats = others & (points.level == points.level[k])
-        scatter = scatter_within(points.only(others))
-        if not repeats.any() or scatter is None:
+        if not repeats.any():
             continue
+        scatter = _scatter(points.only(others))
         count = int(repeats.sum())
         off = points.value[k] - points.value[repeats].mean(0)
         spread = scatter * (1.0 + 1.0 / count) + points.covariance[k]
         spread = spread + points.covariance[repeats].sum(0) / count**2
         distances[k] = float(np.sqrt(off @ np.linalg.solve(spread, off)))
     return distances
+
+
+def _freedom(points: CurvePoints) -> int:
+    """Degrees of freedom of the scatter within the pressures."""
+    return len(points.level) - len(np.unique(points.level))
+
+
+def _scatter(points: CurvePoints) -> Array:
+    """Scatter between samples, and a usual one that counts as a few more of them, shape (2, 2)."""
+    usual, found = _USUAL**2 * np.eye(2), scatter_within(points)
+    if found is None:
+        return usual
+    freedom = _freedom(points)
+    return (freedom * found + _USUAL_WEIGHT * usual) / (freedom + _USUAL_WEIGHT)
 
 
 def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:
@@ -74,8 +89,7 @@ def _far_off(points: CurvePoints, flagged: NDArray[np.bool_], own: int) -> float
     """
     others = ~flagged
     others[own] = False
-    freedom = int(others.sum()) - len(np.unique(points.level[others]))
-    m = max(freedom - 1, 1)
+    m = _freedom(points.only(others)) + _USUAL_WEIGHT - 1.0
     quantile = 0.5 * m * (_FALSE_ALARM ** (-2.0 / m) - 1.0)
     return float(np.sqrt(2.0 * (m + 1) / m * quantile))
 

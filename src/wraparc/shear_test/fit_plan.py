@@ -59,6 +59,8 @@ def fit_plan(
             results.append(_one_test(plan, test, record))
         except InputError as error:
             problems += [_placed(problem, test) for problem in error.problems]
+        except (np.linalg.LinAlgError, ArithmeticError) as error:
+            problems.append(_placed(_not_fitted(error), test))
         if progress is not None:
             progress(number, len(plan.tests), test.file)
     if not results:
@@ -88,6 +90,14 @@ def _refuse_duplicate(record: MachineRecord, test: PlannedTest, seen: dict[str, 
         )
 
 
+def _not_fitted(error: Exception) -> Problem:
+    """What to say of readings that no curve can be laid through."""
+    return Problem(
+        message=f"no curve can be laid through its readings ({error})",
+        remedy="Look at the readings: wraparc read FILE. Columns, units or a broken sensor?",
+    )
+
+
 def _placed(problem: Problem, test: PlannedTest) -> Problem:
     key = f"{test.place}.{problem.key}" if problem.key else test.place
     return replace(problem, key=key, file=problem.file or test.file)
@@ -101,6 +111,7 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         shear_compliance=known,
         compliance=plan.rig.compliance,
         normal_force=_set_force(plan, test),
+        friction=(plan.rig.least_friction, plan.rig.most_friction),
     )
     curve = reduce_record(record, sample)
     rig_only = curve.bending - known * curve.pressure

@@ -11,6 +11,9 @@ from wraparc.shear_test.record import Choices
 
 #: Lash that a rig may have, where the plan does not say [m].
 LARGEST_LASH = 3e-3
+#: Friction that a test may reach, where the plan does not say [-]; beyond, a unit or a column is
+#: more likely wrong than the lagging odd. Ours.
+LEAST_FRICTION, MOST_FRICTION = 0.02, 3.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +30,8 @@ class Rig:
         Travel per pulling force that is the rig's own [m/N].
     largest_lash
         Lash it can have [m]; a curve that asks for more does not follow the law.
+    least_friction, most_friction
+        Limits of the friction that a test reaches [-]; a test outside them is left out.
     name
         What it is.
     """
@@ -35,6 +40,8 @@ class Rig:
     faces: int = 2
     compliance: float = 0.0
     largest_lash: float = LARGEST_LASH
+    least_friction: float = LEAST_FRICTION
+    most_friction: float = MOST_FRICTION
     name: str = ""
 
 

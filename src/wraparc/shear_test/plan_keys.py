@@ -35,6 +35,7 @@ _PRESSURE = Quantity("pressure", Limit("pressure", open=True))
 _FORCE = Quantity("force", Limit("force", open=True))
 _LENGTH = Quantity("length", Limit("length", open=True))
 _MODULUS = Quantity("pressure", Limit("pressure", 1.0))
+_FRICTION = Quantity("number", Limit("number", least=1e-4, most=1e4))
 
 # What can be said of a file; in [columns] for all tests, in a [[test]] for one.
 _FILE_ENTRIES = (
@@ -85,6 +86,16 @@ RIG = Table(
     Entry("faces", "Faces of the sample that slide, 2 if left out.", Count(1, 2)),
     Entry("compliance", "The rig's own travel for a force, such as 0.02 mm/kN.", Text(40)),
     Entry("largest_lash", "Lash the rig can have, 3 mm if left out.", _LENGTH),
+    Entry(
+        "least_friction",
+        "A test that reaches less is left out: a unit or column is wrong; 0.02 if left out.",
+        _FRICTION,
+    ),
+    Entry(
+        "most_friction",
+        "A test that reaches more is left out: a unit or column is wrong; 3 if left out.",
+        _FRICTION,
+    ),
     Entry("name", "What rig and machine.", Text()),
     of=Rig,
 )

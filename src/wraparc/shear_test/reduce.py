@@ -18,6 +18,12 @@ LEAST_POINTS = 10
 _BINS = 300
 _FINE = 10
 # Beyond these a column or a unit is wrong.
+_SLIPS = (
+    (1e-3, "a force in N had been read as kN"),
+    (1e3, "a force in kN had been read as N"),
+    (1 / 4.4482216152605, "a force in N had been read as lbf"),
+    (4.4482216152605, "a force in lbf had been read as N"),
+)
 _LEAST_TRAVEL, _MOST_TRAVEL, _MOST_FORCE = 1e-6, 10.0, 1e9
 
 
@@ -37,6 +43,8 @@ class Sample:
         Of the rig [m/N].
     normal_force
         Constant normal force [N], where the record has no measured one.
+    friction
+        Least and most friction that a test may reach [-].
     """
 
     area: float
@@ -44,6 +52,7 @@ class Sample:
     shear_compliance: float = 0.0
     compliance: float = 0.0
     normal_force: float | None = None
+    friction: tuple[float, float] = (0.0, np.inf)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -108,7 +117,8 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     ------
     InputError
         If the travel is constant or has no direction, fewer than 10 readings are left, the
-        force is zero throughout, or there is no normal force.
+        force is zero throughout, there is no normal force, or friction is beyond what the sample
+        may have.
     """
     stroke = find_stroke(record.travel, record.force)
     if stroke is None:
@@ -129,6 +139,7 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     onset, zero = _start(travel, friction)
     keep = despiked(friction)
     travel, friction, normal = (a[keep] for a in (travel, friction, normal))
+    _refuse_odd_friction(record, friction, sample.friction)
     notes = _notes(record, stroke, int((~keep).sum()))
     mean_normal = float(normal.mean())
     pressure = mean_normal / sample.area
@@ -177,6 +188,27 @@ def _check(record: MachineRecord, rows: np.ndarray[tuple[int], np.dtype[np.int64
             "the travel has fewer than 10 different values",
             "See that the travel column is the right one (--travel).",
         )
+
+
+def _refuse_odd_friction(
+    record: MachineRecord, friction: Array, allowed: tuple[float, float]
+) -> None:
+    """Refuse friction that no lagging has: a force was read in another unit, or another column."""
+    top = float(np.quantile(friction, 0.98))
+    if allowed[0] <= top <= allowed[1]:
+        return
+    hint = ""
+    for factor, what in _SLIPS:
+        if allowed[0] <= top * factor <= allowed[1]:
+            hint = f"; it would be {top * factor:.3g} if {what}"
+            break
+    raise _refused(
+        record,
+        f"its friction reaches {top:.3g}, outside the {allowed[0]:g} to {allowed[1]:g} that a test "
+        f"may reach{hint}",
+        "See the columns and units of both forces (wraparc read FILE) and the set pressure; where "
+        "the friction is right, widen least_friction and most_friction in [rig].",
+    )
 
 
 def _normal_force(record: MachineRecord, sample: Sample) -> Array:

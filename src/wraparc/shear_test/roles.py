@@ -49,7 +49,7 @@ _STEMS: dict[Role, str] = {
     Role.NORMAL_FORCE: (
         "normal force|normal load|normalkraft|clamp force|clamping force|klemmkraft|anpresskraft"
         "|force normale|force de serrage|fuerza normal|forca normal|forza normale|sila normalna"
-        "|normalova sila|normaalkracht|clamp load|нормальная сила|法向力|垂直荷重|fn|f_n|f n"
+        "|normalova sila|normaalkracht|clamp load|нормальная сила|法向力|垂直荷重|fn|f_n|f n|fz|f_z"
     ),
     Role.TIME: (
         "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman elapsed время 時間 时间 t"
@@ -61,6 +61,9 @@ _OTHER = re.compile(
     r"|tensao|sforzo|naprezenie|odksztalcenie|napeti|spanning|rate|speed|geschwindigkeit"
     r"|vitesse|velocidad|velocita|predkosc|modulus|modul|energy|energie|work|power|cycle"
     r"|count|index|nummer|number|temp(erature|eratur)?\b|ひずみ|応力|应变|应力"
+    # what was asked for, not what was measured
+    r"|\bsoll|set ?point|set value|\btarget\b|\bdemand|\bcommand|\bnominal|\bvorgabe|fuhrungsgrosse"
+    r"|consigne|consigna|riferimento|impostat|zadan|gewenst|borvarde|ayar degeri|заданн|設定|设定"
 )
 # Of several travel columns the one that starts near 0 is meant, not the absolute place.
 _ABSOLUTE = re.compile(r"absol|position|corrected|extensomet|clip|lvdt|\bext\b")
