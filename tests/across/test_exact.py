@@ -109,14 +109,14 @@ def test_a_strip_without_pressure_carries_nothing() -> None:
 @pytest.mark.parametrize("arc", [FABRIC, braking(FABRIC), replace(CORD, overrun=None)])
 def test_an_even_belt_is_that_of_the_arc(arc: WrapArc) -> None:
     """Source: the static solver, another march in another state."""
-    even = Distributed(steps=200, capacities=False).solve(arc)
+    even = Distributed(steps=768, capacities=False).solve(arc)
     found = solved(wide(arc, strips=4))
     g = found.entry_creep_ratio
-    assert g == pytest.approx(np.full(4, even.entry_creep_ratio), rel=6e-6, abs=1e-8)
-    assert found.exit_creep == pytest.approx(np.full(4, even.exit_creep), rel=6e-6)
-    assert found.exit_slip == pytest.approx(np.full(4, even.exit_slip), rel=6e-6)
+    assert g == pytest.approx(np.full(4, even.entry_creep_ratio), rel=1e-6)
+    assert found.exit_creep == pytest.approx(np.full(4, even.exit_creep), rel=1e-6)
+    assert found.exit_slip == pytest.approx(np.full(4, even.exit_slip), rel=1e-6)
     energy = even.energy.frictional_energy
-    assert found.frictional_energy == pytest.approx(np.full(4, energy), rel=6e-6)
+    assert found.frictional_energy == pytest.approx(np.full(4, energy), rel=1e-6)
 
 
 def test_an_even_belt_on_a_fine_mesh() -> None:
@@ -151,7 +151,7 @@ def test_unlimited_friction_is_linear(number: int, ends: str, coupled: bool) -> 
     )  # fmt: skip
     stiffness = 1e5 if coupled else 0.0
     given = replace(given, shear_stiffness=stiffness)
-    found = solved(given, steps=96)
+    found = solved(given, steps=192)
 
     m, k = given.belt_modulus, arc.shear_modulus / arc.thickness
     wave = number * math.pi / arc.width
@@ -169,8 +169,8 @@ def test_unlimited_friction_is_linear(number: int, ends: str, coupled: bool) -> 
     t1 = -path[0] / (path[1] - path[0])
     t2 = ends_by[0][0] + t1 * (ends_by[1][0] - ends_by[0][0])
     scale = abs(t1) + abs(t2)
-    assert _mode(found.entry_tension, number) == pytest.approx(t1, abs=1e-7 * scale)
-    assert _mode(found.exit_tension, number) == pytest.approx(t2, abs=1e-7 * scale)
+    assert _mode(found.entry_tension, number) == pytest.approx(t1, abs=1e-8 * scale)
+    assert _mode(found.exit_tension, number) == pytest.approx(t2, abs=1e-8 * scale)
     if ends == "far" and coupled:
         lam = before
         length = math.sqrt(1.0 / soft / (k + m / lam**2))
@@ -237,13 +237,14 @@ def test_a_belt_that_does_not_shear() -> None:
 def test_constant_friction_strip_by_strip() -> None:
     """Source: stick by shear lag, then Euler's law, at the tension and drum number of a strip.
 
-    The strip begins to slip inside a step of the march, which costs its order.
+    The strip begins to slip inside a step of the march, which costs its order: the miss is of the
+    second order in the step, 6e-3 of the deviation at 96 steps and 2.3e-4 at 400.
     """
     n, mu = 6, 0.45
     arc = replace(FABRIC, law=Constant(friction_coefficient=mu))
     held = {"length_before": np.full(n - 1, 2.0), "length_after": np.full(n - 1, 1.5)}
     given = wide(arc, n, 0.0, radius_deviation=crown(0.4e-3, n), **held)
-    found = solved(given, steps=200)
+    found = solved(given, steps=400)
     c, deviation = arc.shear_compliance, np.ptp(found.exit_tension)
     for j in range(n):
         soft = 1.0 / given.compliance[j]
@@ -258,15 +259,15 @@ def test_constant_friction_strip_by_strip() -> None:
         t2 = tj * math.exp(-mu * (arc.length - sj) / arc.radius)
         uj = c * mu * tj / arc.radius
         u2 = uj + free * (arc.length - sj) / soft - arc.radius * (tj - t2) / (mu * soft)
-        assert found.exit_tension[j] == pytest.approx(t2, abs=3e-3 * deviation)
-        assert found.exit_creep[j] == pytest.approx(u2, rel=1e-3)
+        assert found.exit_tension[j] == pytest.approx(t2, abs=3e-4 * deviation)
+        assert found.exit_creep[j] == pytest.approx(u2, rel=1e-5)
 
 
 CASES: list[tuple[str, WrapArc, float]] = [
-    ("driving", FABRIC, 5e-9),
-    ("braking", braking(FABRIC), 5e-9),
-    ("idling", replace(FABRIC, exit_tension=149.9e3), 5e-9),
-    ("kick, no recovery", replace(CORD, overrun=None, recovery=False), 5e-8),
+    ("driving", FABRIC, 1e-9),
+    ("braking", braking(FABRIC), 1e-9),
+    ("idling", replace(FABRIC, exit_tension=149.9e3), 1e-9),
+    ("kick, no recovery", replace(CORD, overrun=None, recovery=False), 1e-9),
 ]
 
 
@@ -294,17 +295,17 @@ def test_mirror_constants_and_scale() -> None:
     base = wide(FABRIC, n, radius_deviation=shape, exit_misfit=1e-4 * mode(2, n))
     found = solved(base)
     other = solved(replace(base, radius_deviation=shape[::-1]))
-    assert other.entry_tension[::-1] == pytest.approx(found.entry_tension, rel=1e-10)
+    assert other.entry_tension[::-1] == pytest.approx(found.entry_tension, rel=1e-12)
     moved = replace(base, radius_deviation=shape + 1e-3, exit_misfit=base.exit_misfit + 1e-3)
-    assert solved(moved).exit_tension == pytest.approx(found.exit_tension, rel=1e-9)
-    assert solved(moved).drum_number == pytest.approx(found.drum_number - 1e-3 / 0.4, rel=1e-9)
+    assert solved(moved).exit_tension == pytest.approx(found.exit_tension, rel=1e-12)
+    assert solved(moved).drum_number == pytest.approx(found.drum_number - 1e-3 / 0.4, rel=1e-12)
     double = replace(
         FABRIC, width=2.4, entry_tension=300e3, exit_tension=120e3,
         axial_stiffness=2.0 * FABRIC.axial_stiffness,
     )  # fmt: skip
     again = solved(wide(double, n, 4e5, radius_deviation=shape, exit_misfit=1e-4 * mode(2, n)))
-    assert again.entry_tension == pytest.approx(found.entry_tension, rel=1e-10)
-    assert again.exit_tension == pytest.approx(found.exit_tension, rel=1e-10)
+    assert again.entry_tension == pytest.approx(found.entry_tension, rel=1e-12)
+    assert again.exit_tension == pytest.approx(found.exit_tension, rel=1e-12)
 
 
 @pytest.mark.parametrize("name", LAWS)

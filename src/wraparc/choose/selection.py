@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc.wear import HOUR, WORN_SHARE
 from wraparc.batch.arcs import Arcs
+from wraparc.choose.across import MOST, Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
 from wraparc.choose.search import Grid, Search, slack_end
@@ -47,6 +48,7 @@ LIMITS = (
     "belt_sag",
     "other_pulleys",
     "belt_rating",
+    "edge_tension",
     "least_pulley_diameter",
 )
 #: limits of what the solver answers
@@ -110,6 +112,9 @@ class Selection:
         Worst of every design [m] and [Pa]; nan where it breaks away.
     tight_tension, slack_tension
         Largest tension, and smallest, over the load cases [N].
+    unevenness
+        Largest over mean entry tension across the width [-]; nan where the pulley is even, or a
+        design was not among the first.
     held
         Limits by name.
     costs
@@ -126,6 +131,7 @@ class Selection:
     bond_stress: Array
     tight_tension: Array
     slack_tension: Array
+    unevenness: Array
     held: Mapping[str, Held]
     costs: Costs
     ranking: Integers
@@ -197,15 +203,22 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
     ends = [grid.ends(case) for case in cases]
     slack = np.min([least for least, _ in ends], axis=0)
     answers = _answers(search, grid, solve, np.arange(len(grid)), precise=precise)
-    refined = np.full(len(grid), precise)
+    refined, edges = np.full(len(grid), precise), Edges.none(len(grid))
     while True:
         held = _held(search, grid, answers, shortage)
+        if is_uneven(search):
+            held = {**held, "edge_tension": Held(**excess_of(edges), where=edges.where)}
         costs = _costs(search, grid, answers[: len(cases)])
         creep = _worst([np.abs(a["exit_creep"]) for a in answers])
         ranking = _ranking(feasible(held, len(grid)), costs.total, creep, slack)
         again = _undecided(held, ranking, refined)
         if not len(again):
-            break
+            first = ranking[:MOST] if is_uneven(search) else ranking[:0]
+            first = first[np.isnan(edges.unevenness[first])]
+            if not len(first):
+                break
+            edges = solve_edges(search, grid, first, edges)
+            continue
         for old, new in zip(
             answers, _answers(search, grid, solve, again, precise=True), strict=True
         ):
@@ -220,6 +233,7 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
         bond_stress=_worst([np.abs(a["peak_shear_stress"]) for a in answers]),
         tight_tension=tight,
         slack_tension=slack,
+        unevenness=edges.unevenness,
         held=held,
         costs=costs,
         ranking=ranking,

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from wraparc.checks import Level
+from wraparc.choose.across import is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
@@ -109,7 +110,9 @@ def _heads(selection: Selection, system: System) -> tuple[str, ...]:
     money_heads = tuple(
         f"{part} [{selection.search.costing.currency}]" for part in ("total", "lagging", "energy")
     )
-    return (*money_heads, f"creep [{length}]", f"T2 [{force}]", f"T1/B [{width}]", "front")
+    uneven = ("uneven",) if is_uneven(selection.search) else ()
+    tensions = (f"T2 [{force}]", f"T1/B [{width}]")
+    return (*money_heads, f"creep [{length}]", *uneven, *tensions, "front")
 
 
 def _ranking(selection: Selection, system: System, most: int) -> Table:
@@ -121,6 +124,7 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         values = (
             *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
             number("exit_creep", float(selection.creep[i]), system),
+            *([_uneven(selection, i)] if is_uneven(selection.search) else []),
             number("tension", float(selection.slack_tension[i]), system),
             number("belt_modulus", float(selection.tight_tension[i]) / width, system),
             " ".join(marks),
@@ -128,6 +132,8 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         rows.append(Row(design_name(selection, i, system), values))
     more = len(selection.ranking) - len(rows)
     note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
+    if is_uneven(selection.search):
+        note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
     note += f"; {more} more feasible designs, see --csv" if more > 0 else ""
     return Table(
         "Designs that keep every limit, cheapest first",
@@ -135,6 +141,11 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         _heads(selection, system),
         note,
     )
+
+
+def _uneven(selection: Selection, i: int) -> str:
+    value = float(selection.unevenness[i])
+    return "-" if math.isnan(value) else f"{100.0 * (value - 1.0):+.1f} %"
 
 
 def _rejected(selection: Selection, system: System, most: int) -> Table:
@@ -283,6 +294,11 @@ def _design_data(selection: Selection, i: int) -> dict[str, Any]:
     return {
         "name": design_name(selection, i),
         "creep": float(selection.creep[i]),
+        **(
+            {"entry_unevenness": float(selection.unevenness[i])}
+            if is_uneven(selection.search)
+            else {}
+        ),
         "peak_shear_stress": float(selection.bond_stress[i]),
         "slack_tension": float(selection.slack_tension[i]),
         "tight_tension": float(selection.tight_tension[i]),

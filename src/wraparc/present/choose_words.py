@@ -23,6 +23,7 @@ _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
     "least_slack": ("pull over the largest pull within the creep limit", "number", False),
     "belt_sag": ("slack-side tension", "force", True),
     "other_pulleys": ("slack-side tension", "force", True),
+    "edge_tension": ("tension of an edge", "force_per_width", False),
     "belt_rating": ("tension per width", "force_per_width", False),
     "least_pulley_diameter": ("pulley diameter", "length", True),
 }
@@ -69,6 +70,8 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
     if name == "traction":
         by = f"by {percent(excess, 2)}" if math.isfinite(excess) and excess > 2e-3 else ""
         text = " ".join(p for p in ("gross slip: beyond the largest tension ratio", by) if p)
+    elif name == "edge_tension" and not math.isfinite(value):
+        text = "a strip of the belt goes slack, or the uneven belt is not carried"
     elif name == "least_slack":
         text = (
             "no slack-side tension with wrap pressures in the tested range keeps the creep limit; "
