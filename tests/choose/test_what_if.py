@@ -87,7 +87,7 @@ def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
     assert ran.code == 0, ran.err
     assert "Flexsteel ST1250: belt shrinkage goes from 2.72 mm to" in ran.words
     assert "the belt is 6.94 times as stiff." in ran.words
-    assert "h 20 mm: of the creep the lagging shears 0.456 mm before" in ran.words
+    assert "h 20 mm: of the creep the lagging shears 0.457 mm before" in ran.words
     assert "wet: global creep goes from" in ran.words
     assert "has 20 % less friction" in ran.words
     assert "full-ceramic: illustrative" in ran.words

@@ -64,12 +64,15 @@ def field(
     found = field_numbers(
         results, limits, _hours(hours, "--hours"), coefficient=coefficient, depth=depth
     )
+    from wraparc.checks import before
     from wraparc.present.document import json_text
     from wraparc.present.field_sheet import field_document, field_sheet
 
     deliver(
         {json_file: json_text(field_document(found))} if json_file else {},
-        lambda: field_sheet(found, drive.title or "Drive", name, source, units),
+        lambda: field_sheet(
+            found, drive.title or "Drive", name, source, units, before(drive).qualifier
+        ),
     )
     return 0
 

@@ -23,6 +23,7 @@ from wraparc.present.choose_words import (
     saving_words,
 )
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, number, percent, quantity
+from wraparc.provenance import Kind
 from wraparc.units import System, display_unit
 
 _MOST_ROWS = 15
@@ -64,6 +65,10 @@ def choose_sheet(
     )
 
 
+#: Data that an OK names.
+WEAK = (Kind.ILLUSTRATIVE, Kind.CALIBRATED)
+
+
 def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) -> Verdict:
     if not len(selection.ranking):
         near = selection.nearest()
@@ -101,7 +106,10 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
         )
     level = Level.ATTENTION if below_standard(selection, best) else Level.OK
-    return Verdict(level, headline, tuple(sentences))
+    lagging = selection.search.laggings[selection.grid.places[0, best]]
+    kind = lagging.source_of("law").kind
+    ground = f"{level}, on {kind} data" if level is Level.OK and kind in WEAK else ""
+    return Verdict(level, headline, tuple(sentences), ground)
 
 
 def _heads(selection: Selection, system: System) -> tuple[str, ...]:

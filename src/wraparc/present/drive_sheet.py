@@ -83,7 +83,8 @@ def input_sheet(drive: Drive, system: System = "si") -> Sheet:
     counted = f"{len(drive.pulleys)} {'pulley' if len(drive.pulleys) == 1 else 'pulleys'}, "
     counted += f"load cases: {', '.join(case.name for case in drive.load_cases)}."
     judged = before(drive)
-    told = Verdict(judged.level, f"The drive file is in order: {counted}", judged.sentences(system))
+    headline = f"The drive file is in order: {counted}"
+    told = Verdict(judged.level, headline, judged.sentences(system), judged.word)
     if judged.missed:
         told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
     tables = (*conveyor_tables(drive, system, of), *tables)

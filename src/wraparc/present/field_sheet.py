@@ -11,9 +11,14 @@ from wraparc.units import System
 
 
 def field_sheet(
-    found: FieldNumbers, title: str, pulley: str, wear_source: str = "", system: System = "si"
+    found: FieldNumbers,
+    title: str,
+    pulley: str,
+    wear_source: str = "",
+    system: System = "si",
+    ground: str = "",
 ) -> Sheet:
-    """Return what to expect of a drive in the field."""
+    """Return what to expect of a drive in the field; `ground` is the data that it stands on."""
     rows = [
         Row(f"Healthy, {name}", (percent(entry), percent(leaving)), "g, g2")
         for name, (entry, leaving) in found.healthy.items()
@@ -28,14 +33,14 @@ def field_sheet(
     return Sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
-        verdict=_verdict(found, system),
+        verdict=_verdict(found, system, ground),
         tables=(speeds, _levels(found, system), *_wear(found, wear_source, system)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )
 
 
-def _verdict(found: FieldNumbers, system: System) -> Verdict:
+def _verdict(found: FieldNumbers, system: System, ground: str) -> Verdict:
     worst = found.worst
     level = Level.OK
     if found.at_limit is not None and worst > found.at_limit:
@@ -45,6 +50,7 @@ def _verdict(found: FieldNumbers, system: System) -> Verdict:
         f"A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "
         f"{percent(found.alarm)}, trip at {percent(found.trip)}.",
         (*_rules(found, worst), _circumference(found, system)),
+        f"{level}, {ground}" if level is Level.OK and ground else "",
     )
 
 

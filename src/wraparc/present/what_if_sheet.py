@@ -12,7 +12,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
 from wraparc.present.least_tension import shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.present.words import alone, level_of, short
+from wraparc.present.words import alone, level_of, short, word_of
 from wraparc.units import System
 
 _SHOWN = (
@@ -43,7 +43,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     heads = ("before", *(c.title for c in found.changes))
     rows = [
         Row("Result", tuple(short(w, r) for w, r in zip(wholes, results, strict=True))),
-        Row("Verdict", tuple(str(level_of(w, r)) for w, r in zip(wholes, results, strict=True))),
+        Row("Verdict", tuple(word_of(w, r) for w, r in zip(wholes, results, strict=True))),
     ]
     rows += [
         row_of(name, *(_value(r, name) for r in results), system=system)
@@ -64,7 +64,10 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
         verdict=Verdict(
-            level_of(wholes[0], found.before), _headline(found, system), tuple(sentences)
+            level_of(wholes[0], found.before),
+            _headline(found, system),
+            tuple(sentences),
+            word_of(wholes[0], found.before),
         ),
         tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
@@ -256,6 +259,7 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
                 "status": r.status.name.lower(),
                 **{name: _value(r, name) for name in _SHOWN},
                 "verdict": str(level_of(whole, r)),
+                "word": word_of(whole, r),
                 "reasons": [] if r is found.before else list(_reasons(found, r)),
                 **({"across": across_data(a)} if a is not None else {}),
             }

@@ -1,0 +1,29 @@
+"""An OK that stands on illustrative data says so in the headline of every command that judges."""
+
+from pathlib import Path
+
+import pytest
+
+from cli.running import wraparc
+from files.samples import example
+
+UPHILL = example("uphill-conveyor")
+
+
+@pytest.mark.parametrize("command", [("what-if", "--worn", "8 mm"), ("field",), ("check",)])
+def test_an_ok_names_its_data(command: tuple[str, ...]) -> None:
+    ran = wraparc(command[0], UPHILL, *command[1:])
+    assert ran.code == 0, ran.err
+    assert "OK, on illustrative data" in ran.words
+
+
+def test_a_choice_names_the_data_of_its_lagging(tmp_path: Path) -> None:
+    text = (
+        'format = 1\ndrive = "uphill.toml"\n[candidates]\nlaggings = ["full-ceramic"]\n'
+        'slack_tensions = ["60 kN"]\n[cost]\ncurrency = "AUD"\nyears = 10\n'
+    )
+    (tmp_path / "uphill.toml").write_text(UPHILL.read_text("utf-8"), "utf-8")
+    (tmp_path / "choose.toml").write_text(text, "utf-8")
+    ran = wraparc("choose", tmp_path / "choose.toml")
+    assert ran.code == 0, ran.err
+    assert "OK, on illustrative data Choose" in ran.words
