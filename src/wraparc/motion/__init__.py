@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         stability,
         stability_map,
     )
+    from wraparc.motion.write import motion_text
 
 __all__ = [
     "Control",
@@ -64,6 +65,7 @@ __all__ = [
     "Station",
     "Stop",
     "Trim",
+    "motion_text",
     "simulate",
     "stability",
     "stability_map",
@@ -76,6 +78,7 @@ _MODULES = {
     "follow": "simulate",
     "vibration": "StabilityMap StabilityResult stability stability_map",
     "station": "Drum Station",
+    "write": "motion_text",
 }
 _MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
 
