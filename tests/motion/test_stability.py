@@ -22,7 +22,7 @@ from wraparc.motion.event import Event, OnDrum
 from wraparc.motion.linear import Linear, contour, windings
 from wraparc.motion.march import March
 from wraparc.motion.station import Station
-from wraparc.motion.vibration import response, stability, stability_map
+from wraparc.motion.vibration import gain_margin, response, stability, stability_map
 
 
 def follower(name: str, **more: float) -> Station:
@@ -85,6 +85,32 @@ def test_the_critical_gain_of_a_trim_loop(name: str, critical: float, growth: fl
     assert at(0.99).roots_beyond(0.0) == 0
     assert at(1.01).roots_beyond(0.0) == 2
     assert at(1.1).rightmost.real == pytest.approx(growth, rel=0.01)
+
+
+@pytest.mark.parametrize(("name", "critical"), [("fabric", 0.0333), ("steel-cord", 0.0482)])
+@pytest.mark.parametrize("part", [0.5, 1.25])
+def test_the_gain_margin_of_a_trim_loop(name: str, critical: float, part: float) -> None:
+    """Theory, 1 %: the critical gain over the gain, above and below 1."""
+    base = station(name, ExactSpeed(), ExactSpeed())
+    trim = Trim(gain=part * critical, dead_time=0.5)
+    linear = Linear.of(replace(base, drums=(base.drums[0], replace(base.drums[1], trim=trim))))
+    assert gain_margin(linear, 1) == pytest.approx(1.0 / part, rel=0.01)
+    assert math.isnan(gain_margin(linear, 0))
+
+
+def test_the_gain_margin_of_a_follower_and_of_a_calm_loop() -> None:
+    """Identity: at the margin the rightmost root is on the border."""
+    linear = Linear.of(follower("fabric"))
+    margin = gain_margin(linear, 1)
+    assert 0.0 < margin < 1.0  # it grows as it is
+    ratio = margin * linear.duties[1].torque / linear.duties[0].torque
+    control = Follower(master="first", lag=0.1, ratio=ratio)
+    at = linear.controlled(
+        linear.station.drums[0], replace(linear.station.drums[1], control=control)
+    )
+    assert abs(at.rightmost.real) < 0.03
+    loop = SpeedLoop(bandwidth=2.0, reset=1.0)
+    assert gain_margin(Linear.of(station("fabric", loop, loop)), 1) == math.inf
 
 
 def test_a_rigid_arc_answers_in_closed_form() -> None:

@@ -112,6 +112,10 @@ class StabilityResult:
         That amplitudes in words refer to [m].
     softening
         Names of pulleys that work past the peak of their law.
+    gain_margins
+        For every drum by how much its gain may rise until a vibration grows, all else as it is
+        [-]: that of its load sharing, its speed loop, or the ratio of a follower; below 1 by how
+        much it must fall; nan without such a gain, inf beyond a thousandfold.
     """
 
     linear: Linear
@@ -121,6 +125,7 @@ class StabilityResult:
     controls: tuple[ControlAnswer, ...]
     run_out: float
     softening: tuple[str, ...]
+    gain_margins: tuple[float, ...]
 
     @property
     def stable(self) -> bool:
@@ -170,7 +175,49 @@ def stability(station: Station, *, run_out: float = 0.5e-3) -> StabilityResult:
             for m, p in zip(linear.steady.members, linear.profiles, strict=True)
             if np.any(p.by_creep < 0.0)
         ),
+        gain_margins=tuple(gain_margin(linear, i) for i in range(len(names))),
     )
+
+
+def gain_margin(linear: Linear, i: int) -> float:
+    """Return by how much the gain of a drum may rise until a vibration grows.
+
+    See `StabilityResult.gain_margins`. The border nearest to 1 on the way up if the station is
+    stable as it is, on the way down if it is not; to 1e-3.
+    """
+    drums = linear.station.drums
+
+    def stable(factor: float) -> bool:
+        drum = _louder(drums[i], linear, i, factor)
+        return linear.controlled(*drums[:i], drum, *drums[i + 1 :]).roots_beyond(0.0) == 0
+
+    if _louder(drums[i], linear, i, 1.0) is drums[i]:
+        return math.nan
+    now = stable(1.0)
+    near, far = 1.0, 2.0 if now else 0.5
+    while stable(far) == now:
+        near, far = far, far * far
+        if not 1e-3 < far < 1e3:
+            return math.inf if now else 0.0
+    while abs(far / near - 1.0) > 1e-3:
+        middle = math.sqrt(near * far)
+        near, far = (middle, far) if stable(middle) == now else (near, middle)
+    return near if now else far
+
+
+def _louder(drum: Drum, linear: Linear, i: int, factor: float) -> Drum:
+    """The drum with its gain times a factor; the same object if it has none."""
+    control = drum.control
+    if drum.trim is not None:
+        return replace(drum, trim=replace(drum.trim, gain=min(factor * drum.trim.gain, 100.0)))
+    if isinstance(control, SpeedLoop):
+        bandwidth = min(factor * control.bandwidth, 100.0)
+        return replace(drum, control=replace(control, bandwidth=bandwidth))
+    if isinstance(control, Follower):
+        lead = linear.duties[linear.station.index(control.master)].torque
+        ratio = linear.duties[i].torque / lead if control.ratio is None else control.ratio
+        return replace(drum, control=replace(control, ratio=min(factor * ratio, 10.0)))
+    return drum
 
 
 def compare_controls(linear: Linear) -> tuple[ControlAnswer, ...]:

@@ -210,7 +210,19 @@ def _sensitivity_table(result: StabilityResult) -> Table:
             note=f"{'grows' if root.real > 0 else 'dies out'} e-fold {decay}",
         ),
     ]
+    rows += [
+        Row(f"Gain margin, {name}", (_times(margin),), note="all else as it is")
+        for name, margin in zip(result.linear.station.names, result.gain_margins, strict=True)
+        if not math.isnan(margin)
+    ]
     return Table("Small vibrations", tuple(rows))
+
+
+def _times(margin: float) -> str:
+    """A gain margin in words."""
+    if margin >= 1.0:
+        return "beyond a thousandfold" if math.isinf(margin) else f"{margin:.3g} times as high"
+    return f"must fall to {margin:.3g} times" if margin > 0.0 else NONE
 
 
 def _controls_table(result: StabilityResult) -> Table:
