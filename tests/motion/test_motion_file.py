@@ -249,7 +249,9 @@ def test_an_event_that_fails_leads_the_note_and_its_exit_code(tmp_path: Path) ->
     done = run_command("report", str(path), "-o", str(note))
     assert done.code == 1
     said = note.read_text("utf-8")
-    assert said.index("The belt goes slack before first at 1.3") < said.index("Checks against")
+    headline = next(line for line in said.splitlines() if line.startswith("**"))
+    assert headline.startswith("**FAILS.** Event back: The belt goes slack before first at 1.3")
+    assert "| Followed to its end |" in said  # among the checks
 
 
 def simulate_short() -> RunResult:

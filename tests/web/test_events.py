@@ -57,13 +57,16 @@ def test_a_run_has_the_words_and_numbers_of_the_command_line(api: TestClient) ->
 
 
 def test_what_is_played_keeps_the_largest_values() -> None:
-    motion = load_motion(FABRIC, overrides=["motion.event.start.duration=4 s"])
-    run = simulate(motion.station, motion.event("start"), points=20, step=0.003)
+    motion = load_motion(FABRIC, overrides=["motion.event.splice.duration=4 s"])
+    run = simulate(motion.station, motion.event("splice"), points=20, step=0.003)
     thin = played(run)
     assert len(run.time) > 1000 > 2 * len(thin.time)
-    drum, shown = run.drums[0], thin.drums[0]
-    peak = np.max(np.abs(drum.exit_creep))
-    assert max(abs(v or 0.0) for v in shown.exit_creep) == pytest.approx(peak, rel=1e-4)
+    for drum, shown in zip(run.drums, thin.drums, strict=True):
+        for name in ("exit_creep", "exit_tension", "torque", "peak_shear"):
+            column = getattr(drum, name)
+            kept = np.array(getattr(shown, name), float)
+            assert np.max(kept) == pytest.approx(np.max(column), rel=1e-4)
+            assert np.min(kept) == pytest.approx(np.min(column), rel=1e-4)
     assert (thin.time[0], thin.time[-1]) == pytest.approx((0.0, run.time[-1]))
     # the travel is the area under the speed, taken before anything is thinned
     area = np.trapezoid(run.belt_speed, run.time)
