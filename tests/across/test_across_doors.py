@@ -80,7 +80,11 @@ def test_diameters_become_deviations_of_the_radius() -> None:
 
 
 FAULTS = [
-    ('"2 mm", on = "diameter"', '"400 mm"', "a deviation of the radius is expected, at most 100.0"),
+    (
+        '"2 mm", on = "diameter"',
+        '"400 mm"',
+        "a deviation of the radius is expected, at most 100 mm",
+    ),
     ('["-20 in"', '["-30 in"', "beyond the belt, which reaches from -609.6 mm to 609.6 mm"),
     ('["-20 in"', '["21 in"', "positions must ascend from one edge of the belt to the other"),
     ('"0.1 in"', '"0.6 in"', "deeper than the lagging is thick, 12 mm"),

@@ -27,3 +27,9 @@ def test_a_choice_names_the_data_of_its_lagging(tmp_path: Path) -> None:
     ran = wraparc("choose", tmp_path / "choose.toml")
     assert ran.code == 0, ran.err
     assert "OK, on illustrative data Choose" in ran.words
+
+
+def test_a_thinner_lagging_is_compressed_less_on_a_brake_too() -> None:
+    """h/E_c falls to 6/15 of what it was; the creep that compression makes is negative there."""
+    ran = wraparc("what-if", example("downhill-braking"), "--worn", "6 mm")
+    assert "the lagging is compressed less (h/E_c times 0.4)" in ran.words

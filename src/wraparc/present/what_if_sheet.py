@@ -162,7 +162,8 @@ def _parts(before: ArcResult, after: ArcResult, system: System) -> Iterator[tupl
     why = why or "the tension drops at a different place along the arc"
     yield abs(change), _moved("belt shrinkage", before, after, "creep_shrinkage", why, system)
     change = after.creep_compression - before.creep_compression
-    why = "the lagging is compressed " + ("more" if change > 0.0 else "less")
+    more = abs(after.creep_compression) > abs(before.creep_compression)  # negative on a brake
+    why = f"the lagging is compressed {'more' if more else 'less'}"
     if a.compression_compliance != b.compression_compliance:
         why += f" (h/E_c times {b.compression_compliance / a.compression_compliance:.3g})"
     text = _moved("lagging compression", before, after, "creep_compression", why, system)
