@@ -367,7 +367,8 @@ def test_no_text_of_a_setting_shows_a_traceback(key: str, value: str) -> None:
 def test_check_tells_inputs_and_remarks_and_solves_nothing(drive: Path) -> None:
     ran = wraparc("check", drive)
     assert ran.code == 0
-    assert "OK The drive file is in order: 1 pulley, load cases: design, empty." in ran.words
+    said = "The drive file is in order: 1 pulley, load cases: design, empty."
+    assert f"OK, on illustrative data {said}" in ran.words
     assert "Belt modulus M 12960 kN/m published [1], rating: rated tension" in ran.words
     assert "The friction of diamond-rubber is illustrative" in ran.words
     assert "Creep at exit" not in ran.out
