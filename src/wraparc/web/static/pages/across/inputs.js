@@ -168,7 +168,12 @@ function measured(i) {
       onChange: read,
     }),
     h("button", { type: "button", id: "load-profile", onClick: open }, "Load readings …"),
-    choose(drawn.unit, units, put, "profile-unit"),
+    h(
+      "label",
+      { key: "unit" },
+      h("span", { class: "away" }, "Units of the readings"),
+      choose(drawn.unit, units, put, "profile-unit"),
+    ),
     h(
       "label",
       {},
