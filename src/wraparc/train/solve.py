@@ -328,20 +328,34 @@ def _status(
     return TrainStatus.SOLVED, ""
 
 
+def _apart(one: float, other: float) -> tuple[str, str]:
+    """Return two rotation speeds [rad/s] in as many digits as tell them apart."""
+    told = ("", "")
+    for digits in range(4, 10):
+        told = (
+            display(one, "rotation_speed", digits=digits),
+            display(other, "rotation_speed", digits=digits),
+        )
+        if told[0] != told[1]:
+            break
+    return told
+
+
 def _beyond(member: MemberResult, motor: Motor, point: MotorPoint) -> str:
     """Say how a motor would have to leave its curve, or nothing."""
     low, high = motor.limits()
     rounding = 1e-9
-    turns = display(member.rotation_speed, "rotation_speed")
     if point.motor_load < low - rounding:
         end = low / (motor.gear_efficiency if low >= 0.0 else 1.0 / motor.gear_efficiency)
-        top = display(motor.drum_speed(end * motor.drum_torque), "rotation_speed")
+        most = motor.drum_speed(end * motor.drum_torque)
+        turns, top = _apart(member.rotation_speed, most)
         means = "it cannot hold back" if low == 0.0 else f"it holds back {-low:.3g} rated torques"
         return (
             f"The belt drives the drum of {member.name} at {turns}, faster than its motor allows: "
             f"{top} at most, where {means}."
         )
     if point.motor_load > high + rounding:
+        turns = display(member.rotation_speed, "rotation_speed")
         return (
             f"The motor of {member.name} would need {point.motor_load:.3g} times its rated torque "
             f"at {turns} of its drum; its curve ends at {high:.3g}."
