@@ -3,8 +3,9 @@
 A start and stop of 60 s of the fabric tandem with 100 pieces of lagging a wrap (some 12,000
 steps), after the code is compiled or loaded, and a map of stability of 41 x 41; processor time.
 Aims on a free core: 3 s for the event, 10 s for the map, 8 s to compile. Measured on 2 cores shared
-with five to nine other loads: 4 to 5 s (330 to 400 us a step, 1.06 sweeps of an arc), 1.0 s, and 9
-to 11 s to compile: the map is met, the others not shown there. Before a step was guessed from the
+with two to nine other loads: 3.3 to 5 s (277 to 400 us a step, 1.06 sweeps of an arc), 0.3 to 1.0
+s, and 9.6 to 11 s to compile: the map is met, the others not shown there.
+Before a step was guessed from the
 two before it and a map changed one row of the equations: 11.4 s, 13.5 s and 12 s.
 """
 
