@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page, expect
 from cli.running import wraparc
 from web.browser import Visitor, browsing
 from web.calculators import Process
-from wraparc.units import display
+from wraparc.present.sheet import named
 
 Calculator = tuple[Browser, Process]
 #: Counts what a hand does: presses of the mouse, wherever they land.
@@ -163,9 +163,11 @@ def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_p
     code, out, _ = wraparc("solve", str(file), "--json", "-")
     assert code == 0
     told = next(a for a in json.loads(out)["across"] if a["load_case"] == "design")
-    running = display(told["largest_running_tension"], "force_per_width")
+    running = named("largest_running_tension", told["largest_running_tension"])
     assert figure(page, "Largest tension, running") == running
-    assert figure(page, "Wear, largest over mean") == display(told["energy_unevenness"], "number")
+    assert figure(page, "Wear, largest over mean") == named(
+        "energy_unevenness", told["energy_unevenness"]
+    )
     text = file.read_text("utf-8")
     for words in ("[pulley.across]", "worn_depth", lifted, "0.02 in", "1.5 mm/m", "2.5 m"):
         assert words in text
