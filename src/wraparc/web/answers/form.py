@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from functools import cache
 
+from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import CREEP_LIMIT
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
 from wraparc.files.drive_keys import BELT, LOAD_CASE, PULLEY, TENSIONS
@@ -153,6 +154,7 @@ def form() -> Form:
             _section("tensions", "Tensions", "pulley[].", TENSIONS, repeated=True),
             _section("lagging", "Lagging", "pulley[].lagging.", lagging, repeated=True),
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
+            _section("conveyor", "Conveyor", "conveyor.", CONVEYOR.entries),
             _section("train", "Train", "train.", TRAIN.entries),
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
             _section(

@@ -88,11 +88,22 @@ function inRange() {
 /** Names of the load cases, each in every condition that the drive is solved in.
  * @param {Design} doc @returns {string[]} */
 export function caseNames(doc) {
-  const named = ["design", ...(doc.load_case || []).map((c) => c.name || "")];
+  const named =
+    doc.conveyor && !doc.load_case
+      ? states(doc.conveyor)
+      : ["design", ...(doc.load_case || []).map((c) => c.name || "")];
   const conditions = Array.isArray(doc.condition) && doc.condition.length > 1 ? doc.condition : [];
   if (!conditions.length) return named;
   return named.flatMap((name) => conditions.map((c) => `${name}, ${c.name ?? c}`));
 }
+
+/** Names of the load cases that a conveyor gives. @param {Record<string, any>} of */
+const states = (of) => [
+  "full",
+  "empty",
+  ...(of.start_factor != null || of.start_time != null ? ["start"] : []),
+  ...(of.stop_time != null ? ["stop"] : []),
+];
 
 /** @param {Design} doc @returns {Units} */
 const unitsOf = (doc) => (/(in|ft)$/.test(String(doc.belt.width ?? "")) ? "us" : "si");
@@ -118,7 +129,7 @@ export const isDrive = (doc) =>
   doc.pulley.every(isTable) &&
   (doc.load_case === undefined ||
     (Array.isArray(doc.load_case) && doc.load_case.every((/** @type {any} */ c) => isTable(c)))) &&
-  ["lagging", "train"].every((key) => doc[key] === undefined || isTable(doc[key]));
+  ["lagging", "train", "conveyor"].every((key) => doc[key] === undefined || isTable(doc[key]));
 
 /** The drive that a new design begins with: nothing is filled in but names. @returns {Design} */
 export const blank = () => ({

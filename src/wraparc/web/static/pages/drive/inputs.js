@@ -7,6 +7,7 @@ import { choose } from "../../parts/choose.js";
 import { field, more, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
+import { conveyor } from "./conveyor.js";
 
 /** @import { Children, Path, Spec } from "../../types.d.ts" */
 /** @import { Choice, Choices } from "../../parts/field.js" */
@@ -32,6 +33,11 @@ const parted = (fields, keys) => [
 ];
 
 /** @typedef {() => Record<string, number> | null} Now numbers of the last answer for this pulley */
+
+/** The load of a pulley: of the conveyor, of the train, or as given. @param {number} i
+ * @param {Now} now */
+const loadOf = (i, now) =>
+  app.doc.conveyor ? conveyor(TENSIONS, now) : [...load(i, now), ...conveyor(TENSIONS, now)];
 
 /** Which two of tension, pull, power and torque are given. @param {number} i @param {Now} now */
 function load(i, now) {
@@ -285,6 +291,7 @@ function conditions() {
 }
 
 function cases() {
+  if (app.doc.conveyor && !app.doc.load_case) return [conditions()];
   const list = app.doc.load_case || [];
   const add = () => {
     const names = ["design", ...list.map((c) => c.name)];
@@ -385,7 +392,7 @@ export function inputs(now) {
       noValidate: true,
     },
     fromExample(),
-    group("Load", load(i, now)),
+    group("Load", loadOf(i, now)),
     group(`Pulley ${name}`, pulley(i)),
     group("Lagging", lagging(i)),
     group("Belt", belt()),

@@ -1,0 +1,76 @@
+"""The conveyor on the drive page: in the place of tensions, and back.
+
+Expected tensions: what `wraparc.load_drive` reads from the same file (tests/conveyor hold those to
+the standards).
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, expect
+
+from web.browser import Visitor, browsing
+from web.calculators import Process
+from wraparc import load_drive
+
+Calculator = tuple[Browser, Process]
+UPHILL = Path(__file__).parents[2] / "examples" / "uphill-conveyor.toml"
+TYPED = {
+    "length": "600 m",
+    "lift": "20 m",
+    "capacity": "1000 t/h",
+    "belt_mass": "22 kg/m",
+    "carry_idler_mass": "16 kg/m",
+    "return_idler_mass": "6 kg/m",
+    "counterweight": "8 t",
+    "start_factor": "1.3",
+    "stop_time": "15 s",
+}
+
+
+@pytest.fixture(scope="module")
+def calculator() -> Iterator[Calculator]:
+    with browsing(str(UPHILL)) as found:
+        yield found
+
+
+def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
+    browser, server = calculator
+    visitor = Visitor(browser, server.address)
+    page = visitor.open("drive")
+    visitor.solved()
+    names = [case.name for case in load_drive(UPHILL).load_cases]
+    assert names == ["full", "empty", "start", "stop"]
+    picked = page.locator("#pick-case option")
+    expect(picked).to_have_count(len(names))
+    page.select_option("#pick-case", index=3)
+    visitor.solved()
+    expect(page.locator("#pick-case option:checked")).to_contain_text("stop")
+
+    # out: the tensions of the case on the screen stand in their fields
+    page.get_by_role("button", name="Give the tensions themselves").click()
+    visitor.solved()
+    stop = load_drive(UPHILL).load_case("stop").tensions["head"]
+    kept = float(page.locator("#f-pulley-0-entry_tension").input_value())
+    assert kept == pytest.approx(stop.entry / 1e3, rel=1e-4)
+
+    # in again, typed anew: what is missing is asked for at its field, Undo brings tensions back
+    page.get_by_role("button", name="Tensions from the conveyor").click()
+    expect(page.locator("#f-conveyor-belt_mass-e")).to_contain_text("missing")
+    page.click("#undo")
+    expect(page.locator("#f-pulley-0-entry_tension")).to_have_value(f"{kept:g}")
+    page.click("#redo")
+    for key, text in TYPED.items():
+        page.fill(f"#f-conveyor-{key}", text)
+        page.press(f"#f-conveyor-{key}", "Tab")
+    visitor.solved()
+    expect(page.locator("#pick-case option")).to_have_count(len(names))
+    doc = page.evaluate("() => JSON.parse(localStorage.getItem('wraparc.drafts'))[0].doc")
+    assert set(doc["conveyor"]) == set(TYPED)
+    # a wrong value is told at its field, with what is allowed
+    page.fill("#f-conveyor-length", "-600 m")
+    page.press("#f-conveyor-length", "Tab")
+    expect(page.locator("#f-conveyor-length-e")).to_contain_text("-600 m")
+    visitor.context.close()
+    assert visitor.wrong == []
