@@ -162,13 +162,15 @@ function panel(title, position, curves, xlabel, limit, zero) {
     ...curves.map((c) => [`line ${c.cls}`, c.label]),
     ...(seen ? [["limit", seen.label]] : []),
   ];
+  const ends = (/** @type {(typeof curves)[number]} */ c) =>
+    `${c.label} ${digits(Math.min(...c.values), 3)} to ${digits(Math.max(...c.values), 3)}`;
   return h(
     "svg",
     {
       class: "chart beside",
       viewBox: `0 0 ${wide} ${TALL}`,
       role: "img",
-      "aria-label": `${title}: ${curves.map((c) => `${c.label} ${digits(Math.min(...c.values), 3)} to ${digits(Math.max(...c.values), 3)}`).join(", ")}, ${xlabel}`,
+      "aria-label": `${title}: ${curves.map(ends).join(", ")}, ${xlabel}`,
     },
     widthAxis(half, right),
     ticks(lo, hi, step).map((v) => [
