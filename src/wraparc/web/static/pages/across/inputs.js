@@ -203,7 +203,7 @@ const CROWN = {
   title: "Crown, on radius",
   kind: "quantity",
   dimension: "length",
-  help: "Height of the middle of the shell over its edges: half of what catalogues give, on diameter.",
+  help: "Height of the middle of the shell over its edges, half of that on diameter.",
   slider: { least: 0, most: 3e-3, log: false },
 };
 /** @type {Spec} */
