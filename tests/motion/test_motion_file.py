@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from cli.running import Ran
@@ -236,6 +237,19 @@ def test_the_note_follows_the_events_that_ask_for_it(tmp_path: Path) -> None:
     bad = run_command("report", TANDEMS[0], "-o", "-", "--set", 'motion.event.start.report="yes"')
     assert bad.code == 2
     assert "motion.event.start.report" in bad.err
+
+
+@pytest.mark.parametrize(("times", "level"), [(9.9, "ATTENTION"), (10.1, "FAILS")])
+def test_a_belt_that_slides_through_an_event_fails_it(times: float, level: str) -> None:
+    """Gross slip that a run can follow to its end is no creep a little over its limit."""
+    run = simulate_short()
+    first, *others = run.drums
+    limit = run.station.train.creep_limit_of(run.station.train.pulleys[0])
+    creep = first.exit_creep * (times * limit / np.abs(first.exit_creep).max())
+    slid = replace(run, drums=(replace(first, exit_creep=creep), *others))
+    verdict = judge_run(slid)
+    assert verdict.level.value == level
+    assert ("is gross slip" in verdict.headline()) == (level == "FAILS")
 
 
 def test_an_event_that_fails_leads_the_note_and_its_exit_code(tmp_path: Path) -> None:

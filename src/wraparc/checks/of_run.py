@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from wraparc.motion.result import RunResult
 
 
+#: Times the creep limit beyond which a drive slides and does not creep any more [-]; ours.
+SLIDES = 10.0
+
+
 def judge_run(run: RunResult) -> Verdict:
     """Return every check of a run over its whole length, and so its verdict."""
     return Verdict(tuple(_checks(run)))
@@ -55,11 +59,14 @@ def _creeps(run: RunResult) -> Iterator[Check]:
     for pulley, drum in zip(train.pulleys, run.drums, strict=True):
         i = int(np.argmax(np.abs(drum.exit_creep)))
         over = run.over_limit(drum.name)
+        largest, limit = abs(float(drum.exit_creep[i])), train.creep_limit_of(pulley)
+        if largest > SLIDES * limit:
+            yield _slides(Place(drum.name, event=run.event.name), largest, float(run.time[i]))
         yield judged(
             RULES["creep"],
             "Largest creep at exit",
-            abs(float(drum.exit_creep[i])),
-            train.creep_limit_of(pulley),
+            largest,
+            limit,
             "length",
             place=Place(drum.name, event=run.event.name),
             short="over creep limit",
@@ -68,6 +75,21 @@ def _creeps(run: RunResult) -> Iterator[Check]:
             remedy="Start and stop more slowly, raise the slack-side tension, or choose a lagging "
             "with more friction.",
         )
+
+
+def _slides(place: Place, creep: float, time: float) -> Check:
+    return Check(
+        name=RULES["gross_slip"].name,
+        title="Carries its load",
+        level=Level.FAILS,
+        place=place,
+        short="slides",
+        says=f"The belt slides on the pulley: {display(creep, 'length', digits=3)} of creep at "
+        f"{display(time, 'time', digits=3)}, more than {SLIDES:g} times the creep limit, is gross "
+        "slip.",
+        remedy="Raise the slack-side tension, start and stop more slowly, or choose a lagging with "
+        "more friction.",
+    )
 
 
 def _tension(run: RunResult) -> Check:
