@@ -18,6 +18,7 @@ from wraparc.units import (
     DEFINITIONS,
     DIMENSION_TEXT,
     DIMENSIONS,
+    RESULT_DIGITS,
     Dimension,
     System,
     dimension_of,
@@ -399,8 +400,13 @@ def test_what_is_displayed_can_be_read_back(
     ],
 )
 def test_display(value: float, dimension: Dimension, si: str, us: str) -> None:
-    assert display(value, dimension) == si
-    assert display(value, dimension, "us") == us
+    assert display(value, dimension, digits=RESULT_DIGITS) == si
+    assert display(value, dimension, "us", RESULT_DIGITS) == us
+
+
+def test_what_is_given_keeps_a_fourth_digit() -> None:
+    assert display(417.53e3, "force") == "417.5 kN"
+    assert display(1.2, "length", "us") == "47.24 in"
 
 
 def test_display_units_have_their_factor() -> None:

@@ -82,8 +82,9 @@ def test_energy_is_split_where_a_ratio_is_given() -> None:
     assert table is not None
     assert table.heads == ("frictional power", "belt", "lagging")
     whole, belt, rest = (float(v.split()[0].replace(",", "")) for v in table.rows[-1].values)
-    assert belt == pytest.approx(0.25 * whole, rel=1e-3)
-    assert belt + rest == pytest.approx(whole, rel=1e-3)
+    # each is told in three digits
+    assert belt == pytest.approx(0.25 * whole, rel=5e-3)
+    assert belt + rest == pytest.approx(whole, rel=5e-3)
     assert "is not said" in wear_table(solved().arcs[0], load_lagging("diamond-rubber")).note  # type: ignore[union-attr]
 
 

@@ -129,8 +129,8 @@ def between(low: str, high: str) -> str:
             'Write the unit too, for example "150 kN".',
         ),
         # sizes
-        ('"1200 mm"', '"-1200 mm"', f'belt.width = "-1200 mm": {between("1.00 mm", "1000 m")}'),
-        ('"800 mm"', '"0 mm"', f'pulley.head.diameter = "0 mm": {between("1.00 mm", "1000 m")}'),
+        ('"1200 mm"', '"-1200 mm"', f'belt.width = "-1200 mm": {between("1 mm", "1000 m")}'),
+        ('"800 mm"', '"0 mm"', f'pulley.head.diameter = "0 mm": {between("1 mm", "1000 m")}'),
         (
             '"3 m/s"',
             '"0 m/s"',

@@ -277,7 +277,7 @@ def test_a_drum_faster_than_its_motor_allows() -> None:
     failed = tried(train(pulleys(2), case(Motors((DROOPING, slow)))))
     assert failed.status is TrainStatus.BEYOND_MOTOR
     assert failed.reason == (
-        "The belt drives the drum of p2 at 72.2 rpm, faster than its motor allows: 72.09 rpm at "
+        "The belt drives the drum of p2 at 72.20 rpm, faster than its motor allows: 72.09 rpm at "
         "most, where it cannot hold back."
     )
     with pytest.raises(InputError, match="faster than its motor allows"):
