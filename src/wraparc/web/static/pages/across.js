@@ -118,7 +118,7 @@ const picture = (a) =>
 const tables = (a) =>
   h(
     "div",
-    { class: "tables", key: "tables" },
+    { class: "tables one", key: "tables" },
     a.checks && table({ ...a.checks, title: "Checks across the width" }),
     a.tables.map((/** @type {Table} */ t) => table(t, t.key !== "profile")),
   );
