@@ -13,7 +13,7 @@ from wraparc.conveyor import (
     main_resistance,
     slope_resistance,
 )
-from wraparc.conveyor.resistance import GRAVITY
+from wraparc.conveyor.resistance import GRAVITY, LENGTH_COEFFICIENTS
 
 # The worked examples take 9.81 m/s2.
 ROUNDED = GRAVITY / 9.81
@@ -86,6 +86,16 @@ def test_the_worked_example_with_a_length_coefficient() -> None:
 def test_the_length_coefficient_is_that_of_the_table(length: float, coefficient: float) -> None:
     """Values of DIN 22101 as two public implementations have them; linear between."""
     assert length_coefficient(length) == pytest.approx(coefficient, rel=1e-12)
+
+
+def test_no_value_of_the_table_is_mistyped() -> None:
+    """Independent: secondary resistances are those of a belt of some 70 to 105 m, and C falls."""
+    lengths, values = map(list, zip(*LENGTH_COEFFICIENTS.items(), strict=True))
+    assert lengths == sorted(lengths)
+    assert values == sorted(values, reverse=True)
+    assert len(set(values)) == len(values)
+    for length, value in LENGTH_COEFFICIENTS.items():
+        assert 70.0 < (value - 1.0) * length < 105.0, length
 
 
 def test_there_is_no_length_coefficient_for_short_conveyors() -> None:
