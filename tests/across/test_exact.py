@@ -25,9 +25,11 @@ from across.wides import (
 from wraparc.across.interface import stress_of
 from wraparc.across.result import AcrossResult, AcrossStatus
 from wraparc.across.solver import AcrossSolver
+from wraparc.across.spans import extra_path
 from wraparc.across.stresses import knots_of, stresses
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import Distributed, WrapArc
+from wraparc.drive.across import Transition
 from wraparc.friction import (
     CoefficientPieces,
     Constant,
@@ -332,3 +334,16 @@ def test_what_makes_a_strip_slack_is_said() -> None:
 def test_breakaway_is_that_of_the_even_belt() -> None:
     arc = replace(FABRIC, exit_tension=5e3, law=Constant(friction_coefficient=0.3))
     assert AcrossSolver().solve(wide(arc, 4)).status is AcrossStatus.BREAKAWAY
+
+
+def test_the_extra_path_of_a_trough_is_that_of_its_corners() -> None:
+    """Independent: the straight line from the wing of the last full trough to the pulley."""
+    beta, length, centre, width = np.radians(35.0), 2.9, 0.465, 1.2
+    z = 0.5 * (width - centre)
+    edge = np.array([z * (1.0 - np.cos(beta)), z * np.sin(beta)])  # in and up, at its place
+    for depth, raised in (("full", 0.0), ("half", 0.5 * edge[1])):
+        trough = Transition(length=length, trough_angle=beta, centre_roll=centre, depth=depth)  # type: ignore[arg-type]
+        line = np.hypot(length, np.hypot(edge[0], edge[1] - raised))
+        found = extra_path(trough, np.array([-0.6, 0.0, 0.6]), width)
+        assert found[[0, 2]] == pytest.approx(line / length - 1.0, rel=5e-3)  # small angles
+        assert found[1] == pytest.approx(np.hypot(length, raised) / length - 1.0, abs=1e-5)

@@ -13,6 +13,7 @@ from wraparc.motion.control import (
     Control,
     CoupledMotor,
     Droop,
+    Duty,
     ExactSpeed,
     Follower,
     SpeedLoop,
@@ -213,3 +214,13 @@ def test_responses_fall_off_and_are_finite() -> None:
     )
     assert np.all(np.isfinite(found.creep))
     assert abs(found.pull[1, 1]) < abs(found.pull[0, 1])
+
+
+def test_a_speed_loop_crosses_over_at_its_bandwidth() -> None:
+    """Closed form: gain over J times 2 pi i f is 1 in size at the bandwidth, without reset."""
+    duty = Duty(speed=7.5, torque=2e4, inertia=2200.0, radius=0.4)
+    loop = SpeedLoop(bandwidth=2.0, reset=1e3)
+    crossing = 2j * math.pi * 2.0
+    assert abs(loop.yielding(duty, crossing) / (duty.inertia * crossing)) == pytest.approx(
+        1.0, rel=1e-6
+    )
