@@ -11,6 +11,7 @@ import pytest
 from wraparc import load_drive, solve
 from wraparc.across import solve_across
 from wraparc.checks import judge
+from wraparc.checks.of_rows import NOT_CHECKED
 from wraparc.errors import InputError
 from wraparc.study.file import load_study
 from wraparc.study.parameter_study import GOVERNING, JUDGED, VERDICT
@@ -80,6 +81,7 @@ def test_a_study_row_is_the_drive_solved_alone(tmp_path: Path) -> None:
     governs = [JUDGED[GOVERNING][code] for code in found[GOVERNING]]
     assert governs[5] == "edge_tension"
     assert JUDGED[VERDICT][found[VERDICT][5]] == "FAILS"
+    assert not any("width" in what for what in NOT_CHECKED)  # what counts is not said to be left
 
 
 def test_wear_as_an_axis(tmp_path: Path) -> None:

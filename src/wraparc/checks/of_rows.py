@@ -26,7 +26,7 @@ from wraparc.checks.rules import (
     tension_factor,
     wrap_pressure,
 )
-from wraparc.drive import Drive, Pulley
+from wraparc.drive import Drive
 from wraparc.drive.conditions import SCALED
 
 Array = NDArray[np.float64]
@@ -41,6 +41,8 @@ NAMES = (
     *(name for name in RULES if name not in ("balance", "train_balance")),
     *sorted(ACROSS_CHECKS),
 )
+#: What `judge` checks of one drive and no row is checked for, in words.
+NOT_CHECKED = ("the energy balance of each solution",)
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
 
@@ -196,13 +198,6 @@ def _factors(
             factors = np.where(np.isnan(factors), math.inf, factors)
         found[rows] = factors
     return found
-
-
-def not_checked(pulley: Pulley) -> Iterator[str]:
-    """Yield what `judge` checks of one drive and `judge_rows` does not, in words."""
-    yield "the energy balance of each solution"
-    if pulley.across is not None:
-        yield "what is uneven across the width"
 
 
 def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple[Codes, Codes]:

@@ -113,8 +113,7 @@ def _verdict(summary: Summary) -> Verdict:
     if left:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
     if level is Level.OK:
-        unsaid = left[1:] if ground else left[-1:]  # what is uneven is said besides the ground
-        ground = ", ".join(part for part in (ground, *(f"without {x}" for x in unsaid)) if part)
+        ground = ground or ", ".join(f"without {what}" for what in left)
     return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
 
 

@@ -13,7 +13,6 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
-from wraparc.checks.of_rows import not_checked
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -114,7 +113,6 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
         ground=before(drive).qualifier,
-        not_checked=tuple(not_checked(drive.pulley(pulley))),
     )
     return StudyFile(
         study=study,

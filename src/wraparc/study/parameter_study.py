@@ -169,8 +169,6 @@ class Study:
         The input as plain data, for the fingerprint and for readers of the results.
     ground
         What data an OK stands on, ``on illustrative data``.
-    not_checked
-        Checks of one drive that rows leave out, in words.
     """
 
     title: str
@@ -182,7 +180,6 @@ class Study:
     outputs: tuple[str, ...] = OUTPUTS
     description: Mapping[str, Any] = field(default_factory=dict)
     ground: str = ""
-    not_checked: tuple[str, ...] = ()
 
     @property
     def cases(self) -> tuple[tuple[str, Condition | None], ...]:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.checks.of_rows import NOT_CHECKED
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.saving import replacing
@@ -116,7 +117,7 @@ def study_data(study: Study) -> dict[str, Any]:
         "setting": study.setting.value,
         "outputs": list(study.outputs),
         "ground": study.ground,
-        "not_checked": list(study.not_checked),
+        "not_checked": list(NOT_CHECKED),
         "input": study.description,
     }
 

@@ -25,6 +25,13 @@ export const section = (sectionKey) =>
 export const spec = (sectionKey, key) =>
   section(sectionKey).find((f) => f.key === key) || { key, title: key, kind: "text" };
 
+/** Some fields in an order of one's own, and the others.
+ * @param {Spec[]} fields @param {string[]} keys @returns {[Spec[], Spec[]]} */
+export const parted = (fields, keys) => [
+  keys.flatMap((k) => fields.filter((f) => f.key === k)),
+  fields.filter((f) => !keys.includes(f.key)),
+];
+
 /** Fields on the pages by the place they show, to tell which problems have a field. */
 export const shownFields = /** @type {Map<string, number>} */ (new Map());
 /** @param {Path} path */

@@ -2,7 +2,8 @@
 
 import { app, change, set } from "../../base/design.js";
 import { written } from "../../base/units.js";
-import { field, more, section } from "../../parts/field.js";
+import { field, more, parted, section } from "../../parts/field.js";
+import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { Children } from "../../types.d.ts" */
@@ -22,14 +23,13 @@ const FIRST = [
   "stop_time",
 ];
 
-/** @param {string[]} tensions keys of a pulley that give its load @param {Now} now
- * @returns {Children[]} */
-export function conveyor(tensions, now) {
+/** @param {Now} now @returns {Children[]} */
+export function conveyor(now) {
   if (app.doc.conveyor) return given(now);
   if (app.doc.train || app.doc.pulley.length > 1) return [];
   const describe = () => {
     const pulley = Object.fromEntries(
-      Object.entries(app.doc.pulley[0]).filter(([key]) => !tensions.includes(key)),
+      Object.entries(app.doc.pulley[0]).filter(([key]) => !TENSIONS.includes(key)),
     );
     const { load_case: _, ...rest } = app.doc;
     change({ ...rest, conveyor: { lift: "0 m" }, pulley: [pulley] });
@@ -45,7 +45,7 @@ export function conveyor(tensions, now) {
 }
 /** @param {Now} now @returns {Children[]} */
 function given(now) {
-  const fields = section("conveyor");
+  const [first, others] = parted(section("conveyor"), FIRST);
   const row = (/** @type {any} */ s) =>
     field({ spec: s, path: ["conveyor", s.key], slider: false, placeholder: "" });
   const remove = () => {
@@ -63,13 +63,8 @@ function given(now) {
       { class: "help", key: "help" },
       "By DIN 22101 and ISO 5048; the load cases full, empty, start and stop follow from it.",
     ),
-    ...FIRST.map((key) => fields.find((f) => f.key === key)).map((f) => f && row(f)),
-    more(
-      "More of the conveyor",
-      fields.filter((f) => !FIRST.includes(f.key)).map(row),
-      undefined,
-      "conveyor",
-    ),
+    ...first.map(row),
+    more("More of the conveyor", others.map(row), undefined, "conveyor"),
     h("button", { type: "button", key: "remove", onClick: remove }, "Give the tensions themselves"),
   ];
 }

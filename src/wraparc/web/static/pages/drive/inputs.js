@@ -4,7 +4,7 @@ import { app, change, edit, get, set } from "../../base/design.js";
 import { freeName, nameCheck, renameCase, renamePulley } from "../../base/names.js";
 import { written } from "../../base/units.js";
 import { choose } from "../../parts/choose.js";
-import { field, more, section, spec } from "../../parts/field.js";
+import { field, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { conveyor } from "./conveyor.js";
@@ -26,18 +26,11 @@ const PAIRS = [
 const tensionSpec = (key) => spec("tensions", key);
 /** @param {string} title @param {Children[]} rows */
 const group = (title, rows) => h("fieldset", { key: title }, h("legend", {}, title), rows);
-/** @param {Spec[]} fields @param {string[]} keys @returns {[Spec[], Spec[]]} */
-const parted = (fields, keys) => [
-  keys.flatMap((k) => fields.filter((f) => f.key === k)),
-  fields.filter((f) => !keys.includes(f.key)),
-];
-
 /** @typedef {() => Record<string, number> | null} Now numbers of the last answer for this pulley */
 
 /** The load of a pulley: of the conveyor, of the train, or as given. @param {number} i
  * @param {Now} now */
-const loadOf = (i, now) =>
-  app.doc.conveyor ? conveyor(TENSIONS, now) : [...load(i, now), ...conveyor(TENSIONS, now)];
+const loadOf = (i, now) => [...(app.doc.conveyor ? [] : load(i, now)), ...conveyor(now)];
 
 /** Which two of tension, pull, power and torque are given. @param {number} i @param {Now} now */
 function load(i, now) {
