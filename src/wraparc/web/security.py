@@ -24,6 +24,7 @@ Refusal = tuple[int, str, str]
 COOKIE = "wraparc_token"
 #: Most bytes of a request, and of one that uploads files.
 BODY_LIMIT, UPLOAD_LIMIT = 2_000_000, 64_000_000
+_MOST_DIGITS = 12  # of a length: more are too large, and int() refuses thousands of them
 UPLOADS = "/api/v1/tests/"
 _SAFE = ("GET", "HEAD", "OPTIONS")
 
@@ -32,6 +33,7 @@ POLICY = (
     "connect-src 'self'; font-src 'self'; manifest-src 'self'; form-action 'self'; "
     "base-uri 'none'; frame-ancestors 'none'"
 )
+_NO_LENGTH: Refusal = 400, "the length of the request is no number", "Send it as it is."
 _ASKING = ((b"content-type", b"text/html; charset=utf-8"), (b"www-authenticate", b"Bearer"))
 HEADERS: tuple[tuple[bytes, bytes], ...] = (
     (b"content-security-policy", POLICY.encode()),
@@ -77,7 +79,10 @@ class Door:
             return
         limit = UPLOAD_LIMIT if scope["path"].startswith(UPLOADS) else BODY_LIMIT
         length = headers.get("content-length", "0")
-        if not length.isdecimal() or int(length) > limit:
+        if not length.isdecimal():
+            await _refuse(outgoing, *_NO_LENGTH)
+            return
+        if len(length) > _MOST_DIGITS or int(length) > limit:
             await _refuse(outgoing, *_too_large(limit))
             return
         await self.app(scope, *_counted(receive, outgoing, limit))

@@ -51,10 +51,11 @@ class Route(APIRoute):
     def __init__(self, path: str, endpoint: Callable[..., Any], **more: Any) -> None:
         summary, _, rest = (inspect.getdoc(endpoint) or "").partition("\n")
         more["summary"], more["description"] = summary.rstrip("."), rest.strip()
-        known = {401: "No token.", 403: "Not from here.", 422: "Wrong.", 503: "Busy."}
+        known = {400: "Not readable.", 401: "No token.", 403: "Not from here."}
+        known |= {413: "Too large.", 422: "Wrong.", 503: "Busy."}
         known |= {404: "Not there."} if "{" in path else {}
         if not {"GET", "DELETE"} & set(more.get("methods") or ()):
-            known |= {400: "Not readable.", 413: "Too large.", 415: "Of a type not known here."}
+            known[415] = "Of a type not known here."
         refusals: dict[int | str, dict[str, Any]] = {
             code: {"model": Problems, "description": text} for code, text in known.items()
         }

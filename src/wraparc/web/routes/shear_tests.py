@@ -91,7 +91,7 @@ async def listed(request: Request, session: str) -> SessionFiles:
     return SessionFiles(files=[FileAnswer.of(upload) for upload in uploads], expires_in=LIFE)
 
 
-@api.post("/{session}/files", responses=refuses(413))
+@api.post("/{session}/files")
 async def add(
     request: Request,
     session: str,
@@ -131,7 +131,7 @@ async def forget(request: Request, session: str) -> None:
     state_of(request).sessions.forget(session)
 
 
-@api.post("/{session}/example", responses=refuses(413))
+@api.post("/{session}/example")
 async def example(request: Request, session: str) -> FilesAnswer:
     """Fill in virtual tests of a known law, for trying."""
     state = state_of(request)
