@@ -1,13 +1,16 @@
 """Studies over an event: each row is what `wraparc run` of that design gives."""
 
 import csv
+import json
 from pathlib import Path
 
+import pyarrow.parquet
 import pytest
 
 from cli.running import wraparc
 from wraparc import InputError, load_motion, simulate
 from wraparc.checks import judge_run
+from wraparc.study.event_rows import run_event_study
 from wraparc.study.event_study import event_study_from_document, load_event_study
 
 DRIVE = Path(__file__).parents[2] / "examples" / "tandem-fabric.toml"
@@ -26,14 +29,16 @@ def study(**more: object) -> dict[str, object]:
 
 
 def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Path) -> None:
-    file, table = tmp_path / "study.toml", tmp_path / "rows.csv"
+    file, table, data = (tmp_path / name for name in ("study.toml", "rows.csv", "rows.json"))
+    picture = tmp_path / "rows.svg"
     made = study()
     lines = [f"{key} = {made[key]!r}" for key in ("format", "drive", "event", "points", "set")]
     lines += ["[[axis]]", 'field = "motion.event.start.happens[1].time"']
     file.write_text("\n".join([*lines, 'values = ["0.5 s", "10 s"]']), "utf-8")
-    done = wraparc("study", file, "-o", table)
+    done = wraparc("study", file, "-o", table, "--json", data, "--plot", picture)
     assert done.code == 0, done.err
     assert "2 designs" in done.out
+    assert not table.with_name("rows.csv.part").exists()
     rows = list(csv.DictReader(table.read_text("utf-8").splitlines()))
     # a start in half a second is beyond the motors
     assert rows[0]["worst check"] == "REFUSED"
@@ -46,7 +51,56 @@ def test_a_row_is_the_run_of_its_design_and_a_refused_one_says_why(tmp_path: Pat
     assert float(rows[1]["peak creep [m]"]) == pytest.approx(run.peak_creep.value, rel=1e-6)
     assert float(rows[1]["peak tension [N]"]) == pytest.approx(run.peak_tension.value, rel=1e-6)
     assert rows[1]["worst check"] == str(judge_run(run).level)
+    assert rows[1]["verdict"] == judge_run(run).word
     assert float(rows[1]["pulsates at [Hz]"]) == 0.0
+    # the other doors tell the same
+    assert f"1 {judge_run(run).word}; 1 refused" in done.out
+    refused, followed = json.loads(data.read_text("utf-8"))["designs"]
+    assert (refused["word"], refused["peak_creep"]) == ("refused", None)
+    assert followed["peak_creep"] == float(rows[1]["peak creep [m]"])
+    drawn = picture.read_text("utf-8")
+    assert judge_run(run).word in drawn
+    assert "1 refused: not drawn" in drawn
+
+
+def test_an_interrupted_study_goes_on_to_the_same_rows(tmp_path: Path) -> None:
+    field = "motion.event.start.happens[1].time"
+    asked = event_study_from_document(
+        study(axis=[{"field": field, "values": ["0.5 s", "9 s", "10 s"]}], points=10)
+    )
+    cut, whole = tmp_path / "cut.csv", tmp_path / "whole.parquet"
+
+    def breaks(done: int, total: int) -> None:
+        if done == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_event_study(asked, cut, progress=breaks)
+    part = tmp_path / "cut.csv.part"
+    assert not cut.exists()
+    with pytest.raises(InputError, match="an interrupted run has left its rows"):
+        run_event_study(asked, cut)
+    kept = part.read_bytes()
+    part.write_bytes(kept + b'{"values": ["10 s"], "peak')  # killed while it wrote
+    begun: list[int] = []
+    rows = run_event_study(asked, cut, resume=True, progress=lambda done, total: begun.append(done))
+    assert begun == [2, 3]  # what is there is not followed again
+    assert not part.exists()
+    # independent: all at once
+    at_once = run_event_study(asked, whole)
+    assert repr(rows) == repr(at_once)
+    table = pyarrow.parquet.read_table(whole).to_pylist()
+    assert [row[field] for row in table] == ["0.5 s", "9 s", "10 s"]
+    assert table[2]["peak tension [N]"] == at_once[2].peak_tension
+    lines = list(csv.DictReader(cut.read_text("utf-8").splitlines()))
+    assert [float(line["peak creep [m]"] or "nan") for line in lines[1:]] == [
+        row.peak_creep for row in at_once[1:]
+    ]
+    # rows of another study are not taken for its own
+    part.write_bytes(kept)
+    other = event_study_from_document(study(axis=[{"field": field, "values": ["0.5 s"]}]))
+    with pytest.raises(InputError, match="of another study"):
+        run_event_study(other, cut, resume=True)
 
 
 @pytest.mark.parametrize(
@@ -75,5 +129,5 @@ def test_the_shipped_study_counts_its_values_evenly() -> None:
 
 def test_options_of_other_studies_are_refused(tmp_path: Path) -> None:
     file = DRIVE.parent / "studies" / "start-ramp.toml"
-    assert "--resume: is not for a study over an event" in wraparc("study", file, "--resume").err
+    assert "--part: is not for a study over an event" in wraparc("study", file, "--part", "5").err
     assert "6 designs, each followed through start" in wraparc("study", file, "--dry-run").out

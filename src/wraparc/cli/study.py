@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,6 @@ import click
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
-from wraparc.errors import InputError, Problem
 from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
@@ -33,7 +32,8 @@ _DONE = 0
     "-o",
     "--output",
     metavar="FILE",
-    help="Results, Parquet; by default the name of the study file with .parquet.",
+    help="Results, Parquet, of a study over an event CSV or Parquet; by default the name of the "
+    "study file with .parquet or .csv.",
 )
 @units_option
 @click.option(
@@ -89,12 +89,15 @@ def study(
     Results go to a Parquet file as they are solved. Ctrl-C keeps what is done; --resume goes on
     from there.
     """
-    if _over_an_event(file):
+    from wraparc.cli.event_study import Wanted, event_study, over_an_event
+
+    if over_an_event(file):
         spare = {
-            "--setting": setting, "--scheduler": scheduler, "--resume": resume,
-            "--json": json_file, "--plot": plot_file, "--report": report_file,
+            "--setting": setting, "--threads": threads, "--scheduler": scheduler, "--part": part,
+            "--confirm": confirm, "--report": report_file,
         }  # fmt: skip
-        return _event_study(file, output, units, settings, dry_run, spare)
+        wanted = Wanted(output, json_file, plot_file, units, resume, dry_run)
+        return event_study(file, settings, wanted, spare)
     from wraparc.batch.native import available
     from wraparc.study.executor import Threads, executor_named
     from wraparc.study.file import load_study
@@ -139,48 +142,6 @@ def study(
             click.echo("What is solved is kept: go on with --resume.", err=True)
             raise
     _tell(asked, path, units, json_file, plot_file, report_file)
-    return _DONE
-
-
-def _over_an_event(file: str) -> bool:
-    """Whether a study file follows an event in time."""
-    from wraparc.schema.source import parse, read_text
-
-    return "event" in parse(read_text(file), file)
-
-
-def _event_study(
-    file: str,
-    output: str | None,
-    units: System,
-    settings: tuple[str, ...],
-    dry_run: bool,
-    spare: Mapping[str, object],
-) -> int:
-    """Follow an event for every design: a table, and a CSV file if one is asked for."""
-    import csv
-    import io
-
-    from wraparc.present.event_study_sheet import event_study_rows, event_study_sheet
-    from wraparc.study.event_study import follow_study, load_event_study
-
-    for option in (option for option, given in spare.items() if given):
-        message = "is not for a study over an event, whose rows go to -o FILE.csv"
-        raise InputError(Problem(key=option, message=message))
-    check_outputs({"--output": (output, (".csv",))}, [file])
-    asked = load_event_study(file, overrides=settings)
-    if dry_run:
-        say(f"{len(asked.designs)} designs, each followed through {asked.event}.")
-        return _DONE
-    shows = sys.stderr.isatty()
-    tell = (lambda done, n: click.echo(f"\r{done} of {n} ", nl=False, err=True)) if shows else None
-    rows = list(follow_study(asked, tell))
-    files: dict[str, Content] = {}
-    if output:
-        text = io.StringIO()
-        csv.writer(text, lineterminator="\n").writerows(event_study_rows(asked, rows))
-        files[output] = text.getvalue()
-    deliver(files, lambda: event_study_sheet(asked, rows, units))
     return _DONE
 
 

@@ -1,37 +1,51 @@
-"""A study over an event as a table, and as rows for a file."""
+"""A study over an event as a table, and as plain data."""
 
 import math
+from collections import Counter
 from collections.abc import Sequence
+from typing import Any
 
 from wraparc.checks import Level
+from wraparc.present.document import DOCUMENT_FORMAT
 from wraparc.present.sheet import NONE, Row, Sheet, Table, percent, quantity
+from wraparc.study.event_rows import NAMES, UNITS
 from wraparc.study.event_study import EventRow, EventStudy
 from wraparc.units import System, display
-
-#: Heads of the file; SI.
-COLUMNS = (
-    "peak creep [m]", "peak tension [N]", "least tension [N]", "swing of the last pull [-]",
-    "friction work [J]", "pulsates at [Hz]", "worst check", "said",
-)  # fmt: skip
+from wraparc.version import __version__
 
 
 def event_study_sheet(study: EventStudy, rows: Sequence[EventRow], system: System = "si") -> Sheet:
     """Return the table of a study over an event."""
-    heads = ("creep", "largest T", "least T", "swing of pull", "friction work", "pulsates", "worst")
+    heads = (
+        "creep",
+        "largest T",
+        "least T",
+        "swing of pull",
+        "friction work",
+        "pulsates",
+        "verdict",
+    )
     lines = [_line(study, row, system) for row in rows]
-    refused = [f"{_named(study, r)}: {r.said}" for r in rows if r.level == "REFUSED"]
+    refused = [f"{_named(study, r)}: {r.said}" for r in rows if r.refused]
     note = (
         "Swing: half of the last drum's pull from least to most over its mean, in the last quarter "
         "of the run. Pulsates: frequency of a vibration that grows by itself."
     )
     return Sheet(
         title=study.title or f"Event {study.event}",
-        subtitle=f"event {study.event}, {len(rows)} designs",
+        subtitle=f"event {study.event}, {len(rows)} designs: {_counted(rows)}",
         verdict=None,
         tables=(Table("Designs", tuple(lines), heads=heads, note=note),),
         remarks=tuple(refused),
         sources=(),
     )
+
+
+def _counted(rows: Sequence[EventRow]) -> str:
+    """How many designs come to which verdict, the best first."""
+    ranks = {str(level): level.rank for level in Level}
+    found = Counter((ranks.get(row.level, len(ranks)), row.word) for row in rows)
+    return "; ".join(f"{count} {word}" for (_, word), count in sorted(found.items()))
 
 
 def _named(study: EventStudy, row: EventRow) -> str:
@@ -40,8 +54,8 @@ def _named(study: EventStudy, row: EventRow) -> str:
 
 
 def _line(study: EventStudy, row: EventRow, system: System) -> Row:
-    if row.level == "REFUSED":
-        return Row(_named(study, row), (*[NONE] * 6, "refused"))
+    if row.refused:
+        return Row(_named(study, row), (*[NONE] * 6, row.word))
     values = (
         quantity(row.peak_creep, "length", system),
         quantity(row.peak_tension, "force", system),
@@ -49,19 +63,26 @@ def _line(study: EventStudy, row: EventRow, system: System) -> Row:
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
         f"{display(row.friction_energy / 1e3, 'number', digits=3)} kJ",
         f"{row.pulsates:.3g} Hz" if row.pulsates else "no",
-        row.level,
+        row.word,
     )
     return Row(_named(study, row), values, level=Level(row.level))
 
 
-def event_study_rows(study: EventStudy, rows: Sequence[EventRow]) -> list[list[str]]:
-    """Return heads and rows for a CSV file, SI."""
-    found = [[*study.fields, *COLUMNS]]
-    for row in rows:
-        numbers = (
-            row.peak_creep, row.peak_tension, row.least_tension, row.swing, row.friction_energy,
-            row.pulsates,
-        )  # fmt: skip
-        texts = ["" if math.isnan(v) else f"{v:.7g}" for v in numbers]
-        found.append([*row.values, *texts, row.level, row.said])
-    return found
+def event_study_document(study: EventStudy, rows: Sequence[EventRow]) -> dict[str, Any]:
+    """Return a study over an event as plain data: SI, None where there is no number."""
+    return {
+        "format": DOCUMENT_FORMAT,
+        "program": {"name": "wraparc", "version": __version__},
+        "title": study.title,
+        "event": study.event,
+        "points": study.points,
+        "settings": list(study.settings),
+        "units": {name: unit for name, unit in zip(NAMES, UNITS, strict=True) if unit},
+        "designs": [_row_data(study, row) for row in rows],
+    }
+
+
+def _row_data(study: EventStudy, row: EventRow) -> dict[str, Any]:
+    told = {name: getattr(row, name) for name in NAMES}
+    numbers = {k: None if v != v else v for k, v in told.items()}  # nan is not equal to itself
+    return {"values": dict(zip(study.fields, row.values, strict=True)), **numbers}

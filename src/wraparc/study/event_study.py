@@ -27,8 +27,12 @@ from wraparc.units.numbers import split_number
 
 #: Designs of an event study at most: each is a march of seconds.
 MOST_DESIGNS = 400
+#: Level of a design that could not be followed.
+REFUSED = "REFUSED"
 #: Part of the run, at its end, that the swing of the pull is taken from.
 _LAST = 0.25
+#: Told the designs done and their number.
+EventTell = Callable[[int, int], object]
 _AXIS = Table(
     "Axis",
     need("field", "Key path in the drive file, as for --set.", Name(500), example='field = "..."'),
@@ -96,8 +100,8 @@ class EventRow:
         Friction work on all laggings [J].
     pulsates
         Frequency of a vibration that grows by itself [Hz], 0 where none does.
-    level, said
-        The worst check, and its sentence or why the design was refused.
+    level, word, said
+        The worst check, the word of the verdict, and its sentence or why the design was refused.
     """
 
     values: tuple[str, ...]
@@ -107,8 +111,14 @@ class EventRow:
     swing: float = math.nan
     friction_energy: float = math.nan
     pulsates: float = math.nan
-    level: str = "REFUSED"
+    level: str = REFUSED
+    word: str = "refused"
     said: str = ""
+
+    @property
+    def refused(self) -> bool:
+        """Whether the design could not be followed."""
+        return self.level == REFUSED
 
 
 def load_event_study(path: str | os.PathLike[str], *, overrides: Overrides = ()) -> EventStudy:
@@ -178,22 +188,37 @@ def _plain(value: object) -> str:
 
 
 def follow_study(
-    study: EventStudy, progress: Callable[[int, int], object] | None = None
+    study: EventStudy, progress: EventTell | None = None, *, done: int = 0
 ) -> Iterator[EventRow]:
-    """Yield a row for each design, in order; what is refused is a row too."""
+    """Yield a row for each design, in order; what is refused is a row too.
+
+    Parameters
+    ----------
+    study
+        What is followed.
+    progress
+        Called with the designs done and their number.
+    done
+        Designs to leave out: the first ones.
+    """
     designs = study.designs
-    for done, values in enumerate(designs):
+    for i, values in enumerate(designs[done:], start=done):
         if progress is not None:
-            progress(done, len(designs))
-        over = [f"{field}={v}" for field, v in zip(study.fields, values, strict=True)]
-        try:
-            motion = load_motion(study.drive, overrides=[*study.settings, *over])
-            run = simulate(motion.station, motion.event(study.event), points=study.points)
-            root = Linear.of(motion.station).rightmost
-        except InputError as error:
-            yield EventRow(values, said=str(error))
-            continue
-        yield _row(values, run, root)
+            progress(i, len(designs))
+        yield _followed(study, values)
+    if progress is not None:
+        progress(len(designs), len(designs))
+
+
+def _followed(study: EventStudy, values: tuple[str, ...]) -> EventRow:
+    over = [f"{field}={v}" for field, v in zip(study.fields, values, strict=True)]
+    try:
+        motion = load_motion(study.drive, overrides=[*study.settings, *over])
+        run = simulate(motion.station, motion.event(study.event), points=study.points)
+        root = Linear.of(motion.station).rightmost
+    except InputError as error:
+        return EventRow(values, said=str(error))
+    return _row(values, run, root)
 
 
 def _row(values: Sequence[str], run: RunResult, root: complex) -> EventRow:
@@ -210,5 +235,6 @@ def _row(values: Sequence[str], run: RunResult, root: complex) -> EventRow:
         friction_energy=math.fsum(d.friction_energy for d in run),
         pulsates=abs(root.imag) / (2.0 * math.pi) if root.real > 0.0 else 0.0,
         level=str(verdict.level),
+        word=verdict.word,
         said=verdict.headline(),
     )

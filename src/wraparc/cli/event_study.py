@@ -1,0 +1,102 @@
+"""``wraparc study`` of a file that names an event: each design is followed in time."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import click
+
+from wraparc.cli.options import check_outputs
+from wraparc.cli.output import Content, deliver
+from wraparc.cli.pipe import say
+from wraparc.errors import InputError, Problem
+from wraparc.study.event_rows import SUFFIXES, run_event_study
+from wraparc.study.event_study import EventStudy, EventTell, load_event_study
+from wraparc.units import System
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a study over an event was asked to leave."""
+
+    output: str | None
+    json: str | None
+    plot: str | None
+    units: System
+    resume: bool
+    dry_run: bool
+
+
+def over_an_event(file: str) -> bool:
+    """Whether a study file follows an event in time."""
+    from wraparc.schema.source import parse, read_text
+
+    return "event" in parse(read_text(file), file)
+
+
+def event_study(
+    file: str, settings: tuple[str, ...], wanted: Wanted, spare: Mapping[str, object]
+) -> int:
+    """Follow an event for every design: rows to a file, a table on standard output."""
+    from wraparc.plot.picture import SUFFIXES as PICTURES
+
+    for option in (option for option, given in spare.items() if given):
+        message = "is not for a study over an event"
+        remedy = "It knows -o, --set, --units, --json, --plot, --resume and --dry-run."
+        raise InputError(Problem(key=option, message=message, remedy=remedy))
+    path = wanted.output or f"{os.path.splitext(os.path.basename(file))[0]}.csv"
+    check_outputs(
+        {
+            "--output": (path, SUFFIXES),
+            "--json": (wanted.json, (".json",)),
+            "--plot": (wanted.plot, PICTURES),
+        },
+        [file],
+    )
+    asked = load_event_study(file, overrides=settings)
+    if wanted.dry_run:
+        say(f"{len(asked.designs)} designs, each followed through {asked.event}.")
+        return 0
+    if wanted.plot:
+        from wraparc.plot import require_matplotlib
+
+        require_matplotlib()
+    _run(asked, path, wanted)
+    return 0
+
+
+def _run(asked: EventStudy, path: str, wanted: Wanted) -> None:
+    from wraparc.present.document import json_text
+    from wraparc.present.event_study_sheet import event_study_document, event_study_sheet
+
+    with _bar(asked) as tell:
+        try:
+            rows = run_event_study(asked, path, resume=wanted.resume, progress=tell)
+        except KeyboardInterrupt:
+            click.echo("What is followed is kept: go on with --resume.", err=True)
+            raise
+    click.echo(f"Wrote {path}", err=True)
+    files: dict[str, Content] = {}
+    if wanted.json:
+        files[wanted.json] = json_text(event_study_document(asked, rows))
+    if wanted.plot:
+        from wraparc.plot.event_study import plot_event_study
+
+        files[wanted.plot] = plot_event_study(asked, rows, wanted.units).save
+    deliver(files, lambda: event_study_sheet(asked, rows, wanted.units))
+
+
+@contextmanager
+def _bar(asked: EventStudy) -> Iterator[EventTell | None]:
+    """A bar with the time left on a terminal; nothing where the messages go elsewhere."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    with click.progressbar(
+        length=len(asked.designs), label="Following", show_pos=True, file=sys.stderr
+    ) as bar:
+        yield lambda done, total: bar.update(done - bar.pos)

@@ -1,0 +1,177 @@
+"""Rows of a study over an event on disk: kept as they come, made one file when all are there."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import json
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.motion.file import load_motion
+from wraparc.saving import replacing, save_file
+from wraparc.study.event_study import (
+    EventRow,
+    EventStudy,
+    EventTell,
+    follow_study,
+)
+from wraparc.study.parquet import require_pyarrow
+from wraparc.version import __version__
+
+#: What a file of rows may end in.
+SUFFIXES = (".csv", ".parquet")
+#: What a row says of a design: its name in `EventRow`, its head in a file, its SI unit.
+_COLUMNS = (
+    ("peak_creep", "peak creep", "m"),
+    ("peak_tension", "peak tension", "N"),
+    ("least_tension", "least tension", "N"),
+    ("swing", "swing of the last pull", "-"),
+    ("friction_energy", "friction work", "J"),
+    ("pulsates", "pulsates at", "Hz"),
+    ("level", "worst check", ""),
+    ("word", "verdict", ""),
+    ("said", "said", ""),
+)
+NAMES, _TITLES, UNITS = zip(*_COLUMNS, strict=True)
+HEADS = tuple(f"{t} [{u}]" if u else t for t, u in zip(_TITLES, UNITS, strict=True))
+
+
+def run_event_study(
+    study: EventStudy,
+    path: str | os.PathLike[str],
+    *,
+    resume: bool = False,
+    progress: EventTell | None = None,
+) -> list[EventRow]:
+    """Follow every design of a study, into a CSV or Parquet file.
+
+    A row is kept on disk as soon as its design is followed, in a file beside `path` whose name
+    ends in ``.part``; it goes when the whole file is there.
+
+    Parameters
+    ----------
+    study
+        What is followed.
+    path
+        Of the file; what it ends in says which kind.
+    resume
+        Whether to go on with what an interrupted run has left.
+    progress
+        Called with the designs done and their number.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be written, or the rows there are not of this study.
+    MissingExtraError
+        For Parquet without pyarrow.
+    """
+    if os.fspath(path).lower().endswith(".parquet"):
+        require_pyarrow()
+    part = Path(os.path.realpath(path) + ".part")
+    rows = _begun(study, part, resume=resume)
+    try:
+        with part.open("a", encoding="utf-8") as file:
+            for row in follow_study(study, progress, done=len(rows)):
+                file.write(json.dumps(asdict(row)) + "\n")
+                file.flush()
+                rows.append(row)
+    except OSError as error:
+        message = f"cannot be written: {error.strerror}; {len(rows)} designs are kept"
+        remedy = "Make room and go on with --resume."
+        raise InputError(Problem(value=shown(str(part)), message=message, remedy=remedy)) from None
+    save_rows(study, rows, path)
+    part.unlink(missing_ok=True)
+    return rows
+
+
+def _begun(study: EventStudy, part: Path, *, resume: bool) -> list[EventRow]:
+    """Rows that an interrupted run has left; the file begins anew where there are none."""
+    key = _key(study)
+    rows: list[EventRow] = []
+    if part.exists():
+        if not resume:
+            message = "an interrupted run has left its rows beside it"
+            remedy = f"Go on with --resume, or remove {part}."
+            raise InputError(
+                Problem(key="--output", value=shown(str(part)), message=message, remedy=remedy)
+            )
+        rows = _read(part, key)
+    try:
+        with replacing(part) as draft:
+            lines = [json.dumps({"study": key}), *(json.dumps(asdict(row)) for row in rows)]
+            draft.write_text("".join(f"{line}\n" for line in lines), "utf-8")
+    except OSError as error:
+        message = f"cannot be written: {error.strerror}"
+        raise InputError(Problem(value=shown(str(part)), message=message)) from None
+    return rows
+
+
+def _read(part: Path, key: str) -> list[EventRow]:
+    rows: list[EventRow] = []
+    try:
+        first, *lines = part.read_text("utf-8").splitlines(keepends=True)
+        mine = json.loads(first) == {"study": key}
+        for line in lines:
+            if line.endswith("\n"):  # else it was being written when the run ended
+                found = json.loads(line)
+                rows.append(EventRow(**{**found, "values": tuple(found["values"])}))
+    except (OSError, ValueError, TypeError, KeyError):
+        mine = False
+    if not mine:
+        message = "the rows there are of another study, or the study has changed since"
+        remedy = "Remove the file, or write to another one."
+        raise InputError(
+            Problem(key="--resume", value=shown(str(part)), message=message, remedy=remedy)
+        )
+    return rows
+
+
+def _key(study: EventStudy) -> str:
+    """What a study is: the same drive, event, pieces and designs."""
+    drive = load_motion(study.drive, overrides=study.settings)
+    asked = (study.event, study.points, study.fields, study.values)
+    return hashlib.sha256(repr((__version__, drive, asked)).encode()).hexdigest()
+
+
+def save_rows(study: EventStudy, rows: Sequence[EventRow], path: str | os.PathLike[str]) -> None:
+    """Write rows as CSV or, with pyarrow, as Parquet; SI, the units in the heads.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written.
+    """
+    if os.fspath(path).lower().endswith(".parquet"):
+        save_file(path, _parquet(study, rows))
+        return
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow([*study.fields, *HEADS])
+    for row in rows:
+        told = [getattr(row, name) for name in NAMES]
+        table.writerow(
+            [*row.values, *("" if isinstance(v, float) and math.isnan(v) else v for v in told)]
+        )
+    save_file(path, text.getvalue())
+
+
+def _parquet(study: EventStudy, rows: Sequence[EventRow]) -> bytes:
+    pa = require_pyarrow()
+    columns = {
+        field: pa.array([row.values[i] for row in rows], pa.string())
+        for i, field in enumerate(study.fields)
+    }
+    for head, name, unit in zip(HEADS, NAMES, UNITS, strict=True):
+        kind = pa.float64() if unit else pa.string()
+        columns[head] = pa.array([getattr(row, name) for row in rows], kind)
+    about = {"wraparc": __version__, "event": study.event, "title": study.title}
+    sink = io.BytesIO()
+    pa.parquet.write_table(pa.table(columns).replace_schema_metadata(about), sink)
+    return sink.getvalue()
