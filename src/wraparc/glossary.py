@@ -100,7 +100,7 @@ QUANTITIES: tuple[Quantity, ...] = (
     Quantity(
         "overrun", "x_c", "length", "Entry overrun",
         "Rearward slip with which the belt starts on freshly compressed lagging at the entry "
-        "nip.",
+        "nip; negative towards travel.",
     ),
     Quantity(
         "creep_limit", "u_max", "length", "Creep limit",

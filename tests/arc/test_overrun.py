@@ -1,4 +1,4 @@
-"""The overrun at the entry nip: its formula, and what one towards travel would do.
+"""The overrun at the entry nip: its formula, and one towards travel.
 
 Expected values: by hand, and tests/arc/twin.py, SciPy's DOP853 on creep and tension.
 """
@@ -8,14 +8,20 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
 
-from arc.drives import ARC
+from arc.drives import ARC, LAWS, random_arc
+from arc.test_twin import ACCURACY, energy_miss, misses
 from arc.twin import Twin
-from wraparc.arc import WrapArc
+from batch.batches import columns_of, lagging
+from wraparc.arc import Distributed, Status, WrapArc
+from wraparc.arc.kernel.layers import solve_layers
+from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.arc.wrap_arc import overrun_coefficient
+from wraparc.batch import solve_arcs
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.laws import LawBank
+from wraparc.errors import InputError
+from wraparc.friction import IntegralLog, PressureKnots
 
 SIZE = 1e-4
 
@@ -50,22 +56,84 @@ def test_one_arc_and_a_batch_have_it_from_the_same_function() -> None:
     )
 
 
-def creep_with(arc: WrapArc, overrun: float) -> float:
-    """Creep at the exit by the twin, which takes an overrun of either sign [m]."""
-    twin = Twin(replace(arc, overrun=abs(overrun)))
-    twin.kick = overrun
-    goal = math.log(arc.exit_tension / arc.entry_tension)
-    g = brentq(lambda ratio: twin.integrate(ratio).log_tension - goal, -1e-3, 3e-2, rtol=1e-9)
-    return twin.integrate(float(g)).creep
+QUICK = Distributed(capacities=False)
+BRAKING = replace(ARC, entry_tension=ARC.exit_tension, exit_tension=ARC.entry_tension)
 
 
-def test_an_overrun_towards_travel_adds_the_creep_that_one_rearward_saves() -> None:
-    """What the refusal of a negative overrun tells to do, for friction without memory.
+@pytest.mark.parametrize("name", LAWS)
+def test_towards_travel_it_is_the_independent_integration(name: str) -> None:
+    """Random drives and brakes: creep, slip and peak stress within 1e-5, and the exact loss."""
+    rng = np.random.default_rng([5, sorted(LAWS).index(name)])
+    for _ in range(6):
+        arc = random_arc(LAWS[name], rng)
+        held = 0.3e-6 if name in ("constant", "power", "jump table") else 1e-4
+        arc = replace(arc, overrun=-min(arc.entry_overrun, held) or -held)
+        result = QUICK.solve(arc)
+        assert result.status is Status.SOLVED
+        _, twin = Twin(arc).solve_near(result.entry_creep_ratio)
+        assert max(misses(result, twin).values()) <= 1.0, arc
+        assert energy_miss(arc, result) <= ACCURACY, arc
+        assert result.profile.creep[0] == pytest.approx(arc.overrun, rel=1e-12)
 
-    A driving pulley then works against its drive until slip passes zero, and creeps more than with
-    no overrun at all: neither 0 nor the rearward size is the worse case.
-    """
-    none, rearward, forward = (creep_with(ARC, x) for x in (0.0, SIZE, -SIZE))
+
+def test_a_rigid_belt_has_it_in_closed_form() -> None:
+    """ln(T1/T2) = [Phi(g L - x) - Phi(x)]/(g R) with u = g s - x, Phi = int mu dx."""
+    law = IntegralLog(
+        coefficients=PressureKnots(pressure=(2e5,), peak_friction=(0.8,), peak_slip=(20e-3,))
+    )
+
+    def work(x: float) -> float:
+        r = x / 20e-3
+        return 0.8 * 20e-3 * (0.75 * r * r - 0.5 * r * r * math.log(r))
+
+    g, size, length = 5e-3, 2e-4, 0.4 * math.pi
+    log_ratio = (work(g * length - size) - work(size)) / (g * 0.4)
+    arc = replace(
+        ARC, law=law, diameter=0.8, wrap_angle=math.pi, axial_stiffness=math.inf, thickness=0.0,
+        overrun=-size, entry_tension=100e3, exit_tension=100e3 * math.exp(-log_ratio),
+    )  # fmt: skip
+    result = QUICK.solve(arc)
+    assert result.entry_creep_ratio == pytest.approx(g, rel=1e-5)
+    assert result.exit_creep == pytest.approx(g * length - size, rel=1e-5)
+
+
+def test_towards_travel_it_adds_the_creep_that_one_rearward_saves() -> None:
+    rearward, none, forward = (
+        QUICK.solve(replace(ARC, overrun=x)).exit_creep for x in (SIZE, 0.0, -SIZE)
+    )
     assert rearward < none < forward
     assert forward - none == pytest.approx(none - rearward, rel=0.1)
-    assert forward == pytest.approx(2.0 * none - rearward, rel=1e-2)
+
+
+@pytest.mark.parametrize("arc", [ARC, BRAKING], ids=lambda arc: arc.duty)
+def test_layers_and_marches_agree_on_it(arc: WrapArc) -> None:
+    """Other code: what solves long arcs, on one that is not."""
+    arc = replace(arc, overrun=-SIZE)
+    law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
+    outcome, layers = solve_layers(law, par, arc.exit_tension)
+    assert outcome == SOLVED
+    assert layers.exit_creep == pytest.approx(QUICK.solve(arc).exit_creep, rel=1e-6)
+
+
+@pytest.mark.parametrize("arc", [ARC, BRAKING], ids=lambda arc: arc.duty)
+def test_the_least_tension_with_it_creeps_to_the_limit(arc: WrapArc) -> None:
+    arc = replace(arc, overrun=-SIZE)
+    slack = Distributed().solve(arc).capacities.least_exit_tension
+    tight = slack + abs(arc.effective_tension)
+    pair = (tight, slack) if arc.side > 0.0 else (slack, tight)
+    result = QUICK.solve(replace(arc, entry_tension=pair[0], exit_tension=pair[1]))
+    assert abs(result.exit_creep) == pytest.approx(arc.creep_limit, rel=1e-6)
+
+
+def test_what_a_law_that_holds_the_belt_cannot_hold_is_refused() -> None:
+    with pytest.raises(InputError, match="this friction law holds the belt"):
+        replace(ARC, law=LAWS["constant"], overrun=-0.01)
+
+
+def test_a_batch_follows_it_with_the_scalar_kernel() -> None:
+    """Lanes know no slip that passes zero."""
+    arcs = [replace(ARC, overrun=-SIZE), replace(ARC, overrun=SIZE)]
+    found = solve_arcs(columns_of(arcs, [lagging("one", ARC.law)]), capacities=False)["exit_creep"]
+    expected = [QUICK.solve(arc).exit_creep for arc in arcs]
+    assert found[0] == pytest.approx(expected[0], rel=1e-9)
+    assert found[1] == pytest.approx(expected[1], rel=1e-4)

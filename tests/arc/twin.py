@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable
-from itertools import pairwise
 from math import copysign, exp, inf, log, sqrt
 from typing import Any, NamedTuple
 
@@ -212,7 +211,7 @@ class Twin:
         """
         goal = log(self.arc.exit_tension / self.arc.entry_tension)
         first = self.integrate(g)
-        step = 1e-5 * (abs(g) + self.kick / self.length)
+        step = 1e-5 * (abs(g) + abs(self.kick) / self.length)
         if abs(first.log_tension - goal) <= 3e-7 * abs(goal) or step == 0.0:
             return g, first
         second = self.integrate(g + step)
@@ -247,9 +246,13 @@ class Twin:
 
     def _peak(self, g: float, path: list[tuple[float, float, float]]) -> float:
         """Largest shear stress: located on the cubics between steps, integrated to that point."""
-        i = max(range(len(path)), key=lambda k: self._stress_of(*path[k][1:]))
-        best = self._stress_of(*path[i][1:])
-        for start, end in pairwise(path[max(i - 1, 0) : i + 2]):
+        at = [self._stress_of(*point[1:]) for point in path]
+        best = max(at)
+        near = set()  # a law of pieces may have two maxima, the higher one between nodes
+        for i in range(len(at)):
+            if at[i] > 0.99 * best and at[i] == max(at[max(i - 1, 0) : i + 2]):
+                near |= {max(i - 1, 0), min(i, len(at) - 2)}
+        for start, end in (path[i : i + 2] for i in sorted(near)):
             h = end[0] - start[0]
             slopes = [self._rates(g, *point) for point in (start, end)]
 

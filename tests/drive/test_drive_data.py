@@ -25,7 +25,6 @@ from wraparc.drive import (
     Tensions,
     compression_modulus,
 )
-from wraparc.drive.pulley import FORWARD
 from wraparc.friction import Constant, TestedRange
 
 BELT = Belt(name="belt", width=1.2, modulus=12.96e6, rating=175e3, speed=3.0)
@@ -87,11 +86,11 @@ def test_a_drive_survives_pickling() -> None:
             ['width = "1200 mm": must be a number [m].'],
         ),
         (
-            lambda: replace(PULLEY, diameter=-0.8, wrap_angle=13.0, overrun=-1e-3, creep_limit=0.0),
+            lambda: replace(PULLEY, diameter=-0.8, wrap_angle=13.0, overrun=-2.0, creep_limit=0.0),
             [
                 "diameter = -800 mm: must be between 1 mm and 1000 m.",
                 "wrap_angle = 744.8 deg: must be more than 0 deg and at most 720 deg.",
-                f"overrun = -1 mm: must be between 0 mm and 1000 mm: {FORWARD}.",
+                "overrun = -2000 mm: must be between -1000 mm and 1000 mm.",
                 "creep_limit = 0 mm: must be more than 0 mm.",
             ],
         ),

@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 from wraparc import InputError
-from wraparc.drive.pulley import FORWARD
 from wraparc.files import drive_from_text, lagging_from_text, load_drive, load_lagging
 
 DRIVE = """format = 1
@@ -203,8 +202,8 @@ def between(low: str, high: str) -> str:
         ),
         (
             '"60 kN"',
-            '"60 kN"\noverrun = "-0.1 mm"',
-            f'pulley.head.overrun = "-0.1 mm": {between("0 mm", "1000 mm")[:-1]}: {FORWARD}.',
+            '"60 kN"\noverrun = "-0.1 km"',
+            f'pulley.head.overrun = "-0.1 km": {between("-1000 mm", "1000 mm")}',
         ),
         ('"Head drive"', "1", "title = 1: must be text. Put it in quotes."),
         (

@@ -245,6 +245,12 @@ def test_work_of_a_start_goes_where_it_must() -> None:
     assert math.log2(abs(coarse / fine)) > 1.9
 
 
+def test_an_overrun_towards_travel_has_no_motion() -> None:
+    sentence = 'overrun = -0.05 mm: is towards travel: .* Set overrun = "0 mm"'
+    with pytest.raises(InputError, match=sentence):
+        MovingArc(replace(RIGID, overrun=-5e-5), 20)
+
+
 @pytest.mark.parametrize(
     ("law", "sentence"),
     [

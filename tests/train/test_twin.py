@@ -75,6 +75,12 @@ def test_shares_of_given_speeds(law: str, trim: float) -> None:
     assert result["p2"].share == pytest.approx(share_by_brent(result, trim), abs=2e-6)
 
 
+def test_shares_of_given_speeds_with_overruns_towards_travel() -> None:
+    of = train(pulleys(2, "rubber", overrun=-5e-5), case(Speeds((1.0, 0.997))))
+    result = solved(of)
+    assert result["p2"].share == pytest.approx(share_by_brent(result, 0.997), abs=2e-6)
+
+
 def test_sensitivity_is_the_slope_of_the_twin() -> None:
     of = train(pulleys(2, "rubber"), case(Shares((0.5, 0.5))))
     result = solved(of)

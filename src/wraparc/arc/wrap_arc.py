@@ -63,8 +63,8 @@ class WrapArc:
     compression_modulus
         Effective compression modulus E_c of the lagging [Pa]; inf if it does not compress.
     overrun
-        Slip x_c at the entry nip [m], or None for 1.25 delta sqrt(delta/R) with the compression
-        delta = (h/E_c) p1.
+        Slip x_c at the entry nip, rearward, negative towards travel [m], or None for
+        1.25 delta sqrt(delta/R) with the compression delta = (h/E_c) p1.
     recovery
         Whether the lagging recovers along the arc as the pressure falls.
     creep_limit
@@ -108,14 +108,14 @@ class WrapArc:
             )
             if not 0.0 < value < math.inf
         ]
-        problems += [
-            Problem(key=key, value=f"{value:g} {unit}", message="must be 0 or positive, and finite")
-            for key, value, unit in (
-                ("thickness", self.thickness, "m"),
-                ("overrun", self.overrun or 0.0, "m"),
+        if not 0.0 <= self.thickness < math.inf:
+            message = "must be 0 or positive, and finite"
+            problems.append(
+                Problem(key="thickness", value=f"{self.thickness:g} m", message=message)
             )
-            if not 0.0 <= value < math.inf
-        ]
+        if self.overrun is not None and not math.isfinite(self.overrun):
+            message = "must be finite"
+            problems.append(Problem(key="overrun", value=f"{self.overrun:g} m", message=message))
         problems += [
             Problem(key=key, value=f"{value:g} {unit}", message="must be positive")
             for key, value, unit in (
@@ -148,7 +148,7 @@ class WrapArc:
                 )
             )
         law = self.law.compact()
-        kick = self.entry_overrun
+        kick = abs(self.entry_overrun)
         if kick > 0.0 and jumps(law):
             compliance = self.shear_compliance + law.onset_compliance
             held = compliance * onset_stress(law, self.entry_pressure)[0]
@@ -156,7 +156,7 @@ class WrapArc:
                 problems.append(
                     Problem(
                         key="overrun",
-                        value=f"{kick:g} m",
+                        value=f"{self.entry_overrun:g} m",
                         message=(
                             "this friction law holds the belt without slip up to a creep of "
                             f"{held:g} m; with an overrun beyond that the creep of a belt that "
@@ -255,7 +255,7 @@ class WrapArc:
 
     @property
     def entry_overrun(self) -> float:
-        """x_c, the slip at the entry nip that is used [m]."""
+        """x_c, the slip at the entry nip that is used; negative towards travel [m]."""
         if self.overrun is not None:
             return self.overrun
         pressure = self.entry_pressure

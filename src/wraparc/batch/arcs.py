@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from wraparc.arc import WrapArc
 from wraparc.arc.wrap_arc import overrun_coefficient
 from wraparc.batch.laws import LawBank
-from wraparc.drive import CREEP_LIMIT, Lagging
+from wraparc.drive import CREEP_LIMIT, Lagging, Pulley
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
@@ -317,8 +317,11 @@ def _refused(name: str, value: Array) -> list[Problem]:
     if name == "recovery":
         good, allowed = (value == 0.0) | (value == 1.0), "must be 1 or 0"
     else:
-        good = value > 0.0 if name in _POSITIVE else value >= 0.0
-        allowed = "must be more than 0" if name in _POSITIVE else "must be at least 0"
+        least = 0.0
+        if name == "overrun":  # negative is towards travel
+            least = Pulley.LIMITS[name].least
+        good = value > 0.0 if name in _POSITIVE else value >= least
+        allowed = "must be more than 0" if name in _POSITIVE else f"must be at least {least:g}"
         if name not in _RIGID:
             good &= value < math.inf
             allowed += " and finite"

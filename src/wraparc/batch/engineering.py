@@ -111,6 +111,7 @@ class _Batch:
         self.found[:, row.OUTCOME] = np.where(refused, REFUSED, SOLVED)
         self.pressure, self.softens, self.live = pressure, softens, ~refused
         self.fit = self.live & (self.laws.row[arcs.law] >= 0) & (self.of("side") > 0.0)
+        self.fit &= self.of("kick") >= 0.0  # lanes know no slip that passes zero
         self.left[self.live & ~self.fit] = row.EVERYTHING
 
     def of(self, name: str) -> Array:

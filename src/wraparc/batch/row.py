@@ -154,8 +154,8 @@ def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
     if geometry.shear * top * load.steepest_fall <= -1.0:
         return True
     par = parameters_at(load.entry_tension, geometry)
-    if par.kick > 0.0 and jumps(law):
-        return par.kick > (par.shear + par.onset) * onset_stress(law, par.entry_pressure)[0]
+    if par.kick != 0.0 and jumps(law):
+        return abs(par.kick) > (par.shear + par.onset) * onset_stress(law, par.entry_pressure)[0]
     return False
 
 

@@ -134,7 +134,7 @@ class Problemset:
         """Values of the parameters in the drive as it is [SI]."""
         pulley = self.drive.pulley(self.pulley)
         case = self.drive.load_cases[0]
-        overrun = WrapArc.of(self.drive, pulley, case).entry_overrun
+        overrun = max(WrapArc.of(self.drive, pulley, case).entry_overrun, 0.0)  # fitted rearward
         return {
             "friction": 1.0,
             "peak_slip": 1.0,

@@ -12,15 +12,6 @@ from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.units import display
 
-#: Why no overrun towards travel is solved.
-FORWARD = (
-    "negative is towards travel, as the brief positive spikes of belt movement in figure 11 of "
-    "DeVries are; friction then first works against the drive and turns where slip passes zero, "
-    "which no solver here follows. It is of the order of 0.01 to 0.1 mm. Solve with "
-    'overrun = "0 mm" and with its size rearward: towards travel the creep of a driving pulley is '
-    "more than with none by about as much as it is less rearward"
-)
-
 
 @dataclass(frozen=True, kw_only=True)
 class Pulley:
@@ -38,8 +29,10 @@ class Pulley:
         The lagging.
     overrun
         Slip x_c at the entry nip, rearward [m], or None to compute it from the compression of the
-        lagging, 1.25 delta sqrt(delta/R). The paper sees spikes towards travel there; they are
-        refused, see `FORWARD`.
+        lagging, 1.25 delta sqrt(delta/R). Negative is towards travel, as the brief positive spikes
+        of belt movement in figure 11 of DeVries are: friction first works against a driving
+        pulley, until slip passes zero. The law is odd in slip and takes no notice of the turn, as
+        on a braking pulley with an overrun rearward.
     recovery
         Whether the lagging, recovering as the pressure changes along the arc, adds creep.
     creep_limit
@@ -60,7 +53,7 @@ class Pulley:
     LIMITS: ClassVar[Mapping[str, Limit]] = {
         "diameter": Limit("length", least=1e-3, most=1e3),
         "wrap_angle": Limit("angle", open=True, most=4.0 * math.pi),
-        "overrun": Limit("length", most=1.0, below=FORWARD),
+        "overrun": Limit("length", least=-1.0, most=1.0),
         "creep_limit": Limit("length", open=True),
     }
 

@@ -14,6 +14,7 @@ from wraparc.errors import InputError, Problem
 from wraparc.friction.compact import LIMIT
 from wraparc.friction.memory import ROOM, has_memory
 from wraparc.motion import arc_kernel as k
+from wraparc.units import display
 
 Array = NDArray[np.float64]
 
@@ -279,8 +280,19 @@ def shape_of(arc: WrapArc) -> k.Shape:
 
 
 def _refuse(arc: WrapArc) -> None:
-    where = f"{arc.pulley}.lagging" if arc.pulley else "lagging"
+    of = f"{arc.pulley}." if arc.pulley else ""
+    where = f"{of}lagging"
     law = arc.law.compact()
+    if arc.entry_overrun < 0.0:
+        raise InputError(
+            Problem(
+                key=f"{of}overrun",
+                value=display(arc.entry_overrun, "length"),
+                message="is towards travel: slip then turns just behind the entry nip of a driving "
+                "pulley, and no step in time follows that reliably",
+                remedy='Set overrun = "0 mm" for what happens in time, or give it rearward.',
+            )
+        )
     if not has_memory(arc.law):
         raise InputError(
             Problem(

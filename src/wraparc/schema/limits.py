@@ -25,8 +25,6 @@ class Limit:
         Whether `least` itself is refused.
     rigid
         Whether infinity is allowed (a body that does not deform).
-    below
-        What a value below `least` means, and what to do instead.
     """
 
     dimension: Dimension
@@ -34,7 +32,6 @@ class Limit:
     most: float = math.inf
     open: bool = False
     rigid: bool = False
-    below: str = ""
 
     def __str__(self) -> str:
         """Return the end of the sentence "must be ..."."""
@@ -58,7 +55,7 @@ class Limit:
         if math.isnan(value) or (math.isinf(value) and not (self.rigid and value > 0)):
             return "must be finite"
         if not self.least <= value <= self.most or (self.open and value == self.least):
-            return f"must be {self}" + (f": {self.below}" if self.below and value < 0.0 else "")
+            return f"must be {self}"
         return ""
 
 

@@ -145,7 +145,7 @@ class Member:
             z = min(z, largest_effort(self.law, par))
         else:
             effort = min(max(effort, -_LARGEST_EFFORT), _LARGEST_EFFORT)
-            if self.parameters(entry, 1.0).kick > 0.0:
+            if self.parameters(entry, 1.0).kick != 0.0:
                 side = 1.0
             par = self.parameters(entry, side)
             z = effort_of(par, RATIO_SCALE * sinh(effort))

@@ -64,7 +64,7 @@ def jumps(law: CompactLaw) -> bool:
 
 def ratio_of(par: Parameters, z: float) -> float:
     """Entry creep ratio of an effort, laws without a jump [-]."""
-    if par.kick > 0.0:
+    if par.kick != 0.0:
         return par.side * SMALL_RATIO * sinh(z)
     return par.side * SMALL_RATIO * exp(z)
 
@@ -72,7 +72,7 @@ def ratio_of(par: Parameters, z: float) -> float:
 def effort_of(par: Parameters, g: float) -> float:
     """Effort of an entry creep ratio, laws without a jump; the inverse of :func:`ratio_of`."""
     r = par.side * g / SMALL_RATIO
-    if par.kick > 0.0:
+    if par.kick != 0.0:
         return asinh(r)
     return log(r) if r > 0.0 else -60.0
 
@@ -92,8 +92,8 @@ def lowest_effort(law: CompactLaw, par: Parameters) -> float:
     """Effort below which nothing is sought: creep well beyond the kick towards the tight side."""
     if jumps(law):
         return -3.0
-    if par.kick > 0.0:
-        return effort_of(par, -par.side * 1e3 * par.kick / par.length)
+    if par.kick != 0.0:
+        return effort_of(par, -par.side * 1e3 * abs(par.kick) / par.length)
     return -60.0
 
 
@@ -153,7 +153,7 @@ def first_guess(law: CompactLaw, par: Parameters, aim: Aim) -> float:
         pull = 0.5 * par.entry_tension
     shrinkage = 0.35 * par.compliance * pull * length
     spare = creep - shrinkage - par.side * par.kick
-    spare = max(spare, 0.05 * creep if par.kick == 0.0 else -0.25 * par.kick)
+    spare = max(spare, 0.05 * creep if par.kick == 0.0 else -0.25 * abs(par.kick))
     return effort_of(par, par.side * spare / length)
 
 

@@ -51,19 +51,21 @@ def _layers_of(
 ) -> Layers:
     """Both layers at one lambda, `z`; `rest` is a first guess of T_r."""
     c, kick = par.compliance, par.kick
+    way = 1.0 if kick > 0.0 else -1.0
     creep, ratio, length = 0.0, par.side * floors[1] * exp(z), 0.0
     free = kick == 0.0  # the belt enters at rest or nearly so: there is no layer at the entry
-    if kick > 0.0 and not crossing:
-        creep, ratio = floors[0] * exp(z), 0.0
-        if creep >= kick:  # creep grows from the entry on
-            creep, ratio, free = kick, floors[1] * (exp(z) - kick / floors[0]), True
-    elif kick > 0.0:
-        ratio = -floors[1] * exp(z)
+    if not free and not crossing:
+        creep, ratio = way * floors[0] * exp(z), 0.0
+        if abs(creep) >= abs(kick):  # creep grows from the entry on
+            spare = exp(z) - abs(kick) / floors[0]
+            creep, ratio, free = kick, way * floors[1] * spare, True
+    elif not free:
+        ratio = -way * floors[1] * exp(z)
     if free:
         rest = par.entry_tension + ratio / c
     else:
         if crossing:
-            rest += min(ratio / c - (rest - par.entry_tension), 0.0)
+            rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0)
         inward = _entry_layer(law, par, rest, (creep, ratio))
         rest, length = inward.rest_tension, inward.entry_length
         if not inward.solved:
@@ -157,14 +159,14 @@ def _at_rest(
 ) -> tuple[Layers, float, bool, tuple[float, float]]:
     """Layers at the floor, T_r there, whether creep passes through zero, and the floors."""
     pull = par.compliance * abs(par.entry_tension - exit_tension)
-    creep = max(par.kick, 1e-6)
+    creep = max(abs(par.kick), 1e-6)
     for _ in range(8):  # the creep that this pull makes, by w = u/l
-        creep = max(par.kick, pull * lag_at(law, par, par.entry_tension, creep), 1e-200)
+        creep = max(abs(par.kick), pull * lag_at(law, par, par.entry_tension, creep), 1e-200)
     floor = FLOOR * creep
     floors = (floor, floor / lag_at(law, par, par.entry_tension, floor))
     first = _layers_of(law, par, exit_tension, False, floors, 0.0, par.entry_tension)
     rest = first.rest_tension
-    crossing = par.kick > 0.0 and rest < exit_tension
+    crossing = par.kick * (exit_tension - rest) > 0.0
     if crossing:
         first = _layers_of(law, par, exit_tension, True, floors, 0.0, rest)
         rest = first.rest_tension

@@ -218,13 +218,14 @@ def _to_zero_slip(
 ) -> tuple[int, float, float, float, int]:
     """March while the creep of the kick is used up, with creep as the independent variable.
 
-    u = x_c (1 - zeta)^4: the mesh is graded towards the point of no slip, which it reaches by
-    construction. Returns a status and s, q, work there and the count of records; status 1 arrived,
-    0 the creep rate changes sign before, 2 the end of the arc comes before.
+    u = x_c (1 - zeta)^4, x_c of either sign: the mesh is graded towards the point of no slip, which
+    it reaches by construction. Returns a status and s, q, work there and the count of records;
+    status 1 arrived, 0 the creep rate changes sign before, 2 the end of the arc comes before.
     """
-    kick, length = par.kick, par.length
+    kick, length = abs(par.kick), par.length
+    sign = 1.0 if par.kick > 0.0 else -1.0
     q, s, work = 0.0, 0.0, 0.0
-    x = slip_at_entry(law, par, kick, 0.0)
+    x = slip_at_entry(law, par, kick, 0.0)  # its magnitude, as all but the rates
     h = 1.0 / steps
     for i in range(steps - 1):
         p = pressure_at(par, q)
@@ -238,13 +239,13 @@ def _to_zero_slip(
             a = 0.0 if stage == 0 else (h if stage == 3 else 0.5 * h)
             weight = h / 6.0 if stage in (0, 3) else h / 3.0
             qs, xs = q + a * dq1, max(x + a * dx1, 0.0)
-            rate = g + par.entry_tension * (1.0 - exp(qs)) * par.compliance
+            rate = sign * (g + par.entry_tension * (1.0 - exp(qs)) * par.compliance)
             if rate >= 0.0:
                 return 0, 0.0, 0.0, 0.0, count
-            r = rates(law, par, g, segment, branch, 1.0, qs, xs)
+            r = rates(law, par, g, segment, branch, sign, qs, sign * xs)
             e = 1.0 - zeta - a
             ds1 = -4.0 * kick * e * e * e / rate
-            dq1, dx1, dw1 = r[0] * ds1, r[1] * ds1, r[2] * ds1
+            dq1, dx1, dw1 = r[0] * ds1, sign * r[1] * ds1, r[2] * ds1
             sum_q += weight * dq1
             sum_x += weight * dx1
             sum_s += weight * ds1
@@ -255,15 +256,16 @@ def _to_zero_slip(
         if x <= 0.0:
             return 0, 0.0, 0.0, 0.0, count
         if len(out) > 0:
-            record(law, par, out, count, s, State(q, x, work, segment, branch, 1.0))
+            record(law, par, out, count, s, State(q, sign * x, work, segment, branch, sign))
             count += 1
-    rate = g + par.entry_tension * (1.0 - exp(q)) * par.compliance
+    rate = sign * (g + par.entry_tension * (1.0 - exp(q)) * par.compliance)
     if rate >= 0.0:
         return 0, 0.0, 0.0, 0.0, count
     ds = kick * h**4 / -rate
     if s + ds >= length:
         return 2, 0.0, 0.0, 0.0, count
-    return 1, s + ds, q + 0.5 * ds * rates(law, par, g, segment, branch, 1.0, q, x)[0], work, count
+    dq = rates(law, par, g, segment, branch, sign, q, sign * x)[0]
+    return 1, s + ds, q + 0.5 * ds * dq, work, count
 
 
 def carry_to_exit(
@@ -331,15 +333,16 @@ def sweep(  # noqa: C901 - the ways an arc begins
     """
     kick, length = par.kick, par.length
     count = 0
-    if kick > 0.0:
-        x = slip_at_entry(law, par, kick, 0.0)
+    if kick != 0.0:
+        sign = 1.0 if kick > 0.0 else -1.0
+        x = slip_at_entry(law, par, abs(kick), 0.0)
         p = par.entry_pressure
         segment = segment_of(law, p)
-        state = State(0.0, x, 0.0, segment, branch_of(law, segment, x, p), 1.0)
+        state = State(0.0, sign * x, 0.0, segment, branch_of(law, segment, x, p), sign)
         if len(out) > 0:
             record(law, par, out, 0, 0.0, state)
             count = 1
-        if g < 0.0 and law.kind in (KNOTS, PIECES):
+        if sign * g < 0.0 and law.kind in (KNOTS, PIECES):
             status, s, q, work, n = _to_zero_slip(law, par, g, steps, out, count)
             if status == 1:
                 rate = g + par.entry_tension * (1.0 - exp(q)) * par.compliance

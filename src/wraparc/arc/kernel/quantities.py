@@ -36,7 +36,7 @@ class Geometry(NamedTuple):
     shear
         h/G [m/Pa].
     kick, kick_coefficient
-        The overrun is kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
+        The overrun is kick + kick_coefficient p1^1.5, negative towards travel [m, m/Pa^1.5].
     onset
         Slip per shear stress before the limit of an elastic-plastic law [m/Pa].
     """
@@ -85,7 +85,7 @@ class Parameters(NamedTuple):
     length: float  # L = R phi [m]
     compliance: float
     shear: float
-    kick: float  # creep at the entry nip [m]
+    kick: float  # creep at the entry nip, negative towards travel [m]
     width: float
     side: float
     onset: float

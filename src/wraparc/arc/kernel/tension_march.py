@@ -88,11 +88,12 @@ def _start(
     Without a kick the first step is closed analytically: at constant pressure
     Q gamma R = int mu du = mu_pk x_pk r^2 (3/4 - ln(r)/2) + c p mu^2 / 2.
     """
-    if gamma * par.length < -0.1 * par.kick:
+    kick = par.side * par.kick  # towards the slack side, as all here; never against it, `applies`
+    if gamma * par.length < -0.1 * kick:
         # the mesh expects slip to grow; a kick that is used up is for the march in position
         return LOST, 0, 0.0, 0.0, 0.0
-    if par.kick > 0.0:
-        return SOLVED, 0, 0.0, slip_at_entry(law, par, par.kick, 0.0), 0.0
+    if kick > 0.0:
+        return SOLVED, 0, 0.0, slip_at_entry(law, par, kick, 0.0), 0.0
     if gamma <= 1e-12:
         return LOST, 0, 0.0, 0.0, 0.0
     p = par.entry_pressure

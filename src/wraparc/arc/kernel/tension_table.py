@@ -26,7 +26,7 @@ GRADED_POWER = 10
 
 def applies(law: CompactLaw, par: Parameters) -> bool:
     """Whether the march may be tried: integral-log law, no kick against the direction of slip."""
-    return law.kind in (KNOTS, PIECES) and (par.kick == 0.0 or par.side > 0.0)
+    return law.kind in (KNOTS, PIECES) and par.kick * par.side >= 0.0
 
 
 def table_size(end: float, steps: int) -> int:
