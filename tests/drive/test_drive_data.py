@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from wraparc import InputError
+from wraparc import InputError, load_lagging
 from wraparc.drive import (
     DESIGN,
     Belt,
@@ -226,3 +226,25 @@ def test_tall_blocks_do_not_stiffen() -> None:
 
 
 # ---- remarks ----
+
+
+def test_another_thickness_follows_the_shape_of_the_blocks() -> None:
+    """Source: Gent and Lindley for a square block, E_c ~ 1 + 2 k S^2 with S = a/(4 h), by hand."""
+    lagging = load_lagging("diamond-rubber")
+    block = lagging.block
+    assert block is not None
+    thick = lagging.with_thickness(20e-3)
+    assert thick.block is not None
+    assert thick.block.height == pytest.approx(block.height + 8e-3)
+    low, high = (1.0 + 2.0 * block.stiffening * (block.width / (4.0 * h)) ** 2
+                 for h in (block.height, block.height + 8e-3))  # fmt: skip
+    expected = lagging.compression_modulus * high / low
+    assert thick.compression_modulus == pytest.approx(expected, rel=1e-12)
+    expected_factor = f"S = {block.width / (4.0 * thick.block.height):.3g}"
+    assert expected_factor in str(thick.source_of("compression_modulus"))
+    # worn down again it is the first one: its blocks were followed, not its number alone
+    again = float(thick.compression_modulus_at(np.array([12e-3]))[0])
+    assert again == pytest.approx(lagging.compression_modulus, rel=1e-12)
+    assert lagging.with_thickness(12e-3) == lagging
+    plain = replace(lagging, block=None)
+    assert plain.with_thickness(20e-3).compression_modulus == lagging.compression_modulus

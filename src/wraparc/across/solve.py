@@ -10,6 +10,7 @@ from wraparc.across.result import AcrossResult, AcrossStatus
 from wraparc.across.solver import AcrossSolver
 from wraparc.arc import DriveResult, WrapArc
 from wraparc.drive import Across, Drive, LoadCase, Pulley
+from wraparc.drive.compression import Block
 from wraparc.errors import BreakawayError, ConvergenceError, SlackBeltError
 from wraparc.units import System, display
 
@@ -71,6 +72,7 @@ class _Task:
     arc: WrapArc
     across: Across
     carcass: str
+    block: Block | None
     stiffness: float | None
     drive: Drive = field(compare=False)
     pulley: Pulley = field(compare=False)
@@ -94,6 +96,7 @@ def across_of(result: DriveResult) -> tuple[AcrossResult, ...]:
                 WrapArc.of(drive, pulley, case),
                 pulley.across,
                 belt.kind,
+                pulley.lagging_in(case.condition).block,
                 belt.in_plane_shear_stiffness,
                 drive,
                 pulley,

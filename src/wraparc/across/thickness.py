@@ -12,7 +12,7 @@ from wraparc.across.result import AcrossResult
 from wraparc.across.solve import uneven_pulleys
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.wide_arc import Array
-from wraparc.drive import Drive, Lagging
+from wraparc.drive import Drive
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -61,7 +61,7 @@ def cushion(
     """Solve an uneven pulley with laggings of several thicknesses.
 
     The profiles stay as they are, and the diameter over the lagging; the compression modulus
-    follows the shape of the blocks where the lagging has them.
+    follows the shape of the blocks where the lagging has them, see `Lagging.with_thickness`.
 
     Parameters
     ----------
@@ -84,16 +84,8 @@ def cushion(
     results = []
     for thickness in thicknesses:
         lagging = chosen.lagging_in(case.condition)
-        thick = replace(chosen, lagging=as_thick(lagging, thickness), conditions=())
+        thick = replace(chosen, lagging=lagging.with_thickness(thickness), conditions=())
         wide = wide_arc(drive, thick, replace(case, condition=""), strips=strips)
         results.append((solver or AcrossSolver()).solve(wide))
     return Cushion(thickness=np.array(thicknesses, dtype=float), results=tuple(results))
 
-
-def as_thick(lagging: Lagging, thickness: float) -> Lagging:
-    """Return a lagging of another thickness [m], its compression modulus that of its blocks."""
-    modulus = float(lagging.compression_modulus_at(np.array([thickness]))[0])
-    block = lagging.block
-    if block is not None:
-        block = replace(block, height=max(block.height + thickness - lagging.thickness, 1e-4))
-    return replace(lagging, thickness=thickness, compression_modulus=modulus, block=block)

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.across import AcrossResult, AcrossSolver, prepare, wide_arc
-from wraparc.across.thickness import as_thick
 from wraparc.checks.of_across import EDGE_FACTOR
 from wraparc.checks.rules import tension_factor
 from wraparc.choose.search import Grid, Search
@@ -110,9 +109,7 @@ def _design(
 ) -> tuple[Drive, LoadCase]:
     """Return one design as a drive of one pulley in one load case."""
     lagging = search.conditions[condition].lagging(search.laggings[int(grid.places[0, i])])
-    thickness = float(grid.thickness[i])
-    if thickness != lagging.thickness:
-        lagging = as_thick(lagging, thickness)
+    lagging = lagging.with_thickness(float(grid.thickness[i]))
     pulley = replace(
         search.base, lagging=lagging, conditions=(), diameter=float(grid.diameter[i]),
         wrap_angle=float(grid.wrap_angle[i]),

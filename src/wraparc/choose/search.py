@@ -238,6 +238,15 @@ class Grid:
         slack = np.where(own, end, self.slack)
         return slack, np.where(own, most, slack + (most - end))
 
+    def _compression_modulus(self) -> Array:
+        """E_c of every design, by the shape of its blocks at its thickness [Pa]."""
+        search = self.search
+        table = [
+            lagging.compression_modulus_at(np.array(search.thicknesses or (lagging.thickness,)))
+            for lagging in search.laggings
+        ]
+        return np.array(table)[self.places[0], self.places[1]]
+
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""
         s = self.search
@@ -252,6 +261,7 @@ class Grid:
             "diameter": self.diameter,
             "wrap_angle": self.wrap_angle,
             "lagging_thickness": self.thickness,
+            "compression_modulus": self._compression_modulus(),
             "belt_width": s.drive.belt.width,
             "belt_modulus": modulus,
             "creep_limit": s.creep_limit,

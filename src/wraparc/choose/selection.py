@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from wraparc.arc.wear import HOUR, WORN_SHARE
 from wraparc.batch.arcs import Arcs
-from wraparc.choose.across import MOST, Edges, excess_of, is_uneven, solve_edges
+from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
+from wraparc.choose.ranking import front, named, next_dearer, ordered
 from wraparc.choose.search import Grid, Search, slack_end
 from wraparc.choose.slack_rules import (
     gross_slip_slack,
@@ -21,7 +22,7 @@ from wraparc.choose.slack_rules import (
     slack_offset,
     standard_slack,
 )
-from wraparc.drive import Lagging, LoadCase
+from wraparc.drive import LoadCase
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -114,7 +115,7 @@ class Selection:
         Largest tension, and smallest, over the load cases [N].
     unevenness
         Largest over mean entry tension across the width [-]; nan where the pulley is even, or a
-        design was not among the first.
+        design was not solved across the width: see `unjudged`.
     held
         Limits by name.
     costs
@@ -146,6 +147,13 @@ class Selection:
         """Whether each design keeps every limit."""
         return feasible(self.held, len(self))
 
+    @property
+    def unjudged(self) -> Integers:
+        """Designs of the ranking on an uneven pulley whose edges nobody looked at."""
+        if not is_uneven(self.search):
+            return self.ranking[:0]
+        return self.ranking[np.isnan(self.unevenness[self.ranking])]
+
     def broken(self, design: int) -> tuple[str, ...]:
         """Names of the limits that a design breaks."""
         return tuple(name for name, held in self.held.items() if held.broken[design])
@@ -166,15 +174,7 @@ class Selection:
 
         Dearer to buy for the same area, not over its life: None if no feasible design has one.
         """
-        if not len(self.ranking):
-            return None
-        rate = np.array([_rate(self.search, lag) for lag in self.search.laggings])
-        lagging = self.grid.places[0][self.ranking]
-        dearer = rate[lagging] > rate[lagging[0]] * (1.0 + 1e-9)
-        if not dearer.any():
-            return None
-        following = np.argmin(np.where(dearer, rate[lagging], np.inf))
-        return int(self.ranking[np.argmax(lagging == lagging[following])])
+        return next_dearer(self.search, self.grid, self.ranking)
 
 
 def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
@@ -210,14 +210,14 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
             held = {**held, "edge_tension": Held(**excess_of(edges), where=edges.where)}
         costs = _costs(search, grid, answers[: len(cases)])
         creep = _worst([np.abs(a["exit_creep"]) for a in answers])
-        ranking = _ranking(feasible(held, len(grid)), costs.total, creep, slack)
+        ranking = ordered(feasible(held, len(grid)), costs.total, creep, slack)
         again = _undecided(held, ranking, refined)
         if not len(again):
-            first = ranking[:MOST] if is_uneven(search) else ranking[:0]
-            first = first[np.isnan(edges.unevenness[first])]
-            if not len(first):
+            told = named(search, grid, ranking, costs.total, (creep, slack))
+            told = told[np.isnan(edges.unevenness[told])]
+            if not is_uneven(search) or not len(told):
                 break
-            edges = solve_edges(search, grid, first, edges)
+            edges = solve_edges(search, grid, told, edges)
             continue
         for old, new in zip(
             answers, _answers(search, grid, solve, again, precise=True), strict=True
@@ -317,21 +317,6 @@ def feasible(held: Mapping[str, Held], n: int) -> NDArray[np.bool_]:
     for one in held.values():
         good &= ~one.broken
     return good
-
-
-def front(ranking: Integers, cost: Array, other: Array) -> Integers:
-    """Return the designs of a ranking by cost that no cheaper (or equal) one beats in `other`."""
-    if not len(ranking):
-        return ranking
-    values = other[ranking]
-    best_before = np.concatenate([[np.inf], np.minimum.accumulate(values)[:-1]])
-    return ranking[values < best_before * (1.0 - 1e-12)]
-
-
-def _ranking(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) -> Integers:
-    designs = np.flatnonzero(good)
-    order = np.lexsort((designs, slack[designs], creep[designs], cost[designs]))
-    return designs[order].astype(np.int64)
 
 
 def own_slack(search: Search) -> float:
@@ -453,12 +438,6 @@ def _of_parts(pairs: list[tuple[Array, Array]], n: int) -> Held:
         limit=np.abs(bounds[where, at]),
         where=where.astype(np.int64),
     )
-
-
-def _rate(search: Search, lagging: Lagging) -> float:
-    """Price of lagging a square metre once [currency/m2]."""
-    cost = search.costing.laggings[lagging.name].cost
-    return (cost.material + cost.installation) / cost.area
 
 
 def _area(search: Search, grid: Grid) -> Array:

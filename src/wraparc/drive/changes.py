@@ -39,7 +39,10 @@ def with_lagging(drive: Drive, pulley: str, lagging: Lagging) -> Drive:
 
 
 def with_thickness(drive: Drive, pulley: str, thickness: float) -> Drive:
-    """Return the drive with a lagging of another thickness [m]; the diameter stays over it."""
+    """Return the drive with a lagging of another thickness [m]; the diameter stays over it.
+
+    The compression modulus follows the shape of the blocks, see `Lagging.with_thickness`.
+    """
     return with_pulley(drive, _as_thick(drive.pulley(pulley), thickness))
 
 
@@ -57,7 +60,7 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
 def _as_thick(pulley: Pulley, thickness: float) -> Pulley:
     """Return a pulley with its lagging of another thickness, in every condition."""
     lagging, *others = (
-        replace(lagging, thickness=thickness) for lagging in (pulley.lagging, *pulley.conditions)
+        lagging.with_thickness(thickness) for lagging in (pulley.lagging, *pulley.conditions)
     )
     return replace(pulley, lagging=lagging, conditions=tuple(others))
 

@@ -239,7 +239,23 @@ class Lagging(Viewable):
         usual = compression_modulus(1.0, self.block)
         heights = np.maximum(self.block.height + thickness - self.thickness, 1e-4)
         shaped = [compression_modulus(1.0, replace(self.block, height=h)) for h in heights.tolist()]
-        return self.compression_modulus * np.array(shaped) / usual
+        return np.asarray(self.compression_modulus * (np.array(shaped) / usual))
+
+    def with_thickness(self, thickness: float) -> "Lagging":
+        """Return the lagging at another thickness [m], E_c by the shape factor of its blocks.
+
+        The blocks grow higher or lower by as much; without blocks E_c stays.
+        """
+        if thickness == self.thickness or self.block is None:
+            return replace(self, thickness=thickness)
+        modulus = float(self.compression_modulus_at(np.array([thickness]))[0])
+        height = max(self.block.height + thickness - self.thickness, 1e-4)
+        block, of = replace(self.block, height=height), self.source_of("compression_modulus")
+        note = f"estimated: E_c by the shape of the blocks, S = {block.shape_factor:.3g}"
+        sources = {**self.sources, "compression_modulus": replace(of, note=note)}
+        return replace(
+            self, thickness=thickness, compression_modulus=modulus, block=block, sources=sources
+        )
 
     def source_of(self, part: str) -> Provenance:
         """Return where one number came from: its own source, else the lagging's."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from wraparc.checks import Level
-from wraparc.choose.across import is_uneven
+from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
@@ -57,12 +57,18 @@ def choose_sheet(
     return Sheet(
         title=search.title or f"Choice for {search.drive.title}",
         subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
-        f"{len(selection)} designs, {len(selection.ranking)} keep every limit.",
+        f"{len(selection)} designs, {len(selection.ranking)} keep every limit"
+        f"{_but_edges(selection)}.",
         verdict=_verdict(selection, system, lighter),
         tables=tuple(t for t in tables if t.rows),
         remarks=tuple(_remarks(selection)),
         sources=tuple(_sources(selection)),
     )
+
+
+def _but_edges(selection: Selection) -> str:
+    count = len(selection.unjudged)
+    return f", {count} of them not solved across the width" if count else ""
 
 
 #: Data that an OK names.
@@ -142,6 +148,7 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
     note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
     if is_uneven(selection.search):
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
+        note += ", - where not solved across the width" if len(selection.unjudged) else ""
     note += f"; {more} more feasible designs, see --csv" if more > 0 else ""
     return Table(
         "Designs that keep every limit, cheapest first",
@@ -185,6 +192,7 @@ def _remarks(selection: Selection) -> Iterator[str]:
             "no wear coefficient is known, which would make it follow the frictional energy."
         )
     yield from _slack_remarks(selection)
+    yield from _edge_remarks(selection)
     if search.costing.tariff is None:
         yield "Energy lost to creep is left out: no tariff is given."
     elif len(search.conditions) > 1:
@@ -226,6 +234,16 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
         )
 
 
+def _edge_remarks(selection: Selection) -> Iterator[str]:
+    count = len(selection.unjudged)
+    if count:
+        yield (
+            f"The first {MOST} of the ranking and the designs of the fronts are solved across the "
+            f"width. {count} further designs are not: how uneven they run and what their edges "
+            "carry is not known. To judge them too, search fewer."
+        )
+
+
 def _sources(selection: Selection) -> Iterator[str]:
     search = selection.search
     if search.limits.sag is not None:
@@ -254,13 +272,13 @@ def choose_csv(selection: Selection) -> str:
             f"{p} [{selection.search.costing.currency}]"
             for p in ("total", "lagging", "belt", "energy")
         ]
-        + ["rank", *(f"excess {n}" for n in names)]
+        + ["rank", *_uneven_heads(selection), *(f"excess {n}" for n in names)]
     )
     rank = {int(d): k + 1 for k, d in enumerate(selection.ranking)}
     for i in range(len(selection)):
         writer.writerow(
             _csv_row(selection, i, names)
-            + [rank.get(i, "")]
+            + [str(rank.get(i, "")), *_uneven_cells(selection, i)]
             + [_plain(float(selection.held[n].excess[i])) for n in names]
         )
     return out.getvalue()
@@ -274,6 +292,23 @@ def _csv_row(selection: Selection, i: int, names: list[str]) -> list[str]:
     )  # fmt: skip
     named_ = [s.laggings[g.places[0, i]].name, s.belts[g.places[2, i]].name]
     return named_ + [_plain(float(v[i])) for v in numbers]
+
+
+def _uneven_heads(selection: Selection) -> tuple[str, ...]:
+    if not is_uneven(selection.search):
+        return ()
+    return "across the width", "entry unevenness [-]", "edge tension [N/m]", "edge limit [N/m]"
+
+
+def _uneven_cells(selection: Selection, i: int) -> list[str]:
+    """Say how uneven a design runs; of one not solved across the width, that it was not."""
+    if not is_uneven(selection.search):
+        return []
+    edge = selection.held["edge_tension"]
+    known = math.isfinite(edge.value[i])
+    told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not carried"
+    numbers = (selection.unevenness[i], edge.value[i], edge.limit[i])
+    return [told, *(_plain(float(v)) if known else "" for v in numbers)]
 
 
 def _plain(value: float) -> str:
@@ -303,7 +338,10 @@ def _design_data(selection: Selection, i: int) -> dict[str, Any]:
         "name": design_name(selection, i),
         "creep": float(selection.creep[i]),
         **(
-            {"entry_unevenness": float(selection.unevenness[i])}
+            {
+                "entry_unevenness": float(selection.unevenness[i]),
+                "solved_across": not math.isnan(selection.unevenness[i]),
+            }
             if is_uneven(selection.search)
             else {}
         ),
