@@ -129,7 +129,7 @@ def test_designs_beyond_the_first_say_that_nobody_looked_at_their_edges(
     best = rows[found.ranking[0]]
     unevenness = float(found.unevenness[found.ranking[0]])
     assert float(best["entry unevenness [-]"]) == pytest.approx(unevenness, rel=1e-7)
-    limit = 1.15 * found.search.belts[found.grid.places[2, found.ranking[0]]].rating  # type: ignore[operator]
+    limit = 1.15 * found.search.belts[found.grid.places[2, found.ranking[0]]].rating
     assert float(best["edge limit [N/m]"]) == pytest.approx(limit, rel=1e-7)
     told = [design["solved_across"] for design in choose_document(found)["designs"]]
     assert told == solved.tolist()

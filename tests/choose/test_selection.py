@@ -14,8 +14,9 @@ from wraparc.batch.arcs import Arcs
 from wraparc.choose import selection as selection_module
 from wraparc.choose.answers import ANSWERS, solve_columns
 from wraparc.choose.belt_rating import least_belt
+from wraparc.choose.ranking import front
 from wraparc.choose.search import Limits
-from wraparc.choose.selection import Selection, choose, front
+from wraparc.choose.selection import Selection, choose
 
 
 @pytest.fixture(scope="module")

@@ -88,4 +88,3 @@ def cushion(
         wide = wide_arc(drive, thick, replace(case, condition=""), strips=strips)
         results.append((solver or AcrossSolver()).solve(wide))
     return Cushion(thickness=np.array(thicknesses, dtype=float), results=tuple(results))
-

@@ -241,11 +241,12 @@ class Grid:
     def _compression_modulus(self) -> Array:
         """E_c of every design, by the shape of its blocks at its thickness [Pa]."""
         search = self.search
-        table = [
+        table: list[Array] = [
             lagging.compression_modulus_at(np.array(search.thicknesses or (lagging.thickness,)))
             for lagging in search.laggings
         ]
-        return np.array(table)[self.places[0], self.places[1]]
+        moduli: Array = np.stack(table)[self.places[0], self.places[1]]
+        return moduli
 
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""
