@@ -184,51 +184,71 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     """Check the peak shear stress against bond and fatigue of the lagging."""
     if not result.status.solved:
         return
-    lagging = pulley.lagging
+    place = Place(pulley.name, result.arc.load_case)
+    yield bond(pulley, result.peak_shear_stress, place)
     passes = ""
     if result.arc.belt_speed is not None:
         per_hour = 3600.0 * result.arc.belt_speed / (math.pi * result.arc.diameter)
         passes = f", {display(per_hour, 'number', digits=RESULT_DIGITS)} times an hour,"
-    for name, key, title, says, short in (
-        ("bond_stress", "bond_strength", "Shear stress of lagging and bond, steady",
-         "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.",
-         "bond overstressed"),
-        ("fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass",
-         f"At every pass of the belt{passes} the shear stress rises to {{value}}, more than the "
-         "fatigue limit {limit}.",
-         "lagging tires"),
-    ):  # fmt: skip
-        limit = getattr(lagging, key)
-        place = Place(pulley.name, result.arc.load_case)
-        if limit is None:
-            words = key.replace("_", " ")
-            why = f"the {words} of lagging {lagging.name} is not given"
-            yield not_checked(name, title, why, place)
-            continue
-        yield judged(
-            RULES[name],
-            title,
-            result.peak_shear_stress,
-            limit,
-            "pressure",
-            source=origin(lagging.source_of(key)),
-            short=short,
-            says=says,
-            remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
-            place=place,
-        )
+    yield _stress(
+        pulley, result.peak_shear_stress, place, "fatigue_stress", "fatigue_limit",
+        "Shear stress of lagging and bond, at every pass", "lagging tires",
+        f"At every pass of the belt{passes} the shear stress rises to {{value}}, more than the "
+        "fatigue limit {limit}.",
+    )  # fmt: skip
+
+
+def bond(pulley: Pulley, stress: float, place: Place) -> Check:
+    """Check a shear stress against what lagging and bond bear once."""
+    title = "Shear stress of lagging and bond, steady"
+    if place.event:
+        title = "Largest shear stress of lagging and bond"
+    return _stress(
+        pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed",
+        "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.",
+    )  # fmt: skip
+
+
+def _stress(
+    pulley: Pulley, stress: float, place: Place, name: str, key: str, title: str, short: str,
+    says: str,
+) -> Check:  # fmt: skip
+    lagging = pulley.lagging
+    limit = getattr(lagging, key)
+    if limit is None:
+        why = f"the {key.replace('_', ' ')} of lagging {lagging.name} is not given"
+        return not_checked(name, title, why, place)
+    return judged(
+        RULES[name],
+        title,
+        stress,
+        limit,
+        "pressure",
+        source=origin(lagging.source_of(key)),
+        short=short,
+        says=says,
+        remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
+        place=place,
+    )
 
 
 def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
-    """Check slip and slip speed against the tests of the lagging."""
+    """Check slip and slip speed of a solved arc against the tests of the lagging."""
+    if result.status.solved:
+        slip = float(np.abs(result.profile.slip).max())
+        place = Place(pulley.name, result.arc.load_case)
+        yield from slip_in_tests(pulley, slip, slip_speed(result), place)
+
+
+def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> Iterator[Check]:
+    """Check slip and slip speed against the tests of the lagging, where its law states any."""
     tested = pulley.lagging.law.tested
-    if tested is None or not result.status.solved:
+    if tested is None:
         return
-    place = Place(pulley.name, result.arc.load_case)
     yield judged(
         RULES["tested_slip"],
         "Largest slip, tested",
-        float(np.abs(result.profile.slip).max()),
+        slip,
         tested.slip_max,
         "length",
         source=tests_of(pulley),
@@ -238,7 +258,6 @@ def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
         remedy="Raise the slack-side tension, or test the lagging to this slip.",
         place=place,
     )
-    speed = slip_speed(result)
     title = "Slip speed, tested"
     if tested.slip_speed is None:
         why = "the friction law does not say at which speed it was tested"

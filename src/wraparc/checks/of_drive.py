@@ -255,18 +255,21 @@ def sag(drive: Drive, case: LoadCase) -> Check | None:
     first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
     driving = first.entry >= last.exit
     tension = last.exit if driving else first.entry
-    pulley = drive.pulleys[-1 if driving else 0].name
+    return sags(drive, tension, Place(drive.pulleys[-1 if driving else 0].name, case.name))
+
+
+def sags(drive: Drive, tension: float, place: Place) -> Check:
+    """Check a tension of the slack side against its sag."""
     title, limits = "Slack-side tension, for sag", drive.criteria.sag
     if limits is None:
-        why = "idler spacing and mass are not given"
-        return not_checked("sag", title, why, Place(pulley, case.name))
+        return not_checked("sag", title, "idler spacing and mass are not given", place)
     return judged(
         RULES["sag"],
         title,
         tension,
         limits.tension,
         "force",
-        place=Place(pulley, case.name),
+        place=place,
         source=limits.SOURCE,
         short="sags",
         says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "

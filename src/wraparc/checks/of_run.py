@@ -1,19 +1,24 @@
-"""The one judgement of a run in time: how it ended, the largest creep, the largest tension."""
+"""The one judgement of a run in time: how it ended, and the extremes it came to on the way.
+
+An event is judged like a load case whose tensions are its extremes, by the same rules.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
-import numpy as np
-
+from wraparc.checks import of_arc, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.of_drive import data, judged, not_checked, origin
+from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
+from wraparc.drive import Drive, LoadCase, Pulley, Tensions
+from wraparc.train.result import drive_with
 from wraparc.units import display
 
 if TYPE_CHECKING:
-    from wraparc.motion.result import RunResult
+    from wraparc.motion.result import DrumHistory, RunResult
 
 
 #: Times the creep limit beyond which a drive slides and does not creep any more [-]; ours.
@@ -26,55 +31,81 @@ def judge_run(run: RunResult) -> Verdict:
 
 
 def _checks(run: RunResult) -> Iterator[Check]:
-    event = run.event.name
-    from wraparc.motion.result import Outcome  # the rooms of drives in time are for these alone
-
-    if run.outcome in (Outcome.SLACK, Outcome.BREAKAWAY):
-        yield Check(
-            name="run",
-            title="Followed to its end",
-            level=Level.FAILS,
-            place=Place(event=event),
-            says=f"{run.reason} {run.outcome.value}",
-            short="not followed to its end",
+    case = _case(run)
+    drive = drive_with(run.station.train, [case]).in_case(case)
+    yield from _end(run)
+    for pulley, drum in zip(drive.pulleys, run, strict=True):
+        place = Place(pulley.name, event=run.event.name)
+        yield from _creeps(drive, pulley, drum, place)
+        yield of_arc.bond(pulley, drum.extremes.shear.value, place)
+        slip = drum.extremes
+        yield from of_arc.slip_in_tests(pulley, slip.slip.value, slip.slip_speed.value, place)
+        of_pulley = (
+            of_drive.face_pressure(drive, case, pulley),
+            *of_drive.tested_pressure(drive, case, pulley),
+            *of_drive.condition(case, pulley),
+            *of_drive.fit(case, pulley),
         )
-    elif not run.outcome.whole:
-        yield Check(
-            name="run",
-            title="Followed to its end",
-            level=Level.ATTENTION,
-            place=Place(event=event),
-            says=f"{run.reason} {run.outcome.value}",
-            short="not followed to its end",
-        )
-    yield from _creeps(run)
-    yield _tension(run)
-    # what the answer stands on is asked of belt and pulleys alone
-    of: Any = run.station.train
-    yield from (data(of, pulley) for pulley in of.pulleys)
+        yield from (replace(check, place=place) for check in of_pulley)
+        yield of_drive.pulley_diameter(drive, pulley)
+    yield _tension(run, case)
+    yield _sag(drive, run)
+    yield from of_drive.usual_sizes(drive)
+    yield from (of_drive.data(drive, pulley) for pulley in drive.pulleys)
 
 
-def _creeps(run: RunResult) -> Iterator[Check]:
-    train = run.station.train
-    for pulley, drum in zip(train.pulleys, run.drums, strict=True):
-        i = int(np.argmax(np.abs(drum.exit_creep)))
-        over = run.over_limit(drum.name)
-        largest, limit = abs(float(drum.exit_creep[i])), train.creep_limit_of(pulley)
-        if largest > SLIDES * limit:
-            yield _slides(Place(drum.name, event=run.event.name), largest, float(run.time[i]))
-        yield judged(
-            RULES["creep"],
-            "Largest creep at exit",
-            largest,
-            limit,
-            "length",
-            place=Place(drum.name, event=run.event.name),
-            short="over creep limit",
-            says=f"Creeps {{value}} at {display(float(run.time[i]), 'time', digits=3)}, more than "
-            f"the limit of {{limit}}, and is over it for {display(over, 'time', digits=2)}.",
-            remedy="Start and stop more slowly, raise the slack-side tension, or choose a lagging "
-            "with more friction.",
-        )
+def _case(run: RunResult) -> LoadCase:
+    """Return the event as a load case: at every pulley its largest and its least tension."""
+    from wraparc.motion.event import PowerFailure, Start  # rooms of drives in time, for these alone
+
+    moves = run.event.of(Start) or run.event.of(PowerFailure)
+    return LoadCase(
+        name=run.event.name,
+        kind="starting" if moves else "running",
+        condition=run.station.train.case(run.station.load_case).condition,
+        tensions={
+            d.name: Tensions(
+                entry=d.extremes.most_tension.value, exit=d.extremes.least_tension.value
+            )
+            for d in run
+        },
+    )
+
+
+def _end(run: RunResult) -> Iterator[Check]:
+    """Say how a run ended that was not followed to its end."""
+    from wraparc.motion.result import Outcome
+
+    if run.outcome.whole:
+        return
+    failed = run.outcome in (Outcome.SLACK, Outcome.BREAKAWAY)
+    yield Check(
+        name="run",
+        title="Followed to its end",
+        level=Level.FAILS if failed else Level.ATTENTION,
+        place=Place(event=run.event.name),
+        says=f"{run.reason} {run.outcome.value}",
+        short="not followed to its end",
+    )
+
+
+def _creeps(drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place) -> Iterator[Check]:
+    creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
+    if creep.value > SLIDES * limit:
+        yield _slides(place, creep.value, creep.time)
+    yield judged(
+        RULES["creep"],
+        "Largest creep at exit",
+        creep.value,
+        limit,
+        "length",
+        place=place,
+        short="over creep limit",
+        says=f"Creeps {{value}} at {display(creep.time, 'time', digits=3)}, more than the limit of "
+        f"{{limit}}, and is over it for {display(drum.over_limit, 'time', digits=2)}.",
+        remedy="Start and stop more slowly, raise the slack-side tension, or choose a lagging "
+        "with more friction.",
+    )
 
 
 def _slides(place: Place, creep: float, time: float) -> Check:
@@ -92,13 +123,13 @@ def _slides(place: Place, creep: float, time: float) -> Check:
     )
 
 
-def _tension(run: RunResult) -> Check:
+def _tension(run: RunResult, case: LoadCase) -> Check:
     belt, peak = run.station.train.belt, run.peak_tension
-    rule, title = tension_rule("starting"), "Largest belt tension"
+    rule, title = tension_rule(case.kind), "Largest belt tension"
     place = Place(event=run.event.name)
     if belt.rating is None:
         return not_checked(rule.name, title, "the rating of the belt is not given", place)
-    factor = tension_factor(belt, "starting")
+    factor = tension_factor(belt, case.kind)
     return judged(
         rule,
         title,
@@ -113,3 +144,13 @@ def _tension(run: RunResult) -> Check:
         f"{display(peak.time, 'time', digits=3)}, more than the belt allows, {{limit}}.",
         remedy="Start more slowly, or take a stronger belt.",
     )
+
+
+def _sag(drive: Drive, run: RunResult) -> Check:
+    """Check the slackest belt before or behind all drums."""
+    first, last = run.drums[0], run.drums[-1]
+    tension, pulley = min(
+        (first.extremes.least_entry_tension.value, first.name),
+        (last.extremes.least_exit_tension.value, last.name),
+    )
+    return of_drive.sags(drive, tension, Place(pulley, event=run.event.name))

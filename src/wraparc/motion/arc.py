@@ -100,6 +100,7 @@ class MovingArc:
         self.rows[:n, k.KEPT] = self.m - self.rows[:n, k.SHORT]
         beyond = self.travel - place[1] >= self.shape.length
         self.span[:] = int(beyond), n - 1, 0
+        self.out[:] = 0.0
         self.entry = self.exit = tension
         self.wrapped = self.give * tension * self.shape.length
 
@@ -167,7 +168,7 @@ class MovingArc:
         if self.span[2]:
             self.at_nip(self.give, self.rise, self.dry)
         self.work += self._keep(
-            self.what, self.rows, self.turns, self.counts, self.span,
+            self.what, self.rows, self.turns, self.counts, self.span, self.out,
             self.travel, self.to, m, self.entry, self.h,
         )  # fmt: skip
         self.travel, self.m, self.exit = self.to, m, exit_tension

@@ -42,9 +42,14 @@ from wraparc.friction.memory import ROOM, moved, shortened
 ) = range(33)  # fmt: skip
 COLUMNS = 33
 
-#: What a sweep returns in its array: the arc as an affine map, and how far it is from settled.
-(IN, IN_M, IN_X, WRAPPED, WRAPPED_M, WRAPPED_X, LIFTED, CHANGE) = range(8)
-ANSWERS = 8
+#: What an arc answers in its array: a sweep the arc as an affine map, a step that is kept what
+#: friction came to: slip [m] and stress [Pa] at the exit nip, the largest ones with their signs,
+#: the largest speed of slip [m/s].
+(
+    IN, IN_M, IN_X, WRAPPED, WRAPPED_M, WRAPPED_X, LIFTED,
+    EXIT_SLIP, EXIT_STRESS, MOST_SLIP, MOST_STRESS, SLIP_SPEED,
+) = range(12)  # fmt: skip
+ANSWERS = 12
 
 
 class Shape(NamedTuple):
@@ -284,13 +289,15 @@ def overrun(what: Any, tension: float) -> float:
 
 
 def keep(
-    what: Any, rows: Any, turns: Any, counts: Any, span: Any, before: float, travel: float,
-    m: float, entry: float, h: float,
+    what: Any, rows: Any, turns: Any, counts: Any, span: Any, out: Any, before: float,
+    travel: float, m: float, entry: float, h: float,
 ) -> float:  # fmt: skip
     """Take the trial for good; the friction work of the step over the wrap [J].
 
     Parameters
     ----------
+    out
+        Takes slips and stresses at the exit nip, and the largest on the wrap.
     before, travel
         S at the beginning and the end of the step [m]: what leaves on the way works half of it.
     m, entry
@@ -300,11 +307,13 @@ def keep(
     """
     first, nip, length = span[0], span[1], what[4]
     history = memory(turns, "turns")
-    last, work = 0.0, 0.0
+    last, work, furthest = 0.0, 0.0, 0.0
     for j in range(first, nip + 1):
-        done = 0.5 * (rows[j, STRESS] + rows[j, NEW_STRESS]) * (rows[j, NEW_SLIP] - rows[j, SLIP])
+        slid = rows[j, NEW_SLIP] - rows[j, SLIP]
         if span[2] != 0 and j == nip:
-            done = 0.0
+            slid = 0.0
+        furthest = max(furthest, abs(slid))
+        done = 0.5 * (rows[j, STRESS] + rows[j, NEW_STRESS]) * slid
         if j > first:
             d = rows[j, TRAVEL] - rows[j - 1, TRAVEL]
             if j == first + 1:
@@ -321,6 +330,8 @@ def keep(
         rows[j, T_RATE_0], rows[j, I_RATE_0] = rows[j, T_RATE], rows[j, I_RATE]
         rows[j, T_RATE] = (rows[j, TENSION] - rows[j, T_CARRIED]) / h
         rows[j, I_RATE] = (rows[j, SHORT] - rows[j, I_CARRIED]) / h
+    out[SLIP_SPEED] = furthest / h
+    tell(rows, span, length, travel, out)
     if span[2] != 0:
         rows[nip, KEPT] = m - overrun(what, entry)
         # laid for good once the surface has moved on by a spacing: the next one begins like it
@@ -330,3 +341,17 @@ def keep(
             counts[nip + 1] = counts[nip]
             span[1] = nip + 1
     return float(work * what[2])
+
+
+def tell(rows: Any, span: Any, length: float, travel: float, out: Any) -> None:
+    """Say what friction came to: slip and stress at the exit nip, and the largest on the wrap."""
+    first = span[0]
+    near, far = rows[first + 1, TRAVEL], rows[first, TRAVEL]
+    f = (length - travel + near) / (near - far)
+    for kept, at_exit, most in ((SLIP, EXIT_SLIP, MOST_SLIP), (STRESS, EXIT_STRESS, MOST_STRESS)):
+        value = rows[first + 1, kept] + f * (rows[first, kept] - rows[first + 1, kept])
+        out[at_exit] = value
+        for j in range(first + 1, span[1] + 1):
+            if abs(rows[j, kept]) > abs(value):
+                value = rows[j, kept]
+        out[most] = value

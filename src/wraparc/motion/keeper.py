@@ -10,9 +10,16 @@ import numpy as np
 
 from wraparc.batch.native import available
 from wraparc.motion import arc_kernel as k
-from wraparc.motion.drum_state import DrumState
 from wraparc.motion.march import March
-from wraparc.motion.result import Array, DrumHistory, Outcome, RunResult
+from wraparc.motion.result import (
+    EXTREMES,
+    Array,
+    DrumHistory,
+    Extremes,
+    Outcome,
+    Peak,
+    RunResult,
+)
 from wraparc.motion.station import Station
 
 #: Rows and pictures that are kept at most; when there are more, every other one is dropped.
@@ -57,8 +64,12 @@ class Keeper:
         self.next = self.next_picture = 0.0
         self.between_pictures = max(self.march.event.duration / _PICTURES, self.march.h, self.every)
         self.streamed, self.told = -math.inf, 0
-        self.work = [0.0] * self.march.n
-        self.power = [0.0] * self.march.n
+        n, train = self.march.n, self.march.station.train
+        self.limits = [train.creep_limit_of(pulley) for pulley in train.pulleys]
+        self.most, self.when = [-math.inf] * (n * len(EXTREMES)), [0.0] * (n * len(EXTREMES))
+        self.over, self.before = [0.0] * n, self.march.t
+        self.work = [0.0] * n
+        self.power = [0.0] * n
         self.across = np.linspace(0.0, 1.0, _ACROSS)
         self.travel0 = [d.arc.travel for d in self.march.drums]
         for d in self.march.drums:
@@ -77,6 +88,7 @@ class Keeper:
         """Take what the march has come to."""
         m = self.march
         self.count += 1
+        self._watch()
         for i, d in enumerate(m.drums):
             power = d.moment * d.omega
             self.work[i] += 0.5 * m.h * (self.power[i] + power) if self.rows else 0.0
@@ -92,15 +104,37 @@ class Keeper:
         if m.t >= self.next_picture - 1e-9 or last:
             self._picture()
 
+    def _watch(self) -> None:
+        """Keep the largest of every step, whatever rows are kept."""
+        m, size = self.march, len(EXTREMES)
+        for i, d in enumerate(m.drums):
+            slip, stress, most_slip, most_stress, speed = d.arc.out[k.EXIT_SLIP :].tolist()
+            creep = abs(slip + d.arc.shape.shear * stress)
+            entry, exit_ = m.T[i] + m.run_rises[i], m.T[i + 1]
+            # in the order of EXTREMES; of least tensions the largest negative
+            friction = (creep, abs(most_slip), speed, abs(most_stress))
+            found = (*friction, abs(entry - exit_), abs(d.torque), entry, exit_, -entry, -exit_)
+            for j, value in enumerate(found, start=size * i):
+                if value > self.most[j]:
+                    self.most[j], self.when[j] = value, m.t
+            if creep > self.limits[i]:
+                self.over[i] += m.t - self.before
+        self.before = m.t
+
     def _row(self) -> list[float]:
         m = self.march
         row = [m.t, m.v if m.station.conveyor_mass is not None else m.speed]
         for i, d in enumerate(m.drums):
-            slip, stress, shear = _exit_of(d)
+            slip, stress, _, shear, _ = d.arc.out[k.EXIT_SLIP :].tolist()
             creep = slip + d.arc.shape.shear * stress
             entry = m.T[i] + m.run_rises[i]
             row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
         return row
+
+    def _extremes(self, i: int) -> Extremes:
+        size = len(EXTREMES)
+        peaks = zip(self.most[size * i : size * (i + 1)], self.when[size * i :], strict=False)
+        return Extremes(*(Peak(abs(v), t) for v, t in peaks))
 
     def _picture(self) -> None:
         m, creep, shear = self.march, [], []
@@ -143,6 +177,8 @@ class Keeper:
                     place=_frozen(self.across),
                     creep=_frozen(np.array([p[1][i] for p in self.pictures])),
                     shear=_frozen(np.array([p[2][i] for p in self.pictures])),
+                    extremes=self._extremes(i),
+                    over_limit=self.over[i],
                     friction_energy=m.drums[i].arc.work,
                     drum_work=self.work[i],
                 )
@@ -182,20 +218,6 @@ class Keeper:
             off = np.nonzero(np.abs(creep - creep[-1]) > 0.05 * abs(creep[-1]))[0]
             worst = max(worst, float(travel[min(off[-1] + 1, len(travel) - 1)]) if len(off) else 0)
         return worst
-
-
-def _exit_of(d: DrumState) -> tuple[float, float, float]:
-    """Slip and shear stress at the exit nip, and the largest shear stress with its sign."""
-    arc = d.arc
-    first, nip = int(arc.span[0]), int(arc.span[1])
-    a, b = arc.rows[first], arc.rows[first + 1]
-    w = (arc.shape.length - arc.travel + b[k.TRAVEL]) / (b[k.TRAVEL] - a[k.TRAVEL])
-    stress = b[k.STRESS] + w * (a[k.STRESS] - b[k.STRESS])
-    slip = b[k.SLIP] + w * (a[k.SLIP] - b[k.SLIP])
-    stresses = arc.rows[first + 1 : nip + 1, k.STRESS]
-    top = float(stresses[np.argmax(np.abs(stresses))])
-    shear = top if abs(top) > abs(stress) else float(stress)
-    return float(slip), float(stress), shear
 
 
 def _frozen(values: Array) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from enum import Enum
 
 import numpy as np
@@ -50,12 +50,54 @@ class Peak:
     time
         When [s].
     place
-        Name of the pulley, or of the run of belt.
+        Name of the pulley, or of the run of belt; empty where it is clear.
     """
 
     value: float
     time: float
-    place: str
+    place: str = ""
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """The largest at one drum over every step of a run, whatever rows are kept.
+
+    Attributes
+    ----------
+    creep
+        At the exit nip, either way [m].
+    slip, slip_speed, shear
+        Anywhere on the wrap, either way [m, m/s, Pa].
+    pull, torque
+        T1 - T2 and torque from the motor, either way [N, N m].
+    most_entry_tension, most_exit_tension, least_entry_tension, least_exit_tension
+        At the nips [N].
+    """
+
+    creep: Peak
+    slip: Peak
+    slip_speed: Peak
+    shear: Peak
+    pull: Peak
+    torque: Peak
+    most_entry_tension: Peak
+    most_exit_tension: Peak
+    least_entry_tension: Peak
+    least_exit_tension: Peak
+
+    @property
+    def most_tension(self) -> Peak:
+        """Largest tension at either nip [N]."""
+        return max(self.most_entry_tension, self.most_exit_tension, key=lambda p: p.value)
+
+    @property
+    def least_tension(self) -> Peak:
+        """Least tension at either nip [N]."""
+        return min(self.least_entry_tension, self.least_exit_tension, key=lambda p: p.value)
+
+
+#: Names of the peaks of `Extremes`, in order.
+EXTREMES = tuple(f.name for f in fields(Extremes))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +124,10 @@ class DrumHistory:
         Positions of the pictures over the wrap, 0 to 1, shape (s,) [-].
     creep, shear
         Creep [m] and shear stress [Pa] over the wrap at the times of the pictures, shape (q, s).
+    extremes
+        The largest creep, slip, shear stress and tensions of every step.
+    over_limit
+        Time that the exit creep is over its limit [s].
     friction_energy, drum_work
         Friction work on the lagging, and work of the drum on the belt [J].
     """
@@ -98,6 +144,8 @@ class DrumHistory:
     place: Array
     creep: Array
     shear: Array
+    extremes: Extremes
+    over_limit: float
     friction_energy: float
     drum_work: float
 
@@ -161,32 +209,18 @@ class RunResult:
     @property
     def peak_creep(self) -> Peak:
         """Largest creep at an exit nip, either way [m]."""
-        return max((self._peak(d.exit_creep, d.name) for d in self.drums), key=lambda p: p.value)
+        drum = max(self.drums, key=lambda d: d.extremes.creep.value)
+        return replace(drum.extremes.creep, place=drum.name)
 
     @property
     def peak_tension(self) -> Peak:
         """Largest tension of the belt [N]."""
-        first = self.drums[0]
-        peaks = [self._peak(first.entry_tension, f"before {first.name}")]
-        peaks += [self._peak(d.exit_tension, f"behind {d.name}") for d in self.drums]
-        return max(peaks, key=lambda p: p.value)
+        return max(self._tensions("most"), key=lambda p: p.value)
 
     @property
     def least_tension(self) -> Peak:
         """Least tension of the belt [N]."""
-        found = []
-        for d in self.drums:
-            for values, where in ((d.entry_tension, "before"), (d.exit_tension, "behind")):
-                i = int(np.argmin(values))
-                found.append(Peak(float(values[i]), float(self.time[i]), f"{where} {d.name}"))
-        return min(found, key=lambda p: p.value)
-
-    def over_limit(self, name: str) -> float:
-        """Time that the exit creep of a pulley is over its limit [s]."""
-        i = self.station.index(name)
-        limit = self.station.train.creep_limit_of(self.station.train.pulleys[i])
-        over = np.abs(self.drums[i].exit_creep) > limit
-        return float(np.sum(np.diff(self.time) * over[1:])) if len(self.time) > 1 else 0.0
+        return min(self._tensions("least"), key=lambda p: p.value)
 
     def creep_left(self) -> tuple[float, ...]:
         """Exit creep of every drum at the end of the run [m]."""
@@ -204,6 +238,8 @@ class RunResult:
         coefficient = self.station.train.pulleys[self.station.index(name)].lagging.wear_coefficient
         return None if coefficient is None else coefficient * self.energy_per_area(name)
 
-    def _peak(self, values: Array, place: str) -> Peak:
-        i = int(np.argmax(np.abs(values)))
-        return Peak(abs(float(values[i])), float(self.time[i]), place)
+    def _tensions(self, which: str) -> Iterator[Peak]:
+        """Yield the most or least tension before and behind every drum."""
+        for d in self.drums:
+            yield replace(getattr(d.extremes, f"{which}_entry_tension"), place=f"before {d.name}")
+            yield replace(getattr(d.extremes, f"{which}_exit_tension"), place=f"behind {d.name}")

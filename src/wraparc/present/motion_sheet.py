@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from wraparc.checks import Level, judge_run
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
+from wraparc.present.checks_table import check_table
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.present.words import in_words
-from wraparc.units import System, display
+from wraparc.units import Dimension, System, display
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
 _CALM = 0.02
@@ -25,10 +26,15 @@ def run_sheet(run: RunResult, system: System = "si") -> Sheet:
         f"{display(float(run.time[-1]), 'time', digits=3)} followed"
         + ("" if run.compiled else "; without numba, which makes it some hundred times faster"),
         verdict=in_words(told, system, [*told.sentences(system), *_run_sentences(run, system)]),
-        tables=(_whole_table(run, system), _drum_table(run, system)),
+        tables=(*run_tables(run, system), check_table(told, system)),
         remarks=told.data + _LEFT_OUT,
         sources=(run.station.source,) if run.station.source else (),
     )
+
+
+def run_tables(run: RunResult, system: System = "si") -> tuple[Table, ...]:
+    """Return the numbers of a run: of the whole, and of every drum."""
+    return _whole_table(run, system), _drum_table(run, system)
 
 
 _LEFT_OUT = (
@@ -80,21 +86,20 @@ def _drum_table(run: RunResult, system: System) -> Table:
     def row(title: str, values: list[str], note: str = "") -> Row:
         return Row(title, tuple(values), note=note)
 
-    def size(values: object, dimension: str) -> str:
-        import numpy as np
-
-        return quantity(float(np.max(np.abs(np.asarray(values)))), dimension, system)  # type: ignore[arg-type]
+    def largest(title: str, name: str, dimension: Dimension) -> Row:
+        peaks = [getattr(d.extremes, name).value for d in drums]
+        return row(title, [quantity(peak, dimension, system) for peak in peaks])
 
     rows = [
-        row("Largest pull", [size(d.effective_tension, "force") for d in drums]),
-        row("Largest torque", [size(d.torque, "torque") for d in drums]),
-        row("Largest creep at exit", [size(d.exit_creep, "length") for d in drums]),
-        row("Largest slip at exit", [size(d.exit_slip, "length") for d in drums]),
-        row("Largest shear stress", [size(d.peak_shear, "pressure") for d in drums]),
+        largest("Largest pull", "pull", "force"),
+        largest("Largest torque", "torque", "torque"),
+        largest("Largest creep at exit", "creep", "length"),
+        largest("Largest slip", "slip", "length"),
+        largest("Largest shear stress", "shear", "pressure"),
         row("Share at the end", [percent(float(d.share[-1])) for d in drums]),
         row(
             "Time over the creep limit",
-            [quantity(run.over_limit(d.name), "time", system) for d in drums],
+            [quantity(d.over_limit, "time", system) for d in drums],
         ),
         row(
             "Friction work on the lagging",

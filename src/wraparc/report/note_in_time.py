@@ -7,15 +7,15 @@ from wraparc.checks import judge_run
 from wraparc.motion.reported import InTime
 from wraparc.motion.result import RunResult
 from wraparc.plot.motion import plot_run, plot_stability
-from wraparc.present.motion_sheet import run_sheet, stability_sheet
+from wraparc.present.motion_sheet import run_sheet, run_tables, stability_sheet
 from wraparc.present.sheet import Table, Verdict, named
 from wraparc.report.drawings import Drawing
 from wraparc.units import System, display
 
 
 def judged_with(before: Judgement, in_time: InTime) -> Judgement:
-    """Return the checks of the drive with those of its events; data are judged once."""
-    more = (c for run in in_time.runs for c in judge_run(run).checks if c.name != "data")
+    """Return the checks of the drive with those that only its events can miss."""
+    more = (c for run in in_time.runs for c in judge_run(run).checks if c.place.event)
     return Judgement((*before.checks, *more))
 
 
@@ -48,8 +48,8 @@ def section(
             sentences.append(f"{name}{'' if name.endswith('?') else ':'} {' '.join(said)}")
     tables = [
         replace(table, title=f"{table.title}: {run.event.name}")
-        for run, sheet in zip(in_time.runs, sheets, strict=True)
-        for table in sheet.tables
+        for run in in_time.runs
+        for table in run_tables(run, system)
     ]
     drawings = (
         *(_run_drawing(run, system) for run in in_time.runs[:1]),
