@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.kernel import gross_slip as kernel
+from wraparc.drive import TakeUp
 
 Array = NDArray[np.float64]
 
 nan, inf = math.nan, math.inf
 _STEPS = 24
-#: Shares of the rise of pull that the tight end gives up when the take-up holds each.
-SLACK_HELD, BOTH_HELD, TIGHT_HELD = 0.0, 0.5, 1.0
 
 
 class Grip:
@@ -89,10 +88,10 @@ class Rise:
     slack: float
 
 
-def rises(arcs: Sequence[ArcResult], index: int, held: float = SLACK_HELD) -> Rise:
+def rises(arcs: Sequence[ArcResult], index: int, take_up: TakeUp) -> Rise:
     """Return how the tensions of one of the arcs of a load case grow with the whole pull.
 
-    Every pulley keeps its share; the take-up is on the slack side of the whole drive.
+    Every pulley keeps its share of it.
 
     Parameters
     ----------
@@ -100,28 +99,62 @@ def rises(arcs: Sequence[ArcResult], index: int, held: float = SLACK_HELD) -> Ri
         All arcs of the load case, in belt order.
     index
         Which.
-    held
-        Part of the growth that the tight end gives up: `SLACK_HELD`, `BOTH_HELD` or `TIGHT_HELD`.
+    take_up
+        What is held.
     """
-    pulls = np.array([[r.arc.effective_tension] for r in arcs])
-    tight, slack = rises_of(pulls, index, np.array([held]))
+    pulls = _pulls_of(arcs)
+    names = [r.arc.pulley for r in arcs]
+    return _rise(pulls, index, given_up(pulls, names, take_up))
+
+
+def _pulls_of(arcs: Sequence[ArcResult]) -> Array:
+    return np.array([[r.arc.effective_tension] for r in arcs])
+
+
+def _rise(pulls: Array, index: int, lost: Array) -> Rise:
+    tight, slack = rises_of(pulls, index, lost)
     return Rise(float(tight[0]), float(slack[0]))
 
 
-def rises_of(pulls: Array, index: int, held: Array) -> tuple[Array, Array]:
+def given_up(pulls: Array, names: Sequence[str], take_up: TakeUp) -> Array:
+    """Return how much less all tensions grow than if the slack end were held, shape (n,) [N].
+
+    Parameters
+    ----------
+    pulls
+        As for `rises_of`.
+    names
+        The pulleys.
+    take_up
+        What is held: the slack end, the belt behind one of the pulleys, or the sum of both ends.
+    """
+    total: Array = pulls.sum(axis=0)
+    if take_up.fixed:
+        return np.asarray(0.5 * np.abs(total))
+    if not take_up.after:
+        return np.zeros(len(total))
+    # what the belt there would grow by
+    after = names.index(take_up.after) + 1
+    lost = np.where(total >= 0.0, pulls[after:].sum(axis=0), -pulls[:after].sum(axis=0))
+    return np.asarray(lost)
+
+
+def rises_of(pulls: Array, index: int, lost: Array) -> tuple[Array, Array]:
     """Return the same of many drives: growth of the tight and of the slack side, (n,) each [N].
 
     Parameters
     ----------
     pulls
         Effective tension of every pulley in belt order, shape (pulleys, n) [N].
-    index, held
-        As for `rises`, `held` of shape (n,).
+    index
+        As for `rises`.
+    lost
+        See `given_up`, shape (n,) [N].
     """
     total = pulls.sum(axis=0)
     behind, ahead = pulls[index + 1 :].sum(axis=0), pulls[:index].sum(axis=0)
-    entry = np.where(total >= 0.0, pulls[index] + behind, -ahead) - held * np.abs(total)
-    leaving = np.where(total >= 0.0, behind, -ahead - pulls[index]) - held * np.abs(total)
+    entry = np.where(total >= 0.0, pulls[index] + behind, -ahead) - lost
+    leaving = np.where(total >= 0.0, behind, -ahead - pulls[index]) - lost
     driving = pulls[index] >= 0.0
     return np.where(driving, entry, leaving), np.where(driving, leaving, entry)
 
@@ -146,7 +179,8 @@ class Margins:
     Attributes
     ----------
     slack_held
-        Gravity take-up or winch: the slack side keeps its tension.
+        Gravity take-up or winch: the belt keeps its tension there, on the slack side of the drives
+        where nothing else is said.
     both_held
         Fixed take-up: the sum of both keeps.
     tight_held
@@ -162,11 +196,16 @@ class Margins:
         return self.both_held if fixed else self.slack_held
 
 
-def margins(arcs: Sequence[ArcResult], index: int, grip: Grip) -> Margins:
-    """Return the margins of one of the arcs of a load case to gross slip."""
-    arc = arcs[index].arc
-    found = (pull_factor(arc, grip, rises(arcs, index, h)) for h in (0.0, 0.5, 1.0))
-    return Margins(*found)
+def margins(arcs: Sequence[ArcResult], index: int, grip: Grip, after: str = "") -> Margins:
+    """Return the margins of one of the arcs of a load case to gross slip.
+
+    `after` is the pulley behind which a gravity take-up stands, see `TakeUp`.
+    """
+    pulls, names = _pulls_of(arcs), [r.arc.pulley for r in arcs]
+    total = np.abs(pulls.sum(axis=0))
+    held = given_up(pulls, names, TakeUp(after=after))
+    rise = (_rise(pulls, index, lost) for lost in (held, 0.5 * total, total))
+    return Margins(*(pull_factor(arcs[index].arc, grip, r) for r in rise))
 
 
 def grip_of(result: ArcResult) -> Grip:
@@ -177,4 +216,4 @@ def grip_of(result: ArcResult) -> Grip:
 def margins_of(result: DriveResult, arc: ArcResult) -> Margins:
     """Return the margins to gross slip of an arc among the others of its load case."""
     arcs = [a for a in result if a.arc.load_case == arc.arc.load_case]
-    return margins(arcs, arcs.index(arc), grip_of(arc))
+    return margins(arcs, arcs.index(arc), grip_of(arc), result.drive.criteria.take_up.after)

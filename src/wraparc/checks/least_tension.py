@@ -15,7 +15,7 @@ from wraparc.arc.kernel.effort import SLIP, Aim
 from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, Grip, grip_of, rises
+from wraparc.checks.gross_slip import Grip, grip_of, rises
 from wraparc.checks.of_arc import design_slack
 from wraparc.checks.rules import idle, tension_factor
 from wraparc.drive import Drive, LoadCase
@@ -36,8 +36,8 @@ class Figure:
     name, title
         Key of the check, and its words.
     tension
-        Least (or, of a bound above, largest) tension of the slack side behind the drives [N]; inf
-        where none keeps the check.
+        Least (or, of a bound above, largest) tension of the belt at the take-up, the slack side
+        behind the drives where nothing is said [N]; inf where none keeps the check.
     place
         Where it asks so much.
     binding
@@ -56,7 +56,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class LeastTension:
-    """The least slack-side tension of a drive, or of a train behind its last pulley.
+    """The least slack-side tension of a drive or a train, at its take-up.
 
     The pull of every pulley is held, and so is how the load divides.
 
@@ -65,7 +65,7 @@ class LeastTension:
     figures
         What each check asks, each once, where it asks most.
     given
-        Slack-side tension of the load case that governs [N].
+        The same tension of the load case that governs [N].
     counterweight
         Mass of the counterweight for the least tension [kg].
     """
@@ -126,7 +126,7 @@ def figures(result: DriveResult) -> Iterator[Figure]:
     drive = result.drive
     for name, arcs in _by_case(result).items():
         case = drive.load_case(name)
-        yield from _figures(drive.in_case(case), case, arcs, slack_end(arcs))
+        yield from _figures(drive.in_case(case), case, arcs, drive.take_up_tension(case))
 
 
 def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
@@ -139,7 +139,7 @@ def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
 def _of(result: DriveResult) -> LeastTension | None:
     drive, by_case = result.drive, _by_case(result)
     cases = {case.name: case for case in drive.load_cases}
-    ends = {name: slack_end(arcs) for name, arcs in by_case.items()}
+    ends = {name: drive.take_up_tension(case) for name, case in cases.items()}
     if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in result):
         return None
     worst: dict[str, Figure] = {}
@@ -161,12 +161,6 @@ def _of(result: DriveResult) -> LeastTension | None:
     return LeastTension(found.figures, ends[found.governing.place.load_case], weight)
 
 
-def slack_end(arcs: Sequence[ArcResult]) -> float:
-    """Tension of the belt that leaves the drives of a load case slack [N]."""
-    first, last = arcs[0].arc.entry_tension, arcs[-1].arc.exit_tension
-    return last if math.fsum(a.arc.effective_tension for a in arcs) >= 0.0 else first
-
-
 def _pulls(result: ArcResult) -> bool:
     return not idle(result.arc)
 
@@ -174,7 +168,7 @@ def _pulls(result: ArcResult) -> bool:
 def _figures(
     drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], end: float
 ) -> Iterator[Figure]:
-    """Yield what every check asks of the slack end; all tensions rise by as much as that one."""
+    """Yield what every check asks of the take-up: all tensions rise with `end`."""
     for index, result in enumerate(arcs):
         arc, place = result.arc, Place(result.arc.pulley, case.name)
         tight = max(arc.entry_tension, arc.exit_tension)
@@ -189,7 +183,8 @@ def _figures(
         yield from _pressures(drive, case, arc, end - slack, end - tight, place)
     if drive.criteria.sag is not None:
         place = Place("", case.name)
-        yield Figure("sag", "Belt sag", drive.criteria.sag.tension, place)
+        lift = end - drive.slack_end(case)
+        yield Figure("sag", "Belt sag", drive.criteria.sag.tension + lift, place)
 
 
 def _pressures(
@@ -279,7 +274,7 @@ def _gross_slip(
     tension that was found.
     """
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
-    rise = rises(arcs, index, BOTH_HELD if drive.criteria.take_up.fixed else SLACK_HELD)
+    rise = rises(arcs, index, drive.criteria.take_up)
     pull = factor * abs(arc.effective_tension)
     tight = max(arc.entry_tension, arc.exit_tension)
     lift, grip = 0.0, grip_of(arcs[index])

@@ -12,7 +12,7 @@ import numpy as np
 from wraparc.arc import ArcResult, Status
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, grip_of, pull_factor, rises
+from wraparc.checks.gross_slip import grip_of, pull_factor, rises
 from wraparc.checks.of_drive import (
     MORE_CREEP,
     escaped,
@@ -49,8 +49,7 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         return Check(
             name=name, title="No pull to carry", level=Level.OK, short="not driven", place=place
         )
-    held = BOTH_HELD if take_up.fixed else SLACK_HELD
-    k = pull_factor(result.arc, grip_of(result), rises(arcs, index, held))
+    k = pull_factor(result.arc, grip_of(result), rises(arcs, index, take_up))
     if result.status is Status.BREAKAWAY:
         return Check(
             name=name, title=title, level=NO_GRIP, value=min(k, 1.0), limit=factor,
@@ -61,7 +60,8 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
             "lagging with more friction.",
             place=place,
         )  # fmt: skip
-    kept = "T1 + T2 held (fixed take-up)" if take_up.fixed else "T2 held (gravity take-up)"
+    where = f"tension behind pulley {take_up.after}" if take_up.after else "T2"
+    kept = "T1 + T2 held (fixed take-up)" if take_up.fixed else f"{where} held (gravity take-up)"
     return judged(
         rule,
         title,
@@ -70,8 +70,8 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         "number",
         source=source,
         short="near gross slip",
-        says=f"Gross slip comes at {{value}} times the pull, {kept}: less than the safety factor "
-        f"{{limit}} for {case.kind}.",
+        says=f"Gross slip comes at {{value}} times the pull, {escaped(kept)}: less than the safety "
+        f"factor {{limit}} for {case.kind}.",
         remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
         "more friction.",
         place=place,

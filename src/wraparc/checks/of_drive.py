@@ -229,13 +229,13 @@ def take_up(drive: Drive) -> Iterator[Check]:
     held = {}
     for case in drive.load_cases:
         first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
-        driving = first.entry >= last.exit
-        slack = last.exit if driving else first.entry
-        held[case.name] = first.entry + last.exit if fixed else slack
+        held[case.name] = first.entry + last.exit if fixed else drive.take_up_tension(case)
     least, most = min(held, key=held.__getitem__), max(held, key=held.__getitem__)
     if held[most] - held[least] <= HELD * held[most]:
         return
+    after = drive.criteria.take_up.after
     what = "the sum of both tensions" if fixed else "the slack-side tension"
+    what = f"the tension behind pulley {escaped(after)}" if after else what
     yield Check(
         name="take_up",
         title="Tensions that the take-up holds",

@@ -15,7 +15,7 @@ from wraparc.batch.arcs import Arcs
 from wraparc.batch.pull_factors import pull_factors
 from wraparc.checks.check import Level, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
-from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, rises_of
+from wraparc.checks.gross_slip import given_up, rises_of
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     IDLE,
@@ -120,14 +120,19 @@ def held_by(
         Entry and exit tensions of all pulleys, shape (pulleys, n) each [N].
     """
     entry, leaving = tensions
-    index = [p.name for p in drives[0].pulleys].index(pulley)
+    names = [p.name for p in drives[0].pulleys]
+    index = names.index(pulley)
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
-        safety, fixed, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
+        safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
         misfit,
     ) = (column[which] for column in numbers)  # fmt: skip
-    held = np.where(fixed > 0.0, BOTH_HELD, SLACK_HELD)
-    tight_rise, slack_rise = rises_of(entry - leaving, index, held)
+    lost = np.zeros(len(arcs))
+    for take_up in {d.criteria.take_up for d in drives}:
+        places = [i for i, d in enumerate(drives) if d.criteria.take_up == take_up]
+        rows = np.flatnonzero(np.isin(which, places))
+        lost[rows] = given_up((entry - leaving)[:, rows], names, take_up)
+    tight_rise, slack_rise = rises_of(entry - leaving, index, lost)
     driving = entry[0] >= leaving[-1]
     slack = np.full(len(arcs), math.nan)
     for place, end, side in ((len(entry) - 1, leaving[-1], driving), (0, entry[0], ~driving)):
@@ -162,7 +167,6 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
     allowed = tension_factor(belt, kind) * belt.rating if belt.rating is not None else None
     return (
         criteria.safety.of(kind),
-        float(criteria.take_up.fixed),
         start_factor(criteria, kind),
         float(criteria.standard.binding),
         allowed if kind == "running" else None,

@@ -43,6 +43,7 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
     record, report = read_whole(CHOOSE, document, file)
     drive = report.sure(lambda: drive_of(record, folder, report))
     pulley = pulley_of(record, drive, report)
+    _refuse_between(drive, report)
     candidates: Record = record["candidates"]
     laggings = _laggings(candidates, drive, pulley, folder, report)
     belts = _belts(candidates, drive, report)
@@ -70,6 +71,15 @@ def search_from_document(document: Document, *, file: str = "", folder: str = ""
     )
     report.sure(search.conditioned)  # whether every lagging has its friction in every condition
     return search
+
+
+def _refuse_between(drive: Drive, report: Report) -> None:
+    """Report a take-up between drives: designs are given a slack-side tension."""
+    take_up = drive.criteria.take_up
+    if take_up.after not in ("", drive.pulleys[-1].name):
+        message = "designs are chosen for a take-up on the slack side of the drives"
+        remedy = "Leave it out to choose; then solve the design with it."
+        report.add(("drive", "take_up", "after"), message, remedy, take_up.after)
 
 
 def _slack(candidates: Record, slack: Any) -> tuple[float, ...] | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
@@ -168,13 +167,6 @@ class Search:
         return tuple(c.lagging(lag) for c in self.conditions for lag in self.laggings)
 
 
-def slack_end(drive: Drive, case: LoadCase) -> float:
-    """Tension of the belt that leaves the pulleys of a drive slack [N]."""
-    first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
-    pull = math.fsum(t.effective for t in case.tensions.values())
-    return last.exit if pull >= 0.0 else first.entry
-
-
 @dataclass(frozen=True, eq=False)
 class Grid:
     """The designs of a search by number: places of their candidates and their values.
@@ -225,14 +217,14 @@ class Grid:
     def tensions(self, case: LoadCase) -> tuple[Array, Array]:
         """Entry and exit tension of every design in a load case [N]."""
         t = case.tensions[self.search.pulley]
-        end, own = slack_end(self.search.drive, case), np.isnan(self.slack)
+        end, own = self.search.drive.slack_end(case), np.isnan(self.slack)
         exit_side = np.where(own, t.exit, self.slack + (t.exit - end))
         entry_side = np.where(own, t.entry, self.slack + (t.entry - end))
         return entry_side, exit_side
 
     def ends(self, case: LoadCase) -> tuple[Array, Array]:
         """Tension of the slack end of the whole drive, and the largest at any pulley [N]."""
-        end = slack_end(self.search.drive, case)
+        end = self.search.drive.slack_end(case)
         most = max(max(t.entry, t.exit) for t in case.tensions.values())
         own = np.isnan(self.slack)
         slack = np.where(own, end, self.slack)

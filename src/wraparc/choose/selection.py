@@ -15,7 +15,7 @@ from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
 from wraparc.choose.ranking import front, named, next_dearer, ordered
-from wraparc.choose.search import Grid, Search, slack_end
+from wraparc.choose.search import Grid, Search
 from wraparc.choose.slack_rules import (
     gross_slip_slack,
     others_slack,
@@ -321,7 +321,7 @@ def feasible(held: Mapping[str, Held], n: int) -> NDArray[np.bool_]:
 
 def own_slack(search: Search) -> float:
     """Slack-side tension of the drive as it is: the largest over its load cases [N]."""
-    return max(slack_end(search.drive, case) for case in search.drive.load_cases)
+    return max(search.drive.slack_end(case) for case in search.drive.load_cases)
 
 
 def _worst(columns: Sequence[Array]) -> Array:

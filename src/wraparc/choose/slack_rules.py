@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc, solve
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import BOTH_HELD, SLACK_HELD, Grip, rises_of
+from wraparc.checks.gross_slip import Grip, given_up, rises_of
 from wraparc.checks.least_tension import figures
-from wraparc.choose.search import Grid, Search, slack_end
+from wraparc.choose.search import Grid, Search
 from wraparc.drive import LoadCase
 
 Array = NDArray[np.float64]
@@ -30,9 +30,9 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
     factor = search.drive.criteria.safety.of(case.kind)
     names = [p.name for p in search.drive.pulleys]
     pulls = np.array([[case.tensions[name].effective] for name in names])
-    held = BOTH_HELD if search.drive.criteria.take_up.fixed else SLACK_HELD
-    rise = rises_of(pulls, names.index(search.pulley), np.array([held]))[0][0]
-    lifted = tight - slack_end(search.drive, case) + (factor - 1.0) * float(rise)
+    lost = given_up(pulls, names, search.drive.criteria.take_up)
+    rise = rises_of(pulls, names.index(search.pulley), lost)[0][0]
+    lifted = tight - search.drive.slack_end(case) + (factor - 1.0) * float(rise)
 
     def least(lagging: int, diameter: float, wrap_angle: float, thickness: float) -> float:
         law = search.conditioned()[lagging]
@@ -84,7 +84,7 @@ def standard_asks(search: Search, grid: Grid, design: int) -> tuple[float, str]:
 def slack_offset(search: Search, case: LoadCase) -> float:
     """Tension of the slack end of the drive less that of the slack side of the pulley [N]."""
     t = case.tensions[search.pulley]
-    return slack_end(search.drive, case) - min(t.entry, t.exit)
+    return search.drive.slack_end(case) - min(t.entry, t.exit)
 
 
 def others_slack(search: Search) -> float:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from wraparc.conveyor import GRAVITY
-from wraparc.errors import Problem, shown
+from wraparc.errors import Problem, nearest, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
 #: States of a conveyor that differ in their safety factors and in what a belt may bear.
@@ -47,6 +47,9 @@ class TakeUp:
     sheave_ratio
         Pull of the counterweight over the belt tension at the take-up [-]: 2 for a weight hung
         from the take-up pulley, less where ropes and sheaves multiply it.
+    after
+        Pulley behind which it holds the tension of the belt, where it stands between two drives.
+        Empty: on the slack side of all of them, close by, on the return strand or at the tail.
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
@@ -55,11 +58,28 @@ class TakeUp:
 
     kind: str = ""
     sheave_ratio: float = 2.0
+    after: str = ""
 
     def __post_init__(self) -> None:
-        raise_all(
-            limit_problems(self, self.LIMITS) + choice_problems(self, {"kind": ("", *TAKE_UPS)})
+        problems = limit_problems(self, self.LIMITS)
+        problems += choice_problems(self, {"kind": ("", *TAKE_UPS)})
+        if self.after and self.fixed:
+            message = "a fixed take-up holds the sum of both tensions wherever it stands"
+            remedy = "Leave it out, or correct the kind."
+            given = shown(self.after)
+            problems.append(Problem(key="after", value=given, message=message, remedy=remedy))
+        raise_all(problems)
+
+    def place_problems(self, pulleys: Sequence[str]) -> list[Problem]:
+        """Return a problem if it stands behind a pulley that is none of these."""
+        if not self.after or self.after in pulleys:
+            return []
+        message = f"no such pulley; the pulleys are {', '.join(map(shown, pulleys))}"
+        remedy = nearest(self.after, pulleys) or (
+            "Leave it out for a take-up on the slack side of the drives or at the tail."
         )
+        given = shown(self.after)
+        return [Problem(key="take_up.after", value=given, message=message, remedy=remedy)]
 
     @property
     def fixed(self) -> bool:

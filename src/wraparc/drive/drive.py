@@ -1,5 +1,6 @@
 """A whole drive: a belt, its drive pulleys, and the load cases to be carried."""
 
+import math
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -68,6 +69,7 @@ class Drive(Viewable):
             problems.append(Problem(key="pulley", value=str(len(self.pulleys)), message=message))
         problems += repeated("pulley", (p.name for p in self.pulleys))
         problems += repeated("load_case", (c.name for c in self.load_cases))
+        problems += self.criteria.take_up.place_problems([p.name for p in self.pulleys])
         names = {p.name for p in self.pulleys}
         for case in self.load_cases:
             if case.tensions.keys() != names:
@@ -108,6 +110,17 @@ class Drive(Viewable):
         if not case.condition:
             return self
         return replace(self, pulleys=tuple(p.in_condition(case.condition) for p in self.pulleys))
+
+    def slack_end(self, case: LoadCase) -> float:
+        """Tension of the belt that leaves all pulleys slack in a load case [N]."""
+        first, last = (case.tensions[p.name] for p in (self.pulleys[0], self.pulleys[-1]))
+        pull = math.fsum(t.effective for t in case.tensions.values())
+        return last.exit if pull >= 0.0 else first.entry
+
+    def take_up_tension(self, case: LoadCase) -> float:
+        """Tension of the belt at the take-up in a load case, the slack end if nothing is said."""
+        after = self.criteria.take_up.after
+        return case.tensions[after].exit if after else self.slack_end(case)
 
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""

@@ -31,6 +31,9 @@ def build_conveyor(
     given = record.get("conveyor")
     if not isinstance(given, Record):
         return None, ()
+    if take_up.after:
+        message = "the [conveyor] table says where its take-up stands, take_up_distance"
+        report.add(("take_up", "after"), message, "Leave it out.", take_up.after)
     conveyor = _conveyor(given, record.get("belt"), take_up, report)
     states = conveyor and report.tried(conveyor.states, given.place, given.raw)
     if not states or not pulleys or "name" not in pulleys[0]:

@@ -136,6 +136,12 @@ TAKE_UP = Table(
         title="Take-up",
     ),
     Entry("sheave_ratio", "Pull of the counterweight over the belt tension; 2 if left out."),
+    Entry(
+        "after",
+        "Pulley behind which it stands between drives; if left out, on the slack side of all.",
+        Name(),
+        title="Behind pulley",
+    ),
     of=TakeUp,
 )
 DESIGN_STANDARD = Table(

@@ -109,6 +109,7 @@ def motion_from_document(
         train = train_from_document(
             document, file=file, folder=folder, overrides=overrides, allow_paths=allow_paths
         )
+        problems += _between(train)
     except InputError as error:
         problems += error.problems
     report = Report(file)
@@ -229,6 +230,16 @@ class _Builder:
         except InputError as error:
             self.report.take(error, place)
             return None
+
+
+def _between(train: Train) -> list[Problem]:
+    """Report a take-up between drives: a station has its own behind the last one."""
+    after = train.criteria.take_up.after
+    if after in ("", train.pulleys[-1].name):
+        return []
+    message = "events are followed with the take-up behind the last drive"
+    remedy = "Leave it out for what happens in time."
+    return [Problem(key="take_up.after", value=shown(after), message=message, remedy=remedy)]
 
 
 def _of_train(train: Train, name: str) -> Control | None:

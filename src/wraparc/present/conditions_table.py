@@ -8,6 +8,7 @@ from typing import Any
 
 from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge, least_tension
+from wraparc.present.least_tension import least_name
 from wraparc.present.sheet import NONE, Row, Table, named
 from wraparc.units import System
 
@@ -38,7 +39,9 @@ def conditions_table(result: DriveResult, system: System = "si") -> Table:
     rows.append(
         Row("Equivalent friction at the creep limit", tuple(map(_friction, parts.values())))
     )
-    rows.append(Row("Least slack-side tension", tuple(_least(p, system) for p in parts.values())))
+    rows.append(
+        Row(f"Least {least_name(result)}", tuple(_least(p, system) for p in parts.values()))
+    )
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE)
 
 

@@ -20,8 +20,9 @@ def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> 
     why = RULES[governs.name].what
     if math.isinf(found.tension):
         return _none(found, result, system)
+    what = least_name(result)
     text = (
-        f"The least slack-side tension with which every binding check is kept is {least}, set by "
+        f"The least {what} with which every binding check is kept is {least}, set by "
         f"{why} ({governs.place}); given {given}"
     )
     standard = found.standard
@@ -35,12 +36,12 @@ def _none(found: LeastTension, result: DriveResult | TrainResult, system: System
     governs, top = found.governing, found.highest
     if math.isinf(governs.tension) or top is None:
         return (
-            f"No slack-side tension with wrap pressures in the tested range keeps "
+            f"No {least_name(result)} with wrap pressures in the tested range keeps "
             f"{RULES[governs.name].what} ({governs.place}){_most(result, governs, system)}."
         )
     asked, most = (named("tension", f.tension, system) for f in (governs, top))
     return (
-        "No slack-side tension keeps every binding check: "
+        f"No {least_name(result)} keeps every binding check: "
         f"{RULES[governs.name].what} asks for {asked} "
         f"({governs.place}), and {RULES[top.name].what} allows {most} ({top.place})."
     )
@@ -60,12 +61,13 @@ def least_table(result: DriveResult | TrainResult, system: System = "si") -> Tab
     found = least_tension(result)
     if found is None:
         return None
-    rows = []
+    rows, after = [], _after(result)
     if not math.isinf(found.tension):
         weight = quantity(found.counterweight, "mass", system)
         given = f"given {named('tension', found.given, system)}"
         least = named("tension", found.tension, system)
-        rows.append(Row("Least slack-side tension", (least,), "T2_min", given))
+        symbol = "" if after else "T2_min"
+        rows.append(Row(f"Least {least_name(result)}", (least,), symbol, given))
         rows.append(Row("Counterweight for it", (weight,), "", "if the take-up is a weight"))
     for figure in sorted(found.figures, key=lambda f: (not f.at_least, -f.tension)):
         bound = "at least" if figure.at_least else "at most"
@@ -74,11 +76,22 @@ def least_table(result: DriveResult | TrainResult, system: System = "si") -> Tab
         note = "governs" if governs else "" if figure.binding else "not binding"
         note = ", ".join(part for part in (note, str(figure.place)) if part)
         rows.append(Row(f"{figure.title}, {bound}", (text,), "", note))
-    note = (
-        "Tension of the slack side behind the drives with which each check is kept, every pulley "
-        "pulling as it does."
+    where = (
+        f"at the take-up behind pulley {after}" if after else "of the slack side behind the drives"
     )
-    return Table("Least slack-side tension", tuple(rows), note=note)
+    note = f"Tension {where} with which each check is kept, every pulley pulling as it does."
+    return Table(f"Least {least_name(result)}", tuple(rows), note=note)
+
+
+def _after(result: DriveResult | TrainResult) -> str:
+    of = result.train if isinstance(result, TrainResult) else result.drive
+    return of.criteria.take_up.after
+
+
+def least_name(result: DriveResult | TrainResult) -> str:
+    """Return the name of the tension that the take-up holds, after "Least"."""
+    after = _after(result)
+    return f"tension at the take-up behind pulley {after}" if after else "slack-side tension"
 
 
 def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") -> Table | None:
@@ -89,9 +102,10 @@ def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") ->
         return None
     found, take_up = margins_of(result, arc), result.drive.criteria.take_up
     said = "" if take_up.kind else ", as no take-up is given"
-    rows = []
+    rows, after = [], take_up.after
+    where = f"Tension behind pulley {after}" if after else "Slack side"
     for title, value, own in (
-        ("Slack side held (gravity take-up, winch)", found.slack_held, not take_up.fixed),
+        (f"{where} held (gravity take-up, winch)", found.slack_held, not take_up.fixed),
         ("Sum of both sides held (fixed take-up)", found.both_held, take_up.fixed),
         ("Tight side held", found.tight_held, False),
     ):

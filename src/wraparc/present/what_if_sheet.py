@@ -10,7 +10,7 @@ from wraparc.checks import Check, judge
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
-from wraparc.present.least_tension import shown_least
+from wraparc.present.least_tension import least_name, shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
 from wraparc.present.words import alone, level_of, short, word_of
 from wraparc.units import System
@@ -52,9 +52,10 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         and not (name in _TENSIONS and len({_value(r, name) for r in results}) == 1)
     ]
     least = tuple(shown_least(whole, system) for whole in wholes)
-    behind = ", behind the drives" if len(wholes[0].drive.pulleys) > 1 else ""
+    between = bool(wholes[0].drive.criteria.take_up.after)
+    behind = ", behind the drives" if len(wholes[0].drive.pulleys) > 1 and not between else ""
     note = f"every binding check kept{behind}"
-    rows.append(Row("Least slack-side tension", least, note=note))
+    rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
     across = compared_table(_by_itself(found), heads, system)
     sentences, several = [], len(wholes[0].drive.pulleys) > 1
     for change, whole, after in zip(found.changes, wholes[1:], found.after, strict=True):

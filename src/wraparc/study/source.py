@@ -175,6 +175,7 @@ class DriveSource:
             )
         take_up = drive.criteria.take_up
         held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
+        held = f"the tension behind pulley {take_up.after}" if take_up.after else held
         yield (
             f"The safety against gross slip is that of a take-up that holds {held}"
             + (f" ({take_up.kind})." if take_up.kind else "; the file names no take-up.")

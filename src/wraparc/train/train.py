@@ -160,7 +160,7 @@ class Train:
     creep_limit
         Largest creep accepted at the exit of a pulley [m].
     criteria
-        What the train is held against, as in `Drive`; its take-up is behind the last pulley.
+        What the train is held against, as in `Drive`.
 
     Raises
     ------
@@ -187,6 +187,7 @@ class Train:
             problems.append(Problem(key="pulley", value=str(count), message=message))
         problems += repeated("pulley", (p.name for p in self.pulleys))
         problems += repeated("load_case", (c.name for c in self.cases))
+        problems += self.criteria.take_up.place_problems([p.name for p in self.pulleys])
         if not self.cases:
             problems.append(Problem(key="load_case", message="a train needs a load case"))
         if self.nominal_diameters:
