@@ -69,7 +69,7 @@ def carry(
     pull, drift
         See `wraparc.across.march.rates`.
     y
-        Tension and creep, shape (2 n, columns), or with the work of each strip, (3 n, columns).
+        Tension and creep, shape (2 n, columns), or with work and force of each strip, (4 n, 1).
     nodes
         Places s, ascending [m].
     record
@@ -77,41 +77,52 @@ def carry(
     """
     rows, columns = y.shape
     k = np.empty((7, rows, columns))
-    at = np.empty((rows, columns))
+    at, flat = np.empty((rows, columns)), k.reshape(7, rows * columns)
     if len(record) > 0:
         record[0, :] = y[:, 0]
     for node in range(len(nodes) - 1):
         h = nodes[node + 1] - nodes[node]
         for stage in range(7):
-            for i in range(rows):
-                for j in range(columns):
-                    at[i, j] = y[i, j] + to_stage(stage, k, i, j)
+            if stage < 4:
+                to_stage(stage, flat, y.ravel(), at.ravel())
+            else:
+                to_late_stage(stage, flat, y.ravel(), at.ravel())
             fill(law, radius, shear, compliance, coupling, pull, drift, at, h, k[stage])
-        for i in range(rows):
-            for j in range(columns):
-                y[i, j] += to_end(
-                    k[0, i, j], k[2, i, j], k[3, i, j], k[4, i, j], k[5, i, j], k[6, i, j]
-                )  # fmt: skip
+        to_late_stage(7, flat, y.ravel(), y.ravel())
         if len(record) > 0:
             record[node + 1, :] = y[:, 0]
 
 
-def to_stage(stage: int, k: Any, i: int, j: int) -> float:
-    """Increment of one number to a stage of the method."""
-    more = 0.0
-    if stage == 1:
-        more = to_second(k[0, i, j])
+def to_stage(stage: int, k: Any, y: Any, out: Any) -> None:
+    """Put the state of one of the first four stages of the method into `out`."""
+    if stage == 0:
+        for i in range(len(y)):
+            out[i] = y[i]
+    elif stage == 1:
+        for i in range(len(y)):
+            out[i] = y[i] + to_second(k[0, i])
     elif stage == 2:
-        more = to_third(k[1, i, j])
-    elif stage == 3:
-        more = to_fourth(k[0, i, j], k[1, i, j], k[2, i, j])
-    elif stage == 4:
-        more = to_fifth(k[0, i, j], k[1, i, j], k[2, i, j], k[3, i, j])
+        for i in range(len(y)):
+            out[i] = y[i] + to_third(k[1, i])
+    else:
+        for i in range(len(y)):
+            out[i] = y[i] + to_fourth(k[0, i], k[1, i], k[2, i])
+
+
+def to_late_stage(stage: int, k: Any, y: Any, out: Any) -> None:
+    """Put the state of a further stage of the method, or of the end of the step, into `out`."""
+    if stage == 4:
+        for i in range(len(y)):
+            out[i] = y[i] + to_fifth(k[0, i], k[1, i], k[2, i], k[3, i])
     elif stage == 5:
-        more = to_sixth(k[1, i, j], k[2, i, j], k[3, i, j], k[4, i, j])
+        for i in range(len(y)):
+            out[i] = y[i] + to_sixth(k[1, i], k[2, i], k[3, i], k[4, i])
     elif stage == 6:
-        more = to_last(k[0, i, j], k[1, i, j], k[2, i, j], k[3, i, j], k[5, i, j])
-    return more
+        for i in range(len(y)):
+            out[i] = y[i] + to_last(k[0, i], k[1, i], k[2, i], k[3, i], k[5, i])
+    else:
+        for i in range(len(y)):
+            out[i] = y[i] + to_end(k[0, i], k[2, i], k[3, i], k[4, i], k[5, i], k[6, i])
 
 
 def fill(
@@ -144,6 +155,7 @@ def fill(
             tension[j] = h * (tension[j] - found.by_creep * y[n + i, j] - by_tension * y[i, j])
         if len(y) > 2 * n:
             out[2 * n + i, 0] = found.stress * creep[0]
+            out[3 * n + i, 0] = h * found.stress
 
 
 def _numbers(law: CompactLaw) -> CompactLaw:

@@ -74,6 +74,26 @@ def stress_of(law: CompactLaw, compliance: float, creep: float, pressure: float)
     return found
 
 
+def branch_of(law: CompactLaw, compliance: float, creep: float, pressure: float) -> int:
+    """Number of the piece of its law that a strip is on, 0 where it sticks; arguments as above.
+
+    Pieces in creep of a law that sticks and slides, or is a table; 0 for any other.
+    """
+    if pressure <= 0.0:
+        return 0
+    b, segment = abs(creep), segment_of(law, pressure)
+    if law.kind == LIMIT:
+        mu, _, _ = friction_at(law, segment, PLASTIC, 0.0, pressure)
+        return int(b > (compliance + law.onset_compliance) * mu * pressure)
+    if law.kind != TABLE:
+        return 0
+    passed = 0
+    for k, x in enumerate(law.slips):
+        mu, _, _ = friction_at(law, segment, max(k - 1, 0), x, pressure)
+        passed += int(b > x + compliance * mu * pressure)
+    return passed
+
+
 def _series(
     mu: float, mu_x: float, mu_p: float, compliance: float, pressure: float, slip: float
 ) -> Stress:

@@ -119,19 +119,19 @@ def march(
 def trace(
     law: CompactLaw, strips: Strips, pull: Array, drift: Array, y: Array, nodes: Array
 ) -> Array:
-    """March a state without derivatives, and the work int tau du of each strip.
+    """March a state without derivatives, with work int tau du and force int tau ds of each strip.
 
-    Arguments as `march`, but y holds tension, creep and work, shape (3 n,). Returns them at every
-    node, shape (nodes, 3 n).
+    Arguments as `march`, but y holds tension, creep, work and force, shape (4 n,). Returns them at
+    every node, shape (nodes, 4 n). Work is that of friction and of the belt's shear.
     """
     n = len(strips.shear)
-    out = np.empty((len(nodes), 3 * n))
+    out = np.empty((len(nodes), 4 * n))
     out[0] = y
 
     def slopes(at: Array) -> Array:
         state = rates(law, strips, pull, drift, at[: 2 * n].reshape(2 * n, 1))[:, 0]
         stress = strips.coupling @ at[n : 2 * n] + pull[:, 0] - state[:n]
-        return np.concatenate([state, stress * state[n:]])
+        return np.concatenate([state, stress * state[n:], stress])
 
     for i in range(len(nodes) - 1):
         y = step(slopes, y, float(nodes[i + 1] - nodes[i]))

@@ -20,7 +20,8 @@ import numpy as np
 from wraparc.across.compiled import quickest
 from wraparc.across.interface import stress_of
 from wraparc.across.march import step
-from wraparc.across.newton import Mesh, System, mesh_of, newton, started
+from wraparc.across.mesh import Mesh, mesh_of
+from wraparc.across.newton import System, newton, started
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import ArcResult, Distributed
 from wraparc.errors import ConvergenceError
@@ -143,7 +144,7 @@ class _Modes:
             raise ConvergenceError("the even belt was not solved across its cuts")
         at = found.unknowns
         kick, _ = one.overrun(at.tension)
-        return [np.array([at.tension[0], kick[0]]), *at.states], at.drum, mesh
+        return [np.array([at.tension[0], kick[0]]), *at.states], at.drum, found.system.mesh
 
     def _slopes(self, state: Array, drum: float) -> _Slopes:
         arc = self.wide.arc

@@ -13,62 +13,22 @@ are unknown too.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from wraparc.across.compiled import PLAIN, Marches
+from wraparc.across.mesh import Mesh, bends, kinks
 from wraparc.across.wide_arc import Array, WideArc
 from wraparc.arc import ArcResult
-from wraparc.arc.kernel.step import MESH_POWER
 
-#: logarithm of the growth of errors over one piece of the arc; decides speed and safety only
-GROWTH = 6.0
-#: largest growth over one mesh step: beyond it the method of order 6 is no longer accurate
-STEP_GROWTH = 1.0
-MOST_STEPS = 400
 TOLERANCE = 1e-10
 MOST_ITERATIONS = 16
-
-
-@dataclass(frozen=True)
-class Mesh:
-    """Where the arc is stepped and cut.
-
-    Attributes
-    ----------
-    nodes
-        Places s, from 0 to L [m].
-    cuts
-        Numbers of the nodes where a piece begins, the first 0, and the last node.
-    """
-
-    nodes: Array
-    cuts: tuple[int, ...]
-
-
-def mesh_of(wide: WideArc, even: ArcResult, steps: int) -> Mesh:
-    """Mesh graded to the entry nip, cut where errors would have grown too far."""
-    numbers = wide.numbers
-    stiffness = float(np.min(wide.compliance))
-    shortest = wide.shear_stiffness * float(wide.wave_numbers[-1]) ** 2
-    onset = wide.arc.law.compact().onset_compliance
-    lag = float(np.max(numbers.shear)) + onset
-    s = even.profile.position * wide.arc.radius
-    creep = np.maximum(np.abs(even.profile.creep), 1e-12)
-    held = np.abs(even.profile.shear_stress) / creep
-    if lag > 0.0:
-        held = np.minimum(held, 1.0 / lag)
-    growth = np.sqrt((held + shortest) * stiffness)
-    whole = np.concatenate([[0.0], np.cumsum(0.5 * (growth[1:] + growth[:-1]) * np.diff(s))])
-    length = wide.arc.length
-    fewest = MESH_POWER * length * float(np.max(growth)) / STEP_GROWTH
-    steps = max(steps, min(math.ceil(fewest), MOST_STEPS))
-    nodes = length * np.linspace(0.0, 1.0, steps + 1) ** MESH_POWER
-    pieces = max(1, math.ceil(whole[-1] / GROWTH))
-    at = np.interp(nodes, s, whole)
-    cuts = [int(np.searchsorted(at, whole[-1] * k / pieces)) for k in range(pieces)]
-    return Mesh(nodes, tuple(sorted({*cuts, steps})))
+#: size of the misses from which one more step meets them
+_NEAR = 1e-5
+#: sizes between which the mesh follows the kinks of the law: they are about where they will be, and
+#: not yet so near that a mesh that moves hinders the last steps
+_SETTLED, _AROUND = 1e-4, 0.3
 
 
 @dataclass(frozen=True)
@@ -130,6 +90,33 @@ class System:
     mesh: Mesh
     marches: Marches = PLAIN
     amount: float = 1.0
+
+    def fitted(self, at: Unknowns, coarse: Mesh) -> System:
+        """Return the system with a node at every kink of the friction law."""
+        if not bends(self.wide):
+            return self
+        records, pull, drift = self.trace(at)
+        state = records[:, : 2 * self.wide.strips]
+        places = kinks(self.wide, self.mesh.nodes, state, pull, drift)
+        return replace(self, mesh=coarse.with_nodes(places))
+
+    def trace(self, at: Unknowns) -> tuple[Array, Array, Array]:
+        """Tension, creep, work of friction and shear, and force of friction at the nodes.
+
+        Shape (m, 4 n), with what pulls and what drives the strips, shape (n,).
+        """
+        wide, n = self.wide, self.wide.strips
+        law, numbers = wide.arc.law.compact(), wide.numbers
+        state, pull, drift = self.entry(at, columns=False)
+        y = np.concatenate([state[:, 0], np.zeros(2 * n)])
+        rows = [y[None, :]]
+        for k, (first, last) in enumerate(zip(self.mesh.cuts, self.mesh.cuts[1:], strict=False)):
+            if k > 0:
+                y = np.concatenate([at.states[k - 1], rows[-1][-1, 2 * n :]])
+            nodes = self.mesh.nodes[first : last + 1]
+            part = self.marches.trace(law, numbers, pull, drift, y, nodes)
+            rows.append(part[1:])
+        return np.concatenate(rows), pull[:, 0], drift[:, 0]
 
     def entry(self, at: Unknowns, columns: bool) -> tuple[Array, Array, Array]:
         """State at the entry nip, what pulls and what drives the strips there.
@@ -239,6 +226,8 @@ class Found:
 
     Attributes
     ----------
+    system
+        The conditions, on the mesh that they were last looked at on.
     unknowns
         The unknowns there.
     solved
@@ -247,6 +236,7 @@ class Found:
         Steps taken.
     """
 
+    system: System
     unknowns: Unknowns
     solved: bool
     iterations: int
@@ -254,35 +244,42 @@ class Found:
 
 def newton(system: System, start: Unknowns) -> Found:
     """Solve the conditions from a start, damped so that no strip loses its tension on the way."""
-    wide, n = system.wide, system.wide.strips
-    tight = max(wide.arc.entry_tension, wide.arc.exit_tension) / wide.arc.width
-    unit = np.concatenate([np.full(n, tight), np.full(n, 1e-3)])
-    scale = np.concatenate([np.full(n + 1, tight), np.tile(unit, len(start.states))])
-    at = start
-    ends = system.pieces(at, columns=True)
+    coarse, scale = system.mesh, _scale(system.wide, start)
+    at, ends = start, system.pieces(start, columns=True)
     miss = system.misses(at, ends) / scale
     for iteration in range(1, MOST_ITERATIONS + 1):
         size = float(np.linalg.norm(miss))
         if not math.isfinite(size):
-            return Found(at, False, iteration)
+            return Found(system, at, False, iteration)
         try:
-            step = -np.linalg.solve(system.slopes(at, ends) / scale[:, None], miss)
+            step = np.asarray(-np.linalg.solve(system.slopes(at, ends) / scale[:, None], miss))
         except np.linalg.LinAlgError:
-            return Found(at, False, iteration)
-        factor = _longest(at, step)
+            return Found(system, at, False, iteration)
+        factor, near = _longest(at, step), size < _NEAR
         for _ in range(8):
             trial = at.moved(step, factor)
-            ends = system.pieces(trial, columns=True)
-            miss_there = system.misses(trial, ends) / scale
+            tried = system.fitted(trial, coarse) if _SETTLED <= size < _AROUND else system
+            # the last march need not say how its ends depend on the unknowns
+            ends = tried.pieces(trial, columns=not near)
+            miss_there = tried.misses(trial, ends) / scale
             if np.linalg.norm(miss_there) <= (1.0 - 0.25 * factor) * size or size < 1e-7:
                 break
             factor *= 0.4
         else:
-            return Found(at, False, iteration)
-        at, miss = trial, miss_there
+            return Found(system, at, False, iteration)
+        at, miss, system = trial, miss_there, tried
         if factor == 1.0 and float(np.max(np.abs(miss))) < TOLERANCE:
-            return Found(at, True, iteration)
-    return Found(at, False, MOST_ITERATIONS)
+            return Found(system, at, True, iteration)
+        if near:
+            ends = system.pieces(at, columns=True)
+    return Found(system, at, False, MOST_ITERATIONS)
+
+
+def _scale(wide: WideArc, start: Unknowns) -> Array:
+    """What the conditions are measured by: the tight side, and a millimetre of creep."""
+    n, tight = wide.strips, max(wide.arc.entry_tension, wide.arc.exit_tension) / wide.arc.width
+    unit = np.concatenate([np.full(n, tight), np.full(n, 1e-3)])
+    return np.concatenate([np.full(n + 1, tight), np.tile(unit, len(start.states))])
 
 
 def _longest(at: Unknowns, step: Array) -> float:

@@ -107,6 +107,8 @@ class AcrossResult(Viewable):
         Quantities over arc and width.
     drum_number
         Gamma = 1 - V/(omega R), one number for all strips [-].
+    friction_force
+        int tau ds by strip, what friction takes from each, shape (n,) [N/m].
     entry_creep_ratio
         g by strip, shape (n,) [-].
     span_tension
@@ -132,6 +134,7 @@ class AcrossResult(Viewable):
     angle: Array
     fields: Fields
     drum_number: float
+    friction_force: Array
     entry_creep_ratio: Array
     span_tension: Array
     static_tension: Array

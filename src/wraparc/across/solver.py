@@ -8,7 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from wraparc.across.compiled import Marches, quickest
-from wraparc.across.newton import Found, Mesh, System, Unknowns, mesh_of, newton, started
+from wraparc.across.mesh import Mesh, mesh_of
+from wraparc.across.newton import Found, System, Unknowns, newton, started
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.stresses import stresses
 from wraparc.across.wide_arc import Array, WideArc
@@ -55,28 +56,30 @@ class AcrossSolver:
         if even.status is not Status.SOLVED:
             broken = even.status is Status.BREAKAWAY
             status = AcrossStatus.BREAKAWAY if broken else AcrossStatus.UNSOLVED
-            return _result(replace(system, amount=0.0), Found(begin, False, 0), even, status)
-        if start is not None and start.status.solved and len(start.angle) == len(mesh.nodes):
+            none = Found(replace(system, amount=0.0), begin, False, 0)
+            return _result(none, even, status)
+        if start is not None and start.status.solved:
             found = newton(system, _from(start, mesh))
             if found.solved:
-                return _judged(system, found, even)
+                return _judged(found, even)
         found = newton(system, begin)
         if found.solved:
-            return _judged(system, found, even)
+            return _judged(found, even)
         return _gradually(system, begin, even, found.iterations)
 
 
 def _from(result: AcrossResult, mesh: Mesh) -> Unknowns:
-    """The unknowns of a result, at the cuts of another mesh of as many nodes."""
-    cuts = list(mesh.cuts[1:-1])
-    fields = result.fields
-    states = np.concatenate([fields.tension[cuts], fields.creep[cuts]], axis=1)
+    """The unknowns of a result, at the cuts of another mesh."""
+    fields, places = result.fields, mesh.nodes[list(mesh.cuts[1:-1])] / result.wide.arc.radius
+    columns = np.concatenate([fields.tension, fields.creep], axis=1)
+    states = np.array([[np.interp(s, result.angle, c) for c in columns.T] for s in places])
+    states = states.reshape(len(places), columns.shape[1])
     return Unknowns(fields.tension[0], result.drum_number, states)
 
 
-def _judged(system: System, found: Found, even: ArcResult) -> AcrossResult:
+def _judged(found: Found, even: ArcResult) -> AcrossResult:
     """Result of conditions that are met: solved, or slack somewhere on the arc."""
-    result = _result(system, found, even, AcrossStatus.SOLVED)
+    result = _result(found, even, AcrossStatus.SOLVED)
     if result.least_tension > 0.0:
         return result
     return replace(result, status=AcrossStatus.SLACK, slack=_slackest(result))
@@ -93,7 +96,7 @@ def _slackest(result: AcrossResult) -> Slack:
 
 def _gradually(system: System, start: Unknowns, even: ArcResult, iterations: int) -> AcrossResult:
     """Put the unevenness on little by little; where it will not go further, say why."""
-    done, step, last = 0.0, 0.5, Found(start, True, 0)
+    done, step, last = 0.0, 0.5, Found(replace(system, amount=0.0), start, True, 0)
     before: tuple[float, AcrossResult] | None = None
     for _ in range(_MOST_TRIALS):
         amount = min(done + step, 1.0)
@@ -102,12 +105,12 @@ def _gradually(system: System, start: Unknowns, even: ArcResult, iterations: int
         if not found.solved:
             step *= 0.5
             continue
-        part = _judged(replace(system, amount=amount), found, even)
+        part = _judged(found, even)
         if part.status is AcrossStatus.SLACK or amount == 1.0:
             return _at_last(part, before, amount, iterations)
         before, done, last = (amount, part), amount, found
         step = min(2.0 * step, 1.0 - amount)
-    part = _result(replace(system, amount=done), last, even, AcrossStatus.UNSOLVED)
+    part = _result(last, even, AcrossStatus.UNSOLVED)
     return _stopped(part, done, iterations)
 
 
@@ -155,12 +158,13 @@ def _near_gross_slip(even: ArcResult) -> bool:
     return math.isfinite(margin) and margin < 1.1
 
 
-def _result(system: System, found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult:
+def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult:
     """Trace a solution along the arc and read off it what is reported."""
-    wide, at, mesh = system.wide, found.unknowns, system.mesh
+    system, at = found.system, found.unknowns
+    wide, mesh = system.wide, system.mesh
     n, arc = wide.strips, wide.arc
-    records, _, drift = traced(system, at)
-    tension, creep, work = records[:, :n], records[:, n : 2 * n], records[:, 2 * n :]
+    records, _, drift = system.trace(at)
+    tension, creep, work = records[:, :n], records[:, n : 2 * n], records[:, 2 * n : 3 * n]
     kick = creep[0]
     lag1 = entry_lag(system, at)
     stress, slip = _stress_and_slip(wide, tension, creep)
@@ -185,6 +189,7 @@ def _result(system: System, found: Found, even: ArcResult, status: AcrossStatus)
         angle=mesh.nodes / arc.radius,
         fields=fields,
         drum_number=at.drum,
+        friction_force=records[-1, 3 * n :],
         entry_creep_ratio=drift - wide.compliance * tension[0]
         if arc.recovery
         else drift - tension[0] / wide.belt_modulus,
@@ -212,25 +217,6 @@ def _span_tension(system: System, entry: Array) -> Array:
     places = span.length * np.linspace(0.0, 2.0, _SPAN_PLACES)
     along = [span.tension(c @ entry, c @ free, d) @ c for d in places]
     return np.asarray(mean + np.max(along, axis=0))
-
-
-def traced(system: System, at: Unknowns) -> tuple[Array, Array, Array]:
-    """Tension, creep and work of friction and shear at the nodes, shape (m, 3 n).
-
-    With what pulls and what drives the strips, shape (n,).
-    """
-    wide, n = system.wide, system.wide.strips
-    law, numbers = wide.arc.law.compact(), wide.numbers
-    state, pull, drift = system.entry(at, columns=False)
-    y = np.concatenate([state[:, 0], np.zeros(n)])
-    rows = [y[None, :]]
-    for k, (first, last) in enumerate(zip(system.mesh.cuts, system.mesh.cuts[1:], strict=False)):
-        if k > 0:
-            y = np.concatenate([at.states[k - 1], rows[-1][-1, 2 * n :]])
-        nodes = system.mesh.nodes[first : last + 1]
-        part = system.marches.trace(law, numbers, pull, drift, y, nodes)
-        rows.append(part[1:])
-    return np.concatenate(rows), pull[:, 0], drift[:, 0]
 
 
 def entry_lag(system: System, at: Unknowns) -> Array:
