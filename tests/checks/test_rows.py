@@ -128,6 +128,11 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
         "usual_sizes", lambda: quiet(belt={"speed": 100.0}), Level.ATTENTION, 100.0, 15.0,
         "Check the unit",
     ),
+    (  # kN typed as N: 60 N on 1.2 m, and 0.5 kN/m is the least
+        "usual_sizes",
+        lambda: quiet(entry=800.0, leaving=60.0, lagging=lagging(1.5, tested=None)),
+        Level.ATTENTION, 60.0, 600.0, "The exit tension of pulley head",
+    ),
 ]  # fmt: skip
 
 

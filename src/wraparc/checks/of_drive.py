@@ -6,7 +6,15 @@ import math
 from collections.abc import Iterator, Mapping
 
 from wraparc.checks.check import Check, Level, Place, keeps
-from wraparc.checks.rules import RULES, USUAL, Rule, tension_factor, tension_rule, wrap_pressure
+from wraparc.checks.rules import (
+    RULES,
+    USUAL,
+    USUAL_TENSION,
+    Rule,
+    tension_factor,
+    tension_rule,
+    wrap_pressure,
+)
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.drive.conditions import SCALED
 from wraparc.provenance import Kind, Provenance
@@ -20,15 +28,9 @@ MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
 
 def usual_sizes(drive: Drive) -> Iterator[Check]:
-    """Check width, modulus and speed of the belt and every diameter for a slip of unit."""
-    things: list[tuple[str, str, object, str]] = [
-        ("the belt", "", drive.belt, name) for name in ("width", "modulus", "speed")
-    ]
-    things += [(f"pulley {p.name}", p.name, p, "diameter") for p in drive.pulleys]
+    """Check belt width, modulus and speed, diameters and tensions for a slip of unit."""
     odd = False
-    for owner, pulley, thing, name in things:
-        dimension, least, most = USUAL[name]
-        value = getattr(thing, name)
+    for owner, place, name, value, (dimension, least, most) in _sizes(drive):
         if value is None or least <= value <= most:
             continue
         odd = True
@@ -36,7 +38,7 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
             name="usual_sizes",
             title=f"Usual {name}",
             level=RULES["usual_sizes"].missed,
-            place=Place(pulley),
+            place=place,
             value=value,
             limit=most if value > most else least,
             dimension=dimension,
@@ -55,6 +57,22 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
             level=Level.OK,
             binding=False,
         )
+
+
+_Size = tuple[str, Place, str, float | None, tuple[Dimension, float, float]]
+
+
+def _sizes(drive: Drive) -> Iterator[_Size]:
+    """Yield owner, place, name, value and usual dimension, least and most of every size."""
+    for name in ("width", "modulus", "speed"):
+        yield "the belt", Place(), name, getattr(drive.belt, name), USUAL[name]
+    for p in drive.pulleys:
+        yield f"pulley {p.name}", Place(p.name), "diameter", p.diameter, USUAL["diameter"]
+    least, most = (bound * drive.belt.width for bound in USUAL_TENSION)
+    for case in drive.load_cases:
+        for name, pair in case.tensions.items():
+            for side, value in (("entry tension", pair.entry), ("exit tension", pair.exit)):
+                yield f"pulley {name}", Place(name, case.name), side, value, ("force", least, most)
 
 
 def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:

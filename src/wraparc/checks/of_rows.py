@@ -22,6 +22,7 @@ from wraparc.checks.rules import (
     NO_GRIP,
     RULES,
     USUAL,
+    USUAL_TENSION,
     start_factor,
     tension_factor,
     wrap_pressure,
@@ -339,8 +340,10 @@ def _usual_sizes(arcs: Arcs) -> tuple[str, Array, Array]:
     margins = np.full(len(arcs), math.inf)
     columns = {"width": arcs.belt_width, "modulus": arcs.belt_modulus,
                "speed": arcs.belt_speed, "diameter": arcs.diameter}  # fmt: skip
-    for name, value in columns.items():
-        _, least, most = USUAL[name]
+    usual = [(value, *USUAL[name][1:]) for name, value in columns.items()]
+    tensions = (arcs.entry_tension, arcs.exit_tension)
+    usual += [(value / arcs.belt_width, *USUAL_TENSION) for value in tensions]
+    for value, least, most in usual:
         low, high = value < least, value > most
         found = np.where(high, 1.0 - value / most, np.where(low, value / least - 1.0, math.inf))
         ranks = np.where(low | high, RULES["usual_sizes"].missed.rank, ranks)

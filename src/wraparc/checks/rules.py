@@ -27,6 +27,9 @@ USUAL: dict[str, tuple[Dimension, float, float]] = {
     "speed": ("speed", 0.05, 15.0),
     "diameter": ("length", 0.15, 3.0),
 }
+#: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
+#: sag to the strength of the strongest steel cord [N/m].
+USUAL_TENSION = (0.5e3, 1e7)
 
 
 @dataclass(frozen=True)
