@@ -460,11 +460,17 @@ QUANTITIES: tuple[Quantity, ...] = (
     ),
     Quantity(
         "largest_running_tension", "t_max", "force_per_width", "Largest tension, running",
-        "Tension per unit width of the tightest strip, in the wrap or the span before it.",
+        "Tension per unit width where the belt is tightest, in the wrap or the span before it; at "
+        "an edge carried on linearly from the two outer strips.",
+    ),
+    Quantity(
+        "tightest_strip_tension", "t_strip", "force_per_width", "Tightest strip, running",
+        "Tension per unit width of the tightest strip, the mean over its width.",
     ),
     Quantity(
         "largest_static_tension", "t_stat", "force_per_width", "Largest tension at standstill",
-        "Tension per unit width of the tightest strip where the belt does not creep.",
+        "Tension per unit width where the belt is tightest as long as it does not creep; at an "
+        "edge carried on linearly from the two outer strips.",
     ),
     Quantity(
         "least_tension", "t_min", "force_per_width", "Least tension",

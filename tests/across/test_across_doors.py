@@ -11,12 +11,13 @@ import pytest
 
 from cli.running import wraparc
 from wraparc import InputError, SlackBeltError, load_drive, solve, solve_across
-from wraparc.across import across_of, in_plane_stiffness
+from wraparc.across import across_of, in_plane_stiffness, prepare, screen
 from wraparc.checks import Level, Verdict, judge
 from wraparc.checks.of_across import least_transition
 from wraparc.drive import Across, Belt, Drive, GrippingPulley, Transition, WidthProfile
 from wraparc.files import drive_from_text
 from wraparc.files.write import drive_text
+from wraparc.units import display
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FABRIC = EXAMPLES / "worn-head-drive-fabric.toml"
@@ -131,8 +132,20 @@ def test_slack_is_said_with_strip_and_amount(fabric: Drive) -> None:
     """A build-up of 30 mm on a quarter: stopped, not clipped."""
     heap = WidthProfile(position=(0.2, 0.21, 0.6), value=(0.0, 0.03, 0.03))
     drive = _with(fabric, build_up=heap)
-    with pytest.raises(SlackBeltError, match=r"from the middle of the belt goes slack: it lacks "):
+    prepare()  # a solve that fails takes many steps
+    with pytest.raises(SlackBeltError) as error:
         solve_across(drive)
+    slack = solve_across(drive, raise_on_failure=False).slack
+    assert slack is not None
+    # the strip beside the heap, by name, and what the linear belt would lack there
+    says = (
+        f"The strip at {display(slack.position, 'length', digits=3)} from the middle of the belt "
+        f"goes slack: it lacks {display(-slack.tension, 'force_per_width', digits=3)}"
+    )
+    assert says in str(error.value)
+    assert slack.position == pytest.approx(0.1)  # centre of the fourth of six strips
+    assert slack.tension < 0.0
+    assert "of the given unevenness on" in str(error.value)
     verdict = _verdict(drive)
     assert verdict.level is Level.FAILS
     assert "goes slack: it lacks" in verdict.headline()
@@ -209,6 +222,9 @@ def test_a_short_transition_is_said_at_standstill_and_running(fabric: Drive) -> 
     assert found["transition_length"].level is Level.ATTENTION
     assert found["static_edge_tension"].level is Level.FAILS
     assert found["static_edge_tension"].value > found["edge_tension"].value
+    words = found["transition_length"].sentence()
+    # 2.4 widths for 35 deg in full at 60 to 90 % of the rating: 150 kN on 1.2 m of 175 kN/m
+    assert "1000 mm, is shorter than the 2880 mm that is customary for fabric" in words
 
 
 def test_missing_stiffness_is_estimated_and_said() -> None:
@@ -218,6 +234,11 @@ def test_missing_stiffness_is_estimated_and_said() -> None:
     assert (found.low, found.value, found.high) == (10e3, 40e3, 160e3)
     verdict = judge(solve(_with(drive), raise_on_failure=False))
     assert any("in-plane shear stiffness" in words for words in verdict.data)
+    told = wraparc("solve", CORD).words
+    low, high = screen(drive, drive.pulleys[0], drive.load_cases[0]).band
+    assert "estimated for steel cord, between 10 and 160 kN/m" in told
+    assert f"then {low:.3f} to {high:.3f} times its mean at most" in told
+    assert low < high
     given = replace(drive.belt, in_plane_shear_stiffness=5e4)
     assert not in_plane_stiffness(given).estimated
 

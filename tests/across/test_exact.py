@@ -26,11 +26,11 @@ from across.wides import (
     wide,
 )
 from wraparc.across.interface import branch_of, stress_of
-from wraparc.across.result import AcrossResult, AcrossStatus
+from wraparc.across.result import AcrossResult, AcrossStatus, to_the_edges
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.spans import extra_path
 from wraparc.across.stresses import knots_of, stresses
-from wraparc.across.wide_arc import Array, WideArc
+from wraparc.across.wide_arc import Array, WideArc, centres
 from wraparc.arc import Distributed, WrapArc
 from wraparc.arc.kernel.step import MESH_POWER
 from wraparc.drive.across import Transition
@@ -190,6 +190,30 @@ def test_unlimited_friction_is_linear(number: int, ends: str, coupled: bool) -> 
 def _mode(values: Array, number: int) -> float:
     n = len(values)
     return float(mode(number, n) @ values) * 2.0 / n
+
+
+def test_the_tension_at_the_very_edge() -> None:
+    """Source: a linear profile far before, with no lag and without friction, is linear to the edge:
+    f(B/2) = 0.2 of the mean, whatever the number of strips; and of a quadratic, by hand."""
+    mean = 100e3
+    for n in (4, 8, 32):
+        y = (np.arange(n) + 0.5) / n - 0.5
+        rows = mean * np.stack([1.0 + 0.4 * y, 1.0 + 0.1 * y, 1.0 - 0.4 * y])
+        edges = to_the_edges(rows)
+        assert edges[:, 0] == pytest.approx(mean * np.array([0.8, 0.95, 1.2]), rel=1e-12)
+        assert edges[:, -1] == pytest.approx(mean * np.array([1.2, 1.05, 0.8]), rel=1e-12)
+        assert edges[:, 1:-1] == pytest.approx(rows)
+    assert to_the_edges(np.array([9.0, 4.0, 1.0, 0.0])).tolist() == [11.5, 9.0, 4.0, 1.0, 0.0, -0.5]
+    # in a result: tightest is the edge of an uneven pull, and the strip beside it is told
+    n = 8
+    y = centres(FABRIC.width, n)
+    profile = 0.4 * FABRIC.entry_tension / FABRIC.width * y / FABRIC.width
+    found = solved(wide(FABRIC, n, entry_profile=profile))
+    edge = 1.2 * FABRIC.entry_tension / FABRIC.width  # in the span, as it arrives
+    assert found.largest_running_tension == pytest.approx(edge, rel=1e-9)
+    assert found.largest_static_tension == pytest.approx(edge, rel=1e-9)
+    strip = (1.0 + 0.4 * (0.5 - 0.5 / n)) * FABRIC.entry_tension / FABRIC.width
+    assert found.tightest_strip_tension == pytest.approx(strip, rel=1e-9)
 
 
 def test_without_shear_every_strip_is_a_belt_of_its_own() -> None:

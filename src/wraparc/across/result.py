@@ -182,13 +182,22 @@ class AcrossResult(Viewable):
 
     @property
     def largest_running_tension(self) -> float:
-        """Largest tension per unit width anywhere in the wrap or the span before it [N/m]."""
+        """Largest tension per unit width anywhere in the wrap or the span before it [N/m].
+
+        At the very edges carried on from the outer strips, see `to_the_edges`.
+        """
+        wrap, span = to_the_edges(self.fields.tension), to_the_edges(self.span_tension)
+        return float(max(np.max(wrap), np.max(span)))
+
+    @property
+    def tightest_strip_tension(self) -> float:
+        """Largest tension per unit width of a strip, the mean over it, in wrap or span [N/m]."""
         return float(max(np.max(self.fields.tension), np.max(self.span_tension)))
 
     @property
     def largest_static_tension(self) -> float:
-        """Largest tension per unit width at standstill [N/m]."""
-        return float(np.max(self.static_tension))
+        """Largest tension per unit width at standstill, at the very edges too [N/m]."""
+        return float(np.max(to_the_edges(self.static_tension)))
 
     @property
     def least_tension(self) -> float:
@@ -253,6 +262,7 @@ class AcrossResult(Viewable):
 
 SCALARS = (
     "largest_running_tension",
+    "tightest_strip_tension",
     "largest_static_tension",
     "least_tension",
     "largest_pressure",
@@ -271,3 +281,16 @@ SCALARS = (
 def _unevenness(values: Array) -> float:
     mean = float(np.mean(values))
     return float(np.max(values)) / mean if mean != 0.0 else float("nan")
+
+
+def to_the_edges(tension: Array) -> Array:
+    """Tensions of strips with those at both edges of the belt, shape (..., n + 2).
+
+    A strip holds the mean over its width; at its edge the belt has t_1 + (t_1 - t_2)/2, carried on
+    linearly from the two outer strips: exact where the tension runs linearly to the edge.
+    """
+    if tension.shape[-1] < 2:
+        return tension
+    first = 1.5 * tension[..., :1] - 0.5 * tension[..., 1:2]
+    last = 1.5 * tension[..., -1:] - 0.5 * tension[..., -2:-1]
+    return np.concatenate([first, tension, last], axis=-1)

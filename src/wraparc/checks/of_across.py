@@ -45,7 +45,7 @@ def across(drive: Drive, case: LoadCase, result: AcrossResult) -> Iterator[Check
     if result.status is not AcrossStatus.SOLVED:
         return
     yield _edge(drive.belt, case, "edge_tension", "Edge tension, running",
-                result.largest_running_tension, place)  # fmt: skip
+                (result.largest_running_tension, result.tightest_strip_tension), place)  # fmt: skip
     yield from _worst_place(drive, pulley, result, place)
     yield _wear(result, place)
     yield judged(
@@ -81,8 +81,14 @@ def _carried(result: AcrossResult, place: Place) -> Check:
     )
 
 
-def _edge(belt: Belt, case: LoadCase, name: str, title: str, value: float, place: Place) -> Check:
-    """Check a tension per width against 115 % of the rating, with the factor of the load case."""
+def _edge(
+    belt: Belt, case: LoadCase, name: str, title: str, tension: tuple[float, float], place: Place
+) -> Check:
+    """Check a tension per width against 115 % of the rating, with the factor of the load case.
+
+    Judged is the tension at the very edge, the safer of both; that of the tightest strip is told.
+    """
+    value, strip = tension
     if belt.rating is None:
         return not_checked(name, title, "the rating of the belt is not given", place)
     factor = EDGE_FACTOR * tension_factor(belt, case.kind)
@@ -95,9 +101,10 @@ def _edge(belt: Belt, case: LoadCase, name: str, title: str, value: float, place
         "force_per_width",
         source=f"{_EDGE}; rating: {origin(belt.sources.get('rating', belt.provenance))}",
         short="edge over rating",
-        says=f"The tightest strip of the belt carries {{value}}, {share:.3g} % of the rating and "
-        "more than the {limit} that an edge may.",
+        says=f"The belt carries {{value}} where it is tightest, {share:.3g} % of the rating and "
+        "more than the {limit} that an edge may; its tightest strip carries {strip}.",
         remedy="Even out the pulley, lengthen the transition, or lower the tension.",
+        more={"strip": (strip, "force_per_width")},
         place=place,
         binding=False,
     )
@@ -111,7 +118,8 @@ def _static(
     if not isinstance(before, Transition):
         return
     yield _edge(drive.belt, case, "static_edge_tension", "Edge tension at standstill",
-                result.largest_static_tension, place)  # fmt: skip
+                (result.largest_static_tension, float(np.max(result.static_tension))),
+                place)  # fmt: skip
     least = float(np.min(result.static_tension))
     yield judged(
         ACROSS_RULES["static_centre_tension"],

@@ -24,15 +24,15 @@ MOST = 100
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Edges:
-    """The tightest strip of designs on an uneven pulley, in the worst case, shape (n,) each.
+    """The tightest place of designs on an uneven pulley, in the worst case, shape (n,) each.
 
     Attributes
     ----------
     unevenness
         Largest over mean entry tension [-]; nan where a design was not solved across the width.
     tension, limit
-        Tension of the tightest strip and what an edge may carry [N/m]; infinite where a strip goes
-        slack or the belt is not carried; the limit nan without a rating.
+        Tension where the belt is tightest and what an edge may carry [N/m]; infinite where a strip
+        goes slack or the belt is not carried; the limit nan without a rating.
     where
         Place of the worst case, as in `wraparc.choose.selection.Held`.
     """
@@ -86,7 +86,10 @@ def solve_edges(search: Search, grid: Grid, which: Integers, known: Edges) -> Ed
 
 
 def _tightest(result: AcrossResult) -> float:
-    return result.largest_running_tension if result.status.solved else np.inf
+    """Largest tension at an edge or of a strip, running and at standstill [N/m]."""
+    if not result.status.solved:
+        return np.inf
+    return max(result.largest_running_tension, result.largest_static_tension)
 
 
 def _uneven(result: AcrossResult) -> float:
@@ -122,7 +125,7 @@ def _design(
 
 
 def excess_of(edges: Edges) -> Mapping[str, Array]:
-    """Return how far the tightest strip is beyond its limit, as `Held` wants it."""
+    """Return how far the tightest place is beyond its limit, as `Held` wants it."""
     with np.errstate(invalid="ignore"):
         excess = edges.tension / edges.limit - 1.0
     slack = np.isinf(edges.tension)

@@ -74,6 +74,7 @@ def answer_table(result: AcrossResult, system: System) -> Table:
     rows = [
         row("largest_running_tension", _of_mean(result.largest_running_tension, arc.entry_tension,
                                                 arc.width)),
+        row("tightest_strip_tension", "the mean over it; above, carried on to the very edge"),
         row("least_tension", at(least)),
         row("entry_unevenness", at(int(np.argmax(t1)))),
         row("exit_unevenness", at(int(np.argmax(result.exit_tension)))),
@@ -88,11 +89,11 @@ def answer_table(result: AcrossResult, system: System) -> Table:
         row("drum_number"),
     ]  # fmt: skip
     if result.wide.static_profile is not None:
-        rows.insert(1, row("largest_static_tension", "the label lines held at both ends"))
+        rows.insert(2, row("largest_static_tension", "the label lines held at both ends"))
     if not math.isnan(result.outside_tested_share):
         note = "of the wrapped area" if result.outside_tested_share else ""
         value = percent(result.outside_tested_share)
-        rows.insert(7, Row("Share outside tested range", (value,), "", note))
+        rows.insert(8, Row("Share outside tested range", (value,), "", note))
     return Table(title, tuple(rows), note=f"{result.wide.strips} strips; values are theirs.")
 
 
@@ -167,6 +168,7 @@ def shares_table(drive: Drive, result: AcrossResult, system: System) -> Table:
 #: What is compared of a belt across its width.
 _COMPARED = (
     "largest_running_tension",
+    "tightest_strip_tension",
     "least_tension",
     "entry_unevenness",
     "exit_unevenness",

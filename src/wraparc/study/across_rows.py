@@ -20,6 +20,7 @@ Codes = NDArray[np.int8]
 #: Results across the width that a study can keep; not a number where the pulley is even.
 ACROSS_OUTPUTS = (
     "largest_running_tension",
+    "tightest_strip_tension",
     "largest_static_tension",
     "least_tension",
     "largest_pressure",
