@@ -172,6 +172,37 @@ def test_a_pull_cycled_at_rest_runs_through_masing_loops() -> None:
     assert area == pytest.approx(2.0 * 0.8 * top**2 / 20e-3, rel=2e-5)
 
 
+def test_strength_lost_past_the_peak_stays_lost() -> None:
+    """Loaded to 1.5 peak slips, eased and loaded again: A at the largest slip, elements as before.
+
+    A = mu_pk + m (x_a - x_pk) = 0.8 - 10 0.01 = 0.7; eased by d: A (1 - 2 F(d/(2 x_pk))).
+    """
+    softening = IntegralLog(
+        coefficients=PressureKnots(
+            pressure=(2e5,), peak_friction=(0.8,), peak_slip=(20e-3,),
+            post_peak_slope=(-10.0,), residual_friction=(0.3,),
+        )
+    )  # fmt: skip
+    arc, peak, left = MovingArc(replace(RIGID, law=softening), 160), 20e-3, 0.7
+    for x in np.linspace(0.0, 1.5 * peak, 61)[1:]:
+        driven(arc, 0.0, x - arc.m, 1e5)
+    assert math.log(arc.entry / 1e5) / math.pi == pytest.approx(left, abs=1e-4)
+
+    def elements(r: float) -> float:
+        return r * (1.0 - math.log(r)) if r > 0.0 else 0.0
+
+    eased = np.linspace(0.0, 0.6 * peak, 25)[1:]
+    for d in eased:
+        driven(arc, 0.0, 1.5 * peak - d - arc.m, 1e5)
+        expected = left * (1.0 - 2.0 * elements(d / (2.0 * peak)))
+        assert math.log(arc.entry / 1e5) / math.pi == pytest.approx(expected, abs=1e-4)
+    low = left * (1.0 - 2.0 * elements(0.3))
+    for d in 0.6 * peak - eased[:12]:  # loaded again, not yet to the turning point
+        driven(arc, 0.0, 1.5 * peak - d - arc.m, 1e5)
+        back = low + 2.0 * left * elements((0.6 * peak - d) / (2.0 * peak))
+        assert math.log(arc.entry / 1e5) / math.pi == pytest.approx(back, abs=1e-4)
+
+
 def test_held_tensions_depend_on_travel_alone() -> None:
     """Identity: a wait on the way, at any speed, changes nothing."""
     result = steady("tandem-fabric", 0)

@@ -258,7 +258,7 @@ def test_a_belt_that_slides_through_an_event_fails_it(times: float, level: str) 
 
 def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:
     """A tenth of a second may decide; identity, and the rows of every step."""
-    motion = load_motion(TANDEMS[0], overrides=QUICK)
+    motion = load_motion(TANDEMS[0], overrides=[*QUICK, "creep_limit=0.5 mm"])
     rows: list[Sequence[float]] = []
     event = motion.event("start")
     fine = simulate(motion.station, event, points=60, sink=rows.append)
@@ -275,6 +275,9 @@ def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:
     assert most.pull.value == np.abs(table[:, 2] - table[:, 3]).max()
     assert most.creep.time == table[table[:, 6].argmax(), 0]
     assert most.slip.value >= table[:, 7].max()
+    over = np.diff(table[:, 0])[table[1:, 6] > 0.5e-3]
+    assert 0.1 < over.sum() < 2.9
+    assert fine.drums[0].over_limit == pytest.approx(over.sum(), rel=1e-9)
     # slip is about the same through a wrap at a start: it goes as fast as it grows at the exit
     rates = np.diff(table[:, 7]) / np.diff(table[:, 0])
     assert rates.max() <= most.slip_speed.value * (1.0 + 1e-9)

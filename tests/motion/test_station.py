@@ -184,6 +184,24 @@ def test_power_failure_and_emergency_stop_bring_the_belt_to_rest_or_slack() -> N
     assert run.time[-1] < 6.0  # kept up to there
 
 
+def test_a_patch_on_the_belt_is_at_the_nip_while_it_passes() -> None:
+    """By definition: its friction, height, compliance in its middle; the belt's own beside it."""
+    patch = OnBelt(at=0.0, length=5.0, friction=0.7, rise=1e-3, compliance=1.5)
+    station = moving("fabric", Droop(), Droop())
+    march = March(station, Event(happenings=(patch,), duration=1.0), points=20)
+    for d in march.drums:
+        front = d.riders[0][1]
+        middle = d.at_nip(front + 2.5, 0.0, march.stretch)
+        assert middle == pytest.approx((1e-3, d.give + 0.5 * march.stretch, 0.7), rel=1e-12)
+        edge = 2.0 * d.arc.spacing  # over which it begins and ends
+        for beside in (front - edge, front + 5.0 + edge):
+            assert d.at_nip(beside, 0.0, march.stretch) == (0.0, d.give, 1.0)
+    # the second drum meets it after the first wrap and the run between them
+    first, second = march.drums
+    ahead = second.riders[0][1] - second.arc.travel - (first.riders[0][1] - first.arc.travel)
+    assert ahead == pytest.approx(first.arc.shape.length + second.run, rel=1e-12)
+
+
 def test_a_wet_patch_a_splice_and_joints_pass() -> None:
     wet = OnBelt(at=0.5, length=2.0, friction=0.5)
     splice = OnBelt(at=2.5, length=2.0, rise=1e-3, compliance=0.7)
