@@ -109,6 +109,15 @@ def test_a_start_from_rest_of_a_rigid_belt() -> None:
         assert abs(b) < 1e-8 or math.log2(abs(a / b)) > 1.8
 
 
+def test_a_rigid_belt_slips_everywhere_as_fast_as_the_drum_runs_ahead() -> None:
+    """Identity: slip m - n grows by dm in every step, and is the largest where it began."""
+    arc = MovingArc(RIGID, 40)
+    for j in range(1, 31):
+        driven(arc, arc.spacing, 1e-4, 1e5)  # a step of 1 s
+        assert arc.out[k.SLIP_SPEED] == pytest.approx(1e-4, rel=1e-9)
+        assert arc.out[k.MOST_SLIP] == pytest.approx(j * 1e-4, rel=1e-9)
+
+
 def shear_only(points: int) -> MovingArc:
     law = ElasticPlastic(stiffness=1e16, friction_coefficient=50.0)
     return MovingArc(replace(RIGID, law=law, thickness=12e-3, shear_modulus=2.3e6), points)

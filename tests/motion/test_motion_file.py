@@ -18,6 +18,7 @@ from wraparc.checks import Level, judge_run
 from wraparc.drive.criteria import Sag
 from wraparc.friction.base import TestedRange
 from wraparc.motion import Droop, ExactSpeed, Follower, Start, simulate, stability, stability_map
+from wraparc.motion.event import LoadStep
 from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
@@ -359,6 +360,18 @@ def test_an_event_that_fails_leads_the_note_and_its_exit_code(tmp_path: Path) ->
     headline = next(line for line in said.splitlines() if line.startswith("**"))
     assert headline.startswith("**FAILS.** Event back: The belt goes slack before first at 1.3")
     assert "| Followed to its end |" in said  # among the checks
+
+
+def test_only_what_starts_or_stops_may_use_the_momentary_rating() -> None:
+    start = limited(short_run(), "momentary_tension", 0.98)
+    train = start.station.train
+    train = replace(train, belt=replace(train.belt, momentary_factor=1.5))
+    start = replace(start, station=replace(start.station, train=train))
+    assert judge_run(start).level is Level.OK
+    load = replace(start.event, happenings=(LoadStep(at=1.0, factor=1.2),))
+    lasting = judge_run(replace(start, event=load))
+    assert lasting.governing is not None
+    assert (lasting.level, lasting.governing.name) == (Level.FAILS, "belt_tension")
 
 
 @cache
