@@ -17,6 +17,7 @@ from wraparc.motion.control import (
     Control,
     CoupledMotor,
     Droop,
+    Duty,
     ExactSpeed,
     Follower,
     InductionMotor,
@@ -38,6 +39,7 @@ from wraparc.motion.keeper import row_names
 from wraparc.motion.march import March
 from wraparc.motion.result import Outcome
 from wraparc.motion.station import Drum, Station
+from wraparc.motion.turning import turning_of
 
 
 @pytest.mark.parametrize(
@@ -171,6 +173,30 @@ def test_every_control_holds_the_steady_state_and_starts(control: Control) -> No
     run = simulate(s, Event(duration=16.0, happenings=(start,)), points=24, every=0.1)
     assert run.outcome is Outcome.WHOLE
     assert run.belt_speed[-1] == pytest.approx(2.97, abs=0.2)
+
+
+@pytest.mark.parametrize(
+    "control",
+    [
+        InductionMotor(starting_ratio=1.8),
+        CoupledMotor(pump_inertia=300.0),
+        SpeedLoop(bandwidth=2.0, reset=1.0),
+        Droop(droop=0.02, lag=0.05),
+        Follower(master="first", lag=0.1, damping=0.03),
+    ],
+    ids=lambda c: c.words,
+)
+def test_a_drive_gives_the_steady_torque_at_the_steady_speed(control: Control) -> None:
+    """Identity; its slope by differences."""
+    duty = Duty(speed=7.5, torque=40e3, inertia=2200.0, radius=0.4)
+    drive = turning_of(control, duty)
+    drive.run(1.0, duty.speed, duty.torque)
+    drive.begin(0.005, 1.0)
+    torque, slope, _ = drive.torque(duty.speed, duty.torque)
+    assert torque == pytest.approx(duty.torque, rel=1e-9)
+    d = 1e-5 * duty.speed
+    by_hand = [drive.torque(duty.speed + side * d, duty.torque)[0] for side in (1.0, -1.0)]
+    assert slope == pytest.approx((by_hand[0] - by_hand[1]) / (2.0 * d), rel=1e-3)
 
 
 def test_power_failure_and_emergency_stop_bring_the_belt_to_rest_or_slack() -> None:
