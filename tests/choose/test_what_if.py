@@ -159,3 +159,23 @@ def test_a_belt_too_stiff_for_the_drum_warns(tmp_path: Path) -> None:
         "Flexsteel ST2000: FAILS: Pulley head, 800 mm, is smaller than the least drive pulley of "
         "belt Flexsteel ST2000, 1000 mm." in ran.words
     )
+
+
+def test_the_headline_says_what_else_than_creep_is_missed(tmp_path: Path) -> None:
+    ran = wraparc(
+        "what-if", drive_file(tmp_path), "--worn", "8 mm", "--change", "belt.rating=90 kN/m"
+    )
+    assert ran.code == 0
+    path = tmp_path / "over.toml"
+    text = drive_file(tmp_path).read_text("utf-8")
+    path.write_text(text.replace("[belt]", '[belt]\nrating = "90 kN/m"', 1), "utf-8")
+    ran = wraparc("what-if", path, "--worn", "8 mm")
+    assert ran.code == 1
+    assert "FAILS As it is: over belt rating. Creep at the exit: as it is" in ran.words
+
+
+def test_a_lagging_does_not_wear_thicker(tmp_path: Path) -> None:
+    drive = load_drive(drive_file(tmp_path))
+    sentence = "worn = 20 mm: a lagging that is 12 mm thick cannot wear to that. Give the thickness"
+    with pytest.raises(InputError, match=sentence):
+        study.worn_to(drive, "head", 20e-3)

@@ -142,7 +142,11 @@ def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> 
 
 def exit_code(result: "DriveResult | TrainResult") -> int:
     """Return the exit code of a verdict: 0, 1 where it fails, 3 for a fault of the program."""
-    level = judge(result).level
+    return code_of(judge(result).level)
+
+
+def code_of(level: Level) -> int:
+    """Return the exit code of the level of a verdict."""
     if level is Level.FAULT:
         return FAULT
     return FAILS if level is Level.FAILS else SOLVED

@@ -82,14 +82,16 @@ def what_if(
         )
     found = solve_both(drive, name, case, changes)
     title = drive.title or "What if"
+    from wraparc.cli.solve import code_of
     from wraparc.present.document import json_text
     from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
+    from wraparc.present.words import level_of
 
     deliver(
         {json_file: json_text(what_if_document(found))} if json_file else {},
         lambda: what_if_sheet(found, title, units),
     )
-    return 0 if found.before.status.solved else 1
+    return code_of(level_of(found.wholes[0], found.before))
 
 
 def _as_drive(read: "Drive | Train") -> Drive:

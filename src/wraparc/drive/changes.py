@@ -14,6 +14,7 @@ from wraparc.drive.pulley import Pulley
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Constant
 from wraparc.provenance import Kind, Provenance
+from wraparc.units import display
 
 
 def with_pulley(drive: Drive, pulley: Pulley) -> Drive:
@@ -51,8 +52,23 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
 
     The friction stays that of the unworn lagging: what wear of tread and tiles takes off it is
     not known.
+
+    Raises
+    ------
+    InputError
+        If that is thicker than the lagging is.
     """
     base = drive.pulley(pulley)
+    if thickness > base.lagging.thickness:
+        given, now = (display(h, "length") for h in (thickness, base.lagging.thickness))
+        raise InputError(
+            Problem(
+                key="worn",
+                value=given,
+                message=f"a lagging that is {now} thick cannot wear to that",
+                remedy="Give the thickness that is left, or change the thickness itself.",
+            )
+        )
     diameter = base.diameter - 2.0 * (base.lagging.thickness - thickness)
     return with_pulley(drive, replace(_as_thick(base, thickness), diameter=diameter))
 

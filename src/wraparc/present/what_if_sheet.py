@@ -103,7 +103,11 @@ def _headline(found: WhatIf, system: System) -> str:
     before = "gross slip"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep, system)
-    return f"Creep at the exit: as it is {before}; {'; '.join(parts)}."
+    worst = judge(found.wholes[0]).at(found.pulley, found.load_case).governing
+    why = ""
+    if worst is not None and worst.missed and worst.name != "creep":
+        why = f"As it is: {worst.short}. "
+    return f"{why}Creep at the exit: as it is {before}; {'; '.join(parts)}."
 
 
 def reasons(
