@@ -23,4 +23,9 @@ def wraparc(command: str, *parts: str) -> None:
     for part in parts:
         if not any(p.startswith(part) for p in told):
             raise ValueError(f"{command}: nothing begins with {part!r}")
-    print(f"$ wraparc {command}", *told, sep="\n\n")
+    print(f"$ wraparc {as_typed(command)}", *told, sep="\n\n")
+
+
+def as_typed(command: str) -> str:
+    """Return a command as a reader types it where `wraparc demo` has laid out the examples."""
+    return command.replace("../../examples/", "wraparc-demo/")
