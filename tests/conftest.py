@@ -3,14 +3,22 @@
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import ExitStack, suppress
 
 import pytest
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
+
+from wraparc.across import compiled as across
+from wraparc.arc import ArcResult, Distributed, WrapArc
+from wraparc.batch import compiled
 
 # No wall clock in a test; in CI the same examples every time, at a desk new ones.
 settings.register_profile("wraparc", deadline=None, derandomize="CI" in os.environ)
 settings.load_profile("wraparc")
+# Nor constants of the modules that happen to be loaded: the order of tests would count.
+providers._get_local_constants = lambda: providers._local_constants
 
 # The width of a pipe, whatever the terminal: pytest-xdist gives its workers 80 columns.
 os.environ["COLUMNS"] = "110"
@@ -41,6 +49,21 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         items[:] = [item for item in items if item.get_closest_marker("processes")]
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(
+    collector: pytest.Collector,
+) -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    """One worker reads a file first and rewrites its assertions; the others find that on disk."""
+    with ExitStack() as stack:
+        if isinstance(collector, pytest.Module):
+            with suppress(ImportError):  # Windows
+                import fcntl
+
+                file = stack.enter_context(open(collector.path, "rb"))
+                fcntl.flock(file, fcntl.LOCK_EX)
+        return (yield)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def load(request: pytest.FixtureRequest) -> Iterator[None]:
     """Two busy processes beside the tests, if that is asked for."""
@@ -50,3 +73,33 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
     for process in busy:
         process.kill()
         process.wait()
+
+
+#: Rooms of the arc itself, and of answers that are held bit for bit.
+INTERPRETED = ("arc", "batch", "golden")
+
+
+class Interpreted(Distributed):
+    """The solver as it is: what `Compiled` turns to where it has no answer of its own."""
+
+    solve = Distributed.solve
+
+
+@pytest.fixture(scope="module", autouse=True)
+def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Rooms above the arc have it solved by compiled code, many times as fast; strips likewise.
+
+    Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py, and of NumPy:
+    tests/across/test_compiled.py), which answers in the rooms of the arc itself, in processes of
+    the command line, and in the documentation.
+    """
+
+    def solve(self: Distributed, arc: WrapArc) -> ArcResult:
+        return compiled.Compiled(self.steps, self.points, self.capacities).solve(arc)
+
+    with pytest.MonkeyPatch.context() as patch:
+        if request.path.parent.name not in INTERPRETED:
+            patch.setattr(compiled, "Distributed", Interpreted)
+            patch.setattr(Distributed, "solve", solve)
+            patch.setitem(across._ready, "compiled", True)
+        yield

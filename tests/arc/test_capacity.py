@@ -2,6 +2,8 @@
 
 Expected values: the definitions. A solve at the capacity must show the creep or slip it is the
 capacity of; a scan over all creep ratios, by the independent twin, must find no larger one.
+
+Solved by the compiled kernel, which tests/batch/test_compiled_arc.py holds to the interpreted one.
 """
 
 from __future__ import annotations
@@ -15,9 +17,10 @@ from scipy.optimize import minimize_scalar
 
 from arc.drives import ARC, LAWS, RUBBER, SOFTENING, integral_log, random_arc
 from arc.twin import Twin
-from wraparc.arc import ArcResult, Capacities, Distributed, Status, WrapArc
+from wraparc.arc import ArcResult, Capacities, Status, WrapArc
 from wraparc.arc.kernel import capacity
 from wraparc.arc.kernel.effort import CREEP, Aim
+from wraparc.batch.compiled import Compiled
 from wraparc.friction import Constant, FrictionLaw
 
 JUMPS = {"jump table", "constant", "power", "elastic-plastic"}
@@ -30,11 +33,11 @@ BRITTLE = integral_log(0.8, 3e-3, -60.0, 0.5)
 
 
 def solve(arc: WrapArc) -> ArcResult:
-    return Distributed(capacities=False, points=18).solve(arc)
+    return Compiled(capacities=False, points=18).solve(arc)
 
 
 def capacities(arc: WrapArc) -> Capacities:
-    result = Distributed(points=18).solve(arc)
+    result = Compiled(points=18).solve(arc)
     assert result.status is not Status.UNSOLVED
     return result.capacities
 
@@ -98,7 +101,7 @@ def test_tested_slip_capacity_is_at_the_tested_slip(name: str, braking: bool) ->
 @every_law
 def test_margins_and_equivalent_friction(name: str) -> None:
     for arc in drives(name, 3, False) + drives(name, 3, True):
-        result = Distributed(points=18).solve(arc)
+        result = Compiled(points=18).solve(arc)
         c = result.capacities
         ratio = max(arc.entry_tension / arc.exit_tension, arc.exit_tension / arc.entry_tension)
         assert c.creep_limit_margin == pytest.approx(c.creep_limit_capacity / ratio, rel=1e-14)
@@ -238,7 +241,7 @@ def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
     for arc in drives(name, 2, braking):
         gross = capacities(arc).gross_slip_capacity
         asked = with_tensions(arc, tight_of(arc), tight_of(arc) / (2 * gross))
-        result = Distributed(points=18).solve(asked)
+        result = Compiled(points=18).solve(asked)
         assert result.status is Status.BREAKAWAY
         assert not result.within_creep_limit
         # the tight side is kept, and the slack side falls as far as it can
@@ -253,5 +256,5 @@ def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
 
 
 def test_capacities_can_be_left_out() -> None:
-    result = Distributed(capacities=False).solve(replace(ARC, law=Constant(friction_coefficient=1)))
+    result = Compiled(capacities=False).solve(replace(ARC, law=Constant(friction_coefficient=1)))
     assert all(math.isnan(v) for v in vars(result.capacities).values())

@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
+from scipy.integrate import ode
 
 from arc.drives import LAWS
 from arc.twin import Twin
@@ -103,12 +103,14 @@ def misses(arc: WrapArc, result: ArcResult, most: int = 40) -> float:
 
         # the way on which creep falls: on the other one any rounding grows like e^(s/l)
         a, b = (i, i + 1) if abs(u[i + 1]) < abs(u[i]) else (i + 1, i)
-        ends, part = (s[a], s[b]), (s[i + 1] - s[i]) / 4.0
-        run = solve_ivp(
-            rates, ends, [q[a], u[a]], "DOP853", rtol=1e-9, atol=1e-12 * creep, max_step=part
-        )
-        worst.append(abs(run.y[1, -1] - u[b]) / creep / ACCURACY)
-        worst.append(abs(run.y[0, -1] - q[b]) / change / ACCURACY)
+        part = (s[i + 1] - s[i]) / 4.0
+        run = ode(rates)  # Hairer's own code: several times as fast as `solve_ivp`
+        run.set_integrator("dop853", rtol=1e-9, atol=1e-12 * creep, nsteps=100000, max_step=part)
+        run.set_initial_value([q[a], u[a]], s[a])
+        there = run.integrate(s[b])
+        assert run.successful()
+        worst.append(abs(there[1] - u[b]) / creep / ACCURACY)
+        worst.append(abs(there[0] - q[b]) / change / ACCURACY)
     return float(max(worst))
 
 
