@@ -13,6 +13,7 @@ from hypothesis.internal.conjecture import providers
 from wraparc.across import compiled as across
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.batch import compiled
+from wraparc.train import compiled as train
 
 # No wall clock in a test; in CI the same examples every time, at a desk new ones.
 settings.register_profile("wraparc", deadline=None, derandomize="CI" in os.environ)
@@ -102,4 +103,5 @@ def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
             patch.setattr(compiled, "Distributed", Interpreted)
             patch.setattr(Distributed, "solve", solve)
             patch.setitem(across._ready, "compiled", True)
+            patch.setitem(train._ready, "compiled", True)
         yield

@@ -1,8 +1,10 @@
 """Requests made from the OpenAPI document, right and wrong: no fault, answers as it promises."""
 
 import tempfile
+from collections.abc import Iterator
 from typing import Any
 
+import pytest
 import schemathesis
 from hypothesis import HealthCheck, Phase, settings
 from schemathesis.checks import not_a_server_error
@@ -13,12 +15,31 @@ from schemathesis.specs.openapi.checks import (
 
 from web.calculators import API, PATIENCE
 from wraparc.web.app import create_app
+from wraparc.web.asked import ReportRequest
+from wraparc.web.routes import reports
 from wraparc.web.settings import Settings
 
 _HOST = {"host": "127.0.0.1:8765"}
 _folder = tempfile.TemporaryDirectory(prefix="wraparc-fuzz-")
 _APP = create_app(Settings(workers=0, database=f"sqlite:///{_folder.name}/designs.sqlite"))
 SCHEMA = schemathesis.openapi.from_asgi(f"{API}/openapi.json", _APP, headers=_HOST)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def each_note_is_made_once() -> Iterator[None]:
+    """Most requests for a note differ in a header alone, and a note takes a second."""
+    made: dict[tuple[str, str], bytes] = {}
+    make = reports.report
+
+    def once(asked: ReportRequest, kind: str) -> bytes:
+        key = (asked.model_dump_json(), kind)
+        if key not in made:
+            made[key] = make(asked, kind)
+        return made[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reports, "report", once)
+        yield
 
 
 @SCHEMA.parametrize()

@@ -54,13 +54,12 @@ class LawBank:
     @classmethod
     def of(cls, laws: Sequence[FrictionLaw]) -> LawBank:
         """Return the bank of some laws."""
-        compact = [law.compact() for law in laws]
-        numbers, places = _packed(compact)
+        kind, numbers, places, onset_compliance = arrays_of([law.compact() for law in laws])
         return cls(
-            kind=np.array([c.kind for c in compact], dtype=np.int64),
+            kind=kind,
             numbers=numbers,
             places=places,
-            onset_compliance=np.array([c.onset_compliance for c in compact], dtype=float),
+            onset_compliance=onset_compliance,
             steepest_fall=np.array([law.steepest_fall() for law in laws], dtype=float),
             tested=np.array([_tested(law) for law in laws], dtype=float).reshape(-1, 3),
             tested_speed=np.array([_tested_speed(law) for law in laws], dtype=float),
@@ -92,6 +91,13 @@ class LawBank:
             tested=self.tested[index],
             tested_speed=self.tested_speed[index],
         )
+
+
+def arrays_of(laws: Sequence[CompactLaw]) -> tuple[Integers, Array, Integers, Array]:
+    """What of some laws a compiled kernel reads; see `LawBank.arrays`."""
+    numbers, places = _packed(laws)
+    kind = np.array([law.kind for law in laws], dtype=np.int64)
+    return kind, numbers, places, np.array([law.onset_compliance for law in laws], dtype=float)
 
 
 def _tested(law: FrictionLaw) -> tuple[float, float, float]:

@@ -14,16 +14,16 @@ from math import asinh, copysign, cosh, exp, log1p, sinh
 
 from wraparc.arc import WrapArc
 from wraparc.arc.kernel.answer import solve_tension
-from wraparc.arc.kernel.effort import effort_of, jumps, largest_effort, shoot_from
+from wraparc.arc.kernel.effort import effort_of, jumps, largest_effort
 from wraparc.arc.kernel.quantities import (
     SOLVED,
     STUCK,
     Geometry,
     Parameters,
     parameters_at,
-    zeros,
 )
 from wraparc.friction import CompactLaw
+from wraparc.train.compiled import shoot
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
 COARSE, SHARP, FINE = 8, 16, 24
@@ -150,7 +150,7 @@ class Member:
             par = self.parameters(entry, side)
             z = effort_of(par, RATIO_SCALE * sinh(effort))
         try:
-            shot, _ = shoot_from(self.law, par, z, steps, 0, zeros(0))
+            shot = shoot(self.law, par, z, steps)
         except OverflowError:  # a trial far beyond any sense: more tension than numbers have
             gone = copysign(_BEYOND, effort)
             return Passage(entry, entry * exp(-gone), effort, 0.01 * gone, gone, gone, False)

@@ -9,8 +9,9 @@ def use_compiled() -> bool:
     """Load compiled code, or make it, and use it from now on; False where there is none."""
     from wraparc import across
     from wraparc.batch.compiled import prepare
+    from wraparc.train import compiled as train
 
-    _state["compiled"] = prepare() and across.prepare()
+    _state["compiled"] = prepare() and across.prepare() and train.prepare()
     return _state["compiled"]
 
 

@@ -1,0 +1,53 @@
+"""The march of one pulley of a train, by compiled code where that has been prepared."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import isfinite
+from typing import Any
+
+from wraparc.arc.kernel.effort import shoot_from
+from wraparc.arc.kernel.quantities import Parameters, Shot, zeros
+from wraparc.batch.laws import arrays_of
+from wraparc.batch.native import available, compiled
+from wraparc.batch.precise import law_of
+from wraparc.friction.compact import LIMIT, CompactLaw
+
+_ready = {"compiled": False}
+
+
+def shoot_one(bank: Any, par: Parameters, z: float, steps: int) -> Shot:
+    """March one arc with the only law of a bank; an entry to compile."""
+    shot, _ = shoot_from(law_of(bank, 0), par, z, steps, 0, zeros(0))
+    return shot
+
+
+def shoot(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
+    """March one arc to its exit at an effort; see `wraparc.arc.kernel.effort.shoot_from`.
+
+    Raises
+    ------
+    OverflowError
+        Where tension grows beyond all numbers.
+    """
+    if not _ready["compiled"]:
+        return shoot_from(law, par, z, steps, 0, zeros(0))[0]
+    shot: Shot = compiled(shoot_one)(_bank(law), par, float(z), steps)
+    if not isfinite(shot.log_tension):
+        raise OverflowError
+    return shot
+
+
+@lru_cache(maxsize=64)
+def _bank(law: CompactLaw) -> Any:
+    return arrays_of([law])
+
+
+def prepare() -> bool:
+    """Make or load the compiled march and use it from now on; False where there is no compiler."""
+    if available() and not _ready["compiled"]:
+        law = CompactLaw(LIMIT, (), (0.5, 1.0, 0.0, 0.0))
+        par = Parameters(1e5, 2e5, 0.5, 1.5, 1e-7, 5e-9, 0.0, 1.0, 1.0, 0.0)
+        compiled(shoot_one)(_bank(law), par, 1.0, 8)
+        _ready["compiled"] = True
+    return _ready["compiled"]
