@@ -1,6 +1,7 @@
 """Settings that every test shares."""
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Generator, Iterator
@@ -20,6 +21,9 @@ settings.register_profile("wraparc", deadline=None, derandomize="CI" in os.envir
 settings.load_profile("wraparc")
 # Nor constants of the modules that happen to be loaded: the order of tests would count.
 providers._get_local_constants = lambda: providers._local_constants
+
+# What a shell starts in the background ignores Ctrl-C, and so would every process of a test.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # The width of a pipe, whatever the terminal: pytest-xdist gives its workers 80 columns.
 os.environ["COLUMNS"] = "110"

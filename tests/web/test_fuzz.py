@@ -14,6 +14,7 @@ from schemathesis.specs.openapi.checks import (
 )
 
 from web.calculators import API, PATIENCE
+from wraparc.web.answers.reports import report
 from wraparc.web.app import create_app
 from wraparc.web.asked import ReportRequest
 from wraparc.web.routes import reports
@@ -29,12 +30,11 @@ SCHEMA = schemathesis.openapi.from_asgi(f"{API}/openapi.json", _APP, headers=_HO
 def each_note_is_made_once() -> Iterator[None]:
     """Most requests for a note differ in a header alone, and a note takes a second."""
     made: dict[tuple[str, str], bytes] = {}
-    make = reports.report
 
     def once(asked: ReportRequest, kind: str) -> bytes:
         key = (asked.model_dump_json(), kind)
         if key not in made:
-            made[key] = make(asked, kind)
+            made[key] = report(asked, kind)
         return made[key]
 
     with pytest.MonkeyPatch.context() as patch:

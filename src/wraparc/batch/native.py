@@ -23,7 +23,7 @@ from typing import Any
 
 from wraparc.errors import MissingExtraError
 
-_KEPT = 64  # folders of compiled code, the newest: seven states of the nine entries there are
+_KEPT = 64  # folders of compiled code, the newest: six states of the ten entries there are
 _PLAIN = (int, float, str, bool, type(None))
 #: The one switch of what reaches into numba's private parts (`underlay.optimised_once`): set this
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
