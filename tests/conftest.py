@@ -80,8 +80,8 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
         process.wait()
 
 
-#: Rooms of the arc itself, and of answers that are held bit for bit.
-INTERPRETED = ("arc", "batch", "golden")
+#: Rooms above the arc that have many of them solved.
+COMPILED = ("across", "checks", "choose", "cli", "report", "study", "train", "web")
 
 
 class Interpreted(Distributed):
@@ -92,18 +92,18 @@ class Interpreted(Distributed):
 
 @pytest.fixture(scope="module", autouse=True)
 def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Rooms above the arc have it solved by compiled code, many times as fast; strips likewise.
+    """Rooms above the arc have it solved by compiled code, many times as fast; strips and trains.
 
     Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py, and of NumPy:
-    tests/across/test_compiled.py), which answers in the rooms of the arc itself, in processes of
-    the command line, and in the documentation.
+    tests/across/test_compiled.py), which answers in the rooms of the arc itself, in those of golden
+    answers, and in processes of the command line.
     """
 
     def solve(self: Distributed, arc: WrapArc) -> ArcResult:
         return compiled.Compiled(self.steps, self.points, self.capacities).solve(arc)
 
     with pytest.MonkeyPatch.context() as patch:
-        if request.path.parent.name not in INTERPRETED:
+        if request.path.parent.name in COMPILED:
             patch.setattr(compiled, "Distributed", Interpreted)
             patch.setattr(Distributed, "solve", solve)
             patch.setitem(across._ready, "compiled", True)
