@@ -6,18 +6,19 @@ import numpy as np
 import pytest
 
 from across.twin import Twin
-from across.wides import CORD, FABRIC, braking, mode, wide
+from across.wides import CORD, FABRIC, MARCHES, braking, mode, wide
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.wide_arc import Array
 from wraparc.arc import WrapArc
 
 
-def _misses(arc: WrapArc, stiffness: float, strips: int) -> tuple[float, float]:
+def misses(arc: WrapArc, stiffness: float, strips: int) -> tuple[float, float]:
+    """How far the twin is away at entry and exit, as shares of the deviation."""
     shape = 1e-3 * mode(1, strips) - 0.2e-3 * mode(2, strips)
     given = wide(
         arc, strips, stiffness, radius_deviation=shape, entry_misfit=3e-4 * mode(1, strips)
     )
-    found = AcrossSolver().solve(given)
+    found = AcrossSolver(marches=MARCHES).solve(given)
     twin = Twin(given).solve(found.drum_number)
 
     def miss(a: Array, b: Array) -> float:
@@ -36,8 +37,11 @@ def _misses(arc: WrapArc, stiffness: float, strips: int) -> tuple[float, float]:
     ids=["cord", "braking"],
 )
 def test_twin_by_finite_volumes(arc: WrapArc, stiffness: float) -> None:
-    """Source: another discretisation of the whole belt; the distance falls with more strips."""
-    few, many = _misses(arc, stiffness, 8), _misses(arc, stiffness, 16)
+    """Source: another discretisation of the whole belt; the distance falls with more strips.
+
+    32 strips: python benchmarks/belt_width.py twin.
+    """
+    few, many = misses(arc, stiffness, 8), misses(arc, stiffness, 16)
     assert few[0] < 2e-2
     assert few[1] < 3e-2
     assert many[0] < 7e-3

@@ -18,6 +18,8 @@ from wraparc.across import (
     solve_across,
     wide_arc,
 )
+from wraparc.checks import Level
+from wraparc.present.across_answers import wear_verdict
 from wraparc.web.answers.across import read_profile, solve_width, thickness_width, wear_width
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 from wraparc.web.examples import examples
@@ -148,3 +150,11 @@ def test_thicker_lagging_cushions_a_little() -> None:
     found = cushion(drive, [8e-3, 12e-3], strips=6)
     assert 0.0 < 1.0 - found.unevenness[1] / found.unevenness[0] < 0.08
     assert 0.0 < found.creep[1] / found.creep[0] - 1.0 < 0.08
+
+
+def test_a_lagging_that_is_down_already_is_not_said_to_heal() -> None:
+    now = solve_across(load_drive(EXAMPLES / f"{FABRIC}.toml"), strips=4)
+    told = wear_verdict(now, march_wear(now.wide, 1e-4, per_depth=1), 20e-3)
+    assert told.level is Level.ATTENTION
+    assert told.headline == "Re-lag now: the thinnest strip is down to 20 mm already."
+    assert not told.sentences

@@ -129,6 +129,20 @@ def test_does_thicker_lagging_help(visitor: Visitor) -> None:
     told = page.locator("#question-thickness .verdict .headline")
     expect(told).to_contain_text(re.compile(r"takes \d+ % off the unevenness .* creep by \+\d+ %"))
     assert presses(page) - before < 10
+    # what cannot be read is said, and no older answer stands beside it
+    for box, text, button, says in (
+        ("#ask-thicknesses", "8 mm", "#ask-thickness", "two or more"),
+        ("#ask-hours", "3,5", "#ask-wear", "a plain number"),
+        ("#ask-passes", "soon", "#ask-wear", "a plain number"),
+    ):
+        page.fill(box, text)
+        page.click(button)
+        expect(page.locator("#toast")).to_contain_text(says)
+        page.fill(box, "")
+        expect(told).to_have_count(0)
+    page.fill("#ask-thicknesses", "8,5 mm, 12 mm")
+    page.click("#ask-thickness")
+    expect(page.locator("#question-thickness")).to_contain_text('Write "8.5 mm"')
 
 
 def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_path: Path) -> None:
@@ -188,6 +202,9 @@ def test_errors_stand_at_the_field(visitor: Visitor) -> None:
     cell.fill("-700")
     cell.press("Tab")
     expect(wrong).to_contain_text(re.compile("ascend|beyond"))
+    cell.fill("-600 mm")
+    cell.press("Tab")
+    expect(wrong).to_contain_text("must ascend")
     cell.fill("600 mm")
     cell.press("Tab")
     expect(page.locator("#across .editor .error:not(:empty)")).to_have_count(0)

@@ -31,6 +31,8 @@ def wear_verdict(
     system
         Units to show.
     """
+    if np.min(history.thickness[0]) <= least:
+        return Verdict(Level.ATTENTION, relag_sentence(history, least, system))
     first, last = (float(v) for v in history.unevenness[[0, -1]])
     depth = named("lagging_thickness", float(history.mean_depth[-1]), system)
     uneven, left = (named("lagging_thickness", v, system) for v in (first, last))
@@ -57,6 +59,8 @@ def relag_sentence(history: WearHistory, least: float, system: System = "si") ->
     """Say after which running time the thinnest strip is down to a thickness [m]."""
     to = display(least, "length", system)
     thinnest = np.min(history.thickness, axis=1)
+    if thinnest[0] <= least:
+        return f"Re-lag now: the thinnest strip is down to {to} already."
     if np.all(np.isnan(history.passes)):
         return (
             f"When to re-lag at {to} cannot be told: give the hours run since the lagging was new, "
@@ -64,8 +68,6 @@ def relag_sentence(history: WearHistory, least: float, system: System = "si") ->
         )
     if math.isnan(float(history.hours[-1])):
         return "When to re-lag cannot be told in hours: give the belt speed."
-    if thinnest[0] <= least:
-        return f"Re-lag now: the thinnest strip is down to {to} already."
     hours = history.hours_to(least)
     if math.isnan(hours):
         thin = display(float(thinnest[-1]), "length", system)

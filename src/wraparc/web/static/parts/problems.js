@@ -21,6 +21,7 @@ export function place(text) {
     let key = m[2] ? +m[2] - 1 : (m[1] ?? m[3]);
     if (Array.isArray(node) && typeof key === "string") {
       const name = key;
+      if (name === "rows") continue; // of a profile that is nothing but rows
       // of a row of a profile: its position, its value
       const part = ["position", "value"].indexOf(name);
       const found = node.findIndex((n) => n?.name === name);

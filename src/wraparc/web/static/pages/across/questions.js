@@ -1,6 +1,7 @@
 // Questions asked of an uneven pulley: will it heal, when to re-lag, does thicker lagging help?
 import { app, redraw } from "../../base/design.js";
-import { act, ask, refusal } from "../../base/server.js";
+import { Advice, act, ask, refusal } from "../../base/server.js";
+import { split } from "../../base/units.js";
 import { refused, table, verdict } from "../../parts/answers.js";
 import { valueIn } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
@@ -28,8 +29,8 @@ const QUESTIONS = {
     ],
     body: (g) => ({
       least_thickness: g.least_thickness || "3 mm",
-      ...(g.hours ? { hours: +g.hours.replace(/[\s,]/g, "") } : {}),
-      ...(g.passes ? { passes: +g.passes.replace(/[\s,]/g, "") } : {}),
+      ...(g.hours.trim() ? { hours: count(g.hours, "Hours run so far", "20000") } : {}),
+      ...(g.passes.trim() ? { passes: count(g.passes, "Turns to look ahead", "5000000") } : {}),
     }),
   },
   thickness: {
@@ -38,12 +39,16 @@ const QUESTIONS = {
     path: "across/thickness",
     help: "The same unevenness under new lagging of each thickness.",
     given: [{ key: "thicknesses", label: "Thicknesses", value: "8 mm, 12 mm, 20 mm" }],
-    body: (g) => ({
-      thicknesses: g.thicknesses
-        .split(/[;,]/)
+    body: (g) => {
+      // a comma between digits is no end of a thickness: the server asks what it means
+      const thicknesses = g.thicknesses
+        .split(/;|,(?!\d)|(?<!\d),/)
         .map((t) => t.trim())
-        .filter(Boolean),
-    }),
+        .filter(Boolean);
+      if (thicknesses.length < 2)
+        throw new Advice("Thicknesses: write two or more, such as 8 mm, 12 mm, 20 mm.");
+      return { thicknesses };
+    },
   },
 };
 /** @type {Record<string, {given: Record<string, string>, answer: any, of: Design | null,
@@ -59,11 +64,20 @@ const asked = Object.fromEntries(
     },
   ]),
 );
+/** A number of hours or turns; a comma is one of thousands, and nothing else.
+ * @param {string} text @param {string} label @param {string} such */
+function count(text, label, such) {
+  const plain = text.trim().replace(/(?<=\d)[\s,](?=\d{3}(?!\d))/g, "");
+  const number = split(plain);
+  if (!number || number.unit) throw new Advice(`${label}: write a plain number, such as ${such}.`);
+  return number.number;
+}
 /** @param {string} name */
 async function put(name) {
   const { path, body } = QUESTIONS[name];
   const state = asked[name];
   const doc = app.doc;
+  Object.assign(state, { answer: null, of: doc, problems: [] });
   const question = {
     document: doc,
     pulley: doc.pulley[app.pulley].name || null,
