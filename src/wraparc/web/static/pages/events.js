@@ -215,7 +215,7 @@ const result = (job) => [
   h(Player, { run: job.played, key: job.id }),
   h(
     "div",
-    { class: "tables", key: "tables" },
+    { class: "tables one", key: "tables" },
     [...job.run.tables, ...job.stability.tables].map((/** @type {Table} */ t, i) =>
       table({ ...t, key: `e${i}` }),
     ),
