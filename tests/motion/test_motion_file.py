@@ -23,8 +23,10 @@ from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
 from wraparc.present.motion_sheet import run_sheet, stability_sheet
+from wraparc.train import Motor
 
 TANDEMS = ["examples/tandem-fabric.toml", "examples/tandem-steel-cord.toml"]
+INERTIA = 'inertia = "2200 kg m2"'
 QUICK = ["motion.event.start.duration=3 s"]
 
 
@@ -109,6 +111,8 @@ def test_every_fault_is_told_at_once() -> None:
         ("[motion.drum.second]", "[motion.drum.third]", "no such pulley"),
         ('source = "', 'take_up = "fixed"\nconveyor_mas = "1 t"\nsource = "', "conveyor_mass"),
         ('shape = "s-curve", time', 'file = "a.csv", time', "unknown key"),
+        (INERTIA, f'{INERTIA}\nmotor_inertia = "8 kg m2"', "gear_ratio: missing: motor_inertia"),
+        (INERTIA, f"{INERTIA}\ngear_ratio = 25", "gear_ratio: says nothing without motor_in"),
     ],
 )
 def test_bad_input_is_told(old: str, new: str, sentence: str) -> None:
@@ -116,6 +120,26 @@ def test_bad_input_is_told(old: str, new: str, sentence: str) -> None:
     assert old in text
     with pytest.raises(InputError, match=sentence):
         motion_from_text(text.replace(old, new))
+
+
+def test_inertia_of_the_motors_goes_through_the_gear() -> None:
+    """J = J_drum + J_motor i^2: by a gear ratio given, or by that of the motor in the train."""
+    text = Path(TANDEMS[0]).read_text("utf-8")
+    geared = f'{INERTIA}\nmotor_inertia = "3.2 kg m2"\ngear_ratio = 25'
+    first, second = motion_from_text(text.replace(INERTIA, geared, 1)).station.drums
+    assert (first.inertia, second.inertia) == (2200.0 + 3.2 * 25.0**2, 2200.0)
+    text = Path("examples/triple-steel-cord.toml").read_text("utf-8")
+    train = load_train("examples/triple-steel-cord.toml")
+    motors = train.cases[0].division.motors  # type: ignore[union-attr]
+    tables = [
+        f'[motion.drum."{p.name}"]\ninertia = "1 t m2"\nmotor_inertia = "2 kg m2"'
+        for p in train.pulleys
+    ]
+    drums = motion_from_text("\n".join([text, *tables])).station.drums
+    for drum, motor in zip(drums, motors, strict=True):
+        assert isinstance(motor, Motor)
+        assert motor.gear_ratio > 1.0
+        assert drum.inertia == pytest.approx(1000.0 + 2.0 * motor.gear_ratio**2, rel=1e-12)
 
 
 def test_a_record_is_read_with_its_units(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Report, place_text
 from wraparc.schema.source import Document, parse, read_text
 from wraparc.schema.tables import Record
-from wraparc.train import Motors, TorqueFollower, Train, VariableSpeed
+from wraparc.train import Motor, Motors, TorqueFollower, Train, VariableSpeed
 from wraparc.train.file import train_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import parse_quantity
@@ -186,8 +186,29 @@ class _Builder:
             more["trim"] = TRIM.built(record["trim"], self.report)
             if more["trim"] is None:
                 return None
+        if record.sound():
+            more["inertia"] = record["inertia"] + self._geared(name, record, train)
         drum: Drum | None = DRUM.built(record, self.report, **more)
         return drum
+
+    def _geared(self, name: str, record: Record, train: Train) -> float:
+        """Return the inertia of the motors as seen at the drum shaft, J i^2 [kg m2]."""
+        inertia, ratio = record.get("motor_inertia"), record.get("gear_ratio")
+        if inertia is None:
+            if ratio is not None:
+                message = "says nothing without motor_inertia"
+                self.report.add((*record.place, "gear_ratio"), message, "Give motor_inertia too.")
+            return 0.0
+        motor = _motor_of(train, name)
+        if ratio is None and isinstance(motor, Motor):
+            ratio = motor.gear_ratio
+        if ratio is None:
+            remedy = "Write gear_ratio = 25, for example: motor speed over drum speed."
+            self.report.add(
+                (*record.place, "gear_ratio"), "missing: motor_inertia needs it", remedy
+            )
+            return 0.0
+        return float(inertia * ratio**2)
 
     def _event(self, record: Record) -> Event | None:
         happenings = [
@@ -242,12 +263,17 @@ def _between(train: Train) -> list[Problem]:
     return [Problem(key="take_up.after", value=shown(after), message=message, remedy=remedy)]
 
 
-def _of_train(train: Train, name: str) -> Control | None:
-    """Return the control that a motor of the train stands for."""
+def _motor_of(train: Train, name: str) -> Motor | TorqueFollower | None:
+    """Return what turns a pulley in the train, if that is given."""
     division = train.cases[0].division
     if not isinstance(division, Motors):
         return None
-    motor = division.motors[[p.name for p in train.pulleys].index(name)]
+    return division.motors[[p.name for p in train.pulleys].index(name)]
+
+
+def _of_train(train: Train, name: str) -> Control | None:
+    """Return the control that a motor of the train stands for."""
+    motor = _motor_of(train, name)
     if isinstance(motor, TorqueFollower):
         return Follower(master=motor.master, ratio=motor.ratio)
     if isinstance(motor, VariableSpeed):

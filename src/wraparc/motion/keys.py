@@ -21,7 +21,8 @@ from wraparc.motion.event import (
     Stop,
 )
 from wraparc.motion.station import TAKE_UPS, Drum, Station
-from wraparc.schema.kinds import ByName, Choice, Flag, Name, Rows, Text
+from wraparc.schema.kinds import ByName, Choice, Flag, Name, Quantity, Rows, Text
+from wraparc.schema.limits import Limit
 from wraparc.schema.tables import Entry, Table, Variant, need
 
 _RATING = Entry(
@@ -91,7 +92,21 @@ TRIM = Table(
 )
 DRUM = Table(
     "Drum",
-    need("inertia", "Of drum, gear and motor, as seen at the drum shaft."),
+    need(
+        "inertia",
+        "As seen at the drum shaft: of drum and gear, and of the motors unless they are given.",
+    ),
+    Entry(
+        "motor_inertia",
+        "Of its motors and couplings together, at their own shafts.",
+        Quantity("moment_of_inertia", Limit("moment_of_inertia", open=True, most=1e6)),
+    ),
+    Entry(
+        "gear_ratio",
+        "Motor speed over drum speed, for the motor inertia; that of its motor in the train if "
+        "left out.",
+        Quantity("number", Limit("number", open=True, most=1e4)),
+    ),
     Entry("run", "Belt from the pulley before to this one; 3 m if left out.", title="Run before"),
     Entry("control", "How it is driven; droop of 1 % if left out.", CONTROL),
     Entry("trim", "Load sharing by a slow trim of its speed.", TRIM, title="Load sharing"),
