@@ -328,3 +328,35 @@ def test_paper_says_what_it_is_and_when(visitor: Visitor, tmp_path: Path) -> Non
     assert out.split()[-1] in told
     assert "head-drive-fabric" in told
     assert "printed" in told
+
+
+def test_what_a_drive_is_held_against_is_typed_cleared_renamed_and_undone(
+    visitor: Visitor,
+) -> None:
+    page = visitor.open("drive")
+    visitor.example("Tandem head drive, steel-cord belt")
+    for words in ("Take-up", "Design standard", "Belt sag"):
+        unfold(page, words)
+    page.select_option("#f-take_up-kind", "gravity")
+    page.select_option("#f-take_up-after", "first")
+    page.select_option("#f-design_standard-name", "DIN 22101")
+    expect(page.locator("#results")).to_contain_text("at the take-up behind pulley first")
+    expect(page.locator("#results")).to_contain_text("DIN 22101")
+    assert kept(page)["take_up"] == {"kind": "gravity", "after": "first"}
+    unfold(page, "More of the pulley")
+    name = page.locator("#f-pulley-0-name")
+    name.fill("head")
+    name.press("Tab")
+    expect(page.locator("#results")).to_contain_text("at the take-up behind pulley head")
+    # half of a table asks for the rest; nothing of it leaves no table
+    page.fill("#f-sag-idler_spacing", "3")
+    page.press("#f-sag-idler_spacing", "Tab")
+    expect(page.locator("#results [role=alert]")).to_contain_text("line_mass")
+    page.fill("#f-sag-idler_spacing", "")
+    page.press("#f-sag-idler_spacing", "Tab")
+    expect(page.locator("#results [role=alert]")).to_have_text("")
+    page.select_option("#f-take_up-after", "")
+    expect(page.locator("#results")).to_contain_text("Least slack-side tension")
+    assert "sag" not in kept(page)
+    page.keyboard.press("Control+z")
+    expect(page.locator("#results")).to_contain_text("at the take-up behind pulley head")

@@ -76,7 +76,7 @@ def relag_sentence(history: WearHistory, least: float, system: System = "si") ->
 
 
 def _hours(hours: float) -> str:
-    return f"{float(f'{hours:.3g}'):,.0f} hours of running".replace(",", " ")
+    return f"{float(f'{hours:.3g}'):,.0f} hours of running"
 
 
 def wear_table(history: WearHistory, system: System = "si") -> Table:

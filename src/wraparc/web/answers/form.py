@@ -6,7 +6,7 @@ from functools import cache
 from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import CREEP_LIMIT
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
-from wraparc.files.drive_keys import BELT, LOAD_CASE, PULLEY, TENSIONS
+from wraparc.files.drive_keys import BELT, CRITERIA, LOAD_CASE, PULLEY, TENSIONS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.glossary import GLOSSARY
 from wraparc.glossary import Quantity as GlossaryQuantity
@@ -155,6 +155,11 @@ def form() -> Form:
             _section("lagging", "Lagging", "pulley[].lagging.", lagging, repeated=True),
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
             _section("conveyor", "Conveyor", "conveyor.", CONVEYOR.entries),
+            *(
+                _section(entry.key, entry.title, f"{entry.key}.", entry.kind.entries)
+                for entry in CRITERIA
+                if isinstance(entry.kind, Table)
+            ),
             _section("train", "Train", "train.", TRAIN.entries),
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
             _section(

@@ -22,6 +22,7 @@ export function renamePulley(i, name) {
   let doc = set(app.doc, ["pulley", i, "name"], name);
   if (from) {
     doc = renamed(doc, ["train", "run"], from, name);
+    if (doc.take_up?.after === from) doc = set(doc, ["take_up", "after"], name);
     const cases = doc.load_case?.map((c) =>
       renamed(renamed(c, ["pulley"], from, name), ["train", "run"], from, name),
     );

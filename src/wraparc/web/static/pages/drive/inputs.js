@@ -8,6 +8,7 @@ import { field, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { conveyor } from "./conveyor.js";
+import { criteria } from "./criteria.js";
 
 /** @import { Children, Path, Spec } from "../../types.d.ts" */
 /** @import { Choice, Choices } from "../../parts/field.js" */
@@ -390,6 +391,7 @@ export function inputs(now) {
     group("Lagging", lagging(i)),
     group("Belt", belt()),
     group("Load cases", cases()),
+    group("Held against", criteria()),
     group(
       "Drive",
       drive.map((f) => field({ spec: f, path: [f.key] })),
