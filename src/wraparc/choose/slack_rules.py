@@ -52,7 +52,7 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
             overrun=search.base.overrun,
             recovery=search.base.recovery,
         )
-        return Grip(arc, _largest_ratio(arc)).tight_for(factor * pull) - lifted
+        return Grip(arc, largest_ratio(arc)).tight_for(factor * pull) - lifted
 
     return _by_design(search, grid, condition, least) if pull > 0.0 else np.zeros(len(grid))
 
@@ -102,7 +102,7 @@ def others_slack(search: Search) -> float:
     return max((f.tension for f in others if f.binding and f.at_least), default=0.0)
 
 
-def _largest_ratio(arc: WrapArc) -> float:
+def largest_ratio(arc: WrapArc) -> float:
     """Largest tension ratio of an arc whose friction falls, compiled; nan where it is not asked."""
     if arc.law.steepest_fall() >= 0.0 or not available():
         return math.nan
