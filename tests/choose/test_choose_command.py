@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cli.running import wraparc
+from cli.running import drive_file, wraparc
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
 
@@ -98,3 +98,21 @@ def test_a_lagging_without_cost_is_told(file: Path, tmp_path: Path) -> None:
                   "--set", 'condition=[{name="dry"}]')  # fmt: skip
     assert ran.code == 2
     assert 'lagging "own" has no cost, so it cannot be ranked' in ran.err
+
+
+def test_where_no_tension_is_enough_it_says_so(tmp_path: Path) -> None:
+    """D 400 mm at 400 kN: friction falls with the pressure faster than tension grows."""
+    text = drive_file(tmp_path).read_text("utf-8")
+    for old, new in (("150 kN", "400 kN"), ("60 kN", "160 kN"), ("800 mm", "400 mm")):
+        text = text.replace(f'"{old}"', f'"{new}"')
+    (tmp_path / "over.toml").write_text(text.partition("[[load_case]]")[0], "utf-8")
+    search = tmp_path / "choose.toml"
+    search.write_text(
+        'format = 1\ndrive = "over.toml"\n[candidates]\nlaggings = ["diamond-rubber"]\n'
+        '[cost]\ncurrency = "EUR"\nface_width = "1400 mm"\n[cost.lagging.diamond-rubber]\n'
+        'material = 100\ninstallation = 100\narea = "1 m2"\nlife_years = [5, 5]\n',
+        "utf-8",
+    )
+    ran = wraparc("choose", search)
+    assert "no slack-side tension is enough for the safety against gross slip" in ran.words
+    assert "1000000000" not in ran.out

@@ -33,7 +33,7 @@ TOLERANCE = 1e-6
 #: designs up to which all are solved precisely; else those this near a limit, and the first ones
 MOST_PRECISE, UNDECIDED, RANKED_PRECISELY = 1000, 3e-3, 100
 #: stands for a tension that no belt has [N]
-_NO_TENSION = 1e12
+NO_TENSION = 1e12
 #: limits in the order they are told
 LIMITS = (
     "traction",
@@ -347,7 +347,7 @@ def _held(
         for case in cases:
             parts["belt_rating"].append(_of_rating(search, grid, case))
     sag = limits.sag.tension if limits.sag is not None else 0.0
-    for name, least in (("belt_sag", sag), ("other_pulleys", min(grid.others, _NO_TENSION))):
+    for name, least in (("belt_sag", sag), ("other_pulleys", min(grid.others, NO_TENSION))):
         if least > 0.0:
             parts[name] += [(-grid.ends(case)[0], np.full(n, -least)) for case in cases]
     if limits.least_pulley_diameter:
@@ -371,7 +371,7 @@ def _of_slack(
     for name, rule in (("gross_slip", gross_slip_slack), ("design_standard", standard_slack)):
         least = rule(search, grid, case, condition)
         if least.any():
-            parts[name].append((-slack, -np.minimum(least, _NO_TENSION)))
+            parts[name].append((-slack, -np.minimum(least, NO_TENSION)))
 
 
 def _of_arc(

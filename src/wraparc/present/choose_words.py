@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from wraparc.choose.search import Search
-from wraparc.choose.selection import Selection, own_slack
+from wraparc.choose.selection import NO_TENSION, Selection, own_slack
 from wraparc.choose.slack_rules import standard_asks
 from wraparc.present.sheet import named, percent, quantity
 from wraparc.units import Dimension, System
@@ -72,6 +72,8 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
         text = " ".join(p for p in ("gross slip: beyond the largest tension ratio", by) if p)
     elif name == "edge_tension" and not math.isfinite(value):
         text = "a strip of the belt goes slack, or the uneven belt is not carried"
+    elif abs(limit) >= NO_TENSION:
+        text = "no slack-side tension is enough"
     elif name == "least_slack":
         text = (
             "no slack-side tension with wrap pressures in the tested range keeps the creep limit; "
