@@ -151,6 +151,21 @@ def test_slack_is_said_with_strip_and_amount(fabric: Drive) -> None:
     assert "goes slack: it lacks" in verdict.headline()
 
 
+def test_other_blocks_are_another_belt_across_its_width() -> None:
+    """What is kept of a solve is that of the same blocks: they say how worn lagging compresses."""
+    drive = load_drive(EXAMPLES / "worn-head-drive-fabric.toml")
+    drive = _with(drive, before=None)
+    pulley = drive.pulleys[0]
+    block = pulley.lagging.block
+    assert block is not None
+    wide = replace(pulley.lagging, block=replace(block, width=4.0 * block.width))
+    other = replace(drive, pulleys=(replace(pulley, lagging=wide),))
+    for one in (drive, other):
+        kept = across_of(solve(one, raise_on_failure=False))[0]
+        alone = solve_across(one, load_case=kept.wide.arc.load_case)
+        assert kept.entry_tension == pytest.approx(alone.entry_tension, rel=1e-12)
+
+
 def test_edges_over_the_rating_fail_and_govern() -> None:
     """Source: 115 % of the rating of the belt."""
     drive = load_drive(CORD, overrides=["pulley.head.across.strips=8"])
@@ -163,6 +178,12 @@ def test_edges_over_the_rating_fail_and_govern() -> None:
     assert "of the rating and more than the" in verdict.headline()
     missed = {c.name for c in verdict.missed}
     assert "crown" in missed  # none for steel cord
+    # at a start the belt may bear what its rating allows for a moment
+    starting = replace(drive.load_cases[0], kind="starting")
+    belt = replace(drive.belt, momentary_factor=1.4)
+    checks = _verdict(replace(drive, belt=belt, load_cases=(starting,))).checks
+    limit = next(c.limit for c in checks if c.name == "edge_tension")
+    assert limit == pytest.approx(1.4 * 1.15 * (belt.rating or 0.0))
 
 
 def test_wear_that_grows_is_said(fabric: Drive) -> None:

@@ -28,12 +28,12 @@ from across.wides import (
 from wraparc.across.interface import branch_of, stress_of
 from wraparc.across.result import AcrossResult, AcrossStatus, to_the_edges
 from wraparc.across.solver import AcrossSolver
-from wraparc.across.spans import extra_path
+from wraparc.across.spans import extra_path, length_after, length_before
 from wraparc.across.stresses import knots_of, stresses
 from wraparc.across.wide_arc import Array, WideArc, centres
 from wraparc.arc import Distributed, WrapArc
 from wraparc.arc.kernel.step import MESH_POWER
-from wraparc.drive.across import Transition
+from wraparc.drive.across import GrippingPulley, Transition
 from wraparc.friction import (
     CoefficientPieces,
     Constant,
@@ -363,6 +363,20 @@ def test_every_law_is_solved(name: str) -> None:
     found = solved(wide(loaded, 5, radius_deviation=crown(0.5e-3, 5)))
     assert found.identity_error < 1e-7
     assert found.iterations <= 9
+
+
+def test_spans_to_a_pulley_that_grips() -> None:
+    """Source: v'' = v/lambda^2 by exponentials; v = 0 at a pulley before, v' = 0 at one behind."""
+    decay, d = np.array([4.3, 1.0, 0.2]), 1.5
+    grip = GrippingPulley(distance=d)
+    away, back = np.exp(d / decay), np.exp(-d / decay)
+    assert length_before(decay, grip) == pytest.approx(decay * (away - back) / (away + back))
+    assert length_after(decay, grip) == pytest.approx(decay * (away + back) / (away - back))
+    assert length_before(decay, None) is decay
+    assert length_after(decay, None) is decay
+    stiff = np.array([1e6])  # hardly any shear: the length of the span, and no hold behind
+    assert length_before(stiff, grip) == pytest.approx(d, rel=1e-9)
+    assert length_after(stiff, grip) > 1e9
 
 
 def test_what_makes_a_strip_slack_is_said() -> None:

@@ -125,6 +125,10 @@ def test_wear_over_passes_is_wear_to_a_depth() -> None:
     by_depth = march_wear(wide, float(by_passes.mean_depth[-1]), coefficient=k)
     assert by_passes.passes[-1] == pytest.approx(0.5 * turns, rel=2e-3)
     assert by_passes.hours[-1] == pytest.approx(2500.0, rel=2e-3)
+    k = len(by_passes.hours) // 2
+    least = float(np.min(by_passes.thickness[k]))
+    assert by_passes.hours_to(least) == pytest.approx(float(by_passes.hours[k]), rel=1e-9)
+    assert np.isnan(by_passes.hours_to(0.5e-3))
     assert by_passes.thickness[-1] == pytest.approx(by_depth.thickness[-1], abs=2e-6)
 
 

@@ -17,7 +17,7 @@ from wraparc.across import cushion
 from wraparc.choose import ranking
 from wraparc.choose.search import Search
 from wraparc.choose.selection import choose
-from wraparc.drive import Across, WidthProfile
+from wraparc.drive import Across, Transition, WidthProfile
 from wraparc.drive.conditions import Condition
 from wraparc.present.choose_sheet import choose_csv, choose_document, choose_sheet
 
@@ -106,6 +106,27 @@ def test_the_worst_load_case_is_named() -> None:
     assert max(alone, key=alone.__getitem__) == "full"
     assert found.place(int(edge.where[at])) == ("full", "dry")
     assert edge.value[at] == pytest.approx(alone["full"], rel=1e-9)
+
+
+def test_an_edge_at_standstill_and_a_start_count() -> None:
+    """Source: `solve_across`: a short transition is worst at standstill; starting bears more."""
+    asked = uneven({"full": (130e3, 55e3)}, diameters=(0.9,))
+    span = Transition(length=2.0, trough_angle=0.6, centre_roll=0.465)
+    head = replace(asked.base, across=replace(asked.base.across or Across(), before=span))
+    case = replace(asked.drive.load_cases[0], kind="starting")
+    belts = tuple(replace(belt, momentary_factor=1.4) for belt in asked.belts)
+    drive = replace(asked.drive, pulleys=(head,), load_cases=(case,))
+    asked = replace(asked, belts=belts, drive=drive)
+    found = choose(asked)
+    edge = found.held["edge_tension"]
+    at = int(np.flatnonzero(np.isfinite(edge.value))[0])
+    belt = asked.belts[found.grid.places[2, at]]
+    lagging = asked.laggings[found.grid.places[0, at]]
+    pulley = replace(head, lagging=lagging, diameter=float(found.grid.diameter[at]))
+    one = solve_across(replace(asked.drive, belt=belt, pulleys=(pulley,)))
+    assert one.largest_static_tension > one.largest_running_tension
+    assert edge.value[at] == pytest.approx(one.largest_static_tension, rel=1e-9)
+    assert edge.limit[at] == pytest.approx(1.15 * 1.4 * (belt.rating or 0.0))
 
 
 def test_designs_beyond_the_first_say_that_nobody_looked_at_their_edges(
