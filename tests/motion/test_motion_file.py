@@ -17,7 +17,16 @@ from wraparc import Constant, InputError, load_drive, load_motion, load_train
 from wraparc.checks import Level, judge_run
 from wraparc.drive.criteria import Sag
 from wraparc.friction.base import TestedRange
-from wraparc.motion import Droop, ExactSpeed, Follower, Start, simulate, stability, stability_map
+from wraparc.motion import (
+    Droop,
+    ExactSpeed,
+    Follower,
+    Start,
+    Stop,
+    simulate,
+    stability,
+    stability_map,
+)
 from wraparc.motion.event import LoadStep
 from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
@@ -308,6 +317,13 @@ def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:
     assert rates.max() <= most.slip_speed.value * (1.0 + 1e-9)
 
 
+def whole(run: RunResult) -> RunResult:
+    """A start as if it were over."""
+    speed = run.station.train.belt.speed
+    assert speed is not None
+    return replace(run, belt_speed=np.append(run.belt_speed[:-1], speed))
+
+
 def limited(run: RunResult, what: str, part: float) -> RunResult:
     """A run whose drive bears a part of what the event asks of it."""
     train, most = run.station.train, run.drums[0].extremes
@@ -362,7 +378,7 @@ def limited(run: RunResult, what: str, part: float) -> RunResult:
 )
 def test_an_event_is_held_against_every_limit_that_it_can_miss(what: str, level: str) -> None:
     """Each alone: just kept it is OK, just missed it governs."""
-    run = short_run()
+    run = whole(short_run())
     assert judge_run(limited(run, what, 1.02)).level.value == "OK"
     missed = judge_run(limited(run, what, 0.98))
     assert missed.level.value == level
@@ -386,8 +402,48 @@ def test_an_event_that_fails_leads_the_note_and_its_exit_code(tmp_path: Path) ->
     assert "| Followed to its end |" in said  # among the checks
 
 
+def test_a_start_that_is_not_over_asks_to_look_longer() -> None:
+    """Its peaks are still to come: no OK stands over them."""
+    run = short_run()
+    unsettled = judge_run(run)
+    assert unsettled.governing is not None
+    assert (unsettled.level, unsettled.governing.name) == (Level.ATTENTION, "run")
+    assert judge_run(whole(run)).level is Level.OK
+    assert "Give the event a longer duration." in unsettled.headline()
+    # a stop is over when the belt stands
+    stopping = replace(run.event, happenings=(Stop(time=1.0),))
+    v = run.station.train.belt.speed
+    assert v is not None
+    for end, level in ((0.09 * v, "OK"), (0.11 * v, "ATTENTION"), (v, "ATTENTION")):
+        speeds = np.append(run.belt_speed[:-1], end)
+        stopped = judge_run(replace(run, event=stopping, belt_speed=speeds))
+        assert stopped.level.value == level
+
+
+def test_exit_codes_are_those_of_the_verdicts(tmp_path: Path) -> None:
+    weak = "belt.rating=60 kN/m"
+    fast = [*QUICK, weak]
+    settings = [part for setting in fast for part in ("--set", setting)]
+    done = run_command("run", TANDEMS[0], "--event", "start", "--points", "20", *settings)
+    assert done.code == 1
+    assert "FAILS" in done.out
+    follower = 'motion.drum.second.control={kind="follower", master="first", lag="0.1 s"}'
+    hunts = run_command("stability", TANDEMS[0], "--set", follower)
+    assert (hunts.code, "it pulsates by itself" in hunts.out) == (1, True)
+
+
+def test_steps_that_lead_nowhere_are_refused() -> None:
+    for step, sentence in (
+        ("5 s", r"would move 15.0 m in a step, more than a quarter of a wrap.*Take 0.10 s or less"),
+        ("1e-9 s", r"3,000,000,000 steps, more than 20,000,000"),
+    ):
+        done = run_command("run", TANDEMS[0], "--step", step, "--set", QUICK[0])
+        assert done.code == 2
+        assert re.search(sentence, done.err), done.err
+
+
 def test_only_what_starts_or_stops_may_use_the_momentary_rating() -> None:
-    start = limited(short_run(), "momentary_tension", 0.98)
+    start = limited(whole(short_run()), "momentary_tension", 0.98)
     train = start.station.train
     train = replace(train, belt=replace(train.belt, momentary_factor=1.5))
     start = replace(start, station=replace(start.station, train=train))

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 #: Times the creep limit beyond which a drive slides and does not creep any more [-]; ours.
 SLIDES = 10.0
+#: Miss of the set speed over the belt speed with which a start or stop is over [-]; ours.
+SETTLED = 0.1
 
 
 def judge_run(run: RunResult) -> Verdict:
@@ -73,10 +75,11 @@ def _case(run: RunResult) -> LoadCase:
 
 
 def _end(run: RunResult) -> Iterator[Check]:
-    """Say how a run ended that was not followed to its end."""
+    """Say how a run ended that was not followed to its end, or ends before the event does."""
     from wraparc.motion.result import Outcome
 
     if run.outcome.whole:
+        yield from _settled(run)
         return
     failed = run.outcome in (Outcome.SLACK, Outcome.BREAKAWAY)
     yield Check(
@@ -85,6 +88,30 @@ def _end(run: RunResult) -> Iterator[Check]:
         level=Level.FAILS if failed else Level.ATTENTION,
         place=Place(event=run.event.name),
         says=f"{run.reason} {run.outcome.value}",
+        short="not followed to its end",
+    )
+
+
+def _settled(run: RunResult) -> Iterator[Check]:
+    """Ask to look longer where a start or stop is not over at the end of the run."""
+    from wraparc.motion.event import Measured, PowerFailure, Stop
+
+    speed, end = run.station.train.belt.speed, float(run.belt_speed[-1])
+    told = run.event.moves and not (run.event.of(PowerFailure) or run.event.of(Measured))
+    if speed is None or not told:
+        return
+    asked = 0.0 if isinstance(run.event.moves[-1], Stop) else speed
+    if abs(end - asked) <= SETTLED * speed:
+        return
+    yield Check(
+        name="run",
+        title="Followed to its end",
+        level=Level.ATTENTION,
+        place=Place(event=run.event.name),
+        says=f"At the end of the run the belt moves at {display(end, 'speed', digits=3)}, where "
+        f"{display(asked, 'speed', digits=3)} is asked of it in the end: what comes until then is "
+        "not seen.",
+        remedy="Give the event a longer duration.",
         short="not followed to its end",
     )
 

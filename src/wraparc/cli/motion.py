@@ -12,8 +12,10 @@ from typing import Any
 
 import click
 
+from wraparc.checks import judge_run
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
+from wraparc.cli.solve import FAILS, SOLVED, code_of
 from wraparc.errors import InputError, MissingExtraError, Problem
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
@@ -24,7 +26,6 @@ from wraparc.motion.station import Station
 from wraparc.saving import replacing
 from wraparc.units import System, parse_quantity
 
-SOLVED, NOT_CARRIED = 0, 1
 _PICTURES = (".svg", ".png", ".pdf")
 #: Rows that are written at once.
 _BLOCK = 1000
@@ -112,7 +113,7 @@ def run(
         deliver(files, lambda: _run_sheet(result, units))
     for path in written:
         click.echo(f"Wrote {path}", err=True)
-    return SOLVED if result.outcome in (Outcome.WHOLE, Outcome.CANCELLED) else NOT_CARRIED
+    return code_of(judge_run(result).level)
 
 
 @click.command()
@@ -168,7 +169,7 @@ def stability(
         return stability_sheet(result, units)
 
     deliver(files, sheet)
-    return SOLVED
+    return SOLVED if result.stable else FAILS
 
 
 class _Rows:

@@ -10,14 +10,13 @@ import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
-from wraparc.checks import Level
 from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import say
 from wraparc.cli.solve import (
-    FAILS,
     METHODS,
     SOLVED,
+    code_of,
     exit_code,
     solve_as_train,
     with_case,
@@ -102,7 +101,7 @@ def report(
     if in_time is not None and code == SOLVED:
         from wraparc.checks import judge_run
 
-        code = FAILS if any(judge_run(r).level is Level.FAILS for r in in_time.runs) else SOLVED
+        code = max((code_of(judge_run(run).level) for run in in_time.runs), default=SOLVED)
     return code
 
 

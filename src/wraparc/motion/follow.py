@@ -17,6 +17,10 @@ from wraparc.units import display
 
 #: Steps that a wave of the fastest thing asked for needs.
 _STEPS_A_WAVE = 16
+#: Part of the shortest wrap that the lagging may move in a step.
+_A_STEP = 0.25
+#: Steps of a run at most: hours of computing.
+_MOST_STEPS = 20_000_000
 #: Steps between two looks at progress and checkpoint.
 _NOW_AND_THEN = 50
 
@@ -73,6 +77,7 @@ def simulate(
     check_event(station, event)
     march = March(station, event, step, points)
     _check_step(march, event)
+    _check_steps(march, event)
     _check_ramps(march, event)
     keeper = Keeper(march, every or march.h, None if checkpoint else sink)
     if checkpoint is not None:
@@ -167,6 +172,25 @@ def _check_step(march: March, event: Event) -> None:
                 message=f"too coarse for {fastest:.3g} Hz at {what}",
                 remedy=f"Take {display(0.99 * need, 'time', digits=2)} or less.",
             )
+        )
+
+
+def _check_steps(march: March, event: Event) -> None:
+    """Refuse a step that is too coarse for the wraps, or far too fine for the event."""
+    shortest = min(d.arc.shape.length for d in march.drums)
+    steps = event.duration / march.h
+    if march.h * march.speed > _A_STEP * shortest or steps > _MOST_STEPS:
+        message = f"{steps:,.0f} steps, more than {_MOST_STEPS:,}"
+        remedy = "Take a longer step, or a shorter event."
+        if steps <= _MOST_STEPS:
+            least = _A_STEP * shortest / march.speed
+            message = (
+                f"the lagging would move {display(march.h * march.speed, 'length', digits=3)} in a "
+                f"step, more than a quarter of a wrap, {display(shortest, 'length', digits=3)} long"
+            )
+            remedy = f"Take {display(0.99 * least, 'time', digits=2)} or less."
+        raise InputError(
+            Problem(key="step", value=display(march.h, "time"), message=message, remedy=remedy)
         )
 
 
