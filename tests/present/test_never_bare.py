@@ -30,6 +30,9 @@ def test_a_choice_names_the_data_of_its_lagging(tmp_path: Path) -> None:
 
 
 def test_a_thinner_lagging_is_compressed_less_on_a_brake_too() -> None:
-    """h/E_c falls to 6/15 of what it was; the creep that compression makes is negative there."""
+    """h/E_c falls to 0.4 (1 + k)/(1 + k 2.5^2) = 0.141: strips 30 mm wide, 15 and 6 mm thick.
+
+    S = 1 and 2.5, k = 0.54; the creep that compression makes is negative there.
+    """
     ran = wraparc("what-if", example("downhill-braking"), "--worn", "6 mm")
-    assert "the lagging is compressed less (h/E_c times 0.4)" in ran.words
+    assert "the lagging is compressed less (h/E_c times 0.141)" in ran.words
