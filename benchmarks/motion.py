@@ -2,11 +2,9 @@
 
 A start and stop of 60 s of the fabric tandem with 100 pieces of lagging a wrap (some 12,000
 steps), after the code is compiled or loaded, and a map of stability of 41 x 41; processor time.
-Aims on a free core: 3 s for the event, 10 s for the map, 8 s to compile. Measured on 2 cores shared
-with two to nine other loads: 3.3 to 5 s (277 to 400 us a step, 1.06 sweeps of an arc), 0.3 to 1.0
-s, and 9.6 to 11 s to compile: the map is met, the others not shown there.
-Before a step was guessed from the
-two before it and a map changed one row of the equations: 11.4 s, 13.5 s and 12 s.
+Aims on a free core: 3 s for the event, 10 s for the map, 8 s to compile. Measured on a slow hour of
+2 shared cores (where a loop of 3 million additions takes 0.6 s): 2.5 to 2.9 s (1.2 sweeps of an arc
+a step), 0.5 s, and 8.4 to 10.1 s to compile: the event and the map are met, the last is not shown.
 """
 
 from __future__ import annotations

@@ -147,6 +147,23 @@ def test_a_law_scaled_to_its_condition_asks_for_attention_in_rows_too() -> None:
     of = drive_from_document(document)
     assert one_by_one(of) == ("ATTENTION", "condition")
     assert of_rows(of, document=document) == one_by_one(of)
+    # what has no number and binds nothing leaves the word to what has one
+    document = document | {"creep_limit": "0.1 mm"}
+    of = drive_from_document(document)
+    assert one_by_one(of) == ("ATTENTION", "creep")
+    assert of_rows(of, document=document) == one_by_one(of)
+
+
+@pytest.mark.parametrize(("binding", "name"), [(False, "creep"), (True, "design_standard")])
+def test_a_standard_that_cannot_be_applied_ends_alike(binding: bool, name: str) -> None:
+    standard = DesignStandard(name="CEMA", binding=binding)
+    of = quiet(
+        lagging=replace(SOFT, surface=""),
+        creep_limit=1e-4,
+        criteria=replace(NONE, standard=standard),
+    )
+    assert one_by_one(of)[1] == name
+    assert of_rows(of) == one_by_one(of)
 
 
 def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> None:

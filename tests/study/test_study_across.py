@@ -84,6 +84,32 @@ def test_a_study_row_is_the_drive_solved_alone(tmp_path: Path) -> None:
     assert not any("width" in what for what in NOT_CHECKED)  # what counts is not said to be left
 
 
+def test_the_numbers_of_a_row_reach_the_pulley_that_is_solved(tmp_path: Path) -> None:
+    """Source: `solve_across` and `judge` of the drive with the same wrap and limit of tension."""
+    found = solved(tmp_path, axis("pulley.head.wrap_angle", '"150 deg", "200 deg"'))
+    for k, wrap in enumerate(("150 deg", "200 deg")):
+        settings = [*_SET, f"pulley.head.wrap_angle={wrap}"]
+        drive = load_drive(EXAMPLES / "worn-head-drive-steel-cord.toml", overrides=settings)
+        alone = solve_across(drive)
+        for name in OUTPUTS[:3]:
+            assert found[name][k] == pytest.approx(getattr(alone, name), rel=1e-6)
+    assert found["levelling_depth"][0] != found["levelling_depth"][1]
+
+
+def test_the_worst_of_equal_levels_is_the_one_with_the_least_margin(tmp_path: Path) -> None:
+    """Bond and creep are both missed across the width, and as a whole."""
+    given = (*_SET, "creep_limit=1 mm", 'pulley.head.lagging={ preset = "full-ceramic", '
+             'bond_strength = "1 kPa" }')  # fmt: skip
+    found = solved(tmp_path, axis("pulley.head.wrap_angle", '"180 deg", "200 deg"'), given)
+    settings = [*given, "pulley.head.wrap_angle=180 deg"]
+    drive = load_drive(EXAMPLES / "worn-head-drive-steel-cord.toml", overrides=settings)
+    told = judge(solve(drive, raise_on_failure=False)).at("head", "design")
+    assert told.governing is not None
+    least = min(c.margin for c in told.checks if c.level is told.level)
+    assert told.governing.margin == least
+    assert JUDGED[GOVERNING][found[GOVERNING][0]] == told.governing.name
+
+
 def test_wear_as_an_axis(tmp_path: Path) -> None:
     """A worn profile by a factor; 0 is the even pulley."""
     field = "pulley.head.across.worn_depth"

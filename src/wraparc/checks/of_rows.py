@@ -260,11 +260,13 @@ def _checks(
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
         )
-        yield name, np.where(never, missed, ranks), np.where(never, -math.inf, margins)
+        # what has no number comes first where it binds a design, and last where it does not
+        first = np.where(held.binding, -math.inf, math.inf)
+        yield name, np.where(never, missed, ranks), np.where(never, first, margins)
         if name == "tested_pressure_min":
             for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
                 ranks = np.where(flags, RULES[told].missed.rank, 0)
-                yield told, ranks, np.full(len(value), -math.inf)
+                yield told, ranks, np.full(len(value), math.inf)
     yield _usual_sizes(solved.arcs)
 
 
