@@ -154,16 +154,15 @@ def test_a_start_reaches_the_steady_train_and_a_stop_stops() -> None:
     assert min(abs(c) for c in run.creep_left()) > 1e-4
 
 
-@pytest.mark.parametrize(
-    "control",
-    [
-        InductionMotor(starting_ratio=1.8),
-        CoupledMotor(pump_inertia=300.0),
-        SpeedLoop(bandwidth=2.0, reset=1.0),
-        Droop(droop=0.02, lag=0.05),
-    ],
-    ids=lambda c: c.words,
+DRIVES = (
+    InductionMotor(starting_ratio=1.8),
+    CoupledMotor(pump_inertia=300.0),
+    SpeedLoop(bandwidth=2.0, reset=1.0),
+    Droop(droop=0.02, lag=0.05),
 )
+
+
+@pytest.mark.parametrize("control", DRIVES, ids=lambda c: c.words)
 def test_every_control_holds_the_steady_state_and_starts(control: Control) -> None:
     s = moving("fabric", control, control)
     still = simulate(s, Event(duration=1.0), points=30)
@@ -177,13 +176,7 @@ def test_every_control_holds_the_steady_state_and_starts(control: Control) -> No
 
 @pytest.mark.parametrize(
     "control",
-    [
-        InductionMotor(starting_ratio=1.8),
-        CoupledMotor(pump_inertia=300.0),
-        SpeedLoop(bandwidth=2.0, reset=1.0),
-        Droop(droop=0.02, lag=0.05),
-        Follower(master="first", lag=0.1, damping=0.03),
-    ],
+    [*DRIVES, Follower(master="first", lag=0.1, damping=0.03)],
     ids=lambda c: c.words,
 )
 def test_a_drive_gives_the_steady_torque_at_the_steady_speed(control: Control) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 from wraparc.checks import of_arc, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
@@ -26,10 +27,17 @@ SLIDES = 10.0
 #: Miss of the set speed over the belt speed with which a start or stop is over [-]; ours.
 SETTLED = 0.1
 
+_told: WeakKeyDictionary[RunResult, Verdict] = WeakKeyDictionary()
+
 
 def judge_run(run: RunResult) -> Verdict:
-    """Return every check of a run over its whole length, and so its verdict."""
-    return Verdict(tuple(_checks(run)))
+    """Return every check of a run over its whole length, and so its verdict.
+
+    The same run is judged once, however often it is asked about.
+    """
+    if run not in _told:
+        _told[run] = Verdict(tuple(_checks(run)))
+    return _told[run]
 
 
 def _checks(run: RunResult) -> Iterator[Check]:

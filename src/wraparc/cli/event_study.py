@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import os
-import sys
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import click
 
+from wraparc.cli.bar import bar
 from wraparc.cli.options import check_outputs
 from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
 from wraparc.errors import InputError, Problem
 from wraparc.study.event_rows import SUFFIXES, run_event_study
-from wraparc.study.event_study import EventStudy, EventTell, load_event_study
+from wraparc.study.event_study import EventStudy, load_event_study
 from wraparc.units import System
 
 
@@ -73,7 +72,7 @@ def _run(asked: EventStudy, path: str, wanted: Wanted) -> None:
     from wraparc.present.document import json_text
     from wraparc.present.event_study_sheet import event_study_document, event_study_sheet
 
-    with _bar(asked) as tell:
+    with bar(len(asked.designs), "Following") as tell:
         try:
             rows = run_event_study(asked, path, resume=wanted.resume, progress=tell)
         except KeyboardInterrupt:
@@ -88,15 +87,3 @@ def _run(asked: EventStudy, path: str, wanted: Wanted) -> None:
 
         files[wanted.plot] = plot_event_study(asked, rows, wanted.units).save
     deliver(files, lambda: event_study_sheet(asked, rows, wanted.units))
-
-
-@contextmanager
-def _bar(asked: EventStudy) -> Iterator[EventTell | None]:
-    """A bar with the time left on a terminal; nothing where the messages go elsewhere."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    with click.progressbar(
-        length=len(asked.designs), label="Following", show_pos=True, file=sys.stderr
-    ) as bar:
-        yield lambda done, total: bar.update(done - bar.pos)

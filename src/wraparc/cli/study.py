@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import click
 
+from wraparc.cli.bar import bar
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
@@ -21,7 +19,7 @@ if TYPE_CHECKING:
     from wraparc.study.executor import Executor
     from wraparc.study.file import StudyFile
     from wraparc.study.monte_carlo import Summary
-    from wraparc.study.parameter_study import Progress, Study
+    from wraparc.study.parameter_study import Study
 
 _DONE = 0
 
@@ -125,7 +123,7 @@ def study(
     if not available():
         hint = "numba is not installed, and this takes far longer: pip install 'wraparc[fast]'"
         click.echo(hint, err=True)
-    with _bar(asked.study) as tell:
+    with bar(len(asked.study.plan), "Solving") as tell:
         try:
             run_study(
                 asked.study,
@@ -156,18 +154,6 @@ def _size(asked: Study) -> str:
         f"{columns} columns, at most {size / 1e6:,.1f} MB, in parts of {part_designs(asked):,} "
         "designs."
     )
-
-
-@contextmanager
-def _bar(asked: Study) -> Iterator[Progress | None]:
-    """A bar with the time left on a terminal; nothing where the messages go elsewhere."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    with click.progressbar(
-        length=len(asked.plan), label="Solving", show_pos=True, file=sys.stderr
-    ) as bar:
-        yield lambda done, total: bar.update(done - bar.pos)
 
 
 def _tell(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from wraparc.checks import Level
 from wraparc.errors import InputError
-from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
+from wraparc.plot.picture import GREY, LINES, Picture, styled
 from wraparc.study.event_study import EventRow, EventStudy
 from wraparc.units import Dimension, System, display_unit
 from wraparc.units.numbers import split_number
@@ -16,7 +16,6 @@ from wraparc.units.numbers import split_number
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_LINES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (RED, ":"), (GREY, "-"))
 #: Marker by the worst check; what is refused has no point.
 _MARKERS = {Level.OK: "o", Level.ATTENTION: "^", Level.FAILS: "X"}
 
@@ -81,7 +80,7 @@ def _lines(
         points = curves.setdefault(", ".join(others), [])
         points.append((x, getattr(row, name) / size, row.level))
     for k, (label, points) in enumerate(curves.items()):
-        color, dashes = _LINES[k % len(_LINES)]
+        color, dashes = LINES[k % len(LINES)]
         points.sort()
         ax.plot(*zip(*(p[:2] for p in points), strict=True), dashes, color=color, label=label)
         for x, y, level in points:

@@ -20,6 +20,7 @@ _DPI = 150
 # Lines that are told apart by colour and by dashes; the colours are those of Okabe and Ito,
 # which also the colour-blind tell apart, and differ in lightness when printed grey.
 BLUE, ORANGE, GREEN, RED, GREY = "#0072b2", "#d55e00", "#009e73", "#a50f15", "#666666"
+LINES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (RED, ":"), (GREY, "-"))
 _STYLE: dict[str, Any] = {
     "font.family": ["DejaVu Sans", "sans-serif"],
     "font.size": 9.0,

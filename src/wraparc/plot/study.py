@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wraparc.glossary import GLOSSARY
-from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
+from wraparc.plot.picture import BLUE, GREY, LINES, ORANGE, Picture, styled
 from wraparc.study.monte_carlo import CONFIDENCE, Group, Summary
 from wraparc.study.sensitivity import Indices, Swing
 from wraparc.units import Dimension, System, display, display_unit
@@ -17,7 +17,6 @@ from wraparc.units import Dimension, System, display, display_unit
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_LINES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, "-."), (RED, ":"), (GREY, "-"))
 _MOST_LINES = 8
 
 
@@ -131,7 +130,7 @@ def _over_levels(
 
 
 def _cycle() -> list[tuple[str, str]]:
-    return [_LINES[k % len(_LINES)] for k in range(_MOST_LINES)]
+    return [LINES[k % len(LINES)] for k in range(_MOST_LINES)]
 
 
 def plot_sensitivity(

@@ -69,7 +69,7 @@ def _line(study: EventStudy, row: EventRow, system: System) -> Row:
 
 
 def event_study_document(study: EventStudy, rows: Sequence[EventRow]) -> dict[str, Any]:
-    """Return a study over an event as plain data: SI, None where there is no number."""
+    """Return a study over an event as plain data: SI, nan where there is no number."""
     return {
         "format": DOCUMENT_FORMAT,
         "program": {"name": "wraparc", "version": __version__},
@@ -84,5 +84,4 @@ def event_study_document(study: EventStudy, rows: Sequence[EventRow]) -> dict[st
 
 def _row_data(study: EventStudy, row: EventRow) -> dict[str, Any]:
     told = {name: getattr(row, name) for name in NAMES}
-    numbers = {k: None if v != v else v for k, v in told.items()}  # nan is not equal to itself
-    return {"values": dict(zip(study.fields, row.values, strict=True)), **numbers}
+    return {"values": dict(zip(study.fields, row.values, strict=True)), **told}
