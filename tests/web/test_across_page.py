@@ -78,7 +78,9 @@ def test_will_this_measured_wear_heal(visitor: Visitor, tmp_path: Path) -> None:
     settled(page)
     page.click("#ask-hours")
     page.fill("#ask-hours", "18 000")
-    page.click("#ask-wear")
+    with page.expect_request("**/across/wear") as sent:
+        page.click("#ask-wear")
+    assert (sent.value.post_data_json or {})["hours"] == 18000
     told = page.locator("#question-wear .verdict .headline")
     expect(told).to_contain_text("Heals: wear evens it out")
     assert presses(page) + _CHOSEN < 10
