@@ -36,7 +36,10 @@ READY = {
     "study": "#study form",
     "saved": "#saved .scroll :is(table, p)",
 }
-_NAMES = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome")
+_NAMES = (
+    "chromium-headless-shell", "chrome-headless-shell", "chromium", "chromium-browser",
+    "google-chrome-stable", "google-chrome",
+)  # fmt: skip
 #: Answers that a test provokes, and that the browser then reports as errors.
 _REFUSED = ("status of 422", "status of 409")
 
