@@ -80,6 +80,24 @@ def test_a_record_that_starts_near_the_peak() -> None:
     assert "the rise from zero was not recorded" in said["late start"]
 
 
+def test_slip_before_the_record_that_no_rig_has_is_no_result() -> None:
+    """A record that starts 6 mm into the slip, in a rig with 1 mm of lash."""
+    found = judged(record(lash=0.0, pre_load=6e-3), largest_lash=1e-3)
+    assert found.fit.parameters.lash == 0.0
+    (text,) = (s.text for s in found.misfit if s.about == "slip before the record")
+    assert "of slip before the record starts, more than the 1 mm of lash the rig can have" in text
+    loaded = judged(record(lash=0.0, pre_load=0.4e-3), largest_lash=1e-3)
+    assert not loaded.misfit
+
+
+def test_friction_that_swings_is_said_without_a_question() -> None:
+    of = record(noise=0.002)
+    swing = 1.0 + 0.06 * np.sin(2.0 * np.pi * of.travel / 0.3e-3)
+    remarks = judged(replace(of, force=of.force * swing)).remarks
+    (said,) = (text for text in remarks if "swings" in text)
+    assert said.endswith("slower than the noise of the readings: it may be stick-slip")
+
+
 def test_friction_that_is_there_at_once() -> None:
     rig = replace(RIG, law=Constant(friction_coefficient=0.5), shear_compliance=0.0, points=300)
     of = as_record(run_virtual_test(rig, 207e3, 1))

@@ -55,7 +55,8 @@ def test_the_tables_say_what_was_fitted(sheet: Sheet, result: PlanResult) -> Non
     assert pressure == "34"
     assert slip.startswith("(")  # beyond the tested slip
     assert float(friction.split(" ")[0]) == pytest.approx(
-        first.fit.parameters.peak_friction, abs=1e-3
+        first.fit.parameters.peak_friction,
+        abs=5e-3,  # three digits
     )
     assert float(lash.split(" ")[0]) == pytest.approx(0.5, abs=0.1)
 

@@ -234,12 +234,12 @@ def _draw_predictions(ax: "Axes", condition: ConditionResult) -> None:
     for inside, colour, text in ((True, BLUE, "inside"), (False, "#bbbbbb", "extrapolated")):
         rows = [k for k, item in enumerate(items) if item.inside is inside]
         ax.barh(rows, [items[k].noise_levels for k in rows], color=colour, label=text)
-    ax.axvline(2.0, color=RED, lw=0.9, ls=(0, (1, 1.5)))
+    ax.axvline(2.0, color=RED, lw=0.9, ls=(0, (1, 1.5)), label="2 noise levels")
     ax.set_yticks(range(len(items)), [f"{item.pressure / _KPA:.4g} kPa" for item in items])
     ax.set_xlabel("prediction error [noise levels of a reading]")
     ax.grid(axis="y", visible=False)
     ax.set_ylim(-0.6, len(items) + 0.5)
-    ax.legend(loc="upper left", ncols=2)
+    ax.legend(loc="upper left", ncols=2, fontsize="x-small")
 
 
 def _panels(

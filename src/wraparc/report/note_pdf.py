@@ -37,7 +37,11 @@ def _data(note: Note) -> dict[str, Any]:
         "box": note.title_block,
         "footer": [p for p in (PROGRAM, head.number, head.revision, head.date) if p],
         "single": False,
-        "signed": True,
+        "signatures": (
+            ("Prepared", head.author, head.date),
+            ("Checked", "", ""),
+            ("Approved", "", ""),
+        ),
         "level": str(note.told.level),
         "word": note.told.told,
         "headline": note.told.headline,

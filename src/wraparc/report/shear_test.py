@@ -2,18 +2,24 @@
 
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
 from wraparc.present.page import sheet_page
-from wraparc.present.sheet import Sheet
+from wraparc.present.sheet import Row, Sheet, Table
 from wraparc.report.drawings import Drawing
 from wraparc.report.note import PROGRAM, Section
 from wraparc.report.note_pdf import sections_data
-from wraparc.report.shear_test_tables import plan_sheet
+from wraparc.report.shear_test_head import (
+    digests_table,
+    signature_table,
+    signatures,
+    title_box,
+)
+from wraparc.report.shear_test_tables import plan_sheet, plan_tables
 from wraparc.report.typesetting import typeset_pages, typeset_pdf
 from wraparc.saving import save_file, saving_problems
 from wraparc.shear_test.analysis import PlanResult
@@ -29,17 +35,22 @@ class Report:
 
     Parameters
     ----------
+    result
+        What was fitted.
     sheet
         Verdict, tables and remarks.
     drawings
         Its pictures.
-    date
-        When it was computed.
     """
 
+    result: PlanResult
     sheet: Sheet
     drawings: tuple[Drawing, ...]
-    date: str
+
+    @property
+    def date(self) -> str:
+        """When it was computed."""
+        return self.result.date
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the report, whole or not at all.
@@ -67,7 +78,7 @@ class Report:
             save_file(path, page)
         else:
             pictures = [(d.caption, d.draw().to_bytes("svg").decode()) for d in self.drawings]
-            save_file(path, sheet_page(self.sheet, pictures, f"{PROGRAM}, {self.date}"))
+            save_file(path, sheet_page(_signed(self), pictures, f"{PROGRAM}, {self.date}"))
 
 
 def make_report(result: PlanResult, system: System = "si") -> Report:
@@ -80,7 +91,16 @@ def make_report(result: PlanResult, system: System = "si") -> Report:
     system
         Units to show in the tables; pictures are in mm and kPa, like A and b.
     """
-    return Report(plan_sheet(result, system), tuple(_drawings(result)), result.date)
+    sheet = plan_sheet(result, system)
+    sheet = replace(sheet, tables=(*sheet.tables, digests_table(result)))
+    return Report(result, sheet, tuple(_drawings(result)))
+
+
+def _signed(report: Report) -> Sheet:
+    """The sheet of a page, with what stands in the title box and in the block to sign."""
+    sheet = report.sheet
+    box = Table("Report", tuple(Row(name, (text,)) for name, text in title_box(report.result)))
+    return replace(sheet, tables=(box, *sheet.tables, signature_table(report.result)))
 
 
 def _drawings(result: PlanResult) -> Iterator[Drawing]:
@@ -94,22 +114,26 @@ def _drawings(result: PlanResult) -> Iterator[Drawing]:
 
 def _data(report: Report, *, single: bool = False) -> dict[str, Any]:
     sheet, verdict = report.sheet, report.sheet.verdict
+    front = len(plan_tables(report.result))
     sections = (
+        Section("", tables=sheet.tables[:front]),
         Section("Remarks", sentences=sheet.remarks),
-        Section("", drawings=report.drawings, tables=sheet.tables),
+        Section("", drawings=report.drawings),
+        # each by itself, in the order of the sheet: side by side they would be too narrow
+        *(Section("", tables=(table,)) for table in sheet.tables[front:]),
         Section("Sources", sentences=sheet.sources),
     )
     return {
-        "kind": "",
+        "kind": "Test report · friction between belt and lagging",
         "title": sheet.title,
         "subtitle": sheet.subtitle,
         "author": "",
         "date": report.date,
         "paper": "a4",
-        "box": (),
-        "footer": (PROGRAM, report.date),
+        "box": title_box(report.result),
+        "footer": tuple(p for p in (PROGRAM, report.result.plan.head.number, report.date) if p),
         "single": single,
-        "signed": False,
+        "signatures": signatures(report.result),
         "level": str(verdict.level) if verdict else "OK",
         "word": verdict.told if verdict else "OK",
         "headline": verdict.headline if verdict else "",

@@ -7,6 +7,12 @@ import numpy as np
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.pressure_form import equations
+from wraparc.shear_test.standard_values import (
+    STANDARD_SLIPS,
+    StandardValues,
+    Statistic,
+    standard_values,
+)
 
 #: Counts up when a name goes or changes its meaning.
 DOCUMENT_FORMAT = 1
@@ -28,9 +34,10 @@ def plan_document(result: PlanResult) -> dict[str, Any]:
         "provenance": str(result.plan.provenance),
         "saturation_pressure": result.plan.saturation_pressure,
         "left_out": [str(problem) for problem in result.left_out],
+        "not_used": [{"file": t.file, "reason": t.reason} for t in result.plan.unused_tests],
         "conditions": [_condition(condition) for condition in result.conditions],
         "units": {
-            "pressure": "Pa", "peak_slip": "m", "lash": "m", "slip_max": "m",
+            "pressure": "Pa", "peak_slip": "m", "lash": "m", "slip_max": "m", "slip": "m",
             "post_peak_slope": "1/m", "A": "1/mm", "b": "1/mm",
         },
     }  # fmt: skip
@@ -58,6 +65,7 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
         "remarks": list(condition.remarks),
         "tests": [_test(t, bool(off)) for t, off in zip(found.tests, found.flagged, strict=True)],
         "law": law,
+        "standard_values": [_standard(values) for values in standard_values(condition)],
         "form": None if fit is None else str(fit.form),
         "equations": [] if fit is None else list(equations(fit.form, fit.theta, fit.ends)),
         "transition": None
@@ -80,9 +88,30 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
     }
 
 
+def _standard(values: StandardValues) -> dict[str, Any]:
+    def told(of: Statistic) -> dict[str, Any]:
+        return {"mean": _or_none(of.mean), "deviation": _or_none(of.deviation), "tests": of.count}
+
+    return {
+        "pressure": values.pressure,
+        "tests": values.tests,
+        "static": {**told(values.static), "still_rising": values.rising},
+        "kinetic": {**told(values.kinetic), "slip": [_or_none(s) for s in values.kinetic_slip]},
+        "at_slip": [
+            {"slip": slip, **told(of), "law_beyond_the_tests": _or_none(law)}
+            for slip, of, law in zip(STANDARD_SLIPS, values.at_slip, values.beyond, strict=True)
+        ],
+    }
+
+
+def _or_none(value: float) -> float | None:
+    return value if np.isfinite(value) else None
+
+
 def _test(test: TestResult, outlier: bool) -> dict[str, Any]:
     return {
         "file": test.test.file,
+        "digest": test.record.digest,
         "pressure": test.curve.pressure,
         "rows": test.record.rows,
         "readings": len(test.curve.travel),

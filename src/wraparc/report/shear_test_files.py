@@ -15,6 +15,12 @@ def left_out_table(result: PlanResult) -> Table:
     return Table("Tests left out", tuple(Row(str(p), ()) for p in result.left_out), heads=())
 
 
+def unused_table(result: PlanResult) -> Table:
+    """Tests that the plan says not to use, and why."""
+    rows = (Row(f"{t.place} ({t.file}): {t.reason}", ()) for t in result.plan.unused_tests)
+    return Table("Tests not used, as the plan says", tuple(rows), heads=())
+
+
 def files_table(condition: ConditionResult, name: str) -> Table:
     """One line a file: what was read of it and under what circumstances it was tested."""
     rows = []
@@ -32,8 +38,11 @@ def files_table(condition: ConditionResult, name: str) -> Table:
                     f"{test.fit.slip_max * 1e3:.1f}",
                     NONE if warm is None else f"{warm - 273.15:.4g}",
                     NONE if planned.speed is None else f"{planned.speed * 60e3:.4g}",
+                    NONE if planned.humidity is None else f"{100.0 * planned.humidity:.3g}",
                     planned.date or NONE,
                     planned.sample or NONE,
+                    planned.lot or NONE,
+                    planned.operator or NONE,
                 ),
             )
         )
@@ -45,8 +54,11 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "slip [mm]",
         "degC",
         "mm/min",
+        "humidity [%]",
         "date",
         "sample",
+        "lot",
+        "operator",
     )
     note = (
         "Rows of numbers in the file, those kept, and those of the pull that were fitted; largest "

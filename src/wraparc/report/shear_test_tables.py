@@ -1,6 +1,7 @@
 """Tables of a fitted test plan, for console, page and paper alike."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +13,16 @@ from wraparc.report.shear_test_files import (
     files_table,
     left_out_table,
     remarks_table,
+    unused_table,
     without_empty,
 )
+from wraparc.report.shear_test_head import circumstances_table
+from wraparc.report.shear_test_numbers import number, slope, with_error
+from wraparc.report.shear_test_standard import standard_tables
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
+from wraparc.shear_test.misfit import OTHER_PRESSURE
 from wraparc.shear_test.pressure_form import equations
 from wraparc.units import System, display_unit
 
@@ -33,14 +39,12 @@ def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
     system
         Units to show; A and b stay per millimetre of slip, as printed by the paper.
     """
-    tables: list[Table] = []
+    tables = plan_tables(result, system)
     for condition in result.conditions:
         several = len(result.conditions) > 1
         name = f" ({condition.condition})" if several else ""
         tables += condition_tables(condition, system, name)
     remarks = _remarks(result)
-    if result.left_out:
-        tables.insert(0, left_out_table(result))
     return Sheet(
         title=f"Shear tests of {result.plan.title or result.plan.name}",
         subtitle=_subtitle(result),
@@ -49,6 +53,14 @@ def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
         remarks=tuple(_started(sentence) for sentence in remarks),
         sources=(str(result.plan.provenance),),
     )
+
+
+def plan_tables(result: PlanResult, system: System = "si") -> list[Table]:
+    """Tables of the whole plan: what was not used, and under what circumstances was tested."""
+    tables = [left_out_table(result)] if result.left_out else []
+    if result.plan.unused_tests:
+        tables.append(unused_table(result))
+    return [*tables, circumstances_table(result, system)]
 
 
 def _remarks(result: PlanResult) -> list[str]:
@@ -65,7 +77,9 @@ def _remarks(result: PlanResult) -> list[str]:
 def _subtitle(result: PlanResult) -> str:
     used = sum(len(condition.tests) for condition in result.conditions)
     names = ", ".join(condition.condition for condition in result.conditions)
-    return f"{used} of {len(result.plan.tests)} tests used; condition {names}"
+    unused = len(result.plan.unused_tests)
+    besides = f", {unused} not used, as the plan says" if unused else ""
+    return f"{used} of {len(result.plan.tests)} tests used{besides}; condition {names}"
 
 
 def _started(sentence: str) -> str:
@@ -81,14 +95,19 @@ def verdict(result: PlanResult) -> Verdict:
     shown = tuple(_started(sentence) for sentence in misfit)
     if result.left_out:
         count = len({problem.file for problem in result.left_out})
-        headline = f"{count} of {len(result.plan.tests)} tests could not be used"
+        headline = f"{count} of {len(result.plan.used_tests)} tests could not be used"
         if misfit:
-            headline += f", and the law does not describe all others ({len(misfit)} remarks below)"
+            headline += f", and the law does not describe all others ({counted(misfit)} below)"
         return Verdict(Level.ATTENTION, headline + ".", shown)
     if misfit:
-        headline = f"The law does not describe everything: {len(misfit)} remarks."
+        headline = f"The law does not describe everything: {counted(misfit)}."
         return Verdict(Level.ATTENTION, headline, shown)
     return Verdict(Level.OK, "The law describes the tests within their noise and scatter.")
+
+
+def counted(remarks: Sequence[str]) -> str:
+    """How many remarks, in words."""
+    return "1 remark" if len(remarks) == 1 else f"{len(remarks)} remarks"
 
 
 def condition_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
@@ -97,6 +116,7 @@ def condition_tables(condition: ConditionResult, system: System, name: str) -> l
         curves_table(condition, system, name),
         coefficients_table(condition, system, name),
         law_table(condition, system, name),
+        *standard_tables(condition, system, name),
     ]
     if condition.fit is not None and condition.found.choice is not None:
         lines = equations(condition.fit.form, condition.fit.theta, condition.fit.ends)
@@ -133,24 +153,33 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
     )
     note = (
         "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets lies "
-        "beyond the tested slip. Noise: standard deviation of one reading of friction."
+        "beyond the tested slip. A curve that its law does not describe has no interval. Noise: "
+        "standard deviation of one reading of friction."
     )
     return Table(f"Tests{name}", rows, heads, note)
 
 
 def _curve_values(test: TestResult, system: System, size: float) -> tuple[str, ...]:
-    fit, q = test.fit, test.fit.parameters
-    slip = _with_error(q.peak_slip / size, Z95 * fit.error("ln_peak_slip") * q.peak_slip / size)
+    fit, q, spread = test.fit, test.fit.parameters, _spread(test)
+    slip = with_error(q.peak_slip / size, spread * fit.error("ln_peak_slip") * q.peak_slip / size)
     held = f"{q.lash / size:.3g} (held)"
-    lash = _with_error(q.lash / size, Z95 * fit.error("lash") / size)
+    lash = with_error(q.lash / size, spread * fit.error("lash") / size)
     return (
-        _number(test.curve.pressure / display_unit("pressure", system)[1]),
+        number(test.curve.pressure / display_unit("pressure", system)[1]),
         slip if fit.peak_inside else f"({slip})",
-        _with_error(q.peak_friction, Z95 * fit.error("ln_peak_friction") * q.peak_friction),
+        with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction),
         lash if "lash" in fit.free else held,
         f"{fit.r_squared:.4f}",
         f"{test.curve.noise:.4f}",
     )
+
+
+def _spread(test: TestResult) -> float:
+    """Half a 95 % interval in standard errors; 0 where the law does not describe the curve.
+
+    Its interval would be that of a law that does not hold.
+    """
+    return 0.0 if any(s.about != OTHER_PRESSURE for s in test.judged.misfit) else Z95
 
 
 def coefficients_table(condition: ConditionResult, system: System, name: str) -> Table:
@@ -160,19 +189,24 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
     for test in condition.tests:
         fit, q = test.fit, test.fit.parameters
         (a, b), (by_a, by_b) = fit.coefficients(), fit.coefficient_errors()
-        slope = _with_error(q.post_peak_slope * size, Z95 * fit.error("post_peak_slope") * size)
-        level = _with_error(q.residual_friction, Z95 * fit.error("residual_friction"))
+        spread = _spread(test)
+        falls = slope(
+            q.post_peak_slope * size,
+            spread * fit.error("post_peak_slope") * size,
+            q.peak_friction / q.peak_slip * size,
+        )
+        level = with_error(q.residual_friction, spread * fit.error("residual_friction"))
         check = derivative_check(fit)
         rows.append(
             Row(
                 title=test.test.file,
                 values=(
-                    _with_error(a, Z95 * by_a),
-                    _with_error(b, Z95 * by_b),
-                    slope if "post_peak_slope" in fit.free else NONE,
+                    with_error(a, spread * by_a),
+                    with_error(b, spread * by_b),
+                    falls if "post_peak_slope" in fit.free else NONE,
                     level if "residual_friction" in fit.free else NONE,
-                    _number(check.a, 3) if check else NONE,
-                    _number(check.b, 3) if check else NONE,
+                    number(check.a, 3) if check else NONE,
+                    number(check.b, 3) if check else NONE,
                 ),
             )
         )
@@ -196,20 +230,20 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
     unit, size = display_unit("length", system)
     pressures = condition.found.level_pressures()
     slip, friction, error = condition.peaks_at(pressures)
-    slope, ratio = condition.found.tails.at(pressures)
+    slopes, ratio = condition.found.tails.at(pressures)
     rows = []
     for k, pressure in enumerate(pressures):
         a, b = ab_from_peak(float(friction[k]), float(slip[k]) / 1e-3)
-        falls = slope[k] < 0.0
+        falls = slopes[k] < 0.0
         rows.append(
             Row(
-                title=_number(pressure / display_unit("pressure", system)[1]),
+                title=number(pressure / display_unit("pressure", system)[1]),
                 values=(
-                    _with_error(slip[k] / size, error[k, 0] * slip[k] / size),
-                    _with_error(friction[k], error[k, 1] * friction[k]),
-                    _number(a),
-                    _number(b),
-                    _number(slope[k] * size, 3) if falls else NONE,
+                    with_error(slip[k] / size, error[k, 0] * slip[k] / size),
+                    with_error(friction[k], error[k, 1] * friction[k]),
+                    number(a),
+                    number(b),
+                    slope(slopes[k] * size, 0.0, friction[k] / slip[k] * size) if falls else NONE,
                     f"{ratio[k] * friction[k]:.3f}" if falls else NONE,
                 ),
             )
@@ -257,7 +291,7 @@ def prediction_table(condition: ConditionResult, system: System, name: str) -> T
     """Each pressure predicted by the law of the others."""
     rows = tuple(
         Row(
-            title=_number(item.pressure / display_unit("pressure", system)[1]),
+            title=number(item.pressure / display_unit("pressure", system)[1]),
             values=(f"{item.error:.4f}", f"{item.noise_levels:.2f}", f"{item.scatter:.4f}"),
             note="" if item.inside else "outside the others: extrapolated",
         )
@@ -285,7 +319,7 @@ def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
                 title=test.test.file,
                 values=(
                     f"{test.curve.bending * _top(test) / size:.3f}",
-                    *(_number(fit.parameters.peak_slip / size) for fit in both),
+                    *(number(fit.parameters.peak_slip / size) for fit in both),
                     *(f"{fit.parameters.peak_friction:.3f}" for fit in both),
                 ),
             )
@@ -307,17 +341,3 @@ def _top(test: TestResult) -> float:
 
 def _pressure_head(system: System) -> str:
     return f"pressure [{display_unit('pressure', system)[0]}]"
-
-
-def _number(value: float, digits: int = 4) -> str:
-    return f"{value:.{digits}g}"
-
-
-def _with_error(value: float, error: float) -> str:
-    """``value \u00b1 error``, the error with two digits and the value to the same place."""
-    if not math.isfinite(error) or error <= 0.0:
-        return _number(value)
-    if error > 3.0 * abs(value):
-        return f"{value:.2g} \u00b1 {error:.2g}"
-    places = max(0, 1 - math.floor(math.log10(error)))
-    return f"{value:.{places}f} \u00b1 {error:.{places}f}"

@@ -12,7 +12,7 @@ from wraparc.errors import InputError, Problem
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.misfit import Sentence, judged_fit, with_misfit
+from wraparc.shear_test.misfit import OTHER_PRESSURE, Sentence, judged_fit, with_misfit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
@@ -52,7 +52,7 @@ def fit_plan(
     results: list[TestResult] = []
     problems: list[Problem] = []
     seen: dict[str, str] = {}
-    for number, test in enumerate(plan.tests, start=1):
+    for number, test in enumerate(plan.used_tests, start=1):
         try:
             record = reader(test)
             _refuse_duplicate(record, test, seen)
@@ -62,9 +62,9 @@ def fit_plan(
         except (np.linalg.LinAlgError, ArithmeticError) as error:
             problems.append(_placed(_not_fitted(error), test))
         if progress is not None:
-            progress(number, len(plan.tests), test.file)
+            progress(number, len(plan.used_tests), test.file)
     if not results:
-        raise InputError(problems or [Problem(message="the plan has no test", file=plan.file)])
+        raise InputError(problems or [Problem(message="the plan uses no test", file=plan.file)])
     conditions = [_condition(plan, name, results) for name in _in_order(results)]
     return PlanResult(
         plan=plan,
@@ -139,7 +139,7 @@ def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> lis
         f"the measured normal force means {measured / 1e3:.4g} kPa, not the "
         f"{force / plan.rig.area / 1e3:.4g} kPa that were set; the measured one was used"
     )
-    return [Sentence("other pressure", text)]
+    return [Sentence(OTHER_PRESSURE, text)]
 
 
 def _in_order(results: Iterable[TestResult]) -> list[str]:

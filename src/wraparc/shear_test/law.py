@@ -185,7 +185,7 @@ def slip_speed(plan: TestPlan, condition: str) -> float | None:
 
     The belt slips on the sample as fast as the crosshead moves, less what the sample shears.
     """
-    said = [test.speed for test in plan.tests if test.condition == condition]
+    said = [test.speed for test in plan.used_tests if test.condition == condition]
     return max((speed for speed in said if speed is not None), default=None)
 
 

@@ -23,6 +23,8 @@ _SWINGS = 3.0
 _RISING = 10
 _SUDDEN = 0.02
 _SHOWN = 0.7
+#: What a sentence is about that says nothing against the curve itself.
+OTHER_PRESSURE = "other pressure"
 
 
 class Sentence(NamedTuple):
@@ -117,6 +119,14 @@ def _lash_held(
         )
         held = fit_curve(curve, bending=bending, lash=0.0)
         return held, [Sentence("lash of wrong sign", sentence)]
+    if negative and lash < -largest - 2.0 * error:
+        sentence = (
+            f"the curve asks for {-lash * 1e3:.2f} mm of slip before the record starts, more than "
+            f"the {largest * 1e3:.2g} mm of lash the rig can have: the lash was held at 0, and the "
+            "law does not describe the start"
+        )
+        held = fit_curve(curve, bending=bending, lash=0.0)
+        return held, [Sentence("slip before the record", sentence)]
     return free, []
 
 
@@ -180,7 +190,7 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
     if swings and fit.remainder < _REMAINDER * top:
         remarks.append(
             f"the friction swings about the curve by {100 * fit.noise / top:.0f} %, slower than "
-            "the noise of the readings: stick-slip?"
+            "the noise of the readings: it may be stick-slip"
         )
     if "post_peak_slope" in fit.free and "residual_friction" not in fit.free:
         remarks.append(

@@ -6,6 +6,7 @@ Plans are read from TOML by `wraparc.files`; everything here is in SI units.
 from dataclasses import dataclass, field
 
 from wraparc.provenance import Kind, Provenance
+from wraparc.shear_test.circumstances import LoadCell, ReportHead
 from wraparc.shear_test.pressure_choice import PressureOptions
 from wraparc.shear_test.record import Choices
 
@@ -32,8 +33,12 @@ class Rig:
         Lash it can have [m]; a curve that asks for more does not follow the law.
     least_friction, most_friction
         Limits of the friction that a test reaches [-]; a test outside them is left out.
-    name
-        What it is.
+    name, machine
+        What it is, and the machine it stands in.
+    operator
+        Who tests with it.
+    force_cell, normal_force_cell
+        What measures the pulling and the normal force.
     """
 
     area: float
@@ -43,6 +48,10 @@ class Rig:
     least_friction: float = LEAST_FRICTION
     most_friction: float = MOST_FRICTION
     name: str = ""
+    machine: str = ""
+    operator: str = ""
+    force_cell: LoadCell = field(default_factory=LoadCell)
+    normal_force_cell: LoadCell = field(default_factory=LoadCell)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,12 +77,20 @@ class PlannedTest:
         condition and one set pressure are.
     temperature
         [K], or None.
+    humidity
+        Relative humidity of the air [-], or None.
     speed
         Of the crosshead [m/s], or None.
     date
         When it was done.
-    sample
-        Which sample, for the report.
+    sample, lot
+        Which sample, and of which lot.
+    belt_cover, conditioning
+        What it slid on, and how sample and belt were kept and prepared before.
+    operator
+        Who tested, if not the operator of the rig.
+    use, reason
+        Whether the test counts; if it does not, why.
     """
 
     file: str
@@ -84,9 +101,16 @@ class PlannedTest:
     condition: str = "dry"
     repeat: str = ""
     temperature: float | None = None
+    humidity: float | None = None
     speed: float | None = None
     date: str = ""
     sample: str = ""
+    lot: str = ""
+    belt_cover: str = ""
+    conditioning: str = ""
+    operator: str = ""
+    use: bool = True
+    reason: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,6 +138,8 @@ class TestPlan:
         How to look for the pressure dependence.
     provenance
         Of the law.
+    head
+        Title block and signatures of the report.
     file, folder
         Name of the plan's file, and the folder its files are relative to.
     """
@@ -134,8 +160,19 @@ class TestPlan:
     remove_shear: bool | None = None
     options: PressureOptions = field(default_factory=PressureOptions)
     provenance: Provenance = field(default_factory=lambda: Provenance(Kind.MEASURED))
+    head: ReportHead = field(default_factory=ReportHead)
     file: str = ""
     folder: str = ""
+
+    @property
+    def used_tests(self) -> tuple[PlannedTest, ...]:
+        """The tests that count."""
+        return tuple(test for test in self.tests if test.use)
+
+    @property
+    def unused_tests(self) -> tuple[PlannedTest, ...]:
+        """The tests that the plan itself leaves out."""
+        return tuple(test for test in self.tests if not test.use)
 
     @property
     def shear_modulus_used(self) -> float | None:

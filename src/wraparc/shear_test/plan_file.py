@@ -1,6 +1,7 @@
 """Shear test plans: TOML to the plan as data."""
 
 import os
+from dataclasses import replace
 from typing import Any
 
 from wraparc.errors import InputError
@@ -11,7 +12,8 @@ from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
 from wraparc.shear_test import Choices, PressureOptions, TestPlan
-from wraparc.shear_test.plan_keys import FIT_OPTIONS, PLAN, RIG, TEST
+from wraparc.shear_test.circumstances import LoadCell, ReportHead
+from wraparc.shear_test.plan_keys import FIT_OPTIONS, LOAD_CELL, PLAN, REPORT, RIG, TEST
 from wraparc.units import parse_quantity, unit_factor
 
 _CHOICES = ("travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table")
@@ -38,9 +40,10 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
     record, report = read_tables(PLAN, document, file)
     rig = _rig(record.get("rig"), report)
     provenance = own_provenance(record, report)
-    common = record.get("columns", {})
+    common, circumstances = record.get("columns", {}), record.get("all_tests", {})
+    head = REPORT.built(record.get("report"), report) or ReportHead()
     tests = [
-        _test(item, position, common, report)
+        _test(_with(circumstances, item), position, common, report)
         for position, item in enumerate(record.get("test") or (), start=1)
         if isinstance(item, Record)
     ]
@@ -51,15 +54,31 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         tests=tuple(tests),
         options=FIT_OPTIONS.built(fit, report) or PressureOptions(),
         remove_shear=fit.get("remove_shear"),
-        provenance=provenance or Provenance(Kind.MEASURED),
+        provenance=_sourced(provenance or Provenance(Kind.MEASURED), head),
+        head=head,
         file=file,
         folder=folder,
         **record["lagging"],
     )
 
 
+def _sourced(provenance: Provenance, head: ReportHead) -> Provenance:
+    """Name the report as the source of what was measured, where the plan names none."""
+    if provenance.source or provenance.kind is not Kind.MEASURED:
+        return provenance
+    return replace(provenance, source=head.source)
+
+
+def _with(circumstances: dict[str, Any], record: Record) -> Record:
+    """A test with what holds for all tests, where it says nothing else."""
+    return Record({**circumstances, **record}, record.place, record.raw, record.faulty)
+
+
 def _rig(record: Any, report: Report) -> Any:
-    more = {}
+    more: dict[str, Any] = {}
+    for cell in ("force_cell", "normal_force_cell"):
+        if isinstance(record, Record) and cell in record:
+            more[cell] = LOAD_CELL.built(record[cell], report) or LoadCell()
     if isinstance(record, Record) and "compliance" in record:
         more["compliance"] = _compliance(record, report)
     return RIG.built(record, report, **more)
@@ -91,6 +110,9 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
             "Keep one of them: pressure = normal force / sample area.",
             record.raw["normal_force"],
         )
+    if record.get("use") is False and not record.get("reason", "").strip():
+        why = 'Say why the test is left out: reason = "the sample had slipped in its clamp".'
+        report.add((*record.place, "reason"), "missing", why)
     said = {**common, **record}
     choices = {key: said[key] for key in _CHOICES if key in said}
     if "normal_force_column" in said:

@@ -9,6 +9,7 @@ from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
 from wraparc.schema.tables import Entry, Table, need
 from wraparc.shear_test import DELIMITER_NAMES, PlannedTest, PressureOptions, Rig
+from wraparc.shear_test.circumstances import LoadCell, ReportHead
 
 _MOST_TESTS = 1000
 
@@ -36,6 +37,7 @@ _FORCE = Quantity("force", Limit("force", open=True))
 _LENGTH = Quantity("length", Limit("length", open=True))
 _MODULUS = Quantity("pressure", Limit("pressure", 1.0))
 _FRICTION = Quantity("number", Limit("number", least=1e-4, most=1e4))
+_HUMIDITY = Quantity("number", Limit("number", most=1.0))
 
 # What can be said of a file; in [columns] for all tests, in a [[test]] for one.
 _FILE_ENTRIES = (
@@ -75,6 +77,16 @@ LAGGING = Table(
     ),
 )
 
+LOAD_CELL = Table(
+    "Load cell",
+    Entry("make", "Maker and type.", Text()),
+    Entry("serial", "Serial number.", Text(60)),
+    Entry("accuracy", "Class or calibration uncertainty, as its certificate says it.", Text()),
+    Entry("calibrated", "Date of its calibration.", Text(60)),
+    Entry("certificate", "Number of the certificate.", Text(60)),
+    of=LoadCell,
+)
+
 RIG = Table(
     "Rig",
     need(
@@ -96,7 +108,11 @@ RIG = Table(
         "A test that reaches more is left out: a unit or column is wrong; 3 if left out.",
         _FRICTION,
     ),
-    Entry("name", "What rig and machine.", Text()),
+    Entry("name", "What rig.", Text()),
+    Entry("machine", "Testing machine: maker, type, serial number.", Text()),
+    Entry("operator", "Who tests.", Text()),
+    Entry("force_cell", "What measures the pulling force.", LOAD_CELL),
+    Entry("normal_force_cell", "What measures the normal force.", LOAD_CELL),
     of=Rig,
 )
 
@@ -116,6 +132,19 @@ FIT_OPTIONS = Table(
     of=PressureOptions,
 )
 
+# What can be said of all tests at once, or of one.
+_CIRCUMSTANCES = (
+    Entry("temperature", kind=Quantity("temperature", Limit("temperature"))),
+    Entry("humidity", 'Relative humidity of the air, such as "50 %".', _HUMIDITY),
+    Entry("speed", kind=Quantity("speed", Limit("speed", open=True)), title="Crosshead speed"),
+    Entry("date", kind=Text(60)),
+    Entry("operator", "Who tested, if not the operator of the rig.", Text()),
+    Entry("lot", "Lot of the specimen.", Text()),
+    Entry("belt_cover", "What the lagging slides on.", Text()),
+    Entry("conditioning", "How sample and belt were kept and prepared before.", Text(500)),
+)
+ALL_TESTS = Table("What holds for all tests", *_CIRCUMSTANCES)
+
 TEST = Table(
     "Test",
     need("file", "Relative to the plan.", Name(1000)),
@@ -123,12 +152,22 @@ TEST = Table(
     Entry("normal_force", "Set normal force.", _FORCE),
     Entry("condition", "dry, wet, dirty ...; dry if left out.", Name()),
     Entry("repeat", "Tests with the same word here are repeats.", Name()),
-    Entry("temperature", kind=Quantity("temperature", Limit("temperature"))),
-    Entry("speed", kind=Quantity("speed", Limit("speed", open=True)), title="Crosshead speed"),
-    Entry("date", kind=Text(60)),
     Entry("sample", "Which sample.", Text()),
+    Entry("use", "false leaves the test out; say why in reason.", Flag()),
+    Entry("reason", "Why the test is left out.", Text(500)),
+    *_CIRCUMSTANCES,
     *_FILE_ENTRIES,
     of=PlannedTest,
+)
+
+REPORT = Table(
+    "Report",
+    Entry("laboratory", "Who reports.", Text()),
+    Entry("number", "Number of the report.", Text(60)),
+    Entry("customer", "For whom.", Text()),
+    Entry("tested_by", "Who signs as having tested.", Text()),
+    Entry("checked_by", "Who signs as having checked.", Text()),
+    of=ReportHead,
 )
 
 PLAN = Table(
@@ -137,6 +176,8 @@ PLAN = Table(
     need("lagging", kind=LAGGING, example="a [lagging] table"),
     need("rig", kind=RIG, example='[rig] with sample_area = "400 cm2"'),
     Entry("columns", kind=COLUMNS),
+    Entry("all_tests", "What holds for all tests; a [[test]] overrules it.", ALL_TESTS),
+    Entry("report", "Title block and signatures of the report.", REPORT),
     Entry("fit", kind=FIT_OPTIONS),
     Entry("provenance", "Who tested, when; measured if left out.", PROVENANCE),
     need("test", kind=Rows(TEST, 1, _MOST_TESTS), example="a [[test]] table a test"),

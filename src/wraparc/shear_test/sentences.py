@@ -25,7 +25,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     if law is not None:
         misfit += _curves_off(tests, law, found)
         misfit += _predictions(found.left_out)
-    remarks = [_shear_sentence(plan), _tests_sentence(tests, found.levels)]
+    remarks = [_shear_sentence(plan), _tests_sentence(tests, found.levels), *_unused(plan)]
     if law is None or choice is None:
         pressure = tests[0].curve.pressure / 1e3
         remarks.append(
@@ -60,6 +60,17 @@ def _tests_sentence(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> s
     parts.append(" to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
     count = f"{len(tests)} tests" if len(tests) > 1 else "1 test"
     return f"{count}: {', '.join(part for part in parts if part)}"
+
+
+def _unused(plan: TestPlan) -> list[str]:
+    """Tests that the plan itself leaves out, and why."""
+    unused = plan.unused_tests
+    if not unused:
+        return []
+    many = f"{len(unused)} tests were" if len(unused) > 1 else "1 test was"
+    named = "; ".join(f"{test.file} ({test.reason})" for test in unused[:_FEW])
+    more = "; ..." if len(unused) > _FEW else ""
+    return [f"{many} not used, as the plan says: {named}{more}"]
 
 
 def _slip_reached(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:

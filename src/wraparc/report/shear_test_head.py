@@ -1,0 +1,157 @@
+"""What a test report states beside its numbers: title box, circumstances, digests, signatures."""
+
+from collections.abc import Callable, Iterable
+
+from wraparc.present.sheet import NONE, Row, Table
+from wraparc.shear_test.analysis import PlanResult
+from wraparc.shear_test.plan import PlannedTest
+from wraparc.units import Dimension, System, display
+
+NOT_STATED = "not stated"
+#: Who signs a test report.
+SIGNERS = ("Tested by", "Checked by")
+_ROW = ("Name", "Date", "Signature")
+
+
+def title_box(result: PlanResult) -> tuple[tuple[str, str], ...]:
+    """What stands in the box below the title, name and value."""
+    head = result.plan.head
+    return (
+        ("Laboratory", head.laboratory or NOT_STATED),
+        ("Report number", head.number or NOT_STATED),
+        ("Customer", head.customer or NOT_STATED),
+        ("Evaluated", result.date),
+    )
+
+
+def signatures(result: PlanResult) -> tuple[tuple[str, str, str], ...]:
+    """Who signs: role, name as far as it is known, date left to be written."""
+    head = result.plan.head
+    names = (head.tested_by or result.plan.rig.operator, head.checked_by)
+    return tuple((role, name, "") for role, name in zip(SIGNERS, names, strict=True))
+
+
+def signature_table(result: PlanResult) -> Table:
+    """The block to sign, for a page that is printed."""
+    line = "_" * 24
+    rows = (Row(role, (name or line, line, line)) for role, name, _ in signatures(result))
+    return Table("Signatures", tuple(rows), _ROW)
+
+
+def circumstances_table(result: PlanResult, system: System) -> Table:
+    """Specimen, rig and conditions; what a report on friction must say is there even if unstated.
+
+    ISO 8295 and ASTM D1894 ask for what is marked as not stated: specimen and counterface,
+    conditioning, temperature, humidity, speed, area, apparatus, operator and date.
+    """
+    plan = result.plan
+    rows = [Row(title, (value or NOT_STATED,)) for title, value in _asked_for(result, system)]
+    known = {
+        "Shear modulus G": plan.shear_modulus and display(plan.shear_modulus, "pressure", system),
+        "Elastic modulus E": plan.elastic_modulus
+        and display(plan.elastic_modulus, "pressure", system),
+        "Compression modulus E_c": plan.compression_modulus
+        and display(plan.compression_modulus, "pressure", system),
+        "Roughness": plan.roughness and display(plan.roughness, "length", system),
+    }
+    rows += [Row(title, (value,)) for title, value in known.items() if value]
+    return Table("Specimen, rig and conditions", tuple(rows))
+
+
+def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
+    plan, rig = result.plan, result.plan.rig
+    tests = [test.test for condition in result.conditions for test in condition.tests]
+    thickness = plan.thickness
+    per_force = f"{rig.compliance * 1e6:.3g} mm/kN" if rig.compliance else ""
+    return (
+        ("Specimen", plan.title or plan.name),
+        ("Lot", _texts(tests, lambda t: t.lot)),
+        ("Belt cover it slides on", _texts(tests, lambda t: t.belt_cover)),
+        ("Conditioning", _texts(tests, lambda t: t.conditioning)),
+        ("Date of the tests", _dates(tests)),
+        ("Operator", _texts(tests, lambda t: t.operator or rig.operator)),
+        ("Temperature", _span([t.temperature for t in tests], "temperature", system)),
+        ("Humidity", _percents([t.humidity for t in tests])),
+        ("Test speed", _speeds([t.speed for t in tests], system)),
+        ("Area of a face", display(rig.area, "area", system)),
+        ("Faces that slide", str(rig.faces)),
+        (
+            "Thickness that shears",
+            "" if thickness is None else display(thickness, "length", system),
+        ),
+        ("Rig", rig.name),
+        ("Testing machine", rig.machine),
+        ("Compliance of the rig", per_force),
+        ("Load cell, pull", rig.force_cell.device),
+        ("Calibration, pull", rig.force_cell.calibration),
+        *_normal_force(result),
+    )
+
+
+def _normal_force(result: PlanResult) -> list[tuple[str, str]]:
+    """How the normal force is known, and what measures it."""
+    records = [test.record for c in result.conditions for test in c.tests]
+    measured, cell = (
+        sum(r.normal_force is not None for r in records),
+        result.plan.rig.normal_force_cell,
+    )
+    if measured in (0, len(records)):
+        how = "measured" if measured else "as set, not measured"
+    else:
+        how = f"measured in {measured} of {len(records)} tests, else as set"
+    if not measured and not cell.device:
+        return [("Normal force", how)]
+    return [
+        ("Normal force", how),
+        ("Load cell, normal force", cell.device),
+        ("Calibration, normal force", cell.calibration),
+    ]
+
+
+def _stated(values: Iterable[object], text: str) -> str:
+    """A text, and for how many tests it is not stated."""
+    values = list(values)
+    missing = sum(value in (None, "") for value in values)
+    if not text or not missing:
+        return text
+    return f"{text} ({missing} of {len(values)} tests: {NOT_STATED})"
+
+
+def _texts(tests: Iterable[PlannedTest], of: Callable[[PlannedTest], str]) -> str:
+    values = [of(test) for test in tests]
+    different = list(dict.fromkeys(value for value in values if value))
+    return _stated(values, "; ".join(different[:4]) + ("; ..." if len(different) > 4 else ""))
+
+
+def _dates(tests: Iterable[PlannedTest]) -> str:
+    values = [test.date for test in tests]
+    dates = sorted({value for value in values if value})
+    return _stated(values, " to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
+
+
+def _ends(values: list[float | None], shown: Callable[[float], str]) -> str:
+    known = [value for value in values if value is not None]
+    if not known:
+        return ""
+    ends = dict.fromkeys(shown(value) for value in (min(known), max(known)))
+    return _stated(values, " to ".join(ends))
+
+
+def _span(values: list[float | None], dimension: Dimension, system: System) -> str:
+    return _ends(values, lambda value: display(value, dimension, system))
+
+
+def _percents(values: list[float | None]) -> str:
+    return _ends(values, lambda value: f"{100.0 * value:.3g} %")
+
+
+def _speeds(values: list[float | None], system: System) -> str:
+    size, unit = (25.4e-3 / 60.0, "in/min") if system == "us" else (1e-3 / 60.0, "mm/min")
+    return _ends(values, lambda value: f"{value / size:.4g} {unit}")
+
+
+def digests_table(result: PlanResult) -> Table:
+    """SHA-256 of every machine file, by which it can be proved to be the one that was fitted."""
+    files = {t.test.file: t.record.digest for c in result.conditions for t in c.tests}
+    rows = tuple(Row(f"{digest or NONE}  {file}", ()) for file, digest in files.items())
+    return Table("Digests (SHA-256) of the machine files", rows, heads=())

@@ -1,0 +1,87 @@
+"""Friction by pressure as test reports state it: static, kinetic, at standard slips."""
+
+import math
+
+from wraparc.present.sheet import NONE, Row, Table
+from wraparc.shear_test.analysis import ConditionResult
+from wraparc.shear_test.standard_values import (
+    STANDARD_SLIPS,
+    StandardValues,
+    Statistic,
+    standard_values,
+)
+from wraparc.units import System, display_unit
+
+_DEVIATION = "s: standard deviation between tests."
+
+
+def standard_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
+    """Return static and kinetic friction, and friction at standard slips, by pressure."""
+    values = standard_values(condition)
+    return [_static_table(values, system, name), _slips_table(values, system, name)]
+
+
+def _static_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:
+    unit, size = display_unit("length", system)
+    rows = []
+    for of in values:
+        first, last = of.kinetic_slip
+        more = f"still rising at the end of {of.rising} of {of.tests}" if of.rising else ""
+        rows.append(
+            Row(
+                title=_pressure(of, system),
+                values=(
+                    str(of.tests),
+                    f"> {of.static.mean:.3f}" if of.rising == of.tests else _mean(of.static),
+                    _deviation(of.static),
+                    _mean(of.kinetic),
+                    _deviation(of.kinetic),
+                    NONE if math.isnan(first) else f"{first / size:.3g} to {last / size:.3g}",
+                ),
+                note=more,
+            )
+        )
+    note = (
+        f"First column: pressure [{display_unit('pressure', system)[0]}]. Mean of the tests; "
+        f"{_DEVIATION} Static: the highest friction of each test. Kinetic: its mean over the slip "
+        "stated, from 1.25 peak slips on; - where no test goes that far. After ISO 8295 and ASTM "
+        "D1894, but for two things: the peak comes after millimetres of creep, not at the start, "
+        "and the lagging shears between belt covers instead of under a sled."
+    )
+    heads = ("tests", "static", "s", "kinetic", "s", f"over slip [{unit}]")
+    return Table(f"Static and kinetic friction{name}", tuple(rows), heads, note)
+
+
+def _slips_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:
+    unit, size = display_unit("length", system)
+    rows = []
+    for of in values:
+        cells = [str(of.tests)]
+        for known, law in zip(of.at_slip, of.beyond, strict=True):
+            fewer = f" ({known.count})" if 0 < known.count < of.tests else ""
+            cells += [
+                f"[{law:.3f}]" if not known.count else f"{_mean(known)}{fewer}",
+                _deviation(known),
+            ]
+        rows.append(Row(_pressure(of, system), tuple(cells)))
+    heads = ["tests"]
+    for slip in STANDARD_SLIPS:
+        heads += [f"{slip / size:.3g} {unit}", "s"]
+    note = (
+        f"First column: pressure [{display_unit('pressure', system)[0]}]. Mean of the measured "
+        f"friction at that slip; {_DEVIATION} In brackets [ ]: no test reached that slip, and the "
+        "number is the law, extrapolated. A number in ( ): how many tests reached it, if not all."
+    )
+    return Table(f"Friction at standard slips{name}", tuple(rows), tuple(heads), note)
+
+
+def _pressure(of: StandardValues, system: System) -> str:
+    return f"{of.pressure / display_unit('pressure', system)[1]:.4g}"
+
+
+def _mean(of: Statistic) -> str:
+    return NONE if math.isnan(of.mean) else f"{of.mean:.3f}"
+
+
+def _deviation(of: Statistic) -> str:
+    return NONE if math.isnan(of.deviation) else f"{of.deviation:.2g}"
