@@ -185,6 +185,16 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Creep where the belt leaves the pulley, the sum of its three parts.",
     ),
     Quantity(
+        "exit_creep_low", "", "length", "Creep at exit, low end",
+        "Low end of the 95 % interval of the exit creep by the uncertainty of the fitted law, the "
+        "tensions as they are.",
+    ),
+    Quantity(
+        "exit_creep_high", "", "length", "Creep at exit, high end",
+        "High end of the same interval; without bound where the friction there does not carry the "
+        "load.",
+    ),
+    Quantity(
         "creep_shrinkage", "u_s", "length", "Creep by belt shrinkage",
         "Part of the exit creep because the belt shortens as it sheds tension, R int (T1 - "
         "T)/EA dtheta.",

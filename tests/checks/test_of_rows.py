@@ -25,8 +25,7 @@ from wraparc.checks import Check, judge
 from wraparc.checks.design_standard import asked, wrap_factors
 from wraparc.checks.of_arc import slip_speed
 from wraparc.checks.of_rows import LEVELS, NAMES, judge_rows
-from wraparc.drive import Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
-from wraparc.drive.lagging import Fit
+from wraparc.drive import Criteria, DesignStandard, Fit, SafetyFactors, Sag, TakeUp
 from wraparc.files import drive_from_document
 from wraparc.files.write import drive_document
 from wraparc.study.source import DriveSource
@@ -164,6 +163,24 @@ def test_a_standard_that_cannot_be_applied_ends_alike(binding: bool, name: str) 
     )
     assert one_by_one(of)[1] == name
     assert of_rows(of) == one_by_one(of)
+
+
+def test_advice_leads_only_where_no_limit_is_missed() -> None:
+    """Ten thousand times the speed of the tests says less than a creep just over its limit."""
+    assert SOFT.law.tested is not None
+    slow = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=1e-6))  # type: ignore[type-var]
+    of = quiet(lagging=replace(SOFT, law=slow))
+    assert one_by_one(of) == ("ATTENTION", "tested_slip_speed")
+    assert of_rows(of) == one_by_one(of)
+    creep = solve(of, method=QUICK).arcs[0].exit_creep
+    over = replace(of, creep_limit=0.99 * creep)
+    assert one_by_one(over) == ("ATTENTION", "creep")
+    assert of_rows(over) == one_by_one(over)
+    below = replace(of, criteria=replace(NONE, standard=DesignStandard(name="CEMA")),
+                    creep_limit=0.99 * creep)  # fmt: skip
+    short = replace(below, load_cases=quiet(lagging=SOFT, entry=130e3, leaving=40e3).load_cases)
+    assert one_by_one(short) == ("ATTENTION", "creep")
+    assert of_rows(short) == one_by_one(short)
 
 
 def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> None:

@@ -15,7 +15,8 @@ from present.drives import BELT, drive, marched, solved
 from wraparc import Constant, Drive, Lagging, Tensions, TestedRange, load_lagging, solve
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.check import Place
-from wraparc.drive import CaseKind, Criteria, DesignStandard, SafetyFactors, Sag, TakeUp
+from wraparc.drive import CaseKind, Criteria, DesignStandard, Fit, SafetyFactors, Sag, TakeUp
+from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.provenance import Kind, Provenance
 
 NONE = Criteria(standard=DesignStandard(name="none"))
@@ -320,3 +321,27 @@ def test_tensions_that_contradict_the_take_up_are_told(
     if told:
         assert found[0].level is Level.ATTENTION
         assert told in found[0].sentence()
+
+
+def test_a_creep_whose_interval_reaches_beyond_the_limit_is_no_ok() -> None:
+    """Closed form: of a stiff belt on a rigid lagging the creep is a part of x_pk, 5 % uncertain.
+
+    1.96 times 5 % is a factor of 1.103: a limit 12 % above the creep is kept, one 8 % above not.
+    """
+    knots = PressureKnots(pressure=(1e5,), peak_friction=(0.8,), peak_slip=(10e-3,))
+    law = IntegralLog(coefficients=knots)
+    fit = Fit(
+        parameters=("knots[1].peak_slip",), values=(10e-3,), covariance=((2.5e-7,),)
+    )  # fmt: skip
+    of = quiet(lagging=Lagging(name="fitted", law=law, fit=fit), belt={"modulus": 9e8})
+    creep = solve(of).arcs[0].exit_creep
+    level = {k: judged(replace(of, creep_limit=k * creep)).level for k in (1.12, 1.08, 0.99)}
+    assert level == {1.12: Level.OK, 1.08: Level.ATTENTION, 0.99: Level.ATTENTION}
+    verdict = judged(replace(of, creep_limit=1.08 * creep))
+    assert verdict.governing is not None
+    assert verdict.governing.name == "creep_interval"
+    assert verdict.governing.value == pytest.approx(creep * math.exp(1.96 * 0.05), rel=0.01)
+    assert "By the uncertainty of the friction law" in verdict.headline()
+    # where the creep itself is beyond its limit, that is enough said
+    over = judged(replace(of, creep_limit=0.99 * creep))
+    assert [c.name for c in over.missed] == ["creep"]

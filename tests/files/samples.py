@@ -175,7 +175,7 @@ LAWS: st.SearchStrategy[FrictionLaw] = st.one_of(
 )
 
 FITS = st.builds(
-    lambda values, noise: Fit(
+    lambda values, noise, factor: Fit(
         parameters=tuple(f"p{i}" for i in range(len(values))),
         values=tuple(values),
         covariance=tuple(
@@ -183,9 +183,11 @@ FITS = st.builds(
             for i, v in enumerate(values)
         ),
         residual_noise=noise,
+        coverage_factor=factor,
     ),
     st.lists(numbers(-10.0, 10.0), min_size=1, max_size=4),
     st.none() | numbers(0.0, 0.1),
+    numbers(1.0, 12.7),
 )
 COSTS = st.builds(
     Cost,

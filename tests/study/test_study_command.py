@@ -20,7 +20,7 @@ def test_the_grid(tmp_path: Path) -> None:
     ran = wraparc("study", EXAMPLES / "take-up-grid.toml", "-o", tmp_path / "a.parquet")
     assert ran.code == 0, ran.err
     assert "117 designs; engineering setting" in ran.words
-    assert "diamond-rubber, 30 kN, 180 deg ATTENTION: the design standard" in ran.words
+    assert "diamond-rubber, 30 kN, 180 deg ATTENTION: the creep limit" in ran.words
     assert "57 more designs are in the file" in ran.words
     assert pq.read_metadata(tmp_path / "a.parquet").num_rows == 117
     assert "full-ceramic, friction: illustrative" in ran.words

@@ -11,11 +11,10 @@ import pytest
 from study.studies import EXAMPLES, FOLDER, SAMPLING, study_of
 from wraparc.arc import Distributed, WrapArc
 from wraparc.batch import Setting
-from wraparc.drive import Fit, Lagging
+from wraparc.drive import Fit, Lagging, with_peaks
 from wraparc.files import drive_from_document, load_lagging, save_lagging
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.schema.source import parse, read_text
-from wraparc.study.fitted import with_peaks
 from wraparc.study.parameter_study import Study
 from wraparc.study.plan import Array
 
@@ -232,7 +231,8 @@ def test_laws_are_drawn_with_the_covariance_of_the_fit(tmp_path: Path) -> None:
     few = {name: column[:3] for name, column in values.items()}
     rows = study.source.rows(few, 3, "design")
     for i in range(3):
-        peaks = {p: few[f"pulley.head.lagging.{p}"][i] for p in lagging.fit.parameters}
+        drawn = [few[f"pulley.head.lagging.{p}"][i] for p in lagging.fit.parameters]
+        peaks = dict(zip(lagging.fit.knots, drawn, strict=True))
         told = with_peaks(lagging.law, peaks).compact()
         np.testing.assert_array_equal(rows.arcs.laws.compact(i)[2], told.coefficients)
     assert n == 20

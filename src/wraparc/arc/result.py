@@ -6,10 +6,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.interval import creep_interval
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.views import Viewable
 
@@ -236,6 +238,16 @@ class ArcResult(Viewable):
         length = self.arc.radius * self.active_arc
         return self.arc.axial_stiffness / length if length > 0.0 else nan
 
+    @cached_property
+    def creep_interval(self) -> tuple[float, float]:
+        """95 % interval of the exit creep by the uncertainty of the law, see `creep_interval` [m].
+
+        nan where the arc is not solved, or by the paper's march, or its law has no statistics.
+        """
+        if not self.status.solved or self.method == "paper":
+            return nan, nan
+        return creep_interval(self.arc)
+
     @property
     def within_creep_limit(self) -> bool:
         """Whether the magnitude of the exit creep is within the creep limit."""
@@ -251,6 +263,7 @@ class ArcResult(Viewable):
         named["tension_ratio"] = self.tension_ratio
         named["effective_tension"] = self.effective_tension
         named["k_factor"] = self.k_factor
+        named["exit_creep_low"], named["exit_creep_high"] = self.creep_interval
         for part in (self.capacities, self.energy):
             named.update({f.name: getattr(part, f.name) for f in fields(part)})
         return named

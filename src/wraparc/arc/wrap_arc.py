@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.quantities import Geometry, Load
 from wraparc.arc.kernel.stick import onset_stress
-from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+from wraparc.drive import CREEP_LIMIT, Drive, Fit, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
 
@@ -73,6 +73,8 @@ class WrapArc:
         Speed of the belt at the entry [m/s], or None.
     wear_coefficient
         Worn volume per frictional energy [m3/J], or None.
+    fit
+        Statistics of the law, or None: for the interval of the creep alone.
     pulley, load_case
         Names, for reports.
     """
@@ -92,6 +94,7 @@ class WrapArc:
     creep_limit: float = CREEP_LIMIT
     belt_speed: float | None = None
     wear_coefficient: float | None = None
+    fit: Fit | None = None
     pulley: str = ""
     load_case: str = ""
 
@@ -187,6 +190,7 @@ class WrapArc:
             creep_limit=drive.creep_limit_of(pulley),
             belt_speed=drive.belt.speed,
             wear_coefficient=lagging.wear_coefficient,
+            fit=lagging.fit,
             pulley=pulley.name,
             load_case=case.name,
         )

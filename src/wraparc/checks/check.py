@@ -18,6 +18,9 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 
 #: Digits that a value and its limit are compared in, and the most shown to tell them apart.
 DIGITS, MOST_DIGITS = 4, 9
+#: Checks that advise where they are missed, as a design standard does that does not bind.
+ADVICE = ("creep_interval", "tested_slip_speed")
+_BEHIND = 1e9  # more than any margin
 
 
 class Level(StrEnum):
@@ -134,6 +137,11 @@ class Check:
         return margin_to(self.value, self.limit, at_most=self.at_most)
 
     @property
+    def advises(self) -> bool:
+        """Whether it tells of what is not known or was not asked for, not of a limit."""
+        return self.name in ADVICE or (self.name == "design_standard" and not self.binding)
+
+    @property
     def missed(self) -> bool:
         """Whether it asks for attention or worse."""
         return self.level.rank >= Level.ATTENTION.rank
@@ -193,7 +201,10 @@ class Verdict:
 
     @cached_property
     def governing(self) -> Check | None:
-        """The worst check, the least margin first; of what is kept, the nearest to its limit."""
+        """The worst check, limits before advice, the least margin first.
+
+        Of what is kept, the nearest to its limit.
+        """
         judged = [c for c in self.checks if c.level is not Level.NOT_CHECKED]
         return min(judged, key=_badness, default=None)
 
@@ -287,7 +298,13 @@ def _badness(check: Check) -> tuple[int, float]:
     margin = check.margin
     if math.isnan(margin):
         margin = -math.inf if check.missed and check.binding else math.inf
-    return -check.level.rank, margin
+    return -check.level.rank, behind(margin) if check.missed and check.advises else margin
+
+
+def behind(margin: _Number) -> _Number:
+    """Return a margin that sorts behind every other: advice leads where nothing else is missed."""
+    found: _Number = np.maximum(margin, -_BEHIND) + 2.0 * _BEHIND
+    return found
 
 
 def _placed(check: Check, system: System) -> str:

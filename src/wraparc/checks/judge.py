@@ -89,6 +89,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
             of_arc.grip(drive, case, arcs, index),
             of_arc.standard(drive, case, result),
             of_arc.creep(drive, result),
+            of_arc.creep_interval(drive, result),
         )
         yield from (check for check in found if check is not None)
         yield of_drive.belt_tension(drive, case, pulley)

@@ -151,6 +151,30 @@ def creep(drive: Drive, result: ArcResult) -> Check | None:
     )
 
 
+def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
+    """Check the end of the interval that the uncertainty of a fitted law leaves of the creep."""
+    ends = result.creep_interval
+    if math.isnan(ends[0]) or not result.within_creep_limit:
+        return None  # where the creep itself is beyond its limit, that is told
+    place = Place(result.arc.pulley, result.arc.load_case)
+    most = max(ends, key=abs)
+    told = "reaches {value}" if math.isfinite(most) else "ends where the belt slips through"
+    return judged(
+        RULES["creep_interval"],
+        "Creep at exit, end of the 95 % interval of the law",
+        abs(most),
+        result.arc.creep_limit,
+        "length",
+        place=place,
+        source=tests_of(drive.pulley(result.arc.pulley)),
+        short="limit within uncertainty",
+        says=f"By the uncertainty of the friction law the creep {told} (95 % interval), beyond the "
+        "limit of {limit}.",
+        remedy="Raise the slack-side tension, or test more samples of the lagging.",
+        binding=False,
+    )
+
+
 def _qualifies(drive: Drive, limit: float) -> str:
     """Say whether the belt may creep more than the customary limit."""
     belt = drive.belt

@@ -13,7 +13,7 @@ from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.batch import BatchResult
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.pull_factors import pull_factors
-from wraparc.checks.check import Level, keeps, margin_to
+from wraparc.checks.check import ADVICE, Level, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
 from wraparc.checks.rules import (
@@ -39,11 +39,14 @@ LEVELS = tuple(Level)
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
     "",
-    *(name for name in RULES if name not in ("balance", "train_balance")),
+    *(name for name in RULES if name not in ("creep_interval", "balance", "train_balance")),
     *sorted(ACROSS_CHECKS),
 )
 #: What `judge` checks of one drive and no row is checked for, in words.
-NOT_CHECKED = ("the energy balance of each solution",)
+NOT_CHECKED = (
+    "the energy balance of each solution",
+    "the interval of the creep by a fitted law (draw the law instead)",
+)
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
 
@@ -232,7 +235,7 @@ def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple
 def worst_of_rows(
     solved: BatchResult, held: Held, friction_factor: Array
 ) -> tuple[Codes, Codes, Array]:
-    """Return what `judge_rows` does, and the margin of the check that governs, shape (n,)."""
+    """Return what `judge_rows` does, and by which margin the check governs, shape (n,)."""
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
@@ -262,7 +265,10 @@ def _checks(
         )
         # what has no number comes first where it binds a design, and last where it does not
         first = np.where(held.binding, -math.inf, math.inf)
-        yield name, np.where(never, missed, ranks), np.where(never, first, margins)
+        ranks, margins = np.where(never, missed, ranks), np.where(never, first, margins)
+        advice = ranks > Level.OK.rank
+        advice &= ~held.binding if name == "design_standard" else name in ADVICE
+        yield name, ranks, np.where(advice, behind(margins), margins)
         if name == "tested_pressure_min":
             for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
                 ranks = np.where(flags, RULES[told].missed.rank, 0)

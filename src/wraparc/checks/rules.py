@@ -61,6 +61,7 @@ RULES = {
         Rule("gross_slip", "the safety against gross slip", at_most=False),
         Rule("design_standard", "the design standard", at_most=False),
         Rule("creep", "the creep limit"),
+        Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),
         Rule("face_pressure", "the pressure on the pulley face"),

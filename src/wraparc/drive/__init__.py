@@ -24,7 +24,8 @@ from wraparc.drive.drive import (
     laggings_of,
     repeated,
 )
-from wraparc.drive.lagging import SURFACES, Cost, Fit, Lagging
+from wraparc.drive.fit import NORMAL_95, Fit, knots_of, with_peaks
+from wraparc.drive.lagging import SURFACES, Cost, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
 from wraparc.drive.pulley import Pulley
 from wraparc.schema.limits import Limit
@@ -36,6 +37,7 @@ __all__ = [
     "DESIGN",
     "GRAVITY",
     "MOST_PULLEYS",
+    "NORMAL_95",
     "SHAPES",
     "STANDARDS",
     "SURFACES",
@@ -62,6 +64,8 @@ __all__ = [
     "WidthProfile",
     "compression_modulus",
     "condition_problems",
+    "knots_of",
     "laggings_of",
     "repeated",
+    "with_peaks",
 ]

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.drive.compression import Block, compression_modulus
+from wraparc.drive.fit import Fit
 from wraparc.errors import Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
@@ -17,74 +18,6 @@ from wraparc.views import Viewable
 
 #: Surfaces that published design values of friction are given for.
 SURFACES = ("bare", "rubber", "polyurethane", "ceramic")
-
-
-@dataclass(frozen=True, kw_only=True)
-class Fit:
-    """The statistics of a fitted friction law, enough to draw other laws from it.
-
-    Parameters
-    ----------
-    parameters
-        What was fitted, each by its place in the law, ``knots[2].peak_slip``.
-    values
-        Best estimates, shape (n,) [SI].
-    covariance
-        Their covariance, shape (n, n) [SI products].
-    residual_noise
-        Robust standard deviation of the measured friction about the law [-], or None.
-    date
-        When it was fitted.
-    method
-        How, in words.
-    misfit
-        Where the law does not describe the data, in words.
-    """
-
-    parameters: tuple[str, ...]
-    values: tuple[float, ...]
-    covariance: tuple[tuple[float, ...], ...]
-    residual_noise: float | None = None
-    date: str = ""
-    method: str = ""
-    misfit: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        n = len(self.parameters)
-        problems = limit_problems(self, {"residual_noise": Limit("number")})
-        if len(set(self.parameters)) < n or not n:
-            message = "must name each fitted parameter once"
-            problems.append(Problem(key="parameters", value=str(n), message=message))
-        if len(self.values) != n or not all(map(math.isfinite, self.values)):
-            message = f"must be {n} finite numbers, one for each parameter"
-            problems.append(Problem(key="values", value=str(len(self.values)), message=message))
-        problems += self._covariance_problems(n)
-        raise_all(problems)
-
-    def _covariance_problems(self, n: int) -> list[Problem]:
-        rows = [len(row) for row in self.covariance]
-        if rows != [n] * n:
-            given = f"{len(rows)} rows of {sorted(set(rows))} numbers"
-            message = f"must be {n} rows of {n} numbers, one for each parameter"
-            return [Problem(key="covariance", value=given, message=message)]
-        matrix = np.array(self.covariance, dtype=float).reshape(n, n)
-        message = ""
-        if not np.all(np.isfinite(matrix)):
-            message = "must be finite"
-        elif n and np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max():
-            message = "must be symmetric"
-        elif n and _least_correlation_eigenvalue(matrix) < -1e-8 * n:
-            message = "must have no negative eigenvalue: no variance is negative"
-        return [Problem(key="covariance", message=message)] if message else []
-
-
-def _least_correlation_eigenvalue(
-    covariance: NDArray[np.float64],
-) -> float:
-    """Least eigenvalue of the matrix scaled to unit diagonal [-]."""
-    scale = np.sqrt(np.abs(np.diag(covariance)))
-    scale = np.where(scale > 0.0, scale, 1.0)
-    return float(np.linalg.eigvalsh(covariance / np.outer(scale, scale))[0])
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -67,6 +67,11 @@ FIT = Table(
         "Standard deviation of the measured friction about the law.",
         _NOT_NEGATIVE,
     ),
+    Entry(
+        "coverage_factor",
+        "Standard deviations to either side of a 95 % interval; 1.96 if left out.",
+        Quantity("number", Limit("number", 1.0)),
+    ),
     Entry("date", "When it was fitted.", Text(60)),
     Entry("method", "How it was fitted.", Text(500)),
     Entry("misfit", "Where the law does not describe the data.", _NOTES),

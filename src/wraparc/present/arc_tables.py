@@ -46,7 +46,9 @@ def answer_table(results: Results, system: System) -> Table:
     first = results[0]
     limit = first.arc.creep_limit
     share = f"{percent(abs(first.exit_creep) / limit)} of the limit"
-    forward = "; negative: with the belt" if first.exit_creep < 0.0 else ""
+    notes = [f"{share}, {named('creep_limit', limit, system)}"]
+    notes += ["negative: with the belt"] if first.exit_creep < 0.0 else []
+    notes += [told] if (told := creep_interval_text(first, system)) else []
     where = f"at {named('peak_shear_position', first.peak_shear_position, system)} from the entry"
     pressure = Row(
         "Wrap pressure, entry to exit",
@@ -56,7 +58,7 @@ def answer_table(results: Results, system: System) -> Table:
     rows = [
         row(
             "exit_creep",
-            f"{share}, {named('creep_limit', limit, system)}{forward}",
+            "; ".join(notes),
             _creep_level(first),
         ),
         row("exit_slip"),
@@ -82,6 +84,17 @@ def answer_table(results: Results, system: System) -> Table:
             note = "negative: belt faster than the lagging surface, entry to exit"
         rows.append(Row("Creep ratio", (g,), "g", note))
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results))
+
+
+def creep_interval_text(result: ArcResult, system: System) -> str:
+    """Return the interval of the creep by its law, ``95 % by the law: 6.6 to 8.3 mm``."""
+    low, high = result.creep_interval
+    if math.isnan(low):
+        return ""
+    if math.isinf(high) or math.isinf(low):
+        end = low if math.isinf(high) else high
+        return f"95 % by the law: from {named('exit_creep', end, system)} to gross slip"
+    return f"95 % by the law: {between('exit_creep', low, high, system)}"
 
 
 def _pressures(result: ArcResult, system: System) -> str:

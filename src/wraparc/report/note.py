@@ -15,7 +15,13 @@ from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Equation
 from wraparc.glossary import GLOSSARY
-from wraparc.present.arc_tables import answer_table, belongs, capacity_table, creep_table
+from wraparc.present.arc_tables import (
+    answer_table,
+    belongs,
+    capacity_table,
+    creep_interval_text,
+    creep_table,
+)
 from wraparc.present.catalogue_sheets import law_table
 from wraparc.present.checks_table import check_table, checks_summary
 from wraparc.present.conditions_table import conditions_table
@@ -277,6 +283,9 @@ def _arcs_table(results: Sequence[DriveResult], system: System) -> Table:
         "Margin: capacity at the creep limit over the actual tension ratio. Shear angle and shear "
         "stress at their peak."
     )
+    for arc in results[0]:
+        told = creep_interval_text(arc, system)
+        note += f" Creep in {belongs(arc)}: {told}." if told else ""
     return Table("", tuple(rows), (*heads, "answer"), note)
 
 

@@ -5,13 +5,19 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.drive import Fit, Lagging
+from wraparc.drive import NORMAL_95, Fit, Lagging
 from wraparc.friction import IntegralLog, PressureKnots, TestedRange
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.analysis import Findings
 from wraparc.shear_test.plan import TestPlan
-from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, at_least, scatter_within
+from wraparc.shear_test.pressure_fit import (
+    CurvePoints,
+    PressureFit,
+    at_least,
+    scatter_within,
+    t95,
+)
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
 
@@ -136,6 +142,7 @@ def _knot_statistics(
         values=tuple(values.tolist()),
         # Of fewer digits it would have negative eigenvalues: the knots outnumber the parameters.
         covariance=tuple(tuple(row) for row in _to_digits(matrix, 9).tolist()),
+        coverage_factor=NORMAL_95 if found.fit is None else round(t95(found.fit.freedom), 4),
         residual_noise=float(np.median([test.curve.noise for test in found.tests])),
         date=datetime.now(UTC).date().isoformat(),
         method=_METHOD,

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem, shown
-from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots
 from wraparc.study.distributions import normal_quantile
 from wraparc.study.plan import Drawn
 from wraparc.units import Dimension
 
 Array = NDArray[np.float64]
 
-_PARAMETER = re.compile(r"knots\[([0-9]{1,4})\]\.(peak_slip|peak_friction)")
 _DIMENSIONS: dict[str, Dimension] = {"peak_slip": "length", "peak_friction": "number"}
 
 
@@ -41,12 +37,11 @@ class DrawnFit(Drawn):
     fit: Fit
 
     def __post_init__(self) -> None:
-        bad = [name for name in self.fit.parameters if not _PARAMETER.fullmatch(name)]
-        if bad or min(self.fit.values) <= 0.0:
+        if not self.fit.knots:
             raise InputError(
                 Problem(
                     key=self.field,
-                    value=shown(bad[:3] or min(self.fit.values)),
+                    value=shown(self.fit.parameters[:3]),
                     message="only peaks of the knots of an integral-log law can be drawn, all > 0",
                     remedy="Fit the lagging with `wraparc fit`.",
                 )
@@ -68,33 +63,10 @@ class DrawnFit(Drawn):
     def draw(self, points: Array) -> dict[str, Array]:
         """Parameters from points of the unit cube."""
         values = np.array(self.fit.values)
-        logs = np.array(self.fit.covariance) / np.outer(values, values)
-        sizes, directions = np.linalg.eigh(0.5 * (logs + logs.T))
+        sizes, directions = np.linalg.eigh(self.fit.log_covariance)
         root = directions * np.sqrt(np.maximum(sizes, 0.0))
         z = normal_quantile(points)
         # a sum in a fixed order: a matrix product depends on the number of rows in its last bits
         moves = sum(z[:, k, None] * root[:, k] for k in range(len(values)))
         drawn = values * np.exp(moves)
         return {name: drawn[:, k] for k, name in enumerate(self.columns)}
-
-
-def with_peaks(law: FrictionLaw, parameters: Mapping[str, float]) -> FrictionLaw:
-    """Return a law with other peaks at its knots, ``knots[2].peak_slip`` and so on [SI].
-
-    Raises
-    ------
-    InputError
-        If the law has no such knots.
-    """
-    coefficients = law.coefficients if isinstance(law, IntegralLog) else None
-    if not isinstance(law, IntegralLog) or not isinstance(coefficients, PressureKnots):
-        raise InputError(Problem(message="only an integral-log law with knots can be drawn"))
-    columns = {key: list(getattr(coefficients, key)) for key in _DIMENSIONS}
-    for name, value in parameters.items():
-        match = _PARAMETER.fullmatch(name)
-        place = int(match[1]) - 1 if match else -1
-        if match is None or not 0 <= place < len(coefficients.pressure):
-            raise InputError(Problem(value=shown(name), message="the law has no such knot"))
-        columns[match[2]][place] = float(value)
-    changed = {key: tuple(column) for key, column in columns.items()}
-    return replace(law, coefficients=replace(coefficients, **changed))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import held_by
-from wraparc.drive import Drive, Lagging, Tensions
+from wraparc.drive import Drive, Lagging, Tensions, with_peaks
 from wraparc.errors import InputError
 from wraparc.files.conditions import refuse_several
 from wraparc.files.tensions import KEYS, Given, spread
@@ -21,7 +21,7 @@ from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
 from wraparc.study.fields import FRICTION_FACTOR, SLIP_FACTOR
-from wraparc.study.fitted import DrawnFit, with_peaks
+from wraparc.study.fitted import DrawnFit
 from wraparc.study.parameter_study import Rows
 from wraparc.study.plan import Levels, Values
 from wraparc.train.file import any_drive_from_document
@@ -232,7 +232,7 @@ class DriveSource:
         fit = drawn[0]
         table = np.stack([values[name] for name in fit.columns], axis=1)
         own = [
-            with_peaks(laws[which[i]], dict(zip(fit.fit.parameters, table[i], strict=True)))
+            with_peaks(laws[which[i]], dict(zip(fit.fit.knots, table[i], strict=True)))
             for i in range(size)
         ]
         return own, np.arange(size)

@@ -74,6 +74,14 @@ function lateFigures(arc) {
     },
   ];
 }
+/** The interval of the creep by its fitted law. @param {Record<string, number | null>} n */
+function interval(n) {
+  const [low, high] = [n.exit_creep_low, n.exit_creep_high];
+  if (low == null && high == null) return "";
+  const text = (/** @type {number | null} */ v) =>
+    v == null ? "gross slip" : shown("exit_creep", v);
+  return `; 95 % by the law: ${text(low)} to ${text(high)}`;
+}
 /** @param {QuickAnswer} arc */
 export function figures(arc) {
   const { numbers: n, creep_limit: limit } = arc;
@@ -83,7 +91,7 @@ export function figures(arc) {
     name: "Creep at exit",
     value: solved ? shown("exit_creep", n.exit_creep) : "–",
     small: solved
-      ? `${percent(share)} of the limit ${show(limit, "length")}`
+      ? `${percent(share)} of the limit ${show(limit, "length")}${interval(n)}`
       : `gross slip; the limit is ${show(limit, "length")}`,
     level: arc.levels.creep || arc.level,
   };

@@ -1,0 +1,85 @@
+"""The 95 % interval of an arc's creep that the uncertainty of its fitted law leaves."""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.kernel.answer import answer
+from wraparc.arc.kernel.quantities import SOLVED
+from wraparc.arc.wrap_arc import WrapArc
+from wraparc.drive import knots_of, with_peaks
+from wraparc.friction import PressureKnots
+
+Array = NDArray[np.float64]
+
+nan = math.nan
+#: Step of a slope, in standard deviations of the parameter.
+_STEP = 0.5
+
+
+def creep_interval(arc: WrapArc, steps: int = 24) -> tuple[float, float]:
+    """Return the 95 % interval of the creep at the exit [m], the tensions as they are.
+
+    The slopes of the creep over the logarithms of the law's peaks, with their covariance, tell in
+    which direction the law is most and least favourable. There the arc is solved again, with the
+    laws that lie the coverage factor of the fit times the standard deviation away. An end that the
+    friction does not carry is infinite.
+
+    Parameters
+    ----------
+    arc
+        A solved arc.
+    steps
+        Mesh steps.
+
+    Returns
+    -------
+    low, high
+        The ends; nan where the law has no statistics of its knots, or breaks away itself.
+    """
+    fit, law, knots = arc.fit, arc.law, knots_of(arc.law)
+    if fit is None or knots is None or not fit.knots:
+        return nan, nan
+    if not all(0 <= place < len(knots.pressure) for place, _ in fit.knots):
+        return nan, nan
+    geometry, load = arc.geometry(), arc.load()
+    peaks = np.array([getattr(knots, quantity)[place] for place, quantity in fit.knots])
+
+    def creep_at(logs: Array) -> float:
+        moved = with_peaks(law, dict(zip(fit.knots, (peaks * np.exp(logs)).tolist(), strict=True)))
+        found = answer(moved.compact(), geometry, load, steps)
+        return found.shot.creep if found.outcome == SOLVED else math.copysign(math.inf, arc.side)
+
+    creep = creep_at(np.zeros(len(peaks)))
+    if math.isinf(creep):
+        return nan, nan
+    covariance, slopes = fit.log_covariance, np.zeros(len(peaks))
+    first, last = _felt(arc, knots)
+    for i, (place, quantity) in enumerate(fit.knots):
+        spread = math.sqrt(max(float(covariance[i, i]), 0.0))
+        if not first <= place <= last or spread == 0.0:
+            continue
+        # to more friction, or earlier friction: such an arc is solved where this one is
+        step = np.zeros(len(peaks))
+        step[i] = _STEP * spread * (1.0 if quantity == "peak_friction" else -1.0)
+        slopes[i] = (creep_at(step) - creep) / step[i]
+    deviation = math.sqrt(max(float(slopes @ covariance @ slopes), 0.0))
+    if deviation == 0.0:
+        return creep, creep
+    way = fit.coverage_factor / deviation * (covariance @ slopes)
+    ends = creep_at(-way), creep_at(way)
+    return min(*ends, creep), max(*ends, creep)
+
+
+def _felt(arc: WrapArc, knots: PressureKnots) -> tuple[int, int]:
+    """Return the first and the last knot that the pressures along an arc can feel.
+
+    A monotone cubic between two knots takes its slopes from the knots beside them.
+    """
+    slack, tight = sorted((arc.entry_tension, arc.exit_tension))
+    first = bisect(knots.pressure, arc.wrap_pressure(slack)) - 2
+    return first, bisect(knots.pressure, arc.wrap_pressure(tight)) + 1

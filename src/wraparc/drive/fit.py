@@ -1,0 +1,148 @@
+"""The statistics of a fitted friction law, and laws drawn from them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.errors import InputError, Problem
+from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots
+from wraparc.schema.limits import Limit, limit_problems, raise_all
+
+Array = NDArray[np.float64]
+
+#: Standard deviations to either side of a 95 % interval of the normal distribution [-].
+NORMAL_95 = 1.96
+#: What of a knot is fitted.
+PEAKS = ("peak_slip", "peak_friction")
+_PARAMETER = re.compile(rf"knots\[([0-9]{{1,4}})\]\.({'|'.join(PEAKS)})")
+_LIMITS = {"residual_noise": Limit("number"), "coverage_factor": Limit("number", least=1.0)}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fit:
+    """The statistics of a fitted friction law, enough to draw other laws from it.
+
+    Parameters
+    ----------
+    parameters
+        What was fitted, each by its place in the law, ``knots[2].peak_slip``.
+    values
+        Best estimates, shape (n,) [SI].
+    covariance
+        Their covariance, shape (n, n) [SI products].
+    residual_noise
+        Robust standard deviation of the measured friction about the law [-], or None.
+    date
+        When it was fitted.
+    method
+        How, in words.
+    misfit
+        Where the law does not describe the data, in words.
+    coverage_factor
+        Standard deviations to either side of a 95 % interval: Student's t for the tests there
+        were, 1.96 for many [-].
+    """
+
+    parameters: tuple[str, ...]
+    values: tuple[float, ...]
+    covariance: tuple[tuple[float, ...], ...]
+    residual_noise: float | None = None
+    date: str = ""
+    method: str = ""
+    misfit: tuple[str, ...] = ()
+    coverage_factor: float = NORMAL_95
+
+    def __post_init__(self) -> None:
+        n = len(self.parameters)
+        problems = limit_problems(self, _LIMITS)
+        if len(set(self.parameters)) < n or not n:
+            message = "must name each fitted parameter once"
+            problems.append(Problem(key="parameters", value=str(n), message=message))
+        if len(self.values) != n or not all(map(math.isfinite, self.values)):
+            message = f"must be {n} finite numbers, one for each parameter"
+            problems.append(Problem(key="values", value=str(len(self.values)), message=message))
+        problems += self._covariance_problems(n)
+        raise_all(problems)
+
+    def _covariance_problems(self, n: int) -> list[Problem]:
+        rows = [len(row) for row in self.covariance]
+        if rows != [n] * n:
+            given = f"{len(rows)} rows of {sorted(set(rows))} numbers"
+            message = f"must be {n} rows of {n} numbers, one for each parameter"
+            return [Problem(key="covariance", value=given, message=message)]
+        matrix = np.array(self.covariance, dtype=float).reshape(n, n)
+        message = ""
+        if not np.all(np.isfinite(matrix)):
+            message = "must be finite"
+        elif n and np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max():
+            message = "must be symmetric"
+        elif n and _least_correlation_eigenvalue(matrix) < -1e-8 * n:
+            message = "must have no negative eigenvalue: no variance is negative"
+        return [Problem(key="covariance", message=message)] if message else []
+
+    @cached_property
+    def knots(self) -> tuple[tuple[int, str], ...]:
+        """Knot of each parameter, from 0, and which peak of it; empty if some are none of these.
+
+        `wraparc fit` writes no others, all > 0.
+        """
+        found = [_PARAMETER.fullmatch(name) for name in self.parameters]
+        if min(self.values) <= 0.0:
+            return ()
+        named = tuple((int(match[1]) - 1, match[2]) for match in found if match)
+        return named if len(named) == len(found) else ()
+
+    @cached_property
+    def log_covariance(self) -> Array:
+        """Covariance of the logarithms of the parameters, symmetric, shape (n, n) [-]."""
+        values = np.array(self.values)
+        logs = np.array(self.covariance) / np.outer(values, values)
+        return np.asarray(0.5 * (logs + logs.T))
+
+
+def _least_correlation_eigenvalue(covariance: Array) -> float:
+    """Least eigenvalue of the matrix scaled to unit diagonal [-]."""
+    scale = np.sqrt(np.abs(np.diag(covariance)))
+    scale = np.where(scale > 0.0, scale, 1.0)
+    return float(np.linalg.eigvalsh(covariance / np.outer(scale, scale))[0])
+
+
+def with_peaks(law: FrictionLaw, peaks: Mapping[tuple[int, str], float]) -> FrictionLaw:
+    """Return a law with other peaks at its knots.
+
+    Parameters
+    ----------
+    law
+        An integral-log law with knots.
+    peaks
+        Values by knot, from 0, and ``peak_slip`` [m] or ``peak_friction`` [-].
+
+    Raises
+    ------
+    InputError
+        If the law has no such knots.
+    """
+    knots = knots_of(law)
+    if knots is None or not isinstance(law, IntegralLog):
+        raise InputError(Problem(message="only an integral-log law with knots can be drawn"))
+    columns = {key: list(getattr(knots, key)) for key in PEAKS}
+    for (place, quantity), value in peaks.items():
+        if not 0 <= place < len(knots.pressure):
+            message = f"the law has {len(knots.pressure)} knots, and none {place + 1}"
+            raise InputError(Problem(message=message))
+        columns[quantity][place] = float(value)
+    changed = {key: tuple(column) for key, column in columns.items()}
+    return replace(law, coefficients=replace(knots, **changed))
+
+
+def knots_of(law: FrictionLaw) -> PressureKnots | None:
+    """Return the knots of an integral-log law; None for a law without."""
+    coefficients = law.coefficients if isinstance(law, IntegralLog) else None
+    return coefficients if isinstance(coefficients, PressureKnots) else None
