@@ -405,7 +405,8 @@ def test_cost_wear_and_fit_travel_with_the_lagging() -> None:
     )
     assert lagging.fit == Fit(
         parameters=("friction",), values=(0.4,), covariance=((1e-4,),), residual_noise=0.01,
-        coverage_factor=2.57, date="2024-05-01", method="robust", misfit=("first point already near the peak",),
+        coverage_factor=2.57, date="2024-05-01", method="robust",
+        misfit=("first point already near the peak",),
     )  # fmt: skip
 
 
