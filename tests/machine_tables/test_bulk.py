@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import rubber
-from wraparc.machine_tables import tables as room
+from wraparc.machine_tables import text as room
 from wraparc.machine_tables.numerals import NumeralStyle, numbers, style_of
 from wraparc.shear_test import DIALECTS, Choices, VirtualRig, read_machine_bytes, run_virtual_test
 from wraparc.shear_test.record import Array
@@ -74,11 +74,11 @@ def test_every_dialect_goes_the_quick_way(name: str, monkeypatch: pytest.MonkeyP
 
     found = read_machine_bytes(TEXTS[name].write(TEST), "x", Choices(units=dict(TEXTS[name].units)))
     assert len(found.travel) == 400
-    original = room._careful
+    original = room.careful_tables
     monkeypatch.setattr(
         room,
-        "_careful",
-        lambda lines, sign, offset=0: (
+        "careful_tables",
+        lambda lines, sign, offset=0, file="": (
             refuse() if len(lines) > 160 else original(lines, sign, offset)
         ),
     )

@@ -9,7 +9,7 @@ from wraparc.machine_tables.numerals import looks_numeric
 
 _DELIMITERS = ("\t", ";", "|", ",", " ")
 DELIMITER_NAMES = {"\t": "tab", ";": "semicolon", "|": "bar", ",": "comma", " ": "blanks"}
-_SAMPLE = 200
+_SAMPLE, _LONG = 200, 5000
 _WHOLE_LINE_QUOTED = re.compile(r'"(?:[^"]|"")*"')
 
 
@@ -71,7 +71,7 @@ def delimiter_of(lines: Sequence[str]) -> str | None:
     """Return the delimiter that cuts most lines into as many cells, or None."""
     later = lines[len(lines) // 4 :] if len(lines) > 40 else lines
     thinned = later[:: max(1, len(later) // _SAMPLE)]
-    sample = [line for line in thinned if any(c.isdigit() for c in line)]
+    sample = [line[:_LONG] for line in thinned if any(c.isdigit() for c in line[:_LONG])]
     scored = [(_fit_of(sample, sign), -k, sign) for k, sign in enumerate(_DELIMITERS)]
     best = max(scored, default=(0.0, 0, ""))
     return best[2] if best[0] > 0 else None

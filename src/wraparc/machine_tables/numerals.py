@@ -118,6 +118,12 @@ def _found(pattern: re.Pattern[str], texts: Sequence[str]) -> str:
     return ""
 
 
+def contradicts(columns: Iterable[Sequence[str]], style: NumeralStyle) -> bool:
+    """Whether cells prove the other decimal sign."""
+    other = _DECIMAL["," if style.decimal == "." else "."]
+    return any(other.search("\n".join(column)) for column in columns)
+
+
 def _undecided(
     present: Sequence[str], decimal: dict[str, str], texts: Sequence[str], file: str, remedy: str
 ) -> Problem:
@@ -155,7 +161,7 @@ def numbers(
     if style.decimal == "," and "." not in plain:
         plain = plain.replace(",", ".")
     elif style.decimal == ",":
-        return np.array([_number(cell, style) for cell in texts], dtype=float)
+        return np.array([number_of(cell, style) for cell in texts], dtype=float)
     parts = plain.split("\n")
     if set(plain) <= _PLAIN_CHARACTERS and len(parts) == len(texts):
         try:
@@ -164,12 +170,12 @@ def numbers(
             pass
         else:
             return np.where(np.isfinite(values), values, np.nan)
-    return np.array([_number(cell, style) for cell in texts], dtype=float)
+    return np.array([number_of(cell, style) for cell in texts], dtype=float)
 
 
 def _cell_number(cell: object, style: NumeralStyle) -> float:
     if isinstance(cell, str):
-        return _number(cell, style)
+        return number_of(cell, style)
     if isinstance(cell, bool) or not isinstance(cell, int | float):
         return math.nan
     return float(cell) if abs(cell) < _LARGEST else math.nan
@@ -182,7 +188,8 @@ def _grammar(decimal: str) -> re.Pattern[str]:
     return re.compile(rf"({_SIGN})((?:{groups}|\d+)(?:{d}\d*)?|{d}\d+)({_EXPONENT})", re.ASCII)
 
 
-def _number(cell: str, style: NumeralStyle) -> float:
+def number_of(cell: str, style: NumeralStyle) -> float:
+    """Return the number of one cell as text, NaN if it is none."""
     match = _grammar(style.decimal).fullmatch(cell.strip())
     if match is None:
         return math.nan

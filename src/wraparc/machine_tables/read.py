@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.machine_tables.limits import LARGEST_FILE
 from wraparc.machine_tables.lines import DELIMITER_NAMES
 from wraparc.machine_tables.sniff import decode, is_workbook
-from wraparc.machine_tables.tables import RawTable, tables_in_text
+from wraparc.machine_tables.tables import RawTable
+from wraparc.machine_tables.text import tables_in_text
 from wraparc.machine_tables.workbook import tables_in_workbook
-
-LARGEST_FILE = 512 * 1024 * 1024
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +33,7 @@ class TableFile:
 
 
 def read_bytes(path: str | Path, remedy: str = "") -> bytes:
-    """Return what a plain file of at most 512 MB holds.
+    """Return what a plain file of at most 200 MB holds.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def read_bytes(path: str | Path, remedy: str = "") -> bytes:
     if stat.S_ISDIR(status.st_mode):
         raise _refused(name, "this is a folder", "Name a file in it.")
     large = stat.S_ISREG(status.st_mode)
-    message = "the file is larger than 512 MB" if large else "this is not a plain file"
+    message = "the file is larger than 200 MB" if large else "this is not a plain file"
     raise _refused(name, message, remedy)
 
 
@@ -84,7 +84,7 @@ def find_tables(
         return TableFile(tables_in_workbook(data, file, sheet), "workbook")
     decoded = decode(data, file, encoding)
     sign = None if delimiter is None else _delimiter(delimiter, file)
-    tables = tables_in_text(decoded.text, delimiter=sign, ended=decoded.ended)
+    tables = tables_in_text(decoded.text, delimiter=sign, ended=decoded.ended, file=file)
     return TableFile(tables, decoded.encoding, decoded.notes)
 
 

@@ -7,24 +7,26 @@ numbers. What stands above it is its header; whole lines in quotes are unwrapped
 import itertools
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.machine_tables.bulk import Bulk, read_bulk
 from wraparc.machine_tables.columns import NamedColumn, name_columns
-from wraparc.machine_tables.lines import delimiter_of, split_all, splitter, unwrapped
+from wraparc.machine_tables.limits import MOST_TABLES, beyond
+from wraparc.machine_tables.lines import split_all, splitter
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
 
 Cells = Sequence[object] | Array
-_HEAD = 150
 _LARGEST_GAP = 2
-_OVERLAP = 5
 _HEADER_KEPT = 40
-_ALL_NUMERIC = re.compile(r'[-+\u22120-9eE.,;|\t "]*[0-9][-+\u22120-9eE.,;|\t "]*')
-_LAST_DECIMALS = re.compile(r"[.,](\d*)\"?\s*$")
-_EMPTY = ' ;,|\t"'
+_ALL_NUMERIC = re.compile(r'(?=.*[0-9])[-+\u22120-9eE.,;|\t "]*')
+EMPTY = ' ;,|\t"'
+_LONG_NAMES = 5000
+_RAGGED = (
+    f"the rows have changing numbers of cells, {MOST_TABLES} times and more: they are no table "
+    "(decimal commas between delimiting commas do this)"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,12 +77,16 @@ class RawTable:
     def named(self, known: Callable[[str], object]) -> tuple[list[NamedColumn], str]:
         """Return the columns with their names and units, and a complaint; see `name_columns`."""
         last = self.columns[-1]
-        empty = not isinstance(last, np.ndarray) and not any(str(cell).strip() for cell in last)
+        empty = (
+            bool(np.isnan(last).all())
+            if isinstance(last, np.ndarray)
+            else not any(str(cell).strip() for cell in last)
+        )
         return name_columns(self.header, len(self.columns), known, last_empty=empty)
 
     def found_style(self, file: str, remedy: str = "") -> NumeralStyle:
         """Return the decimal sign that its cells prove, or raise; see `style_of`."""
-        columns = [] if self.style else [_numeric_text(column) for column in self.columns]
+        columns = [] if self.style else [numeric_text(column) for column in self.columns]
         return self.style or style_of([column for column in columns if column], file, remedy)
 
     def numbers(self, place: int, style: NumeralStyle) -> Array:
@@ -88,7 +94,7 @@ class RawTable:
         return numbers(self.columns[place], style)
 
 
-def _numeric_text(column: Cells) -> Sequence[str]:
+def numeric_text(column: Cells) -> Sequence[str]:
     """Cells of a column that holds numbers as text; of a mixed one, those that are text."""
     step = max(1, len(column) // 50)
     sample = [cell for cell in column[::step] if isinstance(cell, str) and cell.strip()]
@@ -97,88 +103,31 @@ def _numeric_text(column: Cells) -> Sequence[str]:
     return [cell for cell in column if isinstance(cell, str)]
 
 
-def tables_in_text(
-    text: str, *, delimiter: str | None = None, ended: bool = True
+def careful_tables(
+    lines: Sequence[str], sign: str, offset: int = 0, file: str = ""
 ) -> list[RawTable]:
-    """Find every table in `text`.
+    """Find the tables cell by cell; `offset` lines stand before the first.
 
-    Parameters
-    ----------
-    text
-        The file, its line ends those of Unix.
-    delimiter
-        What stands between cells (a blank: any run of blanks), if it is not to be found.
-    ended
-        Whether the last line has its line end.
-
-    Returns
-    -------
-    Tables in the order of the file; none if no line looks like a row of numbers.
+    Raises
+    ------
+    InputError
+        If there are more than `MOST_TABLES`, as rows of changing numbers of cells make them.
     """
-    lines = unwrapped(text.split("\n"))
-    while lines and not lines[-1].strip():
-        lines.pop()
-    sign = delimiter or delimiter_of(lines)
-    if sign is None:
-        return []
-    tables = _quick(lines, sign) if len(lines) > _HEAD else None
-    if tables is None:
-        tables = _careful(lines, sign)
-    if tables and not ended and tables[-1].lines[-1] == len(lines):
-        tables[-1] = replace(tables[-1], cut=True, shorter=_has_fewer_decimals(lines))
-    return tables
-
-
-def _quick(lines: Sequence[str], sign: str) -> list[RawTable] | None:
-    """Convert the table that reaches beyond the head at once; None where that cannot be done.
-
-    It ends with the file or before an empty line, what follows it being read carefully.
-    """
-    head = _careful(lines[:_HEAD], sign)
-    if not head or head[-1].lines[-1] != _HEAD or head[-1].skipped:
-        return None
-    first, width = int(head[-1].lines[0]) - 1, len(head[-1].columns)
-    stop = next((k for k in range(_HEAD, len(lines)) if not lines[k]), len(lines))
-    after: list[RawTable] = []
-    if stop < len(lines):
-        # Its last rows are read with what follows, to see that it ends there.
-        start = stop - min(_OVERLAP, stop - first)
-        last, *after = _careful(lines[start:], sign, start) or [head[-1]]
-        if last.lines.tolist() != list(range(start + 1, stop + 1)) or len(last.columns) != width:
-            return None
-        if last.skipped:
-            return None
-    bulk = read_bulk("\n".join(lines[first:stop]), sign, width)
-    if bulk is None:
-        return None
-    return [*head[:-1], _bulk_table(bulk, first, head[-1].header, sign), *after]
-
-
-def _careful(lines: Sequence[str], sign: str, offset: int = 0) -> list[RawTable]:
-    """Find the tables cell by cell; `offset` lines stand before the first."""
     cells = split_all(lines, sign)
-    runs = _runs(cells, _row_widths(lines, cells))
+    runs = _runs(cells, _row_widths(lines, cells), file)
     tables = []
     for run, start in zip(runs, [0, *(run.last + 1 for run in runs)], strict=False):
-        above = [line for line in lines[start : run.first] if line.strip(_EMPTY)]
+        above = [line for line in lines[start : run.first] if line.strip(EMPTY)]
         header = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
         tables.append(_text_table(cells, run, header, sign, offset))
     return tables
 
 
-def _has_fewer_decimals(lines: Sequence[str]) -> bool:
-    counts = []
-    for line in lines[-21:]:
-        match = _LAST_DECIMALS.search(line)
-        counts.append(len(match[1]) if match else 0)
-    return counts[-1] < min(counts[:-1], default=0)
-
-
-def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str) -> list[RawTable]:
+def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str, file: str = "") -> list[RawTable]:
     """Find every table in the rows of a worksheet; cells are text or numbers."""
     widths = np.array([_mixed_width(row) for row in rows], dtype=np.int64)
     texts = [[_text(cell) for cell in row] for row in rows]
-    runs = _runs(texts, widths)
+    runs = _runs(texts, widths, file)
     starts = [0, *(run.last + 1 for run in runs)]
     tables = []
     for run, start in zip(runs, starts, strict=False):
@@ -222,7 +171,7 @@ def _text_table(
 ) -> RawTable:
     before = offset + 1
     return RawTable(
-        place=f"lines {run.first + before} to {run.last + before}",
+        place=f"lines {run.first + before} to {run.rows[-1] + before}",
         header=header,
         columns=tuple(zip(*[cells[k] for k in run.rows], strict=True)),
         lines=np.array(run.rows, dtype=np.int64) + before,
@@ -231,21 +180,11 @@ def _text_table(
     )
 
 
-def _bulk_table(bulk: Bulk, first: int, header: tuple[tuple[str, ...], ...], sign: str) -> RawTable:
-    count = len(bulk.values)
-    return RawTable(
-        place=f"lines {first + 1} to {first + count}",
-        header=header,
-        columns=tuple(bulk.values.T),
-        lines=np.arange(first + 1, first + count + 1),
-        delimiter=sign,
-        style=bulk.style,
-    )
-
-
 def _header_cells(line: str, sign: str, width: int) -> tuple[str, ...]:
     if sign != " ":
         return tuple(cell.strip() for cell in splitter(sign)(line))
+    if len(line) > _LONG_NAMES:
+        return tuple(line.split())
     # Blanks also stand inside names: prefer the reading that fits the number of columns.
     for pattern in (r"\S+(?: \S+)*", r"[^\s\[(]+\s*[\[(][^\])]*[\])]|\S+"):
         parts = re.findall(pattern, line)
@@ -261,7 +200,7 @@ def _row_widths(lines: Sequence[str], cells: Sequence[Sequence[str]]) -> NDArray
     plain = np.fromiter((matches(x) is not None for x in lines), dtype=bool, count=len(lines))
     for k in np.flatnonzero(~plain | (widths < 2)).tolist():
         if widths[k] < 2 or sum(map(looks_numeric, cells[k])) < 2:
-            widths[k] = -1 if lines[k].strip(_EMPTY) else 0
+            widths[k] = -1 if lines[k].strip(EMPTY) else 0
     return widths
 
 
@@ -276,7 +215,7 @@ class _Run:
     skipped: list[tuple[int, str]] = field(default_factory=list)
 
 
-def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64]) -> list[_Run]:
+def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64], file: str) -> list[_Run]:
     """Group rows into tables; a line or two that is no row does not end a table."""
     bounds = [0, *(np.flatnonzero(np.diff(widths)) + 1).tolist(), len(widths)]
     stretches = [
@@ -301,6 +240,8 @@ def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64]) -> list[_Ru
                 (k, f"{width} cells instead of {run.width}") for k in range(start, stop)
             )
             run.last = stop - 1
+        elif len(found) == MOST_TABLES:
+            raise beyond(_RAGGED, file, start + 1)
         else:
             found.append(_Run(start, stop - 1, width, list(range(start, stop))))
         gap = []

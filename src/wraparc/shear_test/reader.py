@@ -34,7 +34,7 @@ def read_machine_file(path: str | Path, choices: Choices | None = None) -> Machi
     Raises
     ------
     InputError
-        If the file is missing or too large (512 MB), and as `read_machine_bytes`.
+        If the file is missing or too large (200 MB), and as `read_machine_bytes`.
     """
     return read_machine_bytes(read_bytes(path, _EXPORT), str(path), choices)
 
