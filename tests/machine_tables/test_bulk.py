@@ -1,5 +1,6 @@
 """The quick way through long files against the careful one, cell by cell: an independent reader."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -7,8 +8,10 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import rubber
+from wraparc.errors import InputError
 from wraparc.machine_tables import text as room
 from wraparc.machine_tables.numerals import NumeralStyle, numbers, style_of
+from wraparc.machine_tables.sniff import decode
 from wraparc.shear_test import DIALECTS, Choices, VirtualRig, read_machine_bytes, run_virtual_test
 from wraparc.shear_test.record import Array
 
@@ -17,13 +20,7 @@ TEXTS = {name: d for name, d in DIALECTS.items() if name != "excel"}
 
 
 def text_of(name: str) -> list[str]:
-    data = TEXTS[name].write(TEST)
-    for encoding in ("utf-8-sig", "utf-16", "latin-1"):
-        try:
-            return data.decode(encoding).splitlines()
-        except UnicodeError:
-            continue
-    raise AssertionError(name)
+    return decode(TEXTS[name].write(TEST), name).text.splitlines()
 
 
 def values(cells: object, style: NumeralStyle) -> Array:
@@ -42,6 +39,19 @@ CHANGES: dict[str, Callable[[list[str]], list[str]]] = {
     ],
     "a word at its end": lambda lines: [*lines, "", "end of test"],
     "a short row before a blank line": lambda lines: [*lines[:250], "1", "", *lines[250:]],
+    "short rows at the end": lambda lines: [*lines, "1", "2"],
+    "a row twice as wide": lambda lines: [*lines[:250], lines[250] * 2, *lines[250:]],
+    "no numbers here and there": lambda lines: [
+        line.replace("1", "-- µ", 1) if k > 60 and k % 9 == 0 else line
+        for k, line in enumerate(lines)
+    ],
+    "blanks around the cells": lambda lines: [
+        line.replace(";", " ; ") if k > 60 and k % 3 else line for k, line in enumerate(lines)
+    ],
+    "an empty cell here and there": lambda lines: [
+        re.sub(r"(?<=[;\t,])[^;\t,\"]+$", "", line) if k > 60 and k % 7 == 0 else line
+        for k, line in enumerate(lines)
+    ],
 }  # fmt: skip
 
 
@@ -51,6 +61,7 @@ def test_the_quick_way_gives_what_the_careful_one_gives(
     name: str, change: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     text = "\n".join(CHANGES[change](text_of(name))) + "\n"
+    monkeypatch.setattr(room, "_PIECE", 60)
     quick = room.tables_in_text(text)
     monkeypatch.setattr(room, "_quick", lambda *_: None)
     careful = room.tables_in_text(text)
@@ -65,6 +76,36 @@ def test_the_quick_way_gives_what_the_careful_one_gives(
         )
         for a, b in zip(one.columns, other.columns, strict=True):
             np.testing.assert_array_equal(values(a, style), values(b, style))
+
+
+@pytest.mark.parametrize("cell", ["note", "", "7", "n.a.; see below", "über"])
+def test_a_sparse_column_of_notes_goes_the_quick_way(
+    cell: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows = [f"{k * 0.1:.1f};{k * 0.25:.2f};" for k in range(1000)]
+    for k in range(200, 1000, 97):
+        rows[k] += cell.replace(";", "")
+    text = "Weg [mm];Kraft [N];Note\n" + "\n".join(rows) + "\n"
+    original, read = room.careful_tables, []
+
+    def counting(lines: list[str], *more: Any, **named: Any) -> Any:
+        read.append(len(lines))
+        return original(lines, *more, **named)
+
+    monkeypatch.setattr(room, "careful_tables", counting)
+    (table,) = room.tables_in_text(text)
+    assert sum(read) < 200
+    np.testing.assert_array_equal(table.columns[1], np.arange(1000) * 0.25)
+    noted = np.flatnonzero(~np.isnan(values(table.columns[2], NumeralStyle())))
+    assert len(noted) == (9 if cell == "7" else 0)
+
+
+def test_a_sign_that_changes_in_the_file_is_asked_about_however_long_it_is() -> None:
+    rows = [f"{k * 0.1:.2f};{k * 0.25:.2f}" for k in range(1000)]
+    rows[700] = rows[700].replace(".", ",")
+    (table,) = room.tables_in_text("Weg [mm];Kraft [N]\n" + "\n".join(rows) + "\n")
+    with pytest.raises(InputError, match=r"both a point .* and a comma"):
+        table.found_style("x")
 
 
 @pytest.mark.parametrize("name", list(TEXTS))

@@ -71,9 +71,11 @@ def read_bulk(
     starts, ends, tokens = _cells(codes, sign, width, len(lines))
     if starts is None or ends is None or tokens is None:
         return None
-    bad = np.add.reduceat(~_plain_bytes(sign, style)[codes], starts, dtype=np.int32)
-    odd = (bad > 0) | (tokens != 1)
-    values = _parsed(codes, starts, ends, odd, style)
+    odd = tokens != 1
+    bad = ~_plain_bytes(sign, style)[codes]
+    if bad.any():
+        odd |= np.add.reduceat(bad, starts, dtype=np.int32) > 0
+    values = _parsed(codes, starts, ends, odd, sign, style)
     if values is None:
         return None
     numeric = ~odd
@@ -91,8 +93,14 @@ def _cells(
     codes: NDArray[np.uint8], sign: str, width: int, rows: int
 ) -> tuple[_Index | None, _Index | None, NDArray[np.int32] | None]:
     """First byte of each cell, the byte behind it, and the words in it; None if rows differ."""
-    blank = (codes == _BLANK) | (codes == _TAB) if sign != "\t" else codes == _BLANK
     stop = codes == _END if sign == " " else (codes == _END) | (codes == ord(sign))
+    blank = codes == _BLANK if sign == "\t" else (codes == _BLANK) | (codes == _TAB)
+    if not blank.any():
+        ends = np.flatnonzero(stop)
+        starts = np.concatenate([[0], ends[:-1] + 1])
+        if sign == " " or not _same_rows(codes, ends, width, rows):
+            return None, None, None
+        return starts, ends, (ends > starts).astype(np.int32)
     inside = ~(blank | stop)
     first = inside.copy()
     first[1:] &= ~inside[:-1]
@@ -108,10 +116,15 @@ def _cells(
             return None, None, None
         return starts, ends, np.ones(len(starts), dtype=np.int32)
     ends = np.flatnonzero(stop)
-    if len(ends) != width * rows or np.any(codes[ends[width - 1 :: width]] != _END):
+    if not _same_rows(codes, ends, width, rows):
         return None, None, None
     starts = np.concatenate([[0], ends[:-1] + 1])
     return starts, ends, np.add.reduceat(first, starts, dtype=np.int32)
+
+
+def _same_rows(codes: NDArray[np.uint8], ends: _Index, width: int, rows: int) -> bool:
+    """Whether every row has `width` cells: the line ends are as many as rows, one each."""
+    return len(ends) == width * rows and bool(np.all(codes[ends[width - 1 :: width]] == _END))
 
 
 def _plain_bytes(sign: str, style: NumeralStyle) -> NDArray[np.bool_]:
@@ -128,21 +141,26 @@ def _parsed(
     starts: _Index,
     ends: _Index,
     odd: NDArray[np.bool_],
+    sign: str,
     style: NumeralStyle,
 ) -> Array | None:
     """Numbers of all cells that are not odd; None if one of them is none."""
-    text = np.full(len(codes), _BLANK, dtype=np.uint8)
-    # +1 where a plain cell starts, -1 where it ends
-    marks = np.zeros(len(codes) + 1, dtype=np.int8)
-    marks[starts[~odd]] += 1
-    marks[ends[~odd]] -= 1
-    used = np.cumsum(marks[:-1], dtype=np.int8).astype(bool)
-    text[used] = codes[used]
-    if style.decimal == ",":
-        text[text == ord(",")] = ord(".")
     values = np.full(len(starts), np.nan)
-    if odd.all():
+    plain = ~odd
+    if not plain.any():
         return values
+    between = np.arange(256, dtype=np.uint8)
+    between[ord(sign)] = _BLANK
+    if style.decimal == ",":
+        between[ord(",")] = ord(".")
+    text = between[codes]
+    filled = np.flatnonzero(odd & (ends > starts))
+    if len(filled):
+        # +1 where such a cell starts, -1 where it ends
+        marks = np.zeros(len(codes) + 1, dtype=np.int8)
+        marks[starts[filled]] += 1
+        marks[ends[filled]] -= 1
+        text[np.cumsum(marks[:-1], dtype=np.int8).astype(bool)] = _BLANK
     with warnings.catch_warnings():
         warnings.simplefilter("error", DeprecationWarning)
         try:
@@ -150,9 +168,9 @@ def _parsed(
         except (DeprecationWarning, ValueError):
             return None
     # each plain cell gives one number at least: as many as cells is one each
-    if len(found) != np.count_nonzero(~odd):
+    if len(found) != np.count_nonzero(plain):
         return None
-    values[~odd] = found
+    values[plain] = found
     return values
 
 
@@ -167,7 +185,7 @@ def _read_odd(
 ) -> bool:
     """Fill in cells that are no plain numbers; False if their quotes need the careful way."""
     known: dict[bytes, tuple[float, bool]] = {}
-    for k in np.flatnonzero(odd).tolist():
+    for k in np.flatnonzero(odd & (ends > starts)).tolist():
         raw = data[starts[k] : ends[k]]
         if raw not in known:
             cell = raw.decode().strip()

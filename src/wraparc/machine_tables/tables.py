@@ -225,7 +225,7 @@ def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64], file: str) 
     gap: list[int] = []
     for place, (start, stop, width) in enumerate(stretches):
         run = found[-1] if found else None
-        following = [w for _, _, w in stretches[place + 1 :][:2] if w > 0]
+        following = [w for _, _, w in stretches[place + 1 : place + 3] if w > 0]
         if width < 0:
             gap.extend(range(start, stop))
             continue

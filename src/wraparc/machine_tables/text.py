@@ -62,11 +62,10 @@ def tables_in_text(
     lines = unwrapped(text.split("\n"))
     while lines and not lines[-1].strip():
         lines.pop()
-    _refuse_long_lines(lines, file)
     sign = delimiter or delimiter_of(lines)
+    _refuse_long_lines(lines, sign or ",", file)
     if sign is None:
         return []
-    _refuse_wide_lines(lines, sign, file)
     tables = _quick(lines, sign) if len(lines) > _HEAD else None
     if tables is None:
         _refuse_many(lines, sign, file)
@@ -76,21 +75,18 @@ def tables_in_text(
     return tables
 
 
-def _refuse_long_lines(lines: Sequence[str], file: str) -> None:
+def _refuse_long_lines(lines: Sequence[str], sign: str, file: str) -> None:
+    """Refuse lines of too many characters, and of too many cells."""
     longest = max(map(len, lines), default=0)
     if longest > LONGEST_LINE:
-        line = next(k for k, text in enumerate(lines, start=1) if len(text) == longest)
+        number = next(k for k, line in enumerate(lines, start=1) if len(line) == longest)
         message = f"this line has {longest} characters; at most {LONGEST_LINE} are read"
-        raise beyond(message, file, line)
-
-
-def _refuse_wide_lines(lines: Sequence[str], sign: str, file: str) -> None:
-    for number, line in enumerate(lines, start=1):
-        if len(line) >= 2 * MOST_COLUMNS:
-            cells = len(line.split()) if sign == " " else line.count(sign) + 1
-            if cells > MOST_COLUMNS:
-                message = f"this line has {cells} cells; at most {MOST_COLUMNS} are read"
-                raise beyond(message, file, number)
+        raise beyond(message, file, number)
+    for number, line in enumerate(lines if longest >= 2 * MOST_COLUMNS else (), start=1):
+        cells = len(line.split()) if sign == " " else line.count(sign) + 1
+        if cells > MOST_COLUMNS:
+            message = f"this line has {cells} cells; at most {MOST_COLUMNS} are read"
+            raise beyond(message, file, number)
 
 
 def _refuse_many(lines: Sequence[str], sign: str, file: str) -> None:

@@ -6,6 +6,7 @@ Names only rank the columns of one dimension and say which is meant by default.
 import re
 from collections.abc import Iterable
 from enum import StrEnum
+from functools import lru_cache
 
 from wraparc.machine_tables import plain_name
 from wraparc.units import Dimension
@@ -69,6 +70,7 @@ _OTHER = re.compile(
 _ABSOLUTE = re.compile(r"absol|position|corrected|extensomet|clip|lvdt|\bext\b")
 
 
+@lru_cache(maxsize=4096)
 def suitability(name: str, role: Role) -> float:
     """How well `name` names a column of `role`: 0 not at all, more is better."""
     plain = plain_name(name)

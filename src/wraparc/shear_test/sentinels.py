@@ -40,11 +40,10 @@ def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
     """Values written for "nothing measured", far outside all others of the column."""
     found = np.zeros(len(column), dtype=bool)
     size = np.abs(column[rows])
-    suspects = rows[np.isin(size, _MARKS) | (size >= 1e30)]
-    if 0 < len(suspects) < len(rows) / 2:
-        rest = np.setdiff1d(rows, suspects)
-        largest = float(np.abs(column[rest]).max())
-        found[suspects] = np.abs(column[suspects]) > 5.0 * largest
+    suspect = np.isin(size, _MARKS) | (size >= 1e30)
+    if 0 < np.count_nonzero(suspect) < len(rows) / 2:
+        largest = float(size[~suspect].max())
+        found[rows[suspect]] = size[suspect] > 5.0 * largest
     return found
 
 
