@@ -9,6 +9,7 @@ import pytest
 
 from shear_test.virtual import rubber
 from wraparc.errors import InputError
+from wraparc.machine_tables import tables
 from wraparc.machine_tables import text as room
 from wraparc.machine_tables.numerals import NumeralStyle, numbers, style_of
 from wraparc.machine_tables.sniff import decode
@@ -86,7 +87,7 @@ def test_a_sparse_column_of_notes_goes_the_quick_way(
     for k in range(200, 1000, 97):
         rows[k] += cell.replace(";", "")
     text = "Weg [mm];Kraft [N];Note\n" + "\n".join(rows) + "\n"
-    original, read = room.careful_tables, []
+    original, read = tables.careful_tables, []
 
     def counting(lines: list[str], *more: Any, **named: Any) -> Any:
         read.append(len(lines))
@@ -115,7 +116,7 @@ def test_every_dialect_goes_the_quick_way(name: str, monkeypatch: pytest.MonkeyP
 
     found = read_machine_bytes(TEXTS[name].write(TEST), "x", Choices(units=dict(TEXTS[name].units)))
     assert len(found.travel) == 400
-    original = room.careful_tables
+    original = tables.careful_tables
     monkeypatch.setattr(
         room,
         "careful_tables",

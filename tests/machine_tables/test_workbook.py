@@ -5,10 +5,11 @@ import struct
 import tracemalloc
 import zipfile
 
+import numpy as np
 import pytest
 
 from wraparc.errors import InputError
-from wraparc.machine_tables import workbook
+from wraparc.machine_tables import NumeralStyle, workbook
 from wraparc.machine_tables.workbook import tables_in_workbook
 
 
@@ -51,13 +52,67 @@ def test_a_workbook_of_ordinary_size_is_read() -> None:
     assert tables_in_workbook(out.getvalue(), "test.xlsx")
 
 
-def test_a_sheet_with_a_cell_far_away_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def far(*cells: str) -> bytes:
     import xlsxwriter
 
-    monkeypatch.setattr(workbook, "MOST_CELLS", 1_000)
     out = io.BytesIO()
     book = xlsxwriter.Workbook(out)
-    book.add_worksheet().write(500, 500, "here")
+    sheet = book.add_worksheet()
+    for cell in cells:
+        sheet.write(cell, 1.0)
     book.close()
-    with pytest.raises(InputError, match="more cells"):
-        tables_in_workbook(out.getvalue(), "far.xlsx")
+    return out.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("cells", "reach"),
+    [
+        (("A1", "XFD1048576"), "row 1048576 and column 16384"),
+        (("A1048576", "S1"), "row 1048576 and column 19"),
+        (("ALM1",), "row 1 and column 1001"),
+    ],
+)
+def test_a_sheet_with_a_cell_far_away_is_refused_before_it_is_read(
+    cells: tuple[str, ...], reach: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The first of these ended the process; the second took 1.4 GB."""
+    monkeypatch.setattr(workbook, "_read", None)
+    with pytest.raises(InputError, match=f"reaches to {reach}: it has more cells"):
+        tables_in_workbook(far(*cells), "far.xlsx")
+
+
+def test_what_the_library_does_to_its_process_stays_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the look before, the library aborts: 1.7e10 cells are to be stored."""
+    monkeypatch.setattr(workbook, "_check_archive", lambda *_: None)
+    with pytest.raises(InputError, match=r"cannot be opened .damaged, or larger than a test"):
+        tables_in_workbook(far("A1", "XFD1048576"), "far.xlsx")
+
+
+def test_a_ratio_that_no_sheet_has_is_refused() -> None:
+    packed = archive(b" " * 12_000_000)
+    with pytest.raises(InputError, match="more than 100 times its"):
+        tables_in_workbook(packed, "bomb.xlsx")
+
+
+def test_cells_of_every_kind_come_through_as_they_are() -> None:
+    import datetime as dt
+
+    import xlsxwriter
+
+    out = io.BytesIO()
+    book = xlsxwriter.Workbook(out)
+    sheet = book.add_worksheet("Größe")
+    dated = book.add_format({"num_format": "yyyy-mm-dd"})
+    sheet.write_row(0, 1, ["Weg [mm]", "Kraft [N]", "Tag", "gut"])
+    for k in range(1, 12):
+        sheet.write_row(k, 1, [0.1 * k, 1e300 if k == 5 else 10.0 * k])
+        sheet.write_datetime(k, 3, dt.datetime(2026, 1, k), dated)  # noqa: DTZ001 - a workbook has none
+        sheet.write_boolean(k, 4, True)
+    book.close()
+    (table,) = tables_in_workbook(out.getvalue(), "kinds.xlsx", "Größe")
+    assert table.header == (("", "Weg [mm]", "Kraft [N]", "Tag", "gut"),)
+    assert table.columns[1][:2] == (0.1, 0.2)
+    assert str(table.columns[3][0]).startswith("2026-01-01")
+    assert table.columns[4][0] is True
+    assert np.isnan(table.numbers(4, NumeralStyle())).all()
+    assert np.isnan(table.numbers(2, NumeralStyle())[4])

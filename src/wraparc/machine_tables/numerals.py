@@ -155,6 +155,9 @@ def numbers(
     if isinstance(cells, np.ndarray):
         return cells
     texts = [cell for cell in cells if isinstance(cell, str)]
+    if not texts and all(type(cell) is float for cell in cells):
+        values = np.array(cells, dtype=float)
+        return np.where(np.abs(values) < _LARGEST, values, np.nan)
     if len(texts) < len(cells):
         return np.array([_cell_number(cell, style) for cell in cells], dtype=float)
     plain = "\n".join(texts).replace("\u2212", "-")

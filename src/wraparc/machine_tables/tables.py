@@ -8,6 +8,7 @@ import itertools
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,17 +127,17 @@ def careful_tables(
 def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str, file: str = "") -> list[RawTable]:
     """Find every table in the rows of a worksheet; cells are text or numbers."""
     widths = np.array([_mixed_width(row) for row in rows], dtype=np.int64)
-    texts = [[_text(cell) for cell in row] for row in rows]
+    texts = _Texts(rows)
     runs = _runs(texts, widths, file)
     starts = [0, *(run.last + 1 for run in runs)]
     tables = []
     for run, start in zip(runs, starts, strict=False):
-        above = [tuple(row) for row in texts[start : run.first] if any(row)]
+        above = [row for row in map(texts.__getitem__, range(start, run.first)) if any(row)]
         picked = [rows[k] for k in run.rows]
         tables.append(
             RawTable(
                 place=f"sheet {sheet!r}, rows {run.first + 1} to {run.last + 1}",
-                header=tuple(above[-_HEADER_KEPT:]),
+                header=tuple(map(tuple, above[-_HEADER_KEPT:])),
                 columns=tuple(zip(*picked, strict=True)),
                 lines=np.array(run.rows, dtype=np.int64) + 1,
                 skipped=tuple((k + 1, reason) for k, reason in run.skipped),
@@ -144,6 +145,19 @@ def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str, file: str = "")
             )
         )
     return tables
+
+
+class _Texts(Sequence[list[str]]):
+    """Cells of a worksheet as text, made of the few rows that are no rows of numbers."""
+
+    def __init__(self, rows: Sequence[Sequence[object]]) -> None:
+        self._rows = rows
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __getitem__(self, row: Any) -> Any:
+        return [_text(cell) for cell in self._rows[row]]
 
 
 def _text(cell: object) -> str:

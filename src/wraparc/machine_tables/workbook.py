@@ -1,18 +1,34 @@
-"""Excel workbooks to raw tables, by python-calamine."""
+"""Excel workbooks to raw tables, by python-calamine in a process of its own."""
 
+import importlib.util
 import io
+import json
+import re
 import struct
+import subprocess
+import sys
 import zipfile
 import zlib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
 
 from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.machine_tables.limits import (
+    MOST_CELLS,
+    MOST_RATIO,
+    MOST_SHEET_COLUMNS,
+    MOST_UNPACKED,
+    SMALL_UNPACKED,
+    beyond,
+)
 from wraparc.machine_tables.tables import RawTable, tables_in_rows
 
-#: Most bytes that a workbook may unpack to, and most cells of a sheet: far beyond any test.
-MOST_UNPACKED, MOST_CELLS = 250_000_000, 20_000_000
-_CHUNK = 1 << 20
+_CHUNK, _OVERLAP, _SECONDS = 1 << 20, 40, 60
 _REMEDY = "Save it again from the spreadsheet program as .xlsx, or export the sheet as CSV."
+_CSV = "Export the sheet with the test as CSV."
+_SHEETS = re.compile(r"worksheets/[^/]*\.xml$", re.IGNORECASE)
+_PLACE = re.compile(rb'\sr\s*=\s*["\']([A-Z]{0,3})(\d{1,7})["\']')
 
 
 def tables_in_workbook(data: bytes, file: str, sheet: str | None = None) -> list[RawTable]:
@@ -22,22 +38,21 @@ def tables_in_workbook(data: bytes, file: str, sheet: str | None = None) -> list
     ------
     InputError
         If the workbook cannot be opened (damaged, encrypted, another kind of archive), has no
-        such sheet, or unpacks to more than a test can need.
+        such sheet, or is more than a test can need.
     MissingExtraError
         If python-calamine is not installed.
     """
-    try:
-        import python_calamine
-    except ImportError:
-        raise MissingExtraError("python-calamine", "fit") from None
-    _check_unpacked(data, file)
-    try:
-        book = python_calamine.CalamineWorkbook.from_filelike(io.BytesIO(data))
-        names = list(book.sheet_names)
-    except (python_calamine.CalamineError, OSError, ValueError) as error:
-        raise _unreadable(file, error) from None
-    if sheet is not None and sheet not in names:
-        listed = ", ".join(repr(name) for name in names)
+    found = importlib.util.find_spec("python_calamine")
+    if found is None or found.origin is None:
+        raise MissingExtraError("python-calamine", "fit")
+    _check_archive(data, file)
+    told = _read(data, file, str(Path(found.origin).parents[1]), sheet)
+    if "error" in told:
+        raise _unreadable(file, str(told["error"]))
+    if "large" in told:
+        raise beyond(_too_many(f"sheet {told['large']!r}"), file, remedy=_CSV)
+    if "sheets" not in told:
+        listed = ", ".join(repr(name) for name in told["names"])
         raise InputError(
             Problem(
                 message=f"there is no such sheet; the workbook has {listed}",
@@ -47,59 +62,118 @@ def tables_in_workbook(data: bytes, file: str, sheet: str | None = None) -> list
                 value=repr(sheet),
             )
         )
-    found: list[RawTable] = []
-    for name in [sheet] if sheet is not None else names:
-        try:
-            content = book.get_sheet_by_name(name)
-            if content.total_height * content.total_width > MOST_CELLS:
-                raise InputError(_too_large(file, f"sheet {name!r} has more cells than a test"))
-            rows = content.to_python(skip_empty_area=False)
-        except (python_calamine.CalamineError, OSError, ValueError) as error:
-            raise _unreadable(file, error) from None
-        found.extend(tables_in_rows(_squared(rows), name))
-    return found
+    return [
+        table
+        for name, rows in told["sheets"]
+        for table in tables_in_rows(_squared(rows), name, file)
+    ]
 
 
-def _check_unpacked(data: bytes, file: str) -> None:
+def _read(data: bytes, file: str, folder: str, sheet: str | None) -> dict[str, Any]:
+    """Let another process read the workbook, for the library can end the one it works in."""
+    script = str(Path(__file__).with_name("workbook_process.py"))
+    named = [] if sheet is None else [sheet]
+    try:
+        done = subprocess.run(  # noqa: S603 - our own script
+            [sys.executable, "-I", script, folder, str(MOST_CELLS), *named],
+            input=data,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=_SECONDS,
+            check=False,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+        told = json.loads(done.stdout)
+    except subprocess.TimeoutExpired:
+        raise _unreadable(file, f"reading it takes more than {_SECONDS} s") from None
+    except (OSError, ValueError):  # a name with a zero byte; no answer
+        raise _unreadable(file, "damaged, or larger than a test can need") from None
+    return told if isinstance(told, dict) else {}
+
+
+def _check_archive(data: bytes, file: str) -> None:
     """Unpack an archive piece by piece without keeping it: what it says of its size may be a lie.
 
     Raises
     ------
     InputError
-        If it unpacks to more than `MOST_UNPACKED`.
+        If it unpacks to too much, or a sheet has a cell too far away.
     """
     if not data.startswith(b"PK"):
         return
-    left = MOST_UNPACKED
+    size = 0
+    most = min(MOST_UNPACKED, max(SMALL_UNPACKED, MOST_RATIO * len(data)))
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             for part in archive.infolist():
-                # name and extra field have their lengths in the header before the data
-                name, extra = struct.unpack_from("<HH", data, part.header_offset + 26)
-                begin = part.header_offset + 30 + name + extra
-                packed = data[begin : begin + part.compress_size]
-                left -= _unpacked_size(packed, left) if part.compress_type else len(packed)
-                if left < 0:
-                    raise InputError(_too_large(file, "the workbook unpacks to too much"))
+                extent = _Extent(part.filename) if _SHEETS.search(part.filename) else None
+                for piece in _unpacked(data, part):
+                    size += len(piece)
+                    if size > most:
+                        raise beyond(_unpacks(len(data)), file, remedy=_CSV)
+                    if extent is not None and extent.is_beyond(piece):
+                        raise beyond(_too_many(str(extent)), file, remedy=_CSV)
     except (zipfile.BadZipFile, zlib.error, struct.error, NotImplementedError, ValueError) as error:
         if isinstance(error, InputError):
             raise
-        raise _unreadable(file, error) from None
+        raise _unreadable(file, str(error)) from None
 
 
-def _unpacked_size(packed: bytes, most: int) -> int:
-    """Return how large a deflated part is [bytes], or a size beyond `most`."""
-    stream, size = zlib.decompressobj(-zlib.MAX_WBITS), 0
-    while packed and size <= most and not stream.eof:
-        size += len(stream.decompress(packed, _CHUNK))
+def _unpacked(data: bytes, part: zipfile.ZipInfo) -> Iterator[bytes]:
+    """Yield a part of an archive in pieces of at most a megabyte."""
+    # name and extra field have their lengths in the header before the data
+    name, extra = struct.unpack_from("<HH", data, part.header_offset + 26)
+    begin = part.header_offset + 30 + name + extra
+    packed = data[begin : begin + part.compress_size]
+    if not part.compress_type:
+        yield from (packed[k : k + _CHUNK] for k in range(0, len(packed), _CHUNK))
+        return
+    stream = zlib.decompressobj(-zlib.MAX_WBITS)
+    while packed and not stream.eof:
+        yield stream.decompress(packed, _CHUNK)
         packed = stream.unconsumed_tail
-    return size
 
 
-def _too_large(file: str, message: str) -> Problem:
-    limit = f"at most {MOST_UNPACKED / 1e6:g} MB and {MOST_CELLS / 1e6:g} million cells are read"
-    remedy = "Export the sheet with the test as CSV."
-    return Problem(message=f"{message}; {limit}", remedy=remedy, file=file)
+class _Extent:
+    """How far the cells of a sheet reach, as its text names them."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._columns, self._rows, self._tail = 1, 1, b""
+
+    def is_beyond(self, piece: bytes) -> bool:
+        """Whether the cells named so far fill more than a sheet may have."""
+        text = self._tail + piece
+        self._tail = text[-_OVERLAP:]
+        for letters, digits in set(_PLACE.findall(text)):
+            self._columns = max(self._columns, _column(letters))
+            self._rows = max(self._rows, int(digits))
+        return self._columns > MOST_SHEET_COLUMNS or self._columns * self._rows > MOST_CELLS
+
+    def __str__(self) -> str:
+        """Which sheet, and how far it reaches."""
+        return f"{self._name!r} reaches to row {self._rows} and column {self._columns}: it"
+
+
+def _column(letters: bytes) -> int:
+    number = 0
+    for letter in letters:
+        number = 26 * number + letter - 64
+    return number
+
+
+def _unpacks(size: int) -> str:
+    return (
+        f"the workbook unpacks to too much: more than {MOST_RATIO:g} times its {size / 1e6:.3g} MB,"
+        f" or than {MOST_UNPACKED / 1e6:g} MB"
+    )
+
+
+def _too_many(what: str) -> str:
+    return (
+        f"{what} has more cells than a test; at most {MOST_CELLS / 1e6:g} million, in "
+        f"{MOST_SHEET_COLUMNS} columns, are read"
+    )
 
 
 def _squared(rows: Sequence[Sequence[object]]) -> list[list[object]]:
@@ -107,8 +181,8 @@ def _squared(rows: Sequence[Sequence[object]]) -> list[list[object]]:
     return [[*row, *[""] * (width - len(row))] for row in rows]
 
 
-def _unreadable(file: str, error: Exception) -> InputError:
-    said = str(error).splitlines()[0][:80] if str(error) else type(error).__name__
+def _unreadable(file: str, said: str) -> InputError:
+    first = said.splitlines()[0][:80] if said else "damaged"
     return InputError(
-        Problem(message=f"the workbook cannot be opened ({said})", remedy=_REMEDY, file=file)
+        Problem(message=f"the workbook cannot be opened ({first})", remedy=_REMEDY, file=file)
     )
