@@ -16,6 +16,9 @@ from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.tails import Tails
 
+# Error of friction, as a share of its peak, below which a prediction is good whatever the noise.
+_MATTERS = 0.02
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TestResult:
@@ -73,6 +76,11 @@ class LeftOut:
         Standard deviation of friction between samples there, as the law has it [-].
     peak_slip, peak_friction
         Predicted [m, -].
+    distance
+        Of (ln x_pk, ln mu_pk) from the prediction [standard deviations of both]; NaN where the
+        others are too few to know the error of the prediction.
+    limit
+        Distance that chance exceeds at one of the pressures in one of 50 sound laboratories.
     """
 
     pressure: float
@@ -82,11 +90,19 @@ class LeftOut:
     scatter: float
     peak_slip: float
     peak_friction: float
+    distance: float
+    limit: float
 
     @property
     def noise_levels(self) -> float:
         """Error in units of the noise."""
         return self.error / self.noise if self.noise > 0 else np.inf
+
+    @property
+    def missed(self) -> bool:
+        """Whether others on both sides miss it by more than chance, and by what matters."""
+        large = self.error > _MATTERS * self.peak_friction
+        return self.inside and large and self.distance > self.limit
 
 
 @dataclass(frozen=True, kw_only=True)

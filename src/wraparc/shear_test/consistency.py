@@ -30,7 +30,7 @@ def repeat_distances(points: CurvePoints, flagged: NDArray[np.bool_]) -> Array:
         repeats = others & (points.level == points.level[k])
         if not repeats.any():
             continue
-        scatter = _scatter(points.only(others))
+        scatter, _ = towards_usual(points.only(others))
         count = int(repeats.sum())
         off = points.value[k] - points.value[repeats].mean(0)
         spread = scatter * (1.0 + 1.0 / count) + points.covariance[k]
@@ -44,13 +44,28 @@ def _freedom(points: CurvePoints) -> int:
     return len(points.level) - len(np.unique(points.level))
 
 
-def _scatter(points: CurvePoints) -> Array:
-    """Scatter between samples, and a usual one that counts as a few more of them, shape (2, 2)."""
-    usual, found = _USUAL**2 * np.eye(2), scatter_within(points)
+def towards_usual(
+    points: CurvePoints, otherwise: tuple[Array, float] | None = None
+) -> tuple[Array, float]:
+    """Scatter between samples, and a usual one that counts as a few more of them.
+
+    Parameters
+    ----------
+    points
+        The curves.
+    otherwise
+        Scatter and its degrees of freedom to take where there are too few repeats.
+
+    Returns
+    -------
+    scatter, freedom
+        Shape (2, 2); degrees of freedom of a Hotelling distance with it.
+    """
+    usual, found, freedom = _USUAL**2 * np.eye(2), scatter_within(points), float(_freedom(points))
     if found is None:
-        return usual
-    freedom = _freedom(points)
-    return (freedom * found + _USUAL_WEIGHT * usual) / (freedom + _USUAL_WEIGHT)
+        found, freedom = otherwise or (usual, 0.0)
+    weighted = (freedom * found + _USUAL_WEIGHT * usual) / (freedom + _USUAL_WEIGHT)
+    return weighted, freedom + _USUAL_WEIGHT - 1.0
 
 
 def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:

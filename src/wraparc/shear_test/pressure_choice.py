@@ -4,7 +4,7 @@ Two judges: Akaike's criterion for few data, and the error with which each press
 out in turn, is predicted by the law of the others. The first chooses; the second can veto.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +18,6 @@ from wraparc.shear_test.pressure_fit import (
     fit_form,
     scatter_between,
     scatter_within,
-    t95,
     transition_bounds,
 )
 from wraparc.shear_test.pressure_form import LawForm, Variables
@@ -38,7 +37,6 @@ _TWO = (
 _VETO = 1.5
 _LEVELS_FOR_TWO = 5
 _UNKNOWN_SCATTER = 0.02
-_PROFILE = 41
 _NO_WEIGHT = 0.01
 
 
@@ -297,50 +295,3 @@ def _friction_difference(off: Array) -> float:
     r = np.linspace(0.1, 0.8, 8)
     by_slip = np.log(r) / (1.0 - np.log(r))
     return float(np.sqrt(np.mean((off[1] + by_slip * off[0]) ** 2)))
-
-
-def transition_interval(fit: PressureFit, points: CurvePoints) -> tuple[float, float]:
-    """95 % interval of a transition pressure, from the profile of chi-squared over it [Pa]."""
-    best = fit.transition_pressure
-    assert best is not None  # noqa: S101 - asked only of forms with one
-    if fit.transition_given:
-        return best, best
-    low, high = transition_bounds(points)
-    limit = t95(fit.freedom) ** 2
-
-    def excess(pressure: float) -> float:
-        start = fit.theta.copy()
-        start[-1] = np.log(pressure)
-        profile = fit_form(
-            fit.form, points, fit.scatter, transition=pressure, weights=fit.weights, start=start
-        )
-        return profile.chi_squared - fit.chi_squared - limit
-
-    ends = []
-    for bound in (low, high):
-        steps = np.geomspace(best, bound, _PROFILE)[1:] if bound != best else np.array([])
-        inner, found = best, bound
-        for step in steps:
-            if excess(float(step)) > 0.0:
-                found = _crossing(excess, inner, float(step))
-                break
-            inner = float(step)
-        ends.append(found)
-    return ends[0], ends[1]
-
-
-def is_inside(fit: PressureFit, points: CurvePoints) -> bool:
-    """Whether a transition lies inside, not at the edge of, where the points could show one."""
-    low, high = transition_bounds(points)
-    at = fit.transition_pressure
-    return at is not None and (fit.transition_given or 1.001 * low < at < 0.999 * high)
-
-
-def _crossing(excess: Callable[[float], float], inner: float, outer: float) -> float:
-    for _ in range(12):
-        middle = float(np.sqrt(inner * outer))
-        if excess(middle) > 0.0:
-            outer = middle
-        else:
-            inner = middle
-    return float(np.sqrt(inner * outer))

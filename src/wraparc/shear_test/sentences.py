@@ -11,8 +11,6 @@ from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
 
-_PREDICTED = 2.0
-_STANDS_OUT = 4.0
 _FEW = 3
 _CLEARLY = 100.0
 _FAR_FROM_LAW = 3.5
@@ -135,19 +133,14 @@ def _curves_off(tests: Sequence[TestResult], law: PressureFit, found: Findings) 
 
 
 def _predictions(left_out: Sequence[LeftOut]) -> list[str]:
-    """Pressures inside the tested range that the others miss, by noise, scatter and custom."""
-    inside = [item for item in left_out if item.inside]
-    usual = float(np.median([item.error for item in inside])) if len(inside) > 3 else np.inf
-    poor = [
-        item
-        for item in inside
-        if item.error > _PREDICTED * np.hypot(item.noise, item.scatter)
-        or (item.error > _STANDS_OUT * usual and item.noise_levels > _PREDICTED)
-    ]
+    """Pressures inside the tested range that the others miss by more than chance explains."""
+    poor = [item for item in left_out if item.missed]
     if not poor:
         return []
     listed = ", ".join(
-        f"{item.pressure / 1e3:.4g} kPa by {item.error:.3f} ({_in_noise(item)})" for item in poor
+        f"{item.pressure / 1e3:.4g} kPa by {item.error:.3f} ({_in_noise(item)}, "
+        f"{item.distance:.1f} standard deviations where chance reaches {item.limit:.1f})"
+        for item in poor
     )
     return [f"left out, these pressures are missed by the law of the others: {listed}"]
 
@@ -192,7 +185,10 @@ def _transition(plan: TestPlan, found: Findings) -> list[str]:
         else ""
     )
     if transition is None:
-        return [f"too few pressures to look for a transition{estimate}"]
+        few = found.choice is None or found.choice.two_pieces is None
+        if few:
+            return [f"too few pressures to look for a transition{estimate}"]
+        return [f"no transition is shown: a smooth law does as well{estimate}"]
     at = f"{transition.pressure / 1e3:.4g} kPa"
     if transition.given:
         return [f"transition pressure given: {at}{estimate}"]
