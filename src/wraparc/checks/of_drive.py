@@ -231,11 +231,15 @@ def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
         short="does not fit its tests",
         says=escaped(
             f"The friction law of lagging {lagging.name} does not describe its tests: "
-            f"{first.rstrip('.')}{others}."
+            f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"
         ),
         remedy="Mend or repeat those tests and fit again, or keep more slack-side tension in hand.",
         binding=False,
     )
+
+
+def _accepted(reason: str) -> str:
+    return f" The laboratory wrote it nevertheless: {reason.rstrip('.')}." if reason else ""
 
 
 def take_up(drive: Drive) -> Iterator[Check]:

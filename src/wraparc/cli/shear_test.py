@@ -13,7 +13,7 @@ from wraparc.cli.show import show
 from wraparc.errors import InputError, Problem, shown
 from wraparc.units import System
 
-_DONE = 0
+_DONE, _MISFIT = 0, 1
 
 
 @click.command()
@@ -86,6 +86,11 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     help="Write the report: .pdf, .png or .html; may be given more than once.",
 )
 @click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+@click.option(
+    "--accept-misfit",
+    metavar="REASON",
+    help="Write the lagging file of a law that does not describe its tests, and keep the reason.",
+)
 @click.option("--bayes", is_flag=True, help="Sample the law's parameters with emcee.")
 @units_option
 def fit(
@@ -93,19 +98,23 @@ def fit(
     output: str | None,
     reports: tuple[str, ...],
     json_file: str | None,
+    accept_misfit: str | None,
     bayes: bool,
     units: System,
 ) -> int:
     """Fit the friction law of a lagging to the tests of a PLAN.
 
     Tests that cannot be used are left out, each with the reason; the law is fitted to the others.
+    A law that does not describe its tests is reported, but its lagging file is written only where
+    the misfit is accepted.
     """
     from wraparc.files.write import lagging_text
     from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
     from wraparc.report.shear_test_document import plan_document
-    from wraparc.report.shear_test_tables import plan_sheet
+    from wraparc.report.shear_test_tables import counted, plan_sheet
     from wraparc.shear_test import fit_plan
+    from wraparc.shear_test.analysis import checked_reason
     from wraparc.shear_test.plan_file import load_plan
 
     outputs: dict[str, tuple[str | None, tuple[str, ...]]] = {
@@ -113,20 +122,32 @@ def fit(
     }
     outputs |= {"--output": (output, (".toml",)), "--json": (json_file, (".json",))}
     check_outputs(outputs, [plan])
+    if accept_misfit is not None:
+        accept_misfit = checked_reason(accept_misfit, "--accept-misfit")
     result = fit_plan(load_plan(plan), progress=_progress())
     if bayes:
         from wraparc.shear_test.bayes import sampled
 
         result = sampled(result)
+    if accept_misfit is not None:
+        result = result.accepting(accept_misfit)
     files: dict[str, Content] = {}
-    if output:
+    if output and result.may_be_written:
         files[output] = lagging_text(result.laggings)
     if reports:
         files |= dict.fromkeys(reports, make_report(result, units).save)
     if json_file:
         files[json_file] = json_text(plan_document(result))
     deliver(files, lambda: plan_sheet(result, units))
-    return _DONE
+    if not output or result.may_be_written:
+        return _DONE
+    click.echo(
+        f"{output} was not written: the law does not describe its tests "
+        f"({counted(result.misfit)} above). Mend, repeat or leave out those tests, or write it "
+        'with --accept-misfit "the reason".',
+        err=True,
+    )
+    return _MISFIT
 
 
 def _progress() -> Any:

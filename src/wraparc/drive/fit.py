@@ -45,6 +45,8 @@ class Fit:
         How, in words.
     misfit
         Where the law does not describe the data, in words.
+    misfit_accepted
+        Why the law was written nevertheless.
     coverage_factor
         Standard deviations to either side of a 95 % interval: Student's t for the tests there
         were, 1.96 for many [-].
@@ -57,6 +59,7 @@ class Fit:
     date: str = ""
     method: str = ""
     misfit: tuple[str, ...] = ()
+    misfit_accepted: str = ""
     coverage_factor: float = NORMAL_95
 
     def __post_init__(self) -> None:

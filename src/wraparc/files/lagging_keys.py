@@ -75,6 +75,7 @@ FIT = Table(
     Entry("date", "When it was fitted.", Text(60)),
     Entry("method", "How it was fitted.", Text(500)),
     Entry("misfit", "Where the law does not describe the data.", _NOTES),
+    Entry("misfit_accepted", "Why the law was written nevertheless.", Text(500)),
     of=Fit,
 )
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from wraparc import catalogue
-from wraparc.drive import Lagging
+from wraparc.drive import Fit, Lagging
 from wraparc.friction import CoefficientPieces, FrictionLaw, IntegralLog, PressureKnots
 from wraparc.glossary import GLOSSARY
 from wraparc.present.input_tables import input_rows
@@ -72,7 +72,7 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
         remarks.append("Illustrative: it describes no real product.")
     remarks += [
         f"{lagging.condition}: {m}" if len(laggings) > 1 else m
-        for lagging in laggings if lagging.fit for m in lagging.fit.misfit
+        for lagging in laggings if lagging.fit for m in _misfit(lagging.fit)
     ]  # fmt: skip
     return Sheet(
         first.title or first.name,
@@ -82,6 +82,12 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
         tuple(remarks),
         of.listed(),
     )
+
+
+def _misfit(fit: Fit) -> list[str]:
+    """Where a law does not describe its tests, and why it was written nevertheless."""
+    reason = fit.misfit_accepted
+    return [*fit.misfit, *([f"Misfit accepted: {reason}"] if reason else [])]
 
 
 def _notes(laggings: Sequence[Lagging]) -> list[str]:

@@ -91,8 +91,10 @@ def _started(sentence: str) -> str:
 
 def verdict(result: PlanResult) -> Verdict:
     """Say in a sentence how far the law describes the tests."""
-    misfit = [sentence for condition in result.conditions for sentence in condition.misfit]
+    misfit = result.misfit
     shown = tuple(_started(sentence) for sentence in misfit)
+    if misfit and result.misfit_accepted:
+        shown += (_started(f"Misfit accepted: {result.misfit_accepted}"),)
     if result.left_out:
         count = len({problem.file for problem in result.left_out})
         headline = f"{count} of {len(result.plan.used_tests)} tests could not be used"

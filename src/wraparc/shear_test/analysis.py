@@ -1,12 +1,12 @@
 """A test plan to a lagging: the results, test by test and condition by condition, as data."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.drive import Lagging
-from wraparc.errors import Problem
+from wraparc.errors import InputError, Problem, shown
 from wraparc.shear_test.curve_fit import Z95, CurveFit
 from wraparc.shear_test.misfit import JudgedFit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
@@ -18,6 +18,22 @@ from wraparc.shear_test.tails import Tails
 
 # Error of friction, as a share of its peak, below which a prediction is good whatever the noise.
 _MATTERS = 0.02
+_LONGEST_REASON = 500
+
+
+def checked_reason(reason: str, key: str = "accept_misfit") -> str:
+    """Return the reason for which a misfit is accepted, or say what is wrong with it."""
+    text = reason.strip()
+    if text and len(text) <= _LONGEST_REASON and text.isprintable():
+        return text
+    raise InputError(
+        Problem(
+            message=f"must be a reason in words, of at most {_LONGEST_REASON} printable characters",
+            remedy="Say why the law may be used although it does not describe its tests.",
+            key=key,
+            value=shown(reason),
+        )
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -203,6 +219,13 @@ class ConditionResult:
     misfit: tuple[str, ...]
     remarks: tuple[str, ...]
 
+    def accepting(self, reason: str) -> "ConditionResult":
+        """Return the result with its misfit accepted."""
+        fit = self.lagging.fit
+        assert fit is not None  # noqa: S101 - every fitted lagging has its statistics
+        lagging = replace(self.lagging, fit=replace(fit, misfit_accepted=reason))
+        return replace(self, lagging=lagging)
+
     @property
     def condition(self) -> str:
         """``dry``, ``wet`` ..."""
@@ -245,12 +268,42 @@ class PlanResult:
         Why tests were left out.
     date
         When it was computed.
+    misfit_accepted
+        Why the laws may be written although they do not describe their tests.
     """
 
     plan: TestPlan
     conditions: tuple[ConditionResult, ...]
     left_out: tuple[Problem, ...]
     date: str
+    misfit_accepted: str = ""
+
+    @property
+    def misfit(self) -> tuple[str, ...]:
+        """What the laws do not describe, in all conditions."""
+        return tuple(sentence for condition in self.conditions for sentence in condition.misfit)
+
+    @property
+    def may_be_written(self) -> bool:
+        """Whether the laws describe their tests, or their misfit was accepted."""
+        return not self.misfit or bool(self.misfit_accepted)
+
+    def accepting(self, reason: str) -> "PlanResult":
+        """Return the result with its misfit accepted.
+
+        Parameters
+        ----------
+        reason
+            Why; it is kept in the laggings of the conditions that have misfit.
+
+        Raises
+        ------
+        InputError
+            If it says nothing, is longer than 500 characters, or cannot be printed.
+        """
+        text = checked_reason(reason)
+        conditions = tuple(c.accepting(text) if c.misfit else c for c in self.conditions)
+        return replace(self, conditions=conditions, misfit_accepted=text)
 
     @property
     def laggings(self) -> tuple[Lagging, ...]:

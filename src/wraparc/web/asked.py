@@ -267,3 +267,4 @@ class FitRequest(Request):
     lagging: dict[str, Any]
     rig: dict[str, Any]
     fit: dict[str, Any] = {}
+    accept_misfit: str = ""

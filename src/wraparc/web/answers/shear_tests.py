@@ -140,11 +140,14 @@ class FittedCondition(Answer):
 
 
 class FitAnswer(Answer):
-    """A fitted lagging, as a table for a drive document and as a file."""
+    """A fitted lagging, as a table for a drive document and as a file.
+
+    Both are there only if the law describes its tests, or its misfit was accepted.
+    """
 
     name: str
-    lagging: Data
-    toml: str
+    lagging: Data | None
+    toml: str | None
     sheet: Sheet
     conditions: list[FittedCondition]
     left_out: list[ToldProblem]
@@ -220,7 +223,8 @@ def fit(asked: FitRequest, uploads: list[MachineFile]) -> FitAnswer:
     def read(test: PlannedTest) -> MachineRecord:
         return read_machine_bytes(files[test.file].data, test.file, test.choices)
 
-    return _fitted(plan, fit_plan(plan, read=read))
+    result = fit_plan(plan, read=read)
+    return _fitted(plan, result.accepting(asked.accept_misfit) if asked.accept_misfit else result)
 
 
 def _without_empty(table: Data) -> Data:
@@ -228,18 +232,22 @@ def _without_empty(table: Data) -> Data:
 
 
 def _fitted(plan: TestPlan, result: PlanResult) -> FitAnswer:
-    text = lagging_text(result.laggings)
-    table = parse(text)
-    table.pop("format")
+    text = lagging_text(result.laggings) if result.may_be_written else None
     return FitAnswer(
-        name=table.pop("name"),
-        lagging=table,
+        name=plan.name,
+        lagging=None if text is None else _table_of(text),
         toml=text,
         sheet=Sheet(**sheet(lambda system: plan_sheet(result, system))),
         conditions=[_condition(condition) for condition in result.conditions],
         left_out=told(result.left_out),
         removes_shear=plan.removes_shear,
     )
+
+
+def _table_of(text: str) -> Data:
+    """The lagging as a drive document holds it: under its name, without a format."""
+    table = parse(text)
+    return {key: value for key, value in table.items() if key not in ("format", "name")}
 
 
 def _condition(condition: ConditionResult) -> FittedCondition:

@@ -13,7 +13,7 @@ export { openPlan } from "./tests/plan.js";
 
 /** @import { Problem, Table } from "../types.d.ts" */
 /**
- * @typedef {{name: string, toml: string, lagging: any, sheet: any, left_out: Problem[],
+ * @typedef {{name: string, toml: string | null, lagging: any, sheet: any, left_out: Problem[],
  *   conditions: any[]}} Fit
  */
 
@@ -23,13 +23,17 @@ const state = {
   /** What is wrong with a row of the form, by part and key. */
   marks: /** @type {Record<string, string>} */ ({}),
   result: /** @type {Fit | null} */ (null),
+  /** Why a law is to be used that does not describe its tests. */
+  reason: "",
 };
-async function fit() {
+/** @param {string} reason why its misfit is accepted, if it is */
+async function fit(reason = "") {
   Object.assign(state, { problems: [], fitting: true });
   state.marks = {};
   redraw();
   try {
-    const plan = { lagging: said("lagging"), rig: said("rig"), fit: said("fit") };
+    const parts = { lagging: said("lagging"), rig: said("rig"), fit: said("fit") };
+    const plan = { ...parts, accept_misfit: reason };
     state.result = await within("fit", plan);
     requestAnimationFrame(() =>
       document.getElementById("fitted")?.scrollIntoView({ block: "start" }),
@@ -76,7 +80,7 @@ export const Page = () =>
             type: "button",
             class: "main",
             disabled: !session.files.some((f) => f.read),
-            onClick: act(fit),
+            onClick: act(() => fit()),
           },
           "Fit the lagging",
         ),
@@ -92,7 +96,7 @@ export const Page = () =>
   );
 /** @param {Fit} r */
 function result(r) {
-  const download = () => save(`${r.name}.toml`, r.toml, "application/toml");
+  const download = () => save(`${r.name}.toml`, r.toml || "", "application/toml");
   return h(
     "div",
     { key: "result", id: "fitted" },
@@ -101,12 +105,18 @@ function result(r) {
       { class: "card", "aria-label": "Fitted lagging" },
       h("h2", {}, r.sheet?.title || r.name),
       h("p", {}, words(r.sheet?.subtitle)),
-      h(
-        "p",
-        { class: "bar" },
-        h("button", { type: "button", class: "main", onClick: use }, "Use it in the drive at once"),
-        h("button", { type: "button", onClick: download }, "Download the lagging file"),
-      ),
+      r.lagging
+        ? h(
+            "p",
+            { class: "bar", key: "ready" },
+            h(
+              "button",
+              { type: "button", class: "main", onClick: use },
+              "Use it in the drive at once",
+            ),
+            h("button", { type: "button", onClick: download }, "Download the lagging file"),
+          )
+        : misfit(),
       r.left_out?.length > 0 &&
         h(
           "div",
@@ -123,6 +133,46 @@ function result(r) {
     ),
   );
 }
+/** What must be said before a law that does not describe its tests can be used. */
+const misfit = () =>
+  h(
+    "form",
+    {
+      key: "misfit",
+      class: "verdict warn",
+      onSubmit: (/** @type {Event} */ e) => {
+        e.preventDefault();
+        if (state.reason.trim()) act(() => fit(state.reason.trim()))(e);
+      },
+    },
+    h("p", { class: "headline" }, "The law does not describe its tests."),
+    h(
+      "p",
+      {},
+      "Mend, repeat or leave out the tests named below. To use the law nevertheless, say why: ",
+      "the reason stays with the lagging.",
+    ),
+    h(
+      "p",
+      { class: "bar" },
+      h(
+        "label",
+        {},
+        "Reason",
+        h("input", {
+          type: "text",
+          size: 40,
+          maxLength: 500,
+          value: state.reason,
+          onInput: (/** @type {any} */ e) => {
+            state.reason = e.currentTarget.value;
+            redraw();
+          },
+        }),
+      ),
+      h("button", { disabled: !state.reason.trim() }, "Accept the misfit"),
+    ),
+  );
 /** @param {any} c */
 const condition = (c) =>
   h(
