@@ -47,6 +47,7 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
     found = condition.found
     pressures = found.level_pressures()
     slip, friction, half = condition.peaks_at(pressures)
+    half = np.minimum(half, 700.0)  # e to more than that is no number
     transition = found.transition
     law = [
         {

@@ -16,7 +16,7 @@ from wraparc.shear_test.misfit import OTHER_PRESSURE, Sentence, judged_fit, with
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
-from wraparc.shear_test.reduce import Sample, reduce_record
+from wraparc.shear_test.reduce import FrictionCurve, Sample, reduce_record
 
 Reader = Callable[[PlannedTest], MachineRecord]
 #: Called with tests done, tests in all, and what was done.
@@ -24,6 +24,10 @@ Progress = Callable[[int, int, str], None]
 # Set pressures that differ by less are one pressure.
 _SAME_PRESSURE = 0.03
 _MEASURED_OFF = 0.05
+# Measured pressures that are one, whatever was set.
+_ONE_PRESSURE = 0.01
+# What computing with readings of any kind can end with.
+_FAILURES = (np.linalg.LinAlgError, ArithmeticError, ValueError, IndexError)
 
 
 def fit_plan(
@@ -31,7 +35,8 @@ def fit_plan(
 ) -> PlanResult:
     """Fit all tests of a plan.
 
-    A test that cannot be used is left out and named in ``left_out``; the others go on.
+    A test that cannot be used, or with which no law can be laid through the others, is left out
+    and named in ``left_out``; the others go on.
 
     Parameters
     ----------
@@ -59,16 +64,18 @@ def fit_plan(
             results.append(_one_test(plan, test, record))
         except InputError as error:
             problems += [_placed(problem, test) for problem in error.problems]
-        except (np.linalg.LinAlgError, ArithmeticError) as error:
+        except _FAILURES as error:
             problems.append(_placed(_not_fitted(error), test))
         if progress is not None:
             progress(number, len(plan.used_tests), test.file)
     if not results:
         raise InputError(problems or [Problem(message="the plan uses no test", file=plan.file)])
-    conditions = [_condition(plan, name, results) for name in _in_order(results)]
+    conditions = [_condition(plan, name, results, problems) for name in _in_order(results)]
+    if not any(conditions):
+        raise InputError(problems)
     return PlanResult(
         plan=plan,
-        conditions=tuple(conditions),
+        conditions=tuple(filter(None, conditions)),
         left_out=tuple(problems),
         date=datetime.now(UTC).date().isoformat(),
     )
@@ -113,7 +120,22 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         normal_force=_set_force(plan, test),
         friction=(plan.rig.least_friction, plan.rig.most_friction),
     )
-    curve = reduce_record(record, sample)
+    with np.errstate(all="ignore"):  # what is not finite in the end is left out below
+        result = _fitted(plan, test, record, reduce_record(record, sample), known)
+    if not _is_finite(result):
+        raise ArithmeticError("its result is not finite")
+    return result
+
+
+def _is_finite(result: TestResult) -> bool:
+    p = result.fit.parameters
+    numbers = (p.peak_slip, p.peak_friction, p.lash, p.zero, result.curve.pressure)
+    return bool(np.all(np.isfinite(numbers)) and np.all(np.isfinite(result.fit.covariance)))
+
+
+def _fitted(
+    plan: TestPlan, test: PlannedTest, record: MachineRecord, curve: FrictionCurve, known: float
+) -> TestResult:
     rig_only = curve.bending - known * curve.pressure
     bending, other = curve.bending, rig_only
     if not plan.removes_shear:
@@ -146,18 +168,62 @@ def _in_order(results: Iterable[TestResult]) -> list[str]:
     return list(dict.fromkeys(result.test.condition for result in results))
 
 
-def _condition(plan: TestPlan, name: str, results: Sequence[TestResult]) -> ConditionResult:
+def _condition(
+    plan: TestPlan, name: str, results: Sequence[TestResult], problems: list[Problem]
+) -> ConditionResult | None:
+    """Fit the law of a condition, without the tests with which there is none."""
     own = sorted(
         (result for result in results if result.test.condition == name),
         key=lambda result: result.curve.pressure,
     )
+    out: list[tuple[TestResult, str]] = []
+    fitted = _law(plan, name, own)
+    while isinstance(fitted, str) and own:
+        out.append((own.pop(_farthest(own)), fitted))
+        fitted = _law(plan, name, own) if own else fitted
+    for test, said in out[:-1]:  # the last was one too many; those before it may be sound
+        again = _law(plan, name, sorted([*own, test], key=lambda result: result.curve.pressure))
+        if not isinstance(again, str):
+            own, fitted = list(again.tests), again
+            out.remove((test, said))
+    problems += [_placed(_no_law(said), test.test) for test, said in out]
+    return None if isinstance(fitted, str) else fitted
+
+
+def _law(plan: TestPlan, name: str, own: Sequence[TestResult]) -> ConditionResult | str:
+    """The law of the tests, or why there is none."""
     levels = pressure_levels(plan, own)
     order = np.argsort(levels, kind="stable")
-    return fit_condition(plan, name, [own[k] for k in order], levels[order])
+    try:
+        with np.errstate(all="ignore"):  # what is not finite in the end is no law
+            result = fit_condition(plan, name, [own[k] for k in order], levels[order])
+            peaks = np.concatenate(result.peaks_at(result.found.level_pressures())[:2])
+    except _FAILURES as error:
+        return error.problems[0].message if isinstance(error, InputError) else str(error)
+    return result if np.all(np.isfinite(peaks)) else "its peaks are not finite"
+
+
+def _farthest(own: Sequence[TestResult]) -> int:
+    """Which test is farthest from the middle of all in its peak."""
+    peaks = [(t.fit.parameters.peak_slip, t.fit.parameters.peak_friction) for t in own]
+    logs = np.log(np.maximum(peaks, 1e-12))
+    off = np.abs(logs - np.median(logs, axis=0))
+    return int(np.argmax((off / np.maximum(np.median(off, axis=0), 0.02)).max(axis=1)))
+
+
+def _no_law(said: str) -> Problem:
+    """What to say of a test with which there is no law."""
+    return Problem(
+        message=f"with this test no law can be laid through those of its condition ({said})",
+        remedy="Look at its readings and its fit alone: wraparc read FILE, or a plan of its own.",
+    )
 
 
 def pressure_levels(plan: TestPlan, results: Sequence[TestResult]) -> NDArray[np.int64]:
-    """Number the pressures 0, 1, ...: tests named repeats, else set pressures within 3 %."""
+    """Number the pressures 0, 1, ...: tests named repeats, else set pressures within 3 %.
+
+    Where they were measured, and are within 1 %, they are one whatever was set.
+    """
     keys: list[float | str] = []
     places: dict[float | str, float] = {}
     for result in results:
@@ -169,5 +235,11 @@ def pressure_levels(plan: TestPlan, results: Sequence[TestResult]) -> NDArray[np
         )
         places.setdefault(key, result.curve.pressure)
         keys.append(key)
-    ranked = {key: rank for rank, key in enumerate(sorted(places, key=lambda k: places[k]))}
+    of = {k: [r.curve.pressure for r, own in zip(results, keys, strict=True) if own == k]
+          for k in places}  # fmt: skip
+    measured = sorted(((float(np.mean(p)), key) for key, p in of.items()), key=lambda item: item[0])
+    ranked, rank, before = {}, -1, 0.0
+    for pressure, key in measured:
+        rank += pressure > before * (1.0 + _ONE_PRESSURE)
+        ranked[key], before = rank, pressure
     return np.array([ranked[key] for key in keys], dtype=np.int64)
