@@ -19,6 +19,7 @@ from shear_test.virtual import as_record, fitted
 from wraparc.errors import InputError
 from wraparc.shear_test import PlannedTest, PlanResult, Rig, TestPlan, VirtualTest
 
+Damage = Callable[[VirtualTest], VirtualTest]
 ROOM = sys.modules["wraparc.shear_test.fit_plan"]
 
 
@@ -41,12 +42,13 @@ def test_damaged_files_and_folders(benchmark: ModuleType, what: str, seeds: int)
     assert not [word for word in said if word.startswith("FAILED")]
 
 
-def fit(benchmark: ModuleType, **damages: Callable[[VirtualTest], VirtualTest]) -> PlanResult:
-    """Fit a laboratory of 4 pressures x 2, some tests of it damaged: ``t3=...`` the third."""
+def fit(benchmark: ModuleType, damages: dict[str, Damage] | None = None) -> PlanResult:
+    """Fit a laboratory of 4 pressures x 2, some tests of it, t1 to t8, damaged."""
     planned, records = [], {}
     for number, (pressure, test) in enumerate(benchmark.laboratory(), start=1):
         name = f"t{number}"
-        records[name] = as_record(damages.get(name, lambda test: test)(test), name)
+        damage = (damages or {}).get(name)
+        records[name] = as_record(damage(test) if damage else test, name)
         planned.append(PlannedTest(file=name, place=f"test[{number}]", pressure=pressure))
     return fitted(TestPlan(name="x", rig=Rig(area=0.04), tests=tuple(planned)), records)
 
@@ -55,7 +57,7 @@ def test_travel_in_metres_under_millimetres_leaves_one_test_out(benchmark: Modul
     def metres(test: VirtualTest) -> VirtualTest:
         return replace(test, travel=test.travel * 1e3)
 
-    result = fit(benchmark, t3=metres)
+    result = fit(benchmark, {"t3": metres})
     assert [problem.key for problem in result.left_out] == ["test[3]"]
     assert "no shear test does" in str(result.left_out[0])
     assert len(result.conditions[0].tests) == 7
