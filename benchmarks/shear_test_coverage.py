@@ -27,6 +27,7 @@ from wraparc.shear_test.misfit import judged_fit
 from wraparc.shear_test.pressure_fit import t95
 from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import Sample, reduce_record
+from wraparc.shear_test.transition import transition_interval
 
 PRESSURES = np.array([34, 69, 103, 138, 207, 276, 414, 690]) * 1e3
 REPEATS = 3
@@ -151,8 +152,8 @@ def run_once(study: Study, seed: int) -> dict[str, list[tuple[bool, float]]]:
         counted[name] += [
             (bool(abs(o) <= h), float(o)) for o, h in zip(gaps[:, k], half[:, k], strict=True)
         ]
-    if found.transition is not None and study.corner:
-        low, high = found.transition.interval
+    if found.transition is not None and found.transition.in_law and study.corner:
+        low, high = transition_interval(fit, found.points)
         held = bool(low <= TRANSITION <= high)
         counted["transition pressure"].append((held, found.transition.pressure / TRANSITION - 1.0))
     inside = [item.noise_levels for item in found.left_out if item.inside]

@@ -310,3 +310,11 @@ def test_the_way_back_and_the_release_are_left_out() -> None:
     force[-20:] = 5.0
     released = reduce_record(replace(record, force=force), SAMPLE)
     assert "20 rows after the force collapsed were left out" in released.notes
+
+
+@pytest.mark.parametrize("freedom", [1.0, 1.5, 2.0, 3.5, 7.0, 19.5, 400.0])
+def test_students_quantile_is_that_of_scipy(freedom: float) -> None:
+    from scipy.special import stdtrit
+
+    assert t95(freedom) == pytest.approx(float(stdtrit(freedom, 0.975)), rel=1e-8)
+    assert t95(0.3) == t95(1.0)

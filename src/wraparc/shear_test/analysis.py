@@ -129,8 +129,6 @@ class Transition:
     ----------
     pressure
         [Pa].
-    interval
-        95 % interval from the profile [Pa].
     given
         Whether it was given, not found.
     in_law
@@ -140,7 +138,6 @@ class Transition:
     """
 
     pressure: float
-    interval: tuple[float, float]
     given: bool
     in_law: bool
     inside: bool

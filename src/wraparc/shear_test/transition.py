@@ -55,7 +55,6 @@ def find_transition(
         return None
     return Transition(
         pressure=float(np.exp(two.theta[-1])),
-        interval=transition_interval(two, points),
         given=two.transition_given,
         in_law=two is law,
         inside=is_inside(two, points),
