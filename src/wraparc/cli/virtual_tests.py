@@ -75,6 +75,13 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
     return plan
 
 
+# What measures in the computer has no errors but those that were asked for.
+_NO_ERRORS = {
+    "force": "0 %", "normal_force": "0 %", "area": "0 %", "travel": "0 %",
+    "compliance": "0 mm/kN",
+}  # fmt: skip
+
+
 def _plan(lagging: Lagging, tests: list[dict[str, Any]], said: dict[str, Any]) -> dict[str, Any]:
     sample: dict[str, Any] = {
         "name": f"{lagging.name}-virtual"[:60],
@@ -102,6 +109,7 @@ def _plan(lagging: Lagging, tests: list[dict[str, Any]], said: dict[str, Any]) -
         "format": 1,
         "lagging": sample,
         "rig": {"name": "virtual rig", "sample_area": quantity_text(_AREA, "area"), "faces": 2},
+        "uncertainty": _NO_ERRORS,
         "provenance": {"kind": Kind.ILLUSTRATIVE.value, "source": "virtual rig", "note": note},
         "test": tests,
     }

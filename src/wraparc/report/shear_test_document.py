@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.budget import Budget
 from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.standard_values import (
@@ -67,6 +68,7 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
         "tests": [_test(t, bool(off)) for t, off in zip(found.tests, found.flagged, strict=True)],
         "law": law,
         "standard_values": [_standard(values) for values in standard_values(condition)],
+        "budget": None if fit is None else _budget(fit.budget(found.points)),
         "form": None if fit is None else str(fit.form),
         "equations": [] if fit is None else list(equations(fit.form, fit.theta, fit.ends)),
         "transition": None
@@ -86,6 +88,17 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
             }
             for item in found.left_out
         ],
+    }
+
+
+def _budget(budget: Budget) -> dict[str, Any]:
+    """Relative standard uncertainties of (x_pk, mu_pk) at the tested pressures."""
+    return {
+        "pressure": budget.pressure.tolist(),
+        "coverage_factor": budget.coverage_factor,
+        "parts": {name: part.tolist() for name, part in budget.parts.items()},
+        "combined": budget.combined.tolist(),
+        "expanded": budget.expanded.tolist(),
     }
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from wraparc.checks import Level
 from wraparc.friction import ab_from_peak
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict
+from wraparc.report.shear_test_budget import budget_table
 from wraparc.report.shear_test_files import (
     files_table,
     left_out_table,
@@ -120,6 +121,9 @@ def condition_tables(condition: ConditionResult, system: System, name: str) -> l
         law_table(condition, system, name),
         *standard_tables(condition, system, name),
     ]
+    budget = budget_table(condition, system, name)
+    if budget is not None:
+        tables.append(budget)
     if condition.fit is not None and condition.found.choice is not None:
         lines = equations(condition.fit.form, condition.fit.theta, condition.fit.ends)
         tables.append(Table(f"Equations over pressure{name}", tuple(Row(x, ()) for x in lines), ()))
@@ -260,7 +264,7 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
     )
     note = (
         f"First column: {_pressure_head(system)}. \u00b1 is half the 95 % interval of the law, "
-        "scatter between samples included. A and b hold for slip in mm."
+        "every part of the budget included. A and b hold for slip in mm."
     )
     return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note))
 

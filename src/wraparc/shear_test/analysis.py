@@ -7,11 +7,12 @@ from numpy.typing import NDArray
 
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
+from wraparc.shear_test.budget import Common
 from wraparc.shear_test.curve_fit import Z95, CurveFit
 from wraparc.shear_test.misfit import JudgedFit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
-from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, t95
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.tails import Tails
@@ -174,6 +175,8 @@ class Findings:
         What follows the peak.
     left_out
         Predictions of left-out pressures.
+    common
+        Errors common to all tests, or None.
     """
 
     condition: str
@@ -188,6 +191,7 @@ class Findings:
     transition: Transition | None
     tails: Tails
     left_out: tuple[LeftOut, ...]
+    common: Common | None = None
 
     def level_pressures(self) -> Array:
         """Mean pressure of each level [Pa]."""
@@ -242,7 +246,7 @@ class ConditionResult:
         """Peak slip [m], peak friction, half 95 % intervals of their logarithms, shape (n, 2)."""
         if self.fit is not None:
             peaks = np.exp(self.fit.peaks(pressures))
-            error = t95(self.fit.freedom) * self.fit.peak_errors(pressures)
+            error = self.fit.coverage_factor * self.fit.peak_errors(pressures)
             return peaks[:, 0], peaks[:, 1], error
         statistics = self.lagging.fit
         assert statistics is not None  # noqa: S101 - every fitted lagging has its statistics

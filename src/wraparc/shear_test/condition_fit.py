@@ -1,6 +1,7 @@
 """The law of one condition from its curves: pressure dependence, tails, predictions."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from wraparc.shear_test.analysis import (
     LeftOut,
     TestResult,
 )
+from wraparc.shear_test.budget import Common, bent_peak
 from wraparc.shear_test.consistency import lone_distances, outliers
 from wraparc.shear_test.joint_fit import curve_points, refine
 from wraparc.shear_test.lack_of_fit import with_lack_of_fit
@@ -47,10 +49,11 @@ def fit_condition(
     tails = _tails(tests, levels, flagged)
     choice = law = None
     left_out: tuple[LeftOut, ...] = ()
+    common = _common(plan, tests)
     if len(np.unique(levels)) > 1:
         choice = choose_form(points, plan.options, flagged)
         law, points = refine(curves, fits, points, choice.fit, flagged)
-        law = with_lack_of_fit(law, points, flagged)
+        law = replace(with_lack_of_fit(law, points, flagged), common=common)
         good = [test for test, off in zip(tests, flagged, strict=True) if not off]
         left_out = left_out_pressures(law, points, good, levels[~flagged], tails)
     found = Findings(
@@ -66,10 +69,24 @@ def fit_condition(
         transition=find_transition(law, choice, points),
         tails=tails,
         left_out=left_out,
+        common=common,
     )
     misfit, remarks = law_sentences(plan, found)
     lagging = lagging_of(plan, found, misfit, remarks)
     return ConditionResult(found=found, lagging=lagging, misfit=misfit, remarks=remarks)
+
+
+def _common(plan: TestPlan, tests: Sequence[TestResult]) -> Common | None:
+    if plan.uncertainty is None:
+        return None
+    return Common(
+        limits=plan.uncertainty,
+        force_at=plan.rig.faces * plan.rig.area,
+        compliance=plan.uncertainty.compliance_error(plan.rig.compliance),
+        shear_compliance=plan.shear_compliance if plan.removes_shear else 0.0,
+        weighed=all(t.record.normal_force is not None or t.test.pressure is None for t in tests),
+        bent=np.mean([bent_peak(t.fit) for t in tests], axis=0),
+    )
 
 
 def _tails(tests: Sequence[TestResult], levels: Levels, flagged: NDArray[np.bool_]) -> Tails:

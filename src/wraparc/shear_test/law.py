@@ -10,13 +10,13 @@ from wraparc.friction import IntegralLog, PressureKnots, TestedRange
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.analysis import Findings
+from wraparc.shear_test.budget import Common
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import (
     CurvePoints,
     PressureFit,
     at_least,
     scatter_within,
-    t95,
 )
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
@@ -142,7 +142,7 @@ def _knot_statistics(
         values=tuple(values.tolist()),
         # Of fewer digits it would have negative eigenvalues: the knots outnumber the parameters.
         covariance=tuple(tuple(row) for row in _to_digits(matrix, 9).tolist()),
-        coverage_factor=NORMAL_95 if found.fit is None else round(t95(found.fit.freedom), 4),
+        coverage_factor=NORMAL_95 if found.fit is None else round(found.fit.coverage_factor, 4),
         residual_noise=float(np.median([test.curve.noise for test in found.tests])),
         date=datetime.now(UTC).date().isoformat(),
         method=_METHOD,
@@ -165,7 +165,7 @@ def lagging_of(
         Sentences that go with it.
     """
     if found.fit is None:
-        pressure, peaks, covariance = _single_pressure(found.points)
+        pressure, peaks, covariance = _single_pressure(found.points, found.common)
     else:
         pressure = knot_pressures(found.fit, found.tails)
         peaks, covariance = found.fit.peaks(pressure), found.fit.peak_covariance(pressure)
@@ -202,7 +202,7 @@ def _slip_max(found: Findings) -> float:
     return float(min(reached[found.levels == k].max() for k in np.unique(found.levels)))
 
 
-def _single_pressure(points: CurvePoints) -> tuple[Array, Array, Array]:
+def _single_pressure(points: CurvePoints, common: Common | None) -> tuple[Array, Array, Array]:
     """One knot: the mean of the curves, with the scatter between samples if it is known."""
     scatter = scatter_within(points)
     if scatter is None:
@@ -211,7 +211,10 @@ def _single_pressure(points: CurvePoints) -> tuple[Array, Array, Array]:
     covariance = np.linalg.inv(weights.sum(0))
     mean = covariance @ np.einsum("nij,nj->i", weights, points.value)
     pressure = np.array([float(points.pressure.mean())])
-    return pressure, mean[None], covariance[None, None]
+    whole = covariance[None, None]
+    if common is not None:
+        whole = whole + common.covariance(lambda p: np.tile(mean, (len(p), 1)), pressure)
+    return pressure, mean[None], whole
 
 
 def elasticity(plan: TestPlan) -> dict[str, Any]:

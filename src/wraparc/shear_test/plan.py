@@ -6,6 +6,7 @@ Plans are read from TOML by `wraparc.files`; everything here is in SI units.
 from dataclasses import dataclass, field
 
 from wraparc.provenance import Kind, Provenance
+from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
 from wraparc.shear_test.pressure_choice import PressureOptions
 from wraparc.shear_test.record import Choices
@@ -140,6 +141,8 @@ class TestPlan:
         Of the law.
     head
         Title block and signatures of the report.
+    uncertainty
+        Largest errors of what was measured with, common to all tests; None adds none.
     file, folder
         Name of the plan's file, and the folder its files are relative to.
     """
@@ -161,6 +164,7 @@ class TestPlan:
     options: PressureOptions = field(default_factory=PressureOptions)
     provenance: Provenance = field(default_factory=lambda: Provenance(Kind.MEASURED))
     head: ReportHead = field(default_factory=ReportHead)
+    uncertainty: Uncertainty | None = None
     file: str = ""
     folder: str = ""
 

@@ -12,8 +12,17 @@ from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, parse, read_tables
 from wraparc.schema.tables import Record
 from wraparc.shear_test import Choices, PressureOptions, TestPlan
+from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
-from wraparc.shear_test.plan_keys import FIT_OPTIONS, LOAD_CELL, PLAN, REPORT, RIG, TEST
+from wraparc.shear_test.plan_keys import (
+    FIT_OPTIONS,
+    LOAD_CELL,
+    PLAN,
+    REPORT,
+    RIG,
+    TEST,
+    UNCERTAINTY,
+)
 from wraparc.units import parse_quantity, unit_factor
 
 _CHOICES = ("travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table")
@@ -47,6 +56,7 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         for position, item in enumerate(record.get("test") or (), start=1)
         if isinstance(item, Record)
     ]
+    uncertainty = _uncertainty(record.get("uncertainty"), report)
     report.raise_all()
     fit = record.get("fit", {})
     return TestPlan(
@@ -56,6 +66,7 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         remove_shear=fit.get("remove_shear"),
         provenance=_sourced(provenance or Provenance(Kind.MEASURED), head),
         head=head,
+        uncertainty=uncertainty,
         file=file,
         folder=folder,
         **record["lagging"],
@@ -82,6 +93,14 @@ def _rig(record: Any, report: Report) -> Any:
     if isinstance(record, Record) and "compliance" in record:
         more["compliance"] = _compliance(record, report)
     return RIG.built(record, report, **more)
+
+
+def _uncertainty(record: Any, report: Report) -> Uncertainty:
+    """Errors as the plan says them, else those of a usual rig."""
+    if not isinstance(record, Record):
+        return Uncertainty()
+    more = {"compliance": _compliance(record, report)} if "compliance" in record else {}
+    return UNCERTAINTY.built(record, report, stated=True, **more) or Uncertainty()
 
 
 def _compliance(record: Record, report: Report) -> float:

@@ -9,6 +9,7 @@ from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
 from wraparc.schema.tables import Entry, Table, need
 from wraparc.shear_test import DELIMITER_NAMES, PlannedTest, PressureOptions, Rig
+from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
 
 _MOST_TESTS = 1000
@@ -34,6 +35,7 @@ class Column(Kind):
 
 _PRESSURE = Quantity("pressure", Limit("pressure", open=True))
 _FORCE = Quantity("force", Limit("force", open=True))
+_FORCE_OR_NONE = Quantity("force", Limit("force"))
 _LENGTH = Quantity("length", Limit("length", open=True))
 _MODULUS = Quantity("pressure", Limit("pressure", 1.0))
 _FRICTION = Quantity("number", Limit("number", least=1e-4, most=1e4))
@@ -116,6 +118,27 @@ RIG = Table(
     of=Rig,
 )
 
+_PART = Quantity("number", Limit("number", most=0.5))
+UNCERTAINTY = Table(
+    "Largest errors, common to all tests",
+    Entry("force", 'Of the pulling force: "0.5 %" for class 0.5; 1 % if left out.', _PART),
+    Entry("normal_force", "Of the normal force or set pressure; 1 % if left out.", _PART),
+    Entry("area", "Of the sample area; 1 % if left out.", _PART),
+    Entry("travel", "Of the travel; 1 % if left out.", _PART),
+    Entry("zero", "Of the zero of the pulling force; 0 if left out.", _FORCE_OR_NONE),
+    Entry(
+        "compliance",
+        "Of the rig's compliance; 20 % of it if left out, or 0.05 mm/kN where it is not given.",
+        Text(40),
+    ),
+    Entry(
+        "temperature",
+        "What the temperature of the tests may change in friction; 0 if left out.",
+        _PART,
+    ),
+    of=Uncertainty,
+)
+
 FIT_OPTIONS = Table(
     "Fit",
     Entry("transition_pressure", "Estimated if left out.", _PRESSURE),
@@ -178,6 +201,7 @@ PLAN = Table(
     Entry("columns", kind=COLUMNS),
     Entry("all_tests", "What holds for all tests; a [[test]] overrules it.", ALL_TESTS),
     Entry("report", "Title block and signatures of the report.", REPORT),
+    Entry("uncertainty", "How wrong the measured may be.", UNCERTAINTY),
     Entry("fit", kind=FIT_OPTIONS),
     Entry("provenance", "Who tested, when; measured if left out.", PROVENANCE),
     need("test", kind=Rows(TEST, 1, _MOST_TESTS), example="a [[test]] table a test"),

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.shear_test.budget import Budget, Common
 from wraparc.shear_test.pressure_form import (
     LawForm,
     coefficients_from_peaks,
@@ -99,6 +100,8 @@ class PressureFit:
         nothing shows it.
     lack_reach
         Ratio of pressures, as its logarithm, over which what it lacks changes.
+    common
+        Errors common to all tests, or None.
     """
 
     form: LawForm
@@ -115,6 +118,21 @@ class PressureFit:
     alternatives: tuple[tuple[float, "PressureFit"], ...] = ()
     lack: Array | None = None
     lack_reach: float = 1.0
+    common: Common | None = None
+
+    @property
+    def coverage_factor(self) -> float:
+        """Standard errors to either side of a 95 % interval: Student's t.
+
+        The degrees of freedom are those of the scatter, more where errors that are known make up
+        part of the uncertainty (Welch and Satterthwaite); the least over the tested pressures.
+        """
+        pressure = np.geomspace(*self.ends, 5)
+        whole = np.einsum("nii->ni", self.own_covariance(pressure))
+        known = 0.0
+        if self.common is not None:
+            known = np.einsum("nnii->ni", self.common.covariance(self.peaks, pressure))
+        return t95(self.freedom * float(np.min((whole / (whole - known)) ** 2)))
 
     @property
     def transition_pressure(self) -> float | None:
@@ -137,6 +155,8 @@ class PressureFit:
             own = own + self.lack
         for weight, off in self._differences(pressure):
             own = own + weight * off[:, :, None] * off[:, None, :]
+        if self.common is not None:
+            own = own + np.einsum("nnij->nij", self.common.covariance(self.peaks, pressure))
         return np.asarray(own)
 
     def peak_covariance(self, pressure: Array) -> Array:
@@ -148,7 +168,42 @@ class PressureFit:
             whole = whole + np.exp(-apart / self.lack_reach)[:, :, None, None] * self.lack
         for weight, off in self._differences(pressure):
             whole = whole + weight * off[:, None, :, None] * off[None, :, None, :]
+        if self.common is not None:
+            whole = whole + self.common.covariance(self.peaks, pressure)
         return np.asarray(whole)
+
+    def budget(self, points: CurvePoints) -> Budget:
+        """Return what the uncertainty at the tested pressures is made of.
+
+        Parameters
+        ----------
+        points
+            What it was fitted to: their readings are one part, the scatter between samples another.
+        """
+        pressure = points.level_pressures
+        _, design = ln_peaks(self.form, self.theta, self.ends, points.pressure)
+        _, at = ln_peaks(self.form, self.theta, self.ends, pressure)
+        total = np.linalg.inv(points.covariance + self.scatter) * self.weights[:, None, None]
+        gain = np.einsum("kl,nil,nij->knj", self.covariance, design, total)
+        readings = np.einsum("knj,njm,lnm->kl", gain, points.covariance, gain)
+        noise = np.einsum("nik,kl,nil->ni", at, readings, at)
+        law = self._spread(pressure)
+        scatter = np.maximum(np.einsum("nik,nik->ni", law, law) - noise, 0.0)
+        form = np.zeros_like(scatter)
+        if self.lack is not None:
+            form = form + np.diag(self.lack)
+        for weight, off in self._differences(pressure):
+            form = form + weight * off**2
+        parts = {
+            "repeatability": noise,
+            "scatter between samples": scatter,
+            "form of the law": form,
+        }
+        found = {name: np.sqrt(np.maximum(part, 0.0)) for name, part in parts.items()}
+        if self.common is not None:
+            effects = self.common.effects(self.peaks, pressure)
+            found |= {name: np.abs(effect) for name, effect in effects.items()}
+        return Budget(pressure=pressure, parts=found, coverage_factor=self.coverage_factor)
 
     def _spread(self, pressure: Array) -> Array:
         """Jacobian times a root of the covariance, shape (n, 2, k).
