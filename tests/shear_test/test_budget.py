@@ -51,10 +51,15 @@ def unweighed(record: MachineRecord) -> MachineRecord:
     return replace(record, normal_force=None)
 
 
+def pressed(record: MachineRecord, factor: float) -> MachineRecord:
+    assert record.normal_force is not None
+    return replace(record, normal_force=factor * record.normal_force)
+
+
 # what errs by 2 %, the machine's files with the error, the plan with it; measured normal force
 ERRORS: list[tuple[str, Callable[[MachineRecord], MachineRecord], float, bool]] = [
     ("pulling force", lambda r: replace(r, force=1.02 * r.force), 1.0, True),
-    ("normal force", lambda r: replace(r, normal_force=1.02 * r.normal_force), 1.0, True),  # type: ignore[operator]
+    ("normal force", lambda r: pressed(r, 1.02), 1.0, True),
     ("travel", lambda r: replace(r, travel=1.02 * r.travel), 1.0, True),
     ("sample area", lambda r: r, 1.02, True),
     ("sample area", unweighed, 1.02, False),
