@@ -160,7 +160,7 @@ def name_columns(
             continue
         if not any(units) and _is_unit_row(cells):
             units = [cell.strip("[]()<> ") for cell in cells]
-        elif sum(_is_text(cell) for cell in cells) >= 1 and not names:
+        elif (any(map(_is_text, cells)) or are_numbers_of_columns(cells)) and not names:
             names = cells
             if any(units) or any(split_name(cell)[1] for cell in cells):
                 break
@@ -200,6 +200,14 @@ def _is_text(cell: str) -> bool:
     return any(c.isalpha() for c in cell)
 
 
+def are_numbers_of_columns(cells: Sequence[str]) -> bool:
+    """Whether cells are 1, 2, 3 ... or 0, 1, 2 ..."""
+    texts = [cell.strip() for cell in cells]
+    return len(texts) > 1 and any(
+        texts == [str(k) for k in range(first, first + len(texts))] for first in (0, 1)
+    )
+
+
 def find_column(named: Sequence[NamedColumn], wanted: str | int) -> NamedColumn | None:
     """Find the column of a name as written (or but for case and accents), or of a number from 1."""
     for column in named:
@@ -211,8 +219,8 @@ def find_column(named: Sequence[NamedColumn], wanted: str | int) -> NamedColumn 
     if len(alike) == 1:
         return alike[0]
     text = str(wanted)
-    if text.isascii() and text.isdecimal() and 1 <= int(text) <= len(named):
-        return named[int(text) - 1]
+    if text.isascii() and text.isdecimal() and len(text) < 6:
+        return next((c for c in named if c.index + 1 == int(text)), None)
     return None
 
 

@@ -6,21 +6,22 @@ numbers. What stands above it is its header; whole lines in quotes are unwrapped
 
 import itertools
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.machine_tables.columns import NamedColumn, name_columns
+from wraparc.machine_tables.columns import NamedColumn, are_numbers_of_columns, name_columns
 from wraparc.machine_tables.limits import MOST_TABLES, beyond
 from wraparc.machine_tables.lines import split_all, splitter
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
 
 Cells = Sequence[object] | Array
-_LARGEST_GAP = 2
-_HEADER_KEPT = 40
+_LARGEST_GAP, _LONGEST_REPEAT, _RISING = 2, 5, 5
+_NO_WORDS = {"nan", "inf", "na", "n/a", "null", "none", "error", "err", "over", "ovl", "overload"}
+_HEADER_KEPT, _MOST_SETTINGS = 40, 100
 _ALL_NUMERIC = re.compile(r'(?=.*[0-9])[-+\u22120-9eE.,;|\t "]*')
 EMPTY = ' ;,|\t"'
 _LONG_NAMES = 5000
@@ -71,6 +72,17 @@ class RawTable:
     style: NumeralStyle | None = None
 
     @property
+    def is_settings(self) -> bool:
+        """Whether its rows are settings, each under a name of its own, not readings."""
+        if self.rows > _MOST_SETTINGS:
+            return False
+        for column in self.columns:
+            words = [str(cell).strip() for cell in column if isinstance(cell, str)]
+            if len(words) == self.rows and all(map(_is_word, words)):
+                return len(set(words)) >= max(2, 0.8 * self.rows)
+        return False
+
+    @property
     def rows(self) -> int:
         """Number of rows."""
         return len(self.lines)
@@ -105,9 +117,13 @@ def numeric_text(column: Cells) -> Sequence[str]:
 
 
 def careful_tables(
-    lines: Sequence[str], sign: str, offset: int = 0, file: str = ""
+    lines: Sequence[str],
+    sign: str,
+    offset: int = 0,
+    file: str = "",
+    header: Sequence[Sequence[str]] = (),
 ) -> list[RawTable]:
-    """Find the tables cell by cell; `offset` lines stand before the first.
+    """Find the tables cell by cell; `offset` lines stand before the first, under a `header`.
 
     Raises
     ------
@@ -115,12 +131,12 @@ def careful_tables(
         If there are more than `MOST_TABLES`, as rows of changing numbers of cells make them.
     """
     cells = split_all(lines, sign)
-    runs = _runs(cells, _row_widths(lines, cells), file)
+    runs = _runs(cells, _row_widths(lines, cells), file, header)
     tables = []
-    for run, start in zip(runs, [0, *(run.last + 1 for run in runs)], strict=False):
+    for run, start in _with_starts(runs, cells):
         above = [line for line in lines[start : run.first] if line.strip(EMPTY)]
-        header = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
-        tables.append(_text_table(cells, run, header, sign, offset))
+        names = tuple(_header_cells(line, sign, run.width) for line in above[-_HEADER_KEPT:])
+        tables.append(_text_table(cells, run, names, sign, offset))
     return tables
 
 
@@ -128,10 +144,9 @@ def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str, file: str = "")
     """Find every table in the rows of a worksheet; cells are text or numbers."""
     widths = np.array([_mixed_width(row) for row in rows], dtype=np.int64)
     texts = _Texts(rows)
-    runs = _runs(texts, widths, file)
-    starts = [0, *(run.last + 1 for run in runs)]
+    runs = _runs(texts, widths, file, ())
     tables = []
-    for run, start in zip(runs, starts, strict=False):
+    for run, start in _with_starts(runs, texts):
         above = [row for row in map(texts.__getitem__, range(start, run.first)) if any(row)]
         picked = [rows[k] for k in run.rows]
         tables.append(
@@ -229,7 +244,12 @@ class _Run:
     skipped: list[tuple[int, str]] = field(default_factory=list)
 
 
-def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64], file: str) -> list[_Run]:
+def _runs(
+    cells: Sequence[Sequence[str]],
+    widths: NDArray[np.int64],
+    file: str,
+    header: Sequence[Sequence[str]],
+) -> list[_Run]:
     """Group rows into tables; a line or two that is no row does not end a table."""
     bounds = [0, *(np.flatnonzero(np.diff(widths)) + 1).tolist(), len(widths)]
     stretches = [
@@ -243,7 +263,11 @@ def _runs(cells: Sequence[Sequence[str]], widths: NDArray[np.int64], file: str) 
         if width < 0:
             gap.extend(range(start, stop))
             continue
-        if run and width == run.width and not _ends_table(gap, cells, width):
+        if run and width == run.width and _repeats_header(gap, cells, run, start, header):
+            run.skipped.extend((k, "the header again") for k in gap)
+            run.rows.extend(range(start, stop))
+            run.last = stop - 1
+        elif run and width == run.width and not _ends_table(gap, cells, width):
             run.skipped.extend((k, f"not a row of numbers: {_shown(cells[k])}") for k in gap)
             run.rows.extend(range(start, stop))
             run.last = stop - 1
@@ -270,6 +294,78 @@ def _ends_table(gap: Sequence[int], cells: Sequence[Sequence[str]], width: int) 
     return any(
         len(cells[k]) == width and sum(bool(cell.strip()) for cell in cells[k]) >= 2 for k in gap
     )
+
+
+def _joined(row: Sequence[str]) -> str:
+    return " ".join(" ".join(row).split())
+
+
+def _repeats_header(
+    gap: Sequence[int],
+    cells: Sequence[Sequence[str]],
+    run: _Run,
+    after: int,
+    header: Sequence[Sequence[str]],
+) -> bool:
+    """Whether the lines between are those above the table, and its first rising column rises on."""
+    if not 0 < len(gap) <= _LONGEST_REPEAT or len(run.rows) < _RISING:
+        return False
+    above = {_joined(row) for row in header}
+    above |= {_joined(cells[k]) for k in range(max(0, run.first - _LONGEST_REPEAT), run.first)}
+    if not all(_joined(cells[k]) in above for k in gap):
+        return False
+    rows = [cells[k] for k in run.rows[-_RISING:]]
+    for column in range(run.width):
+        values = [_roughly(row[column]) for row in (*rows, cells[after])]
+        if all(a < b for a, b in itertools.pairwise(values[:-1])):
+            return values[-1] > values[-2]
+    return False
+
+
+def _roughly(cell: str) -> float:
+    """Return the number of a cell by either decimal sign, to compare it with its neighbours."""
+    try:
+        return float(cell.replace(",", "."))
+    except ValueError:
+        return np.nan
+
+
+def _with_starts(
+    runs: Sequence[_Run], cells: Sequence[Sequence[str]]
+) -> Iterator[tuple[_Run, int]]:
+    """Yield the tables, each with where its header starts; names that are numbers are names."""
+    start = 0
+    for place, run in enumerate(runs):
+        following = runs[place + 1] if place + 1 < len(runs) else None
+        if (
+            len(run.rows) == 1
+            and following is not None
+            and following.width == run.width
+            and following.first - run.last - 1 in (1, 2)
+            and are_numbers_of_columns(cells[run.first])
+        ):
+            continue  # above a line of units
+        first = cells[run.first]
+        if len(run.rows) > _RISING and _is_header(first, [cells[k] for k in run.rows[1:6]]):
+            run.rows.pop(0)
+            run.first += 1
+        yield run, start
+        start = run.last + 1
+
+
+def _is_header(first: Sequence[str], following: Sequence[Sequence[str]]) -> bool:
+    """Whether the first row of numbers holds names: words above numbers, or numbers of columns."""
+    if are_numbers_of_columns(first):
+        return any("." in cell or "," in cell for row in following for cell in row)
+    numeric = [all(looks_numeric(row[k]) for row in following) for k in range(len(first))]
+    words = [k for k, cell in enumerate(first) if numeric[k] and _is_word(cell)]
+    others = [cell for k, cell in enumerate(first) if k not in words and cell.strip()]
+    return bool(words) and all(cell.strip().isdecimal() or _is_word(cell) for cell in others)
+
+
+def _is_word(cell: str) -> bool:
+    text = cell.strip()
+    return sum(map(str.isalpha, text)) >= 2 and text.casefold().strip("()") not in _NO_WORDS
 
 
 def _shown(row: Sequence[str]) -> str:

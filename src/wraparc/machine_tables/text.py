@@ -195,7 +195,8 @@ def _add_piece(
             growing.add_rows(values, rows)
             return
     _refuse_many(lines[start:stop], sign, "")
-    tables = careful_tables(lines[start:stop], sign, start)
+    header = found[-1].table.header if found else ()
+    tables = careful_tables(lines[start:stop], sign, start, header=header)
     if found:
         first = tables.pop(0) if tables else None
         style = found[-1].style

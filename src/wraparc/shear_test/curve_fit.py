@@ -97,7 +97,8 @@ class CurveFit:
         """95 % interval of a parameter; of ``peak_slip`` and ``peak_friction`` too."""
         if name in {"peak_slip", "peak_friction"}:
             low, high = self.interval(f"ln_{name}")
-            return float(np.exp(low)), float(np.exp(high))
+            with np.errstate(over="ignore"):  # not determined at all: no upper bound
+                return float(np.exp(low)), float(np.exp(high))
         value, error = getattr(self.parameters, name), self.error(name)
         return value - Z95 * error, value + Z95 * error
 

@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 from wraparc.errors import InputError, Problem
 from wraparc.shear_test.noise import despiked, noise_level
 from wraparc.shear_test.record import Array, MachineRecord
-from wraparc.shear_test.strokes import Stroke, find_stroke
+from wraparc.shear_test.strokes import Stroke, find_strokes
 
 LEAST_POINTS = 10
+#: Which pull of a record is used: the first, the last (after run-in cycles), the readings of all,
+#: or the mean of all at each travel.
+STROKES = ("first", "last", "all", "mean")
 _BINS = 300
 _FINE = 10
 # Beyond these a column or a unit is wrong.
@@ -45,6 +48,8 @@ class Sample:
         Constant normal force [N], where the record has no measured one.
     friction
         Least and most friction that a test may reach [-].
+    stroke
+        Which pull of a record of several: one of `STROKES`.
     """
 
     area: float
@@ -53,6 +58,7 @@ class Sample:
     compliance: float = 0.0
     normal_force: float | None = None
     friction: tuple[float, float] = (0.0, np.inf)
+    stroke: str = "first"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -120,27 +126,24 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         force is zero throughout, there is no normal force, or friction is beyond what the sample
         may have.
     """
-    stroke = find_stroke(record.travel, record.force)
-    if stroke is None:
+    found = find_strokes(record.travel, record.force)
+    if not found:
         raise _refused(
             record,
             "the travel does not advance: no pull can be found in it",
             "See that the travel column is the right one (--travel).",
         )
-    rows = stroke.rows
-    _check(record, rows)
-    travel = (record.travel[rows] - record.travel[rows[0]]) * stroke.direction
-    order = np.argsort(travel, kind="stable")
-    rows, travel = rows[order], travel[order]
-    normal = _normal_force(record, sample)[rows]
-    pull = record.force[rows]
+    used = {"first": found[:1], "last": found[-1:]}.get(sample.stroke, found)
+    for stroke in used:
+        _check(record, stroke.rows)
+    travel, pull, normal = _pulled(record, sample, used)
     sign = 1.0 if np.median(pull[len(pull) // 5 :]) >= 0 else -1.0
     friction = sign * pull / (sample.faces * normal)
     onset, zero = _start(travel, friction)
     keep = despiked(friction)
     travel, friction, normal = (a[keep] for a in (travel, friction, normal))
     _refuse_odd_friction(record, friction, sample.friction)
-    notes = _notes(record, stroke, int((~keep).sum()))
+    notes = _notes(record, found, used, sample.stroke, int((~keep).sum()))
     mean_normal = float(normal.mean())
     pressure = mean_normal / sample.area
     bins = _binned(travel, friction, onset)
@@ -278,12 +281,42 @@ def _binned(
     return means[0], means[1], counts, place
 
 
-def _notes(record: MachineRecord, stroke: Stroke, spikes: int) -> tuple[str, ...]:
+def _pulled(
+    record: MachineRecord, sample: Sample, strokes: list[Stroke]
+) -> tuple[Array, Array, Array]:
+    """Travel from the first reading of each pull, force and normal force, travel ascending."""
+    all_normal = _normal_force(record, sample)
+    parts = []
+    for stroke in strokes:
+        travel = (record.travel[stroke.rows] - record.travel[stroke.rows[0]]) * stroke.direction
+        order = np.argsort(travel, kind="stable")
+        rows = stroke.rows[order]
+        parts.append((travel[order], record.force[rows], all_normal[rows]))
+    if sample.stroke == "mean" and len(parts) > 1:
+        end = min(float(travel[-1]) for travel, _, _ in parts)
+        grid = parts[0][0][parts[0][0] <= end]
+        means = [np.mean([np.interp(grid, p[0], p[k]) for p in parts], axis=0) for k in (1, 2)]
+        return grid, means[0], means[1]
+    travel, pull, normal = (np.concatenate(columns) for columns in zip(*parts, strict=True))
+    order = np.argsort(travel, kind="stable")
+    return travel[order], pull[order], normal[order]
+
+
+def _notes(
+    record: MachineRecord, found: list[Stroke], used: list[Stroke], which: str, spikes: int
+) -> tuple[str, ...]:
     notes: list[str] = []
-    if stroke.unloading:
-        notes.append(f"{stroke.unloading} rows of the way back or of other strokes were left out")
-    if stroke.released:
-        notes.append(f"{stroke.released} rows after the force collapsed were left out")
+    if len(found) > 1:
+        of = f"the {which} of {len(found)} strokes" if len(used) == 1 else f"{len(found)} strokes"
+        how = {"mean": ", their mean at each travel,", "all": ", all readings,"}.get(which, "")
+        notes.append(f"{of}{how} was used" if len(used) == 1 else f"{of}{how} were used")
+    stroke = used[0]
+    unloading = len(record.travel) - sum(len(s.rows) + s.released for s in used)
+    if unloading:
+        notes.append(f"{unloading} rows of the way back or of other strokes were left out")
+    released = sum(s.released for s in used)
+    if released:
+        notes.append(f"{released} rows after the force collapsed were left out")
     if spikes:
         notes.append(f"{spikes} readings far off their neighbours were left out")
     if stroke.direction < 0:

@@ -4,6 +4,7 @@ Names only rank the columns of one dimension and say which is meant by default.
 """
 
 import re
+import unicodedata
 from collections.abc import Iterable
 from enum import StrEnum
 from functools import lru_cache
@@ -56,16 +57,46 @@ _STEMS: dict[Role, str] = {
         "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman elapsed время 時間 时间 t"
     ),
 }
+# What was asked for, not what was measured: a set-point is never taken for a reading.
+_DEMANDED = (
+    r"\bsoll|set ?point|setpunkt|set value|\btarget|\bdemand|\bcommand|\bcmd\b|\bnominal|\bdesired"
+    r"|\brequested|\bprescribed|\bprogrammed|\breference\b|\bref\b|\bsp\b"
+    r"|\bvorgabe|\bvorgegeben|fuhrungsgrosse|stellgrosse|\bnenn"  # German
+    r"|consigne|\bcible|\bcommande|\bvisee?\b"  # French
+    r"|consigna|\bobjetivo|\bdesead|\bmando\b|\breferencia"  # Spanish
+    r"|\bdesejad|\balvo\b|ponto de ajuste"  # Portuguese
+    r"|riferimento|impostat|\bobiettivo|\brichiest|\bcomando"  # Italian
+    r"|zadan|nastaw|docelow|pozadan"  # Polish
+    r"|nastaven|pozadovan|\bcilov"  # Czech
+    r"|gewenst|ingesteld|streefwaarde|instelwaarde|stuurwaarde"  # Dutch
+    r"|borvarde|borlast|borkraft|referensvarde|installd"  # Swedish
+    r"|ayar degeri|ayarlanan|\bhedef|istenen|referans"  # Turkish
+    r"|заданн|задание|уставк|целев|требуем"  # Russian
+    r"|設定|目標|指令|指示値"  # Japanese
+    r"|设定|目标|给定|期望"  # Chinese
+)
 # A name with one of these measures something else, whatever stems it has.
-_OTHER = re.compile(
+_MEASURES_OTHER = (
     r"strain|stress|dehnung|stauchung|spannung|contrainte|deformation|deformacion|\btension\b"
     r"|tensao|sforzo|naprezenie|odksztalcenie|napeti|spanning|rate|speed|geschwindigkeit"
     r"|vitesse|velocidad|velocita|predkosc|modulus|modul|energy|energie|work|power|cycle"
     r"|count|index|nummer|number|temp(erature|eratur)?\b|ひずみ|応力|应变|应力"
-    # what was asked for, not what was measured
-    r"|\bsoll|set ?point|set value|\btarget\b|\bdemand|\bcommand|\bnominal|\bvorgabe|fuhrungsgrosse"
-    r"|consigne|consigna|riferimento|impostat|zadan|gewenst|borvarde|ayar degeri|заданн|設定|设定"
 )
+_STRESSES = (
+    r"stress|spannung|contrainte|tensao|sforzo|\btension\b|naprezenie|napeti|spanning|応力|应力"
+)
+
+
+def _for_plain_names(pattern: str) -> re.Pattern[str]:
+    """Accents are taken off names, those of Japanese too."""
+    decomposed = unicodedata.normalize("NFKD", pattern)
+    return re.compile("".join(c for c in decomposed if not unicodedata.combining(c)))
+
+
+_DEMAND, _STRESS = _for_plain_names(_DEMANDED), _for_plain_names(_STRESSES)
+_OTHER = _for_plain_names(f"{_MEASURES_OTHER}|{_DEMANDED}")
+# Words of a travel column that also stand in names of others: Machine_Load.
+_WEAK = {"machine", "maschine", "position"}
 # Of several travel columns the one that starts near 0 is meant, not the absolute place.
 _ABSOLUTE = re.compile(r"absol|position|corrected|extensomet|clip|lvdt|\bext\b")
 
@@ -83,10 +114,18 @@ def suitability(name: str, role: Role) -> float:
     stem = _longest_stem(plain, _STEMS[role].split())
     if not stem:
         return 0.0
+    if stem in _WEAK and any(_has_stem(plain, _STEMS[r].split()) for r in (Role.FORCE, Role.TIME)):
+        return 0.0
     score = 2.0 + (plain.startswith(stem) and role is not Role.TIME)
     if role is Role.TRAVEL and _ABSOLUTE.search(plain):
         score -= 1.5
     return score
+
+
+def is_stress(name: str) -> bool:
+    """Whether `name` names a measured stress."""
+    plain = plain_name(name)
+    return bool(_STRESS.search(plain)) and not _DEMAND.search(plain)
 
 
 def _has_stem(plain: str, stems: Iterable[str]) -> bool:

@@ -24,49 +24,50 @@ class Stroke:
         Indices into the record.
     direction
         +1 or -1: sign of the travel while it pulls.
-    unloading
-        Rows that belong to other strokes or ways back.
     released
         Rows at the end after the force has collapsed.
     """
 
     rows: Index
     direction: int
-    unloading: int
     released: int
 
 
-def find_stroke(travel: Array, force: Array) -> Stroke | None:
-    """Find the longest pull in a record; None if the travel does not advance.
+def find_strokes(travel: Array, force: Array) -> list[Stroke]:
+    """Find the pulls in a record, in order; none if the travel does not advance.
 
-    The travel is cut where it turns back by more than 2 % of its range. Of the parts, the
-    one of the largest advance under load is the pull; of equal ones the first.
+    The travel is cut where it turns back by more than 2 % of its range. Of the parts, those of
+    at least 80 % of the largest advance and 20 % of the largest load, in the direction of the
+    first of them, are pulls; an approach without load and the ways back are none.
     """
     span = float(np.ptp(travel))
     if len(travel) < 2 or span <= 0.0:
-        return None
-    turns = _turning_points(travel, _TURN * span)
-    parts = list(itertools.pairwise(turns))
-    start, stop = _pull(parts, travel, np.abs(force))
-    advance = float(travel[stop] - travel[start])
-    direction = 1 if advance > 0 else -1
-    rows = np.arange(start, stop + 1)
-    # Up and down in turn, a record of no direction: no part of it is a pull.
-    if abs(advance) < 0.3 * span or len(rows) < 3:
-        return None
-    kept = _before_release(np.abs(force[rows]), np.abs(travel[rows] - travel[start]))
-    unloading = len(travel) - len(rows)
-    return Stroke(rows[:kept], direction, unloading, len(rows) - kept)
+        return []
+    parts = list(itertools.pairwise(_turning_points(travel, _TURN * span)))
+    found: list[Stroke] = []
+    for start, stop in _pulls(parts, travel, np.abs(force)):
+        advance = float(travel[stop] - travel[start])
+        direction = 1 if advance > 0 else -1
+        rows = np.arange(start, stop + 1)
+        # Up and down in turn, a record of no direction: no part of it is a pull.
+        if abs(advance) < 0.3 * span or len(rows) < 3:
+            continue
+        if found and direction != found[0].direction:
+            continue
+        kept = _before_release(np.abs(force[rows]), np.abs(travel[rows] - travel[start]))
+        found.append(Stroke(rows[:kept], direction, len(rows) - kept))
+    return found
 
 
-def _pull(parts: list[tuple[int, int]], travel: Array, load: Array) -> tuple[int, int]:
-    """The first of the long parts that is not run without load, as an approach is."""
+def _pulls(parts: list[tuple[int, int]], travel: Array, load: Array) -> list[tuple[int, int]]:
+    """The long parts that are not run without load, as an approach is; else the longest."""
     advances = [abs(float(travel[b] - travel[a])) for a, b in parts]
     loads = [float(np.median(load[a : b + 1])) for a, b in parts]
-    for part, advance, mean in zip(parts, advances, loads, strict=True):
-        if advance >= 0.8 * max(advances) and mean >= 0.2 * max(loads):
-            return part
-    return parts[advances.index(max(advances))]
+    return [
+        part
+        for part, advance, mean in zip(parts, advances, loads, strict=True)
+        if advance >= 0.8 * max(advances) and mean >= 0.2 * max(loads)
+    ] or [parts[advances.index(max(advances))]]
 
 
 def _turning_points(travel: Array, tolerance: float) -> list[int]:
