@@ -30,6 +30,10 @@ def test_an_ambiguous_comma_is_asked_about() -> None:
 def test_decimal_commas_between_delimiting_commas_are_refused() -> None:
     table = "\n".join(f"0,{k},1,{k}" for k in range(1, 20))
     text = problems(f"Extension (mm),Load (N)\n{table}\n".encode())
+    assert "its 4 columns of whole numbers are what decimal commas make of fewer" in text
+    # where they are not, it is told that the names do not fit
+    table = "\n".join(f"0.5,{k},-1.5,{k}" for k in range(1, 20))
+    text = problems(f"Extension (mm),Load (N)\n{table}\n".encode())
     assert "2 names stand above 4 columns" in text
 
 
@@ -128,3 +132,68 @@ def test_a_long_file_goes_the_quick_way_to_the_same_numbers() -> None:
     careful = read_machine_bytes((head + "\n".join(lines) + "\n").encode(), "x")
     np.testing.assert_array_equal(quick.travel, careful.travel)
     np.testing.assert_array_equal(quick.force, careful.force)
+
+
+@pytest.mark.parametrize(
+    ("header", "choices"),
+    [
+        ("1;2;3", Choices(travel=1, force=2, units={"1": "mm", "2": "N"})),
+        ("0;1;2", Choices(travel="0", force="1", units={"0": "mm", "1": "N"})),
+        ("1;2;3\nmm;N;s", Choices(travel=1, force=2)),
+        ("Travel [mm];Force [N];100;200", Choices()),
+        ("Travel [mm];100;Force [N];200", Choices()),
+    ],
+)
+def test_names_that_are_numbers_are_names(header: str, choices: Choices) -> None:
+    """They were read as the first reading, and the names were lost."""
+    width = header.split("\n", maxsplit=1)[0].count(";") + 1
+    force = 2 if "100;Force" in header else 1
+    rows = []
+    for k in range(20):
+        cells = ["7.5"] * width
+        cells[0], cells[force] = f"{0.25 * k:.2f}", f"{10.5 * k:.1f}"
+        rows.append(";".join(cells))
+    record = read_machine_bytes((header + "\n" + "\n".join(rows) + "\n").encode(), "x", choices)
+    np.testing.assert_allclose(record.travel, 0.25e-3 * np.arange(20))
+    np.testing.assert_allclose(record.force, 10.5 * np.arange(20))
+    assert record.dropped == ()
+
+
+def test_a_first_reading_with_a_gap_is_no_header() -> None:
+    rows = "\n".join(f"{0.25 * k:.2f};{10.5 * k:.1f};7.5" for k in range(1, 20))
+    record = read_machine_bytes(f"Weg [mm];Kraft [N];T\n0;0;OVL\n{rows}\n".encode(), "x")
+    assert len(record.travel) == 20
+
+
+@pytest.mark.parametrize("count", [40, 12_000])
+def test_a_header_that_is_repeated_in_the_file_is_counted(count: int) -> None:
+    """Pages of a logger; what follows was lost as a table of its own."""
+    rows = [f"{0.1 * k:.1f};{0.25 * k:.2f};{10.5 * k:.1f}" for k in range(count)]
+    head = ["Time;Extension;Load", "s;mm;N"]
+    half = count // 2 + 3
+    text = "\n".join([*head, *rows[:half], *head, *rows[half:], ""])
+    record = read_machine_bytes(text.encode(), "x")
+    np.testing.assert_allclose(record.force, 10.5 * np.arange(count))
+    assert [(d.reason, d.line) for d in record.dropped] == [
+        ("the header again", half + 3),
+        ("the header again", half + 4),
+    ]
+
+
+def test_tests_under_each_other_are_not_made_one() -> None:
+    rows = [f"{0.1 * k:.1f};{0.25 * k:.2f};{10.5 * k:.1f}" for k in range(40)]
+    one = ["Time;Extension;Load", "s;mm;N", *rows]
+    record = read_machine_bytes("\n".join([*one, *one, ""]).encode(), "x")
+    assert len(record.travel) == 40
+    assert "the file has 2 tables" in record.notes[0]
+
+
+def test_settings_are_no_readings() -> None:
+    settings = "\n".join(f"Channel {name};{k};{2 * k}" for k, name in enumerate("abcdefghijklmnop"))
+    head = "Name;Load [N];Displacement [mm]\n"
+    said = problems((head + settings + "\n").encode())
+    assert "it holds settings or results (lines 2 to 17: each row under a name" in said
+    assert len(read_machine_bytes((head + settings).encode(), "x", Choices(table=1)).force) == 16
+    rows = "\n".join(f"{0.1 * k:.1f};{0.25 * k:.2f}" for k in range(12))
+    both = f"{head}{settings}\n\nWeg [mm];Kraft [N]\n{rows}\n"
+    assert len(read_machine_bytes(both.encode(), "x").travel) == 12

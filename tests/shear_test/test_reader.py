@@ -4,6 +4,8 @@ Expected values: what the virtual rig recorded before a dialect wrote it down; t
 hand-written files carry their numbers in the test.
 """
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -16,8 +18,10 @@ from wraparc.shear_test import (
     VirtualRig,
     read_machine_bytes,
     read_machine_file,
+    read_machine_tests,
     run_virtual_test,
 )
+from wraparc.shear_test.roles import Role, suitability
 
 TEST = run_virtual_test(VirtualRig(law=rubber(), points=300, wander=0.01), 207e3, 1)
 SHORT = run_virtual_test(VirtualRig(law=rubber(), points=60, wander=0.01), 207e3, 1)
@@ -114,7 +118,19 @@ def test_names_in_many_languages(travel: str, force: str) -> None:
     ("demanded", "measured"),
     [("Kraft Sollwert", "Kraft"), ("Load setpoint", "Load"), ("Command force", "Force"),
      ("Target load", "Load cell"), ("Consigne force", "Force"), ("Fuerza consigna", "Fuerza"),
-     ("Siła zadana", "Siła"), ("設定荷重", "荷重")],
+     ("Siła zadana", "Siła"), ("設定荷重", "荷重"), ("Sollkraft", "Istkraft"),
+     ("Kraft Vorgabe", "Kraft"), ("Kraft Setpunkt", "Kraft"), ("Führungsgröße Kraft", "Kraft"),
+     ("Nennkraft", "Kraft"), ("Force demandée", "Force"), ("Force cible", "Force"),
+     ("Valor nominal de fuerza", "Fuerza"), ("Fuerza objetivo", "Fuerza"),
+     ("Força desejada", "Força"), ("Valor de referência da força", "Força"),
+     ("Forza impostata", "Forza"), ("Forza richiesta", "Forza"), ("Żądana siła", "Siła"),
+     ("Siła docelowa", "Siła"), ("Žádaná síla", "Síla"), ("Požadovaná síla", "Síla"),
+     ("Gewenste kracht", "Kracht"), ("Ingestelde kracht", "Kracht"),
+     ("Börvärde kraft", "Kraft"), ("Hedef kuvvet", "Kuvvet"), ("Kuvvet ayar değeri", "Kuvvet"),
+     ("Заданная сила", "Сила"), ("Уставка силы", "Сила"), ("目標荷重", "荷重"),
+     ("荷重指令", "荷重"), ("目标力", "力"), ("给定载荷", "载荷"), ("Force command", "Force"),
+     ("Force demand", "Force"), ("Load_SP", "Load"), ("Reference load", "Load"),
+     ("Nominal force", "Force")],
 )  # fmt: skip
 def test_what_was_demanded_is_never_taken_for_what_was_measured(
     demanded: str, measured: str
@@ -127,6 +143,80 @@ def test_what_was_demanded_is_never_taken_for_what_was_measured(
     table = "\n".join(f"99;{0.25 * k}" for k in range(12))
     with pytest.raises(InputError, match="force"):
         read_machine_bytes(f"{demanded};Travel\nN;mm\n{table}\n".encode(), "x")
+
+
+def test_a_strain_in_japanese_is_no_travel() -> None:
+    """Its voiced sounds are taken off as accents are, off the words looked for too."""
+    assert suitability("ひずみ 変位", Role.TRAVEL) == 0.0
+    assert suitability("変位", Role.TRAVEL) > 0.0
+
+
+def test_machine_is_no_travel_where_the_name_says_force() -> None:
+    table = "\n".join(f"{10.5 * k};{0.25 * k};{k}" for k in range(12))
+    data = f"Machine_Load;Machine_Displacement;Machine_Time\n{table}\n".encode()
+    text = problems(data)
+    assert "the travel column 'Machine_Displacement' has no unit in the file" in text
+    assert "the force column 'Machine_Load' has no unit in the file" in text
+    told = Choices(units={"Machine_Load": "N", "Machine_Displacement": "mm"})
+    np.testing.assert_allclose(read_machine_bytes(data, "x", told).force, 10.5 * np.arange(12))
+
+
+def test_a_stress_is_a_force_over_the_area_that_is_given() -> None:
+    """Closed form: 0.3 MPa over 400 cm2 are 12 kN."""
+    table = "\n".join(f"{0.25 * k};{0.1 * k};20" for k in range(12))
+    data = f"Travel;Shear stress;Normal stress\nmm;MPa;MPa\n{table}\n".encode()
+    text = problems(data)
+    assert "it cannot be told which column is the force" in text
+    assert "If 'Shear stress' is the force over an area, say over which" in text
+    text = problems(data, Choices(force="Shear stress"))
+    assert "the force column 'Shear stress' holds a stress [MPa], not a force" in text
+    assert '--stress-area "400 cm2"' in text
+    record = read_machine_bytes(data, "x", Choices(stress_area=0.04))
+    assert record.force[3] == pytest.approx(12e3)
+    assert "the force is 'Shear stress' [MPa] times 400 cm2" in record.notes[-1]
+    # a force is taken where there is one, whatever area is given
+    both = data.replace(b"Normal stress", b"Load").replace(b"MPa;MPa", b"MPa;N")
+    assert (
+        read_machine_bytes(both.replace(b";20", b";2.5", 1), "x", Choices(stress_area=1.0)).force[3]
+        == 20.0
+    )
+
+
+@pytest.mark.parametrize(
+    ("names", "columns"),
+    [
+        ("Travel 1;Load 1;Travel 2;Load 2", (0, 1, 2, 3)),
+        ("Travel;Load;Travel;Load", (0, 1, 2, 3)),
+        ("Travel A1;Travel A2;Load A1;Load A2", (0, 2, 1, 3)),
+    ],
+)  # fmt: skip
+def test_tests_side_by_side_are_read_by_number(
+    names: str, columns: tuple[int, int, int, int], tmp_path: Path
+) -> None:
+    cells = np.zeros((15, 4))
+    for place, slope in zip(columns, (0.25, 10.5, 0.5, 4.0), strict=True):
+        cells[:, place] = slope * np.arange(15)
+    rows = [";".join(map(str, row)) for row in cells]
+    units = ";".join("mm" if "Travel" in name else "N" for name in names.split(";"))
+    data = "\n".join([names, units, *rows, ""]).encode()
+    text = problems(data)
+    assert "2 tests stand side by side in it: 1 is 'Travel" in text
+    assert "block = 1" in text
+    for block, (travel, force) in enumerate([(0.25e-3, 10.5), (0.5e-3, 4.0)], start=1):
+        record = read_machine_bytes(data, "x", Choices(block=block))
+        np.testing.assert_allclose(record.travel, travel * np.arange(15))
+        np.testing.assert_allclose(record.force, force * np.arange(15))
+        assert (record.block, record.blocks) == (block, 2)
+    assert "the table holds 2 tests side by side" in problems(data, Choices(block=3))
+    named = Choices(travel=columns[2] + 1, force=columns[3] + 1)
+    assert read_machine_bytes(data, "x", named).force[1] == 4.0
+    (tmp_path / "x.csv").write_bytes(data)
+    assert [r.block for r in read_machine_tests(tmp_path / "x.csv")] == [1, 2]
+
+
+def test_a_block_of_a_file_with_one_test_is_refused() -> None:
+    data = f"Time,Extension (mm),Load (N)\n{rows()}\n".encode()
+    assert "the table holds one test only" in problems(data, Choices(block=2))
 
 
 def test_axes_of_a_tribometer() -> None:

@@ -34,25 +34,38 @@ _DONE, _MISFIT = 0, 1
 @click.option("--encoding", metavar="NAME", help="For example cp1250.")
 @click.option("--sheet", metavar="NAME", help="Sheet of a workbook.")
 @click.option("--table", type=int, metavar="N", help="Which table of the file, from 1.")
-def read(files: tuple[str, ...], units: tuple[str, ...], **said: Any) -> int:
+@click.option(
+    "--block", type=int, metavar="N", help="Which of tests side by side, from 1; all if left out."
+)
+@click.option(
+    "--stress-area", metavar="AREA", help="What a stress was divided by: --stress-area '400 cm2'."
+)
+def read(
+    files: tuple[str, ...], units: tuple[str, ...], stress_area: str | None, **said: Any
+) -> int:
     """Read FILES of test machines and show their columns, units, ranges and rows.
 
     What a file does not say is asked for, never guessed.
     """
     from wraparc.report.shear_test_record import record_sheet
-    from wraparc.shear_test import Choices, read_machine_file
+    from wraparc.shear_test import Choices, read_machine_tests
+    from wraparc.units import parse_quantity
 
-    choices = Choices(units=_units(units), **said)
+    area = None if stress_area is None else parse_quantity(stress_area, "area")
+    choices = Choices(units=_units(units), stress_area=area, **said)
     problems: list[Problem] = []
-    for number, file in enumerate(files):
+    shown_before = False
+    for file in files:
         try:
-            record = read_machine_file(file, choices)
+            records = read_machine_tests(file, choices)
         except InputError as error:
             problems += error.problems
             continue
-        if number:
-            say("")
-        show(record_sheet(record))
+        for record in records:
+            if shown_before:
+                say("")
+            show(record_sheet(record))
+            shown_before = True
     if problems:
         raise InputError(problems)
     return _DONE

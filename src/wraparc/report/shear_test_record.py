@@ -4,6 +4,7 @@ import math
 
 from wraparc.present.sheet import NONE, Row, Sheet, Table, started
 from wraparc.shear_test.record import MachineRecord
+from wraparc.shear_test.strokes import find_strokes
 
 
 def record_sheet(record: MachineRecord) -> Sheet:
@@ -24,9 +25,17 @@ def record_sheet(record: MachineRecord) -> Sheet:
         Row("Left out", (str(item.count),), note=f"{item.reason}, from line {item.line}")
         for item in record.dropped
     ]
+    strokes = len(find_strokes(record.travel, record.force))
+    note = "the first is used where a plan does not say another" if strokes > 1 else ""
+    rows.append(Row("Strokes", (str(strokes),), note=note))
+    beside = (
+        f"; test {record.block} of {record.blocks} side by side (block = {record.block})"
+        if record.blocks > 1
+        else ""
+    )
     return Sheet(
         title=record.file,
-        subtitle=f"{record.place}; {', '.join(written)}",
+        subtitle=f"{record.place}{beside}; {', '.join(written)}",
         tables=(
             Table("Columns", columns, ("unit", "lowest", "highest")),
             Table("Rows", tuple(rows)),

@@ -7,7 +7,7 @@ from wraparc.shear_test.dialects import DIALECTS, Dialect
 from wraparc.shear_test.fit_plan import fit_plan
 from wraparc.shear_test.plan import PlannedTest, Rig, TestPlan
 from wraparc.shear_test.pressure_choice import PressureOptions
-from wraparc.shear_test.reader import read_machine_bytes, read_machine_file
+from wraparc.shear_test.reader import read_machine_bytes, read_machine_file, read_machine_tests
 from wraparc.shear_test.record import Choices, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve, Sample, reduce_record
 from wraparc.shear_test.virtual_rig import VirtualRig, VirtualTest, run_virtual_test
@@ -35,6 +35,7 @@ __all__ = [
     "fit_plan",
     "read_machine_bytes",
     "read_machine_file",
+    "read_machine_tests",
     "reduce_record",
     "run_virtual_test",
 ]

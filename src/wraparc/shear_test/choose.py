@@ -8,8 +8,8 @@ import numpy as np
 from wraparc.errors import InputError, Problem, shown
 from wraparc.machine_tables import Array, ColumnUnit, NamedColumn, find_column, listed, read_unit
 from wraparc.shear_test.record import Choices
-from wraparc.shear_test.roles import ROLE_DIMENSION, Role, is_known, suitability
-from wraparc.units import DIMENSION_TEXT
+from wraparc.shear_test.roles import ROLE_DIMENSION, Role, is_known, is_stress, suitability
+from wraparc.units import DIMENSION_TEXT, dimension_of, unit_factor
 
 _NEEDED = (Role.TRAVEL, Role.FORCE)
 _EXAMPLE = {"length": "mm", "force": "N", "time": "s"}
@@ -49,6 +49,7 @@ def choose_columns(
                 continue
         else:
             candidates = _candidates(named, data, role, given, columns)
+            candidates = candidates or _given_stress(named, role, choices)
             if not candidates:
                 if role in _NEEDED:
                     problems.append(_no_column(named, role, file))
@@ -56,7 +57,7 @@ def choose_columns(
             column = candidates[0]
             if len(candidates) > 1:
                 notes.append(_choice_note(role, candidates))
-        unit = _unit_of(column, role, given, file, problems)
+        unit = _unit_of(column, role, given, file, problems, choices.stress_area)
         if unit is None and role is Role.TIME and wanted is None:
             continue
         if unit is not None:
@@ -139,9 +140,17 @@ def _unit_of(
     given: Mapping[int, str],
     file: str,
     problems: list[Problem],
+    stress_area: float | None,
 ) -> ColumnUnit | None:
     dimension = ROLE_DIMENSION[role]
     text = given.get(column.index, column.unit)
+    if role is Role.FORCE and dimension_of(text.strip()) == "pressure":
+        if stress_area is None:
+            problems.append(_no_area(column, text, file))
+            return None
+        note = f"the force is {column.label!r} [{text}] times {stress_area * 1e4:.6g} cm2"
+        factor = unit_factor(text.strip(), "pressure") * stress_area
+        return ColumnUnit(text, "force", factor, note)
     unit = read_unit(text, dimension)
     stated = read_unit(column.unit, dimension)
     if unit is not None and unit.dimension == dimension:
@@ -163,6 +172,26 @@ def _unit_of(
         )
     )
     return None
+
+
+def stresses(named: Sequence[NamedColumn]) -> list[NamedColumn]:
+    """Columns that hold a stress by name and unit."""
+    return [c for c in named if dimension_of(c.unit.strip()) == "pressure" and is_stress(c.name)]
+
+
+def _given_stress(named: Sequence[NamedColumn], role: Role, choices: Choices) -> list[NamedColumn]:
+    """The column of a stress, where its area is given and there is no force."""
+    return stresses(named) if role is Role.FORCE and choices.stress_area is not None else []
+
+
+def _no_area(column: NamedColumn, text: str, file: str) -> Problem:
+    return Problem(
+        message=f"the force column {column.label!r} holds a stress [{text}], not a force",
+        remedy="Say what area the machine divided the force by (often that of the sample, of one "
+        'face or of both): stress_area = "400 cm2" in a plan, --stress-area "400 cm2" on the '
+        "command line. Or export the force.",
+        file=file,
+    )
 
 
 def _choice_note(role: Role, candidates: Sequence[NamedColumn]) -> str:
@@ -187,10 +216,17 @@ def _unknown_column(
 
 
 def _no_column(named: Sequence[NamedColumn], role: Role, file: str) -> Problem:
+    stress = stresses(named) if role is Role.FORCE else []
+    hint = (
+        f" If {stress[0].label!r} is the force over an area, say over which: --stress-area, "
+        "stress_area in a plan."
+        if stress
+        else ""
+    )
     return Problem(
         message=f"it cannot be told which column is the {role.value}; "
         f"the table has {listed(named)}",
         remedy=f'Name it: --{role.value} NAME on the command line, {role.value} = "NAME" '
-        "in a plan (or its number).",
+        f"in a plan (or its number).{hint}",
         file=file,
     )

@@ -86,7 +86,8 @@ def _from_disk(plan: TestPlan, test: PlannedTest) -> MachineRecord:
 
 
 def _refuse_duplicate(record: MachineRecord, test: PlannedTest, seen: dict[str, str]) -> None:
-    first = seen.setdefault(record.digest, test.place)
+    own = f"{record.digest} {record.place} {record.block}"
+    first = seen.setdefault(own, test.place)
     if first != test.place:
         raise InputError(
             Problem(
@@ -119,6 +120,7 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         compliance=plan.rig.compliance,
         normal_force=_set_force(plan, test),
         friction=(plan.rig.least_friction, plan.rig.most_friction),
+        stroke=test.stroke,
     )
     with np.errstate(all="ignore"):  # what is not finite in the end is left out below
         result = _fitted(plan, test, record, reduce_record(record, sample), known)

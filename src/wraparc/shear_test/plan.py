@@ -106,6 +106,7 @@ class PlannedTest:
     speed: float | None = None
     date: str = ""
     sample: str = ""
+    stroke: str = "first"
     lot: str = ""
     belt_cover: str = ""
     conditioning: str = ""

@@ -25,7 +25,10 @@ from wraparc.shear_test.plan_keys import (
 )
 from wraparc.units import parse_quantity, unit_factor
 
-_CHOICES = ("travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table")
+_CHOICES = (
+    "travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table", "block",
+    "stress_area",
+)  # fmt: skip
 
 
 def load_plan(path: str | os.PathLike[str]) -> TestPlan:
@@ -137,4 +140,6 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
     if "normal_force_column" in said:
         choices["normal_force"] = said["normal_force_column"]
     units = {**common.get("units", {}), **record.get("units", {})}
-    return TEST.built(record, report, place=place, choices=Choices(units=units, **choices))
+    stroke = said.get("stroke", "first")
+    own = Choices(units=units, **choices)
+    return TEST.built(record, report, place=place, choices=own, stroke=stroke)

@@ -11,6 +11,7 @@ from wraparc.schema.tables import Entry, Table, need
 from wraparc.shear_test import DELIMITER_NAMES, PlannedTest, PressureOptions, Rig
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
+from wraparc.shear_test.reduce import STROKES
 
 _MOST_TESTS = 1000
 
@@ -59,6 +60,18 @@ _FILE_ENTRIES = (
     Entry("encoding", "As Python calls it.", Name(40)),
     Entry("sheet", "Sheet of a workbook.", Name(200)),
     Entry("table", "Which table of the file, from 1.", Count(1, 10000)),
+    Entry("block", "Which of the tests side by side in the table, from 1.", Count(1, 1000)),
+    Entry(
+        "stress_area",
+        "Area that the machine divided the force by, where the force column is a stress.",
+        Quantity("area", Limit("area", open=True)),
+    ),
+    Entry(
+        "stroke",
+        "Which pull of a record of several: first if left out, last after run-in cycles, the "
+        "readings of all, or their mean at each travel.",
+        Choice(STROKES),
+    ),
 )
 COLUMNS = Table("What holds for all files", *_FILE_ENTRIES)
 

@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +11,7 @@ from wraparc.errors import InputError, Problem, shown
 from wraparc.machine_tables import (
     DELIMITER_NAMES,
     Array,
+    NamedColumn,
     NumeralStyle,
     RawTable,
     find_tables,
@@ -20,6 +21,7 @@ from wraparc.shear_test.choose import Chosen, choose_columns
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
 from wraparc.shear_test.sentinels import last_row, off_trend, sentinel_rows
+from wraparc.shear_test.side_by_side import side_by_side
 
 _EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
 _NAME_DECIMAL = 'Name it: --decimal , (or .) on the command line, decimal = "," in a plan.'
@@ -61,13 +63,97 @@ def read_machine_bytes(data: bytes, file: str, choices: Choices | None = None) -
         If there is no table, or something cannot be decided: the sentence says what to
         add, and all that must be added stands in one error.
     """
+    return _records(data, file, choices or Choices(), every=False)[0]
+
+
+def read_machine_tests(path: str | Path, choices: Choices | None = None) -> list[MachineRecord]:
+    """Read all tests that stand side by side in the table of a machine's export.
+
+    Raises
+    ------
+    InputError
+        As `read_machine_file`.
+    """
     chosen = choices or Choices()
+    return _records(read_bytes(path, _EXPORT), str(path), chosen, every=True)
+
+
+def _records(data: bytes, file: str, chosen: Choices, *, every: bool) -> list[MachineRecord]:
     found = find_tables(
         data, file, encoding=chosen.encoding, delimiter=chosen.delimiter, sheet=chosen.sheet
     )
     table, said = _pick_table(found.tables, chosen, file)
     source = _Source(file, found.encoding, hashlib.sha256(data).hexdigest())
-    return _record(table, chosen, source, (*found.notes, *said))
+    named = _named(table, chosen, file)
+    blocks = side_by_side(named)
+    if chosen.travel is not None and chosen.force is not None and chosen.block is None:
+        blocks = [named]
+    wanted = _wanted_blocks(blocks, chosen, file, every=every)
+    data_of = _numbers(table, named, chosen, file)
+    return [
+        replace(
+            _record(table, blocks[k], data_of, chosen, source, (*found.notes, *said)),
+            block=k + 1,
+            blocks=len(blocks),
+        )
+        for k in wanted
+    ]
+
+
+def _wanted_blocks(
+    blocks: Sequence[Sequence[NamedColumn]], choices: Choices, file: str, *, every: bool
+) -> list[int]:
+    """Which of the tests side by side are to be read, counted from 0."""
+    if choices.block is not None and not 1 <= choices.block <= len(blocks):
+        count = f"{len(blocks)} tests side by side" if len(blocks) > 1 else "one test only"
+        raise InputError(
+            Problem(
+                message=f"the table holds {count}",
+                remedy=f"Write a number from 1 to {len(blocks)}."
+                if len(blocks) > 1
+                else "Leave it out.",
+                file=file,
+                key="block",
+                value=str(choices.block),
+            )
+        )
+    if choices.block is not None:
+        return [choices.block - 1]
+    if every or len(blocks) == 1:
+        return list(range(len(blocks)))
+    listed = "; ".join(f"{k} is {_columns(block)}" for k, block in enumerate(blocks[:4], start=1))
+    raise InputError(
+        Problem(
+            message=f"{len(blocks)} tests stand side by side in it: {listed}",
+            remedy="Say which one this is: block = 1 in its [[test]], a [[test]] for each "
+            "(wraparc read shows them all).",
+            file=file,
+        )
+    )
+
+
+def _columns(block: Sequence[NamedColumn]) -> str:
+    return " and ".join(
+        f"{c.label!r} in column {c.index + 1}"
+        for c in block
+        if any(suitability(c.name, role) > 0 for role in (Role.TRAVEL, Role.FORCE))
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Numbers:
+    """Numbers of the columns, in their own units, and how they were written."""
+
+    values: dict[int, Array]
+    style: NumeralStyle
+    notes: tuple[str, ...]
+
+
+def _numbers(
+    table: RawTable, named: Sequence[NamedColumn], choices: Choices, file: str
+) -> _Numbers:
+    style, notes = _style(table, choices, file)
+    return _Numbers({c.index: table.numbers(c.index, style) for c in named}, style, notes)
 
 
 @dataclass(frozen=True)
@@ -100,7 +186,10 @@ def _pick_table(
                 )
             )
         return tables[choices.table - 1], ()
-    best = max(tables, key=_merit)
+    readings = [table for table in tables if not table.is_settings]
+    if not readings:
+        raise _only_settings(tables, file)
+    best = max(readings, key=_merit)
     _refuse_ragged(tables, best, file)
     others = [f"{t.place} ({t.rows} rows)" for t in tables if t is not best and t.rows > 1]
     if not others:
@@ -112,6 +201,18 @@ def _pick_table(
         f"the others are {listed}"
     )
     return best, (note,)
+
+
+def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
+    where = ", ".join(table.place for table in tables[:3])
+    return InputError(
+        Problem(
+            message=f"it holds settings or results ({where}: each row under a name of its own), "
+            "no readings",
+            remedy=f"{_EXPORT} If they are readings, name the table: table = 1.",
+            file=file,
+        )
+    )
 
 
 def _merit(table: RawTable) -> tuple[bool, int]:
@@ -139,22 +240,54 @@ def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> Non
     )
 
 
-def _record(
-    table: RawTable, choices: Choices, source: _Source, notes: tuple[str, ...]
-) -> MachineRecord:
+def _named(table: RawTable, choices: Choices, file: str) -> list[NamedColumn]:
     named, complaint = table.named(is_known)
+    if _is_split(table, len(named)) and choices.travel is None:
+        raise InputError(
+            Problem(
+                message=f"its {len(named)} columns of whole numbers are what decimal commas make "
+                "of fewer columns where commas stand between the cells: each number was split in "
+                "two",
+                remedy="Export with decimal points, or with semicolons or tabs between the "
+                "columns.",
+                file=file,
+                line=int(table.lines[0]),
+            )
+        )
     if complaint and choices.travel is None:
         raise InputError(
             Problem(
                 message=f"{complaint}: it cannot be told which belongs to which",
                 remedy="Name the columns by number: --travel 1 --force 2 with their --unit, or "
                 "export with another delimiter or with decimal points.",
-                file=source.file,
+                file=file,
                 line=int(table.lines[0]),
             )
         )
-    style, texts = _style(table, choices, source.file)
-    data = {c.index: table.numbers(c.index, style) for c in named}
+    return named
+
+
+def _is_split(table: RawTable, width: int) -> bool:
+    """Whether decimal commas were taken for delimiters: whole numbers, and too few names."""
+    names = [sum(bool(cell) for cell in row) for row in table.header[-3:]]
+    if table.delimiter != "," or not any(1 < n < width <= 2 * n for n in names):
+        return False
+    step = max(1, table.rows // 200)
+    columns = [table.numbers(k, NumeralStyle())[::step] for k in range(width)]
+    # the second half of a number has no sign
+    whole = all(np.all(values == np.round(values)) for values in columns)
+    return whole and sum(bool(np.all(values >= 0.0)) for values in columns) >= width // 2
+
+
+def _record(
+    table: RawTable,
+    named: Sequence[NamedColumn],
+    read: _Numbers,
+    choices: Choices,
+    source: _Source,
+    notes: tuple[str, ...],
+) -> MachineRecord:
+    data, style, texts = read.values, read.style, read.notes
     chosen = choose_columns(named, data, choices, source.file)
     keep, dropped = _kept_rows(table, data, chosen)
     picked = {role: data[c.index][keep] * u.factor for role, (c, u) in chosen.columns.items()}

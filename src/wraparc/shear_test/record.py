@@ -30,6 +30,10 @@ class Choices:
         Sheet of a workbook.
     table
         Number of the table in the file, counted from 1.
+    block
+        Which of several tests that stand side by side in the table, counted from 1.
+    stress_area
+        Area that the machine divided the force by, where the force column is a stress [m2].
     """
 
     travel: str | int | None = None
@@ -42,6 +46,8 @@ class Choices:
     encoding: str | None = None
     sheet: str | None = None
     table: int | None = None
+    block: int | None = None
+    stress_area: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,6 +114,8 @@ class MachineRecord:
         Lines above the table, cells joined.
     digest
         SHA-256 of the file, by which duplicates are recognised.
+    block, blocks
+        Which test of those side by side in the table this is, and how many there are.
     """
 
     file: str
@@ -126,3 +134,5 @@ class MachineRecord:
     notes: tuple[str, ...]
     header: tuple[str, ...]
     digest: str
+    block: int = 1
+    blocks: int = 1

@@ -245,6 +245,9 @@ class FileChoices(Request):
     encoding: Short | None = None
     sheet: Line | None = None
     table: int | None = None
+    block: int | None = None
+    stress_area: Short | None = None
+    stroke: Short | None = None
 
 
 class TestFileRequest(Request):
