@@ -266,7 +266,7 @@ def test_readings_that_no_curve_passes_leave_the_others(monkeypatch: pytest.Monk
     module = import_module("wraparc.shear_test.fit_plan")
     whole = judged_fit
 
-    def failing(curve: FrictionCurve, *more: float) -> JudgedFit:
+    def failing(curve: FrictionCurve, *more: Any) -> JudgedFit:
         if abs(curve.pressure / PRESSURES[1] - 1.0) < 0.02:
             raise np.linalg.LinAlgError("Singular matrix")
         return whole(curve, *more)

@@ -104,6 +104,11 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     metavar="REASON",
     help="Write the lagging file of a law that does not describe its tests, and keep the reason.",
 )
+@click.option(
+    "--compare-laws",
+    is_flag=True,
+    help="Fit other laws to the same tests and show them side by side, with AICc.",
+)
 @click.option("--bayes", is_flag=True, help="Sample the law's parameters with emcee.")
 @units_option
 def fit(
@@ -112,6 +117,7 @@ def fit(
     reports: tuple[str, ...],
     json_file: str | None,
     accept_misfit: str | None,
+    compare_laws: bool,
     bayes: bool,
     units: System,
 ) -> int:
@@ -148,10 +154,10 @@ def fit(
     if output and result.may_be_written:
         files[output] = lagging_text(result.laggings)
     if reports:
-        files |= dict.fromkeys(reports, make_report(result, units).save)
+        files |= dict.fromkeys(reports, make_report(result, units, laws=compare_laws).save)
     if json_file:
-        files[json_file] = json_text(plan_document(result))
-    deliver(files, lambda: plan_sheet(result, units))
+        files[json_file] = json_text(plan_document(result, laws=compare_laws))
+    deliver(files, lambda: plan_sheet(result, units, laws=compare_laws))
     if not output or result.may_be_written:
         return _DONE
     click.echo(

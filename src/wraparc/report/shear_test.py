@@ -81,7 +81,7 @@ class Report:
             save_file(path, sheet_page(_signed(self), pictures, f"{PROGRAM}, {self.date}"))
 
 
-def make_report(result: PlanResult, system: System = "si") -> Report:
+def make_report(result: PlanResult, system: System = "si", *, laws: bool = False) -> Report:
     """Return the report of a fitted plan.
 
     Parameters
@@ -90,8 +90,10 @@ def make_report(result: PlanResult, system: System = "si") -> Report:
         From `fit_plan`.
     system
         Units to show in the tables; pictures are in mm and kPa, like A and b.
+    laws
+        As in `plan_sheet`.
     """
-    sheet = plan_sheet(result, system)
+    sheet = plan_sheet(result, system, laws=laws)
     sheet = replace(sheet, tables=(*sheet.tables, digests_table(result)))
     return Report(result, sheet, tuple(_drawings(result)))
 

@@ -1,12 +1,13 @@
 """A fitted test plan as plain data for JSON, in SI units but for A and b."""
 
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
+from wraparc.shear_test.alternatives import alternative_laws
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.budget import Budget
-from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.standard_values import (
     STANDARD_SLIPS,
@@ -20,13 +21,15 @@ DOCUMENT_FORMAT = 1
 _INTERVALS = ("peak_slip", "peak_friction", "lash", "post_peak_slope", "residual_friction")
 
 
-def plan_document(result: PlanResult) -> dict[str, Any]:
+def plan_document(result: PlanResult, *, laws: bool = False) -> dict[str, Any]:
     """Return everything that came out of a plan.
 
     Parameters
     ----------
     result
         From `fit_plan`.
+    laws
+        Whether to fit other laws to the same curves and tell them too.
     """
     return {
         "format": DOCUMENT_FORMAT,
@@ -36,7 +39,7 @@ def plan_document(result: PlanResult) -> dict[str, Any]:
         "saturation_pressure": result.plan.saturation_pressure,
         "left_out": [str(problem) for problem in result.left_out],
         "not_used": [{"file": t.file, "reason": t.reason} for t in result.plan.unused_tests],
-        "conditions": [_condition(condition) for condition in result.conditions],
+        "conditions": [_condition(condition, laws) for condition in result.conditions],
         "units": {
             "pressure": "Pa", "peak_slip": "m", "lash": "m", "slip_max": "m", "slip": "m",
             "post_peak_slope": "1/m", "A": "1/mm", "b": "1/mm",
@@ -44,7 +47,7 @@ def plan_document(result: PlanResult) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _condition(condition: ConditionResult) -> dict[str, Any]:
+def _condition(condition: ConditionResult, laws: bool) -> dict[str, Any]:
     found = condition.found
     pressures = found.level_pressures()
     slip, friction, half = condition.peaks_at(pressures)
@@ -69,6 +72,7 @@ def _condition(condition: ConditionResult) -> dict[str, Any]:
         "law": law,
         "standard_values": [_standard(values) for values in standard_values(condition)],
         "budget": None if fit is None else _budget(fit.budget(found.points)),
+        **({"laws": [asdict(law) for law in alternative_laws(condition)]} if laws else {}),
         "form": None if fit is None else str(fit.form),
         "equations": [] if fit is None else list(equations(fit.form, fit.theta, fit.ends)),
         "transition": None
@@ -134,13 +138,14 @@ def _test(test: TestResult, outlier: bool) -> dict[str, Any]:
         "r_squared": test.fit.r_squared,
         "peak_inside": test.fit.peak_inside,
         "outlier": outlier,
-        **_parameters(test.fit),
+        **_parameters(test),
         "misfit": [sentence.text for sentence in test.judged.misfit],
         "remarks": list(test.judged.remarks),
     }
 
 
-def _parameters(fit: CurveFit) -> dict[str, Any]:
+def _parameters(test: TestResult) -> dict[str, Any]:
+    fit = test.fit
     a, b = fit.coefficients()
     values: dict[str, Any] = {"A": a, "b": b}
     for name in _INTERVALS:
@@ -149,4 +154,6 @@ def _parameters(fit: CurveFit) -> dict[str, Any]:
         if fitted or name == "lash":
             values[name] = float(getattr(fit.parameters, name))
         values[f"{name}_interval"] = [float(v) for v in fit.interval(name)] if fitted else None
+    if test.is_skewed:
+        values["peak_slip_interval"] = [_or_none(end) for end in test.peak_slip_interval]
     return values

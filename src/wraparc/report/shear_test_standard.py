@@ -3,6 +3,7 @@
 import math
 
 from wraparc.present.sheet import NONE, Row, Table
+from wraparc.shear_test.alternatives import alternative_laws
 from wraparc.shear_test.analysis import ConditionResult
 from wraparc.shear_test.standard_values import (
     STANDARD_SLIPS,
@@ -85,3 +86,29 @@ def _mean(of: Statistic) -> str:
 
 def _deviation(of: Statistic) -> str:
     return NONE if math.isnan(of.deviation) else f"{of.deviation:.2g}"
+
+
+def laws_table(condition: ConditionResult, name: str) -> Table:
+    """Other laws for the same curves, the best first."""
+    laws = alternative_laws(condition)
+    rows = tuple(
+        Row(
+            law.name,
+            (
+                str(law.parameters),
+                f"{law.remainder:.2g}",
+                f"{law.criterion - laws[0].criterion:.1f}",
+                str(law.best_of),
+            ),
+        )
+        for law in laws
+    )
+    note = (
+        "Every law fitted to the same readings of every test, with a lash and a noise of its own. "
+        "Parameters of a test; root mean square of what is left over; difference of Akaike's "
+        "criterion (AICc) to the best law, summed over the tests: 10 and more speak clearly "
+        "against a law; tests that the law describes best. The lagging file holds the integral-log "
+        "law whatever this table says."
+    )
+    heads = ("parameters", "remainder", "AICc", f"best of {len(condition.tests)}")
+    return Table(f"Laws side by side{name}", rows, heads, note)

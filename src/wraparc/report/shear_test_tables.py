@@ -19,7 +19,7 @@ from wraparc.report.shear_test_files import (
 )
 from wraparc.report.shear_test_head import circumstances_table
 from wraparc.report.shear_test_numbers import number, slope, with_error
-from wraparc.report.shear_test_standard import standard_tables
+from wraparc.report.shear_test_standard import laws_table, standard_tables
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
@@ -30,7 +30,7 @@ from wraparc.units import System, display_unit
 Array = NDArray[np.float64]
 
 
-def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
+def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False) -> Sheet:
     """Return everything to show of a fitted plan.
 
     Parameters
@@ -39,12 +39,15 @@ def plan_sheet(result: PlanResult, system: System = "si") -> Sheet:
         From `fit_plan`.
     system
         Units to show; A and b stay per millimetre of slip, as printed by the paper.
+    laws
+        Whether to fit other laws to the same curves and show them side by side.
     """
     tables = plan_tables(result, system)
     for condition in result.conditions:
         several = len(result.conditions) > 1
         name = f" ({condition.condition})" if several else ""
         tables += condition_tables(condition, system, name)
+        tables += [laws_table(condition, name)] if laws else []
     remarks = _remarks(result)
     return Sheet(
         title=f"Shear tests of {result.plan.title or result.plan.name}",
@@ -159,25 +162,40 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
     )
     note = (
         "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets lies "
-        "beyond the tested slip. A curve that its law does not describe has no interval. Noise: "
-        "standard deviation of one reading of friction."
+        "beyond the tested slip; if the curve hardly determines it, its ends are from the profile "
+        "of the likelihood (? if it has no upper end). A curve that its law does not describe has "
+        "no interval. Noise: standard deviation of one reading of friction."
     )
     return Table(f"Tests{name}", rows, heads, note)
 
 
 def _curve_values(test: TestResult, system: System, size: float) -> tuple[str, ...]:
     fit, q, spread = test.fit, test.fit.parameters, _spread(test)
-    slip = with_error(q.peak_slip / size, spread * fit.error("ln_peak_slip") * q.peak_slip / size)
     held = f"{q.lash / size:.3g} (held)"
     lash = with_error(q.lash / size, spread * fit.error("lash") / size)
+    peak = with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction)
+    if fit.held.peak_friction is not None:
+        peak = f"{q.peak_friction:.3g} (held)"
     return (
         number(test.curve.pressure / display_unit("pressure", system)[1]),
-        slip if fit.peak_inside else f"({slip})",
-        with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction),
+        _peak_slip(test, size),
+        peak,
         lash if "lash" in fit.free else held,
         f"{fit.r_squared:.4f}",
         f"{test.curve.noise:.4f}",
     )
+
+
+def _peak_slip(test: TestResult, size: float) -> str:
+    """Peak slip with its interval; in brackets where it is extrapolated."""
+    fit, x = test.fit, test.fit.parameters.peak_slip / size
+    if fit.held.peak_slip is not None:
+        return f"{x:.3g} (held)"
+    if _spread(test) and test.is_skewed:
+        low, high = (end / size for end in test.peak_slip_interval)
+        return f"({x:.3g}, {low:.3g} to {'?' if math.isinf(high) else f'{high:.3g}'})"
+    text = with_error(x, _spread(test) * fit.error("ln_peak_slip") * x)
+    return text if fit.peak_inside else f"({text})"
 
 
 def _spread(test: TestResult) -> float:

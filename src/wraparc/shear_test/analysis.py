@@ -1,6 +1,7 @@
 """A test plan to a lagging: the results, test by test and condition by condition, as data."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from wraparc.shear_test.misfit import JudgedFit
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
+from wraparc.shear_test.profile import profile_interval
 from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.tails import Tails
@@ -20,6 +22,8 @@ from wraparc.shear_test.tails import Tails
 # Error of friction, as a share of its peak, below which a prediction is good whatever the noise.
 _MATTERS = 0.02
 _LONGEST_REASON = 500
+# Standard error of ln x_pk from which the likelihood of a peak beyond the test is far from normal.
+_SKEWED = 0.1
 
 
 def checked_reason(reason: str, key: str = "accept_misfit") -> str:
@@ -68,6 +72,18 @@ class TestResult:
     def fit(self) -> CurveFit:
         """Its fit."""
         return self.judged.fit
+
+    @property
+    def is_skewed(self) -> bool:
+        """Whether the curvature at the best peak slip misleads about its interval."""
+        return not self.fit.peak_inside and self.fit.error("ln_peak_slip") > _SKEWED
+
+    @cached_property
+    def peak_slip_interval(self) -> tuple[float, float]:
+        """95 % interval of the peak slip [m], from the profile where the curvature misleads."""
+        if not self.is_skewed:
+            return self.fit.interval("peak_slip")
+        return profile_interval(self.curve, self.fit)
 
     @property
     def name(self) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from wraparc.friction import ab_from_peak
+from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.curve_model import (
     PARAMETERS,
     CurveParameters,
@@ -66,6 +67,8 @@ class CurveFit:
         Robust standard deviation of one reading about the curve [-].
     remainder
         Root mean square of the smoothed residual [-], what noise would leave taken off.
+    held
+        What was not fitted, but given.
     """
 
     parameters: CurveParameters
@@ -80,6 +83,7 @@ class CurveFit:
     r_squared: float
     noise: float
     remainder: float
+    held: Held = FREE
 
     @property
     def peak_inside(self) -> bool:
@@ -134,6 +138,7 @@ def fit_curve(
     hold_zero: bool = False,
     start: "CurveFit | None" = None,
     prior: Prior | None = None,
+    held: Held = FREE,
 ) -> CurveFit:
     """Fit the law to a curve.
 
@@ -151,8 +156,12 @@ def fit_curve(
         An earlier fit: its form is kept, what it held fixed stays so, its values are the start.
     prior
         Knowledge from the other curves, in a joint fit.
+    held
+        Parameters that are given, not fitted; with `start`, those of the earlier fit.
     """
-    task = _Task(curve, curve.bending if bending is None else bending, prior)
+    held = held if start is None or held is not FREE else start.held
+    lash = lash if held.lash is None else held.lash
+    task = _Task(curve, curve.bending if bending is None else bending, prior, held)
     if start is not None:
         return task.finish(task.run(start.parameters, start.free))
     # A lash that is not the curve's own would push its misfit into the zero.
@@ -172,8 +181,10 @@ def fit_curve(
 class _Task:
     """One curve's data with its weights; what the steps of the fit share."""
 
-    def __init__(self, curve: FrictionCurve, bending: float, prior: Prior | None) -> None:
-        self.curve, self.bending, self.prior = curve, bending, prior
+    def __init__(
+        self, curve: FrictionCurve, bending: float, prior: Prior | None, held: Held
+    ) -> None:
+        self.curve, self.bending, self.prior, self.held = curve, bending, prior, held
         self.travel, self.friction = curve.binned_travel, curve.binned_friction
         self.top = max(float(np.quantile(np.abs(self.friction), 0.98)), 1e-12)
         variance = curve.noise**2 / curve.counts + (_FLOOR * self.top) ** 2
@@ -252,7 +263,7 @@ class _Task:
         steepest = -50.0 * self.top / reach
         low = [np.log(reach) - 6.0, ln_top - 3.0, first_lash, steepest, 1e-9, -self.top]
         high = [np.log(reach) + _LN_RANGE, ln_top + 4.0, 0.6 * reach, 0.0, 1e10, self.top]
-        return np.array(low), np.array(high)
+        return self.held.pinned(np.array(low), np.array(high))
 
     def _pull(self, free: tuple[str, ...]) -> tuple[Array, Array] | None:
         """Extra rows that hold (ln x_pk, ln mu_pk) to the prior: target vector and root weight."""
@@ -275,6 +286,7 @@ class _Task:
         single = self.readings(q)
         readings = Readings(single, self.curve.place, self.weights / self.curve.counts)
         covariance = sandwich(solution, readings, self._scales(run.free))
+        covariance = self.held.known(covariance, run.free)
         model, _ = friction_and_jacobian(self.travel, self.bending, q)
         off = self.friction - model
         total = float(((self.friction - self.friction.mean()) ** 2).sum())
@@ -293,6 +305,7 @@ class _Task:
             r_squared=1.0 - float((off**2).sum()) / max(total, 1e-300),
             noise=float(1.4826 * np.median(np.abs(single - np.median(single)))),
             remainder=_remainder(slip, off, self.weights),
+            held=self.held,
         )
 
 

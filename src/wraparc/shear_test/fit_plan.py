@@ -142,7 +142,7 @@ def _fitted(
     bending, other = curve.bending, rig_only
     if not plan.removes_shear:
         bending, other = other, bending
-    judged = judged_fit(curve, plan.rig.largest_lash, bending)
+    judged = judged_fit(curve, plan.rig.largest_lash, bending, plan.held)
     for sentence in _set_and_measured(plan, test, curve.pressure):
         judged = with_misfit(judged, sentence)
     second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None

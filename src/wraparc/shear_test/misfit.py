@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from wraparc.shear_test.curve_fit import CurveFit, fit_curve
+from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.curve_model import friction_and_jacobian
 from wraparc.shear_test.reduce import FrictionCurve
 
@@ -54,7 +55,10 @@ class JudgedFit:
 
 
 def judged_fit(
-    curve: FrictionCurve, largest_lash: float, bending: float | None = None
+    curve: FrictionCurve,
+    largest_lash: float,
+    bending: float | None = None,
+    held: Held = FREE,
 ) -> JudgedFit:
     """Fit a curve, hold its lash to what is possible, and say where the law fails.
 
@@ -64,13 +68,13 @@ def judged_fit(
         From `reduce_record`.
     largest_lash
         Of the rig [m].
-    bending
+    bending, held
         As in `fit_curve`.
     """
-    free = fit_curve(curve, bending=bending)
+    free = fit_curve(curve, bending=bending, held=held)
     top = float(np.quantile(curve.binned_friction, 0.98))
     if _zero_carried_off(free, curve, top):
-        free = fit_curve(curve, bending=bending, hold_zero=True)
+        free = fit_curve(curve, bending=bending, hold_zero=True, held=held)
     fit, misfit = _lash_held(curve, free, largest_lash, bending, top)
     if curve.first_friction > _LATE * top:
         share = 100 * curve.first_friction / top
@@ -102,6 +106,8 @@ def _lash_held(
     curve: FrictionCurve, free: CurveFit, largest: float, bending: float | None, top: float
 ) -> tuple[CurveFit, list[Sentence]]:
     """Refit with the lash at its limit where the free one is impossible."""
+    if free.held.lash is not None:
+        return free, []
     lash, error = free.parameters.lash, free.error("lash")
     if lash > largest + 2.0 * error:
         sentence = (
@@ -109,7 +115,7 @@ def _lash_held(
             f"{largest * 1e3:.2g} mm the rig can have: the lash was held there, and the law does "
             "not describe the start"
         )
-        held = fit_curve(curve, bending=bending, lash=largest)
+        held = fit_curve(curve, bending=bending, lash=largest, held=free.held)
         return held, [Sentence("large lash", sentence)]
     negative = lash < -2.0 * error and lash < -1e-3 * curve.travel[-1]
     if negative and not _loaded(curve, free, top):
@@ -117,7 +123,7 @@ def _lash_held(
             f"the curve asks for a lash of {lash * 1e3:.2f} mm, the wrong sign: friction rises "
             "faster from its start than the law does; the lash was held at 0"
         )
-        held = fit_curve(curve, bending=bending, lash=0.0)
+        held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
         return held, [Sentence("lash of wrong sign", sentence)]
     if negative and lash < -largest - 2.0 * error:
         sentence = (
@@ -125,7 +131,7 @@ def _lash_held(
             f"the {largest * 1e3:.2g} mm of lash the rig can have: the lash was held at 0, and the "
             "law does not describe the start"
         )
-        held = fit_curve(curve, bending=bending, lash=0.0)
+        held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
         return held, [Sentence("slip before the record", sentence)]
     return free, []
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
+from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.pressure_choice import PressureOptions
 from wraparc.shear_test.record import Choices
 
@@ -138,6 +139,8 @@ class TestPlan:
         and shear modulus are known.
     options
         How to look for the pressure dependence.
+    held
+        Parameters of the curves that are given, not fitted.
     provenance
         Of the law.
     head
@@ -163,6 +166,7 @@ class TestPlan:
     roughness: float | None = None
     remove_shear: bool | None = None
     options: PressureOptions = field(default_factory=PressureOptions)
+    held: Held = FREE
     provenance: Provenance = field(default_factory=lambda: Provenance(Kind.MEASURED))
     head: ReportHead = field(default_factory=ReportHead)
     uncertainty: Uncertainty | None = None

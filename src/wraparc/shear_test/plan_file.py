@@ -14,8 +14,10 @@ from wraparc.schema.tables import Record
 from wraparc.shear_test import Choices, PressureOptions, TestPlan
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
+from wraparc.shear_test.curve_held import FREE
 from wraparc.shear_test.plan_keys import (
     FIT_OPTIONS,
+    FIXED,
     LOAD_CELL,
     PLAN,
     REPORT,
@@ -67,6 +69,7 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         tests=tuple(tests),
         options=FIT_OPTIONS.built(fit, report) or PressureOptions(),
         remove_shear=fit.get("remove_shear"),
+        held=FIXED.built(fit.get("fixed"), report) or FREE,
         provenance=_sourced(provenance or Provenance(Kind.MEASURED), head),
         head=head,
         uncertainty=uncertainty,

@@ -11,6 +11,7 @@ from wraparc.schema.tables import Entry, Table, need
 from wraparc.shear_test import DELIMITER_NAMES, PlannedTest, PressureOptions, Rig
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
+from wraparc.shear_test.curve_held import Held
 from wraparc.shear_test.reduce import STROKES
 
 _MOST_TESTS = 1000
@@ -152,6 +153,15 @@ UNCERTAINTY = Table(
     of=Uncertainty,
 )
 
+FIXED = Table(
+    "Held parameters of the curves",
+    Entry("peak_slip", "Slip at the peak.", _LENGTH),
+    Entry("peak_friction", "Friction at the peak.", _FRICTION),
+    Entry("lash", "Lash of the rig.", Quantity("length", Limit("length"))),
+    of=Held,
+    on_one_line=True,
+)
+
 FIT_OPTIONS = Table(
     "Fit",
     Entry("transition_pressure", "Estimated if left out.", _PRESSURE),
@@ -165,6 +175,7 @@ FIT_OPTIONS = Table(
         Flag(),
         title="Remove the sample's shear",
     ),
+    Entry("fixed", 'Held instead of fitted, such as { lash = "0.5 mm" }.', FIXED),
     of=PressureOptions,
 )
 

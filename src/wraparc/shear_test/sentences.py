@@ -23,7 +23,12 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     if law is not None:
         misfit += _curves_off(tests, law, found)
         misfit += _predictions(found.left_out)
-    remarks = [_shear_sentence(plan), _tests_sentence(tests, found.levels), *_unused(plan)]
+    remarks = [
+        _shear_sentence(plan),
+        _tests_sentence(tests, found.levels),
+        *_unused(plan),
+        *_held(plan),
+    ]
     if law is None or choice is None:
         pressure = tests[0].curve.pressure / 1e3
         remarks.append(
@@ -69,6 +74,18 @@ def _unused(plan: TestPlan) -> list[str]:
     named = "; ".join(f"{test.file} ({test.reason})" for test in unused[:_FEW])
     more = "; ..." if len(unused) > _FEW else ""
     return [f"{many} not used, as the plan says: {named}{more}"]
+
+
+def _held(plan: TestPlan) -> list[str]:
+    """What was not fitted but given."""
+    held = plan.held
+    said = [
+        f"peak slip {held.peak_slip * 1e3:.4g} mm" if held.peak_slip is not None else "",
+        f"peak friction {held.peak_friction:.4g}" if held.peak_friction is not None else "",
+        f"lash {held.lash * 1e3:.4g} mm" if held.lash is not None else "",
+    ]
+    text = ", ".join(part for part in said if part)
+    return [f"held in every curve, as the plan says, not fitted: {text}"] if text else []
 
 
 def _slip_reached(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:

@@ -237,7 +237,7 @@ def _fitted(plan: TestPlan, result: PlanResult) -> FitAnswer:
         name=plan.name,
         lagging=None if text is None else _table_of(text),
         toml=text,
-        sheet=Sheet(**sheet(lambda system: plan_sheet(result, system))),
+        sheet=Sheet(**sheet(lambda system: plan_sheet(result, system, laws=True))),
         conditions=[_condition(condition) for condition in result.conditions],
         left_out=told(result.left_out),
         removes_shear=plan.removes_shear,
