@@ -24,9 +24,9 @@ from wraparc.shear_test import PlannedTest, Rig, TestPlan, VirtualRig, run_virtu
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.misfit import judged_fit
-from wraparc.shear_test.pressure_fit import t95
 from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import Sample, reduce_record
+from wraparc.shear_test.student import t95
 from wraparc.shear_test.transition import transition_interval
 
 PRESSURES = np.array([34, 69, 103, 138, 207, 276, 414, 690]) * 1e3

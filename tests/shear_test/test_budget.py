@@ -14,8 +14,9 @@ from wraparc.errors import InputError
 from wraparc.shear_test import MachineRecord, TestPlan
 from wraparc.shear_test.budget import Common, Uncertainty
 from wraparc.shear_test.plan_file import plan_from_text
-from wraparc.shear_test.pressure_fit import PressureFit, t95
+from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.record import Array
+from wraparc.shear_test.student import t95
 
 NONE = Uncertainty(force=0.0, normal_force=0.0, area=0.0, travel=0.0, compliance=0.0)
 AT = np.array([120e3])

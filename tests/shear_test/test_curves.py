@@ -23,9 +23,9 @@ from wraparc.shear_test.curve_model import (
 )
 from wraparc.shear_test.derivative import derivative_check, five_point_derivative
 from wraparc.shear_test.noise import despiked, noise_level
-from wraparc.shear_test.pressure_fit import t95
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.robust import correlation_length, inflation
+from wraparc.shear_test.student import t95
 
 COMPLIANCE = THICKNESS / SHEAR_MODULUS
 SAMPLE = Sample(area=0.04, shear_compliance=COMPLIANCE)

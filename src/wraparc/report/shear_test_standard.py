@@ -97,7 +97,7 @@ def laws_table(condition: ConditionResult, name: str) -> Table:
             (
                 str(law.parameters),
                 f"{law.remainder:.2g}",
-                f"{law.criterion - laws[0].criterion:.1f}",
+                _difference(law.criterion - laws[0].criterion),
                 str(law.best_of),
             ),
         )
@@ -112,3 +112,7 @@ def laws_table(condition: ConditionResult, name: str) -> Table:
     )
     heads = ("parameters", "remainder", "AICc", f"best of {len(condition.tests)}")
     return Table(f"Laws side by side{name}", rows, heads, note)
+
+
+def _difference(of: float) -> str:
+    return f"{of:.1f}" if of < 100.0 else f"{of:.0f}"

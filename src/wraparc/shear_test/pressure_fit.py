@@ -5,9 +5,7 @@ readings. Samples of one lagging differ too: that scatter, Psi, is estimated fro
 and added, V = S + Psi, so that intervals are as wide as repeated tests disagree.
 """
 
-import math
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -21,6 +19,7 @@ from wraparc.shear_test.pressure_form import (
 )
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.robust import minimise
+from wraparc.shear_test.student import t95
 
 # Samples are never taken to agree better than this in ln x_pk, ln mu_pk.
 _LEAST_SCATTER = 3e-4
@@ -218,28 +217,6 @@ class PressureFit:
     def _differences(self, pressure: Array) -> list[tuple[float, Array]]:
         peaks = self.peaks(pressure)
         return [(weight, fit.peaks(pressure) - peaks) for weight, fit in self.alternatives]
-
-
-@lru_cache
-def t95(freedom: float) -> float:
-    """Quantile of Student's t for a two-sided 95 % interval; one degree of freedom at least.
-
-    The density is summed from 0 to t (Simpson) and t moved by Newton's steps: from below, where
-    the distribution is concave, they do not overshoot. To import SciPy for it took longer than to
-    read and fit a test.
-    """
-    n, t = max(freedom, 1.0), 1.959964
-    top = math.exp(math.lgamma(0.5 * (n + 1.0)) - math.lgamma(0.5 * n)) / math.sqrt(n * math.pi)
-    for _ in range(40):
-        x = np.linspace(0.0, t, 2001)
-        density = top * (1.0 + x**2 / n) ** (-0.5 * (n + 1.0))
-        odd, even = density[1:-1:2].sum(), density[2:-1:2].sum()
-        below = (density[0] + density[-1] + 4.0 * odd + 2.0 * even) * t / 6000.0
-        step = float((0.475 - below) / density[-1])
-        t += step
-        if abs(step) < 1e-10:
-            break
-    return t
 
 
 def fit_form(

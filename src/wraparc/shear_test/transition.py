@@ -18,10 +18,10 @@ from wraparc.shear_test.pressure_fit import (
     at_least,
     fit_form,
     scatter_within,
-    t95,
     transition_bounds,
 )
 from wraparc.shear_test.record import Array
+from wraparc.shear_test.student import t95
 
 _PROFILE = 41
 _DEGREES = (1, 2, 3)
