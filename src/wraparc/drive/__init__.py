@@ -24,6 +24,7 @@ from wraparc.drive.drive import (
     laggings_of,
     repeated,
 )
+from wraparc.drive.factors import ConditionFactor, Factors, FrictionFactor
 from wraparc.drive.fit import NORMAL_95, Fit, knots_of, with_peaks
 from wraparc.drive.lagging import SURFACES, Cost, Lagging
 from wraparc.drive.load_case import DESIGN, LoadCase, Tensions
@@ -46,11 +47,14 @@ __all__ = [
     "Belt",
     "Block",
     "CaseKind",
+    "ConditionFactor",
     "Cost",
     "Criteria",
     "DesignStandard",
     "Drive",
+    "Factors",
     "Fit",
+    "FrictionFactor",
     "GrippingPulley",
     "Lagging",
     "Limit",

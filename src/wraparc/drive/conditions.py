@@ -1,9 +1,9 @@
 """Wet, dirty, dusty: friction laws in conditions they were not tested in.
 
 Laws of laggings are measured dry. What water and dirt take away is known of constant design
-values only, so a law is scaled as a whole: by a factor that is given, or by the ratio of published
-design values. Where the factor came from stands in ``sources["condition"]`` of the lagging, and the
-checks ask for attention.
+values only, so a law is scaled as a whole: by a factor that its lagging or the drive gives, or by
+the ratio of published design values. Where the factor came from stands in ``sources["condition"]``
+of the lagging, and the checks ask for attention.
 """
 
 from __future__ import annotations
@@ -66,6 +66,7 @@ class Condition:
             condition=self.name,
             sources={**lagging.sources, SCALED: source},
             fit=None,
+            factors=None,
             notes=(*lagging.notes, f"{self.name}: friction {factor:.3g} of {lagging.condition}"),
         )
 
@@ -84,6 +85,9 @@ class Condition:
 
     def factor_of(self, lagging: Lagging) -> tuple[float, Provenance]:
         """Friction factor for a lagging [-], and where it came from."""
+        own = lagging.condition_factors.get(self.name)
+        if own is not None:
+            return own.factor, own.source
         if lagging.surface in self.factors:
             return self.factors[lagging.surface], self.source
         if self.standard:

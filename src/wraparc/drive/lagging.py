@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.drive.compression import Block, compression_modulus
+from wraparc.drive.factors import ConditionFactor, Factors
 from wraparc.drive.fit import Fit
 from wraparc.errors import Problem, shown
 from wraparc.friction import FrictionLaw
@@ -94,6 +95,10 @@ class Lagging(Viewable):
         Prices and life, or None.
     fit
         Statistics of the fitted law, or None.
+    factors
+        Factors of slip speed and temperature that the tested law was multiplied by, or None.
+    condition_factors
+        Friction in other conditions over that of this law, by condition.
     block
         Blocks that the compression modulus was estimated from, or None: how it follows a worn
         thickness. It is no part of what makes two laggings equal.
@@ -138,6 +143,8 @@ class Lagging(Viewable):
     fatigue_limit: float | None = None
     cost: Cost | None = None
     fit: Fit | None = None
+    factors: Factors | None = None
+    condition_factors: Mapping[str, ConditionFactor] = field(default_factory=dict, hash=False)
     block: Block | None = field(default=None, compare=False)
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)

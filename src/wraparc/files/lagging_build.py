@@ -2,10 +2,19 @@
 
 from typing import Any
 
-from wraparc.drive import Block, Lagging, compression_modulus
+from wraparc.drive import Block, ConditionFactor, Factors, Lagging, compression_modulus
 from wraparc.drive.conditions import SCALED
-from wraparc.files.lagging_keys import BLOCK, COST, FIT, LAGGING_FILE
+from wraparc.files.lagging_keys import (
+    BLOCK,
+    CONDITION_FACTOR,
+    COST,
+    FIT,
+    LAGGING_FILE,
+    SPEED_FACTOR,
+    TEMPERATURE_FACTOR,
+)
 from wraparc.files.laws import read_law
+from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_provenance, read_sources
 from wraparc.schema.problems import Report
@@ -30,7 +39,8 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
     common |= _elasticity(record, sources, common["provenance"], report)
     laws = [law for law in record.get("law", ()) if isinstance(law, Record)]
     notes = tuple(record.get("notes", ()))
-    parts = [_law_parts(law, sources, notes, report) for law in laws]
+    common["condition_factors"] = _condition_factors(record, report)
+    parts = [_law_parts(law, record, sources, notes, report) for law in laws]
     _check_conditions(laws, report)
     if not record.get("law") and record.sound("law"):
         report.add((*record.place, "law"), "missing", "Add a [law] table, as the examples show.")
@@ -43,20 +53,58 @@ def build_laggings(record: Record, report: Report) -> tuple[Lagging, ...]:
 
 
 def _law_parts(
-    law: Record, sources: dict[str, Provenance], notes: tuple[str, ...], report: Report
+    law: Record,
+    record: Record,
+    sources: dict[str, Provenance],
+    notes: tuple[str, ...],
+    report: Report,
 ) -> dict[str, Any]:
     """Return what a law gives to its lagging: the law, its condition, fit, notes and sources."""
     own, scaled = own_provenance(law, report), None
     if isinstance(law.get("condition_source"), Record):
         scaled = read_provenance(law["condition_source"], report)
     parts = {"law": own, SCALED: scaled}
+    tested = read_law(law, report)
+    factors = _factors(tested, law, record, report) if tested is not None else None
+    if factors is not None:
+        parts |= factors.sources
     return {
-        "law": read_law(law, report),
+        "law": factors.used if factors is not None else tested,
+        "factors": factors,
         "condition": law.get("condition", "dry"),
         "fit": FIT.built(law.get("fit"), report),
         "notes": (*notes, *law.get("notes", ())),
         "sources": sources | {part: of for part, of in parts.items() if of},
     }
+
+
+def _factors(tested: FrictionLaw, law: Record, record: Record, report: Report) -> Factors | None:
+    """Return what speed and temperature do to a law; None where nothing is said of them."""
+    tables: dict[str, Any] = {}
+    for key, table in (("slip_speed", SPEED_FACTOR), ("temperature", TEMPERATURE_FACTOR)):
+        if f"{key}_factor" in law:
+            source = read_provenance(law[f"{key}_factor"].get("provenance"), report)
+            found = table.built(law[f"{key}_factor"], report, source=source)
+            if found is None:
+                return None
+            tables[f"by_{key}"] = found
+        if key in record:
+            tables[key] = record[key]
+    if not tables:
+        return None
+    made: Factors | None = report.tried(
+        lambda: Factors(law=tested, **tables), record.place, record.raw
+    )
+    return made
+
+
+def _condition_factors(record: Record, report: Report) -> dict[str, ConditionFactor]:
+    found = {}
+    for row in record.get("condition_factor", ()):
+        if isinstance(row, Record) and row.sound():
+            source = read_provenance(row["provenance"], report)
+            found[row["condition"]] = CONDITION_FACTOR.built(row, report, source=source)
+    return {name: factor for name, factor in found.items() if factor is not None}
 
 
 def _check_conditions(laws: list[Record], report: Report) -> None:

@@ -2,7 +2,17 @@
 
 import math
 
-from wraparc.drive import SHAPES, SURFACES, Block, Cost, Fit, Lagging, Limit
+from wraparc.drive import (
+    SHAPES,
+    SURFACES,
+    Block,
+    ConditionFactor,
+    Cost,
+    Fit,
+    FrictionFactor,
+    Lagging,
+    Limit,
+)
 from wraparc.friction import (
     Constant,
     ElasticPlastic,
@@ -108,6 +118,42 @@ TABLE_ROW = Table(
 )
 
 
+_FACTORS = need("factor", "Friction over that of the tested law.", Rows(_FRICTION, 2, 100))
+_SOURCE = need("provenance", "Where the factors came from.", PROVENANCE)
+SPEED_FACTOR = Table(
+    "Factor of slip speed",
+    need(
+        "slip_speed",
+        "Slip speeds, rising.",
+        Rows(Quantity("speed", Limit("speed", open=True)), 2, 100),
+        attribute="at",
+    ),
+    _FACTORS,
+    _SOURCE,
+    of=FrictionFactor,
+)
+TEMPERATURE_FACTOR = Table(
+    "Factor of temperature",
+    need(
+        "temperature",
+        "Temperatures of the surface, rising.",
+        Rows(Quantity("temperature", Limit("temperature")), 2, 100),
+        attribute="at",
+    ),
+    _FACTORS,
+    _SOURCE,
+    of=FrictionFactor,
+)
+CONDITION_FACTOR = Table(
+    "Factor of a condition",
+    need("condition", "State of the surface: wet, dirty ...", Name()),
+    need("factor", "Friction over that of the tested law.", _FRICTION),
+    _SOURCE,
+    of=ConditionFactor,
+    on_one_line=True,
+)
+
+
 _LAW = (
     Entry("condition", "State of the surface; dry if left out.", Name()),
     Entry("provenance", "Where this law came from, if elsewhere.", PROVENANCE),
@@ -117,6 +163,8 @@ _LAW = (
         PROVENANCE,
     ),
     Entry("fit", "Statistics of the fit.", FIT),
+    Entry("slip_speed_factor", "What slip speed does to the tested friction.", SPEED_FACTOR),
+    Entry("temperature_factor", "What temperature does to it.", TEMPERATURE_FACTOR),
     Entry("notes", "What a reader must know of this law.", _NOTES),
 )
 _TESTED = (
@@ -213,6 +261,21 @@ _LAGGING = (
         "Shear stress that they may bear at every pass of the belt.",
     ),
     Entry("cost", "What it costs on one pulley.", COST),
+    Entry(
+        "slip_speed",
+        "Largest slip speed it is used at, for slip_speed_factor; its table's if left out.",
+        Quantity("speed", Limit("speed", open=True)),
+    ),
+    Entry(
+        "temperature",
+        "Temperature it is used at, for temperature_factor; the least factor if left out.",
+        Quantity("temperature", Limit("temperature")),
+    ),
+    Entry(
+        "condition_factor",
+        "Friction in conditions that it was not tested in.",
+        Rows(CONDITION_FACTOR, most=20),
+    ),
     Entry("law", "One for each condition.", OneOrMore(LAW), title="Friction laws"),
     *ORIGINS,
     Entry("notes", "What a reader must know.", _NOTES),

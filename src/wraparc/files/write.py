@@ -13,6 +13,8 @@ from wraparc.drive import (
     Belt,
     Criteria,
     Drive,
+    Factors,
+    FrictionFactor,
     Lagging,
     LoadCase,
     Pulley,
@@ -34,6 +36,7 @@ from wraparc.schema.problems import Report
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.shared_keys import FORMAT, PROVENANCE
 from wraparc.schema.source import Document
+from wraparc.units import Dimension
 
 Tables = dict[str, Any]
 
@@ -253,16 +256,52 @@ def _common(lagging: Lagging) -> Tables:
     moduli = ("shear_modulus", "compression_modulus")
     rigid = lagging.thickness == 0.0 and lagging.elastic_modulus is None
     rigid = rigid and all(getattr(lagging, key) == float("inf") for key in moduli)
-    of_law = ("law", SCALED)
+    of_law = ("law", SCALED, "slip_speed_factor", "temperature_factor")
     sources = {k: PROVENANCE.written(of) for k, of in lagging.sources.items() if k not in of_law}
-    elsewhere = dict.fromkeys((*moduli, "block") if rigid else ("block",))  # the modulus is there
+    elsewhere: Tables = dict.fromkeys(
+        (*moduli, "block") if rigid else ("block",)
+    )  # the modulus is there
+    of = _factors(lagging)
+    for key in ("slip_speed", "temperature"):
+        value = getattr(of, key, None)
+        elsewhere[key] = None if value is None else quantity_text(value, _DIMENSIONS[key])
+    elsewhere["condition_factor"] = [
+        {
+            "condition": name,
+            "factor": known.factor,
+            "provenance": PROVENANCE.written(known.source),
+        }
+        for name, known in lagging.condition_factors.items()
+    ] or None
     return LAGGING_GIVEN.written(lagging, law=None, sources=sources or None, **elsewhere)
+
+
+_DIMENSIONS: dict[str, Dimension] = {"slip_speed": "speed", "temperature": "temperature"}
+
+
+def _factors(lagging: Lagging) -> Factors | None:
+    """Return the factors of a law that still is what they make of the tested one."""
+    of = lagging.factors
+    return of if of is not None and of.used == lagging.law else None
+
+
+def _factor_table(key: str, factor: FrictionFactor | None) -> Tables | None:
+    if factor is None:
+        return None
+    return {
+        key: [quantity_text(value, _DIMENSIONS[key]) for value in factor.at],
+        "factor": list(factor.factor),
+        "provenance": PROVENANCE.written(factor.source),
+    }
 
 
 def _law(lagging: Lagging, notes: Sequence[str]) -> Tables:
     own, scaled = lagging.sources.get("law"), lagging.sources.get(SCALED)
+    of = _factors(lagging)
     return law_table(
-        lagging.law,
+        lagging.law if of is None else of.law,
+        slip_speed_factor=_factor_table("slip_speed", of.by_slip_speed) if of else None,
+        temperature_factor=_factor_table("temperature", of.by_temperature) if of else None,
         condition=lagging.condition,
         provenance=PROVENANCE.written(own) if own else None,
         condition_source=PROVENANCE.written(scaled) if scaled else None,

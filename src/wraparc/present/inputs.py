@@ -202,6 +202,7 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
     if SCALED in lagging.sources:
         scaled = lagging.notes[-1]
         yield Input(group, "Scaled to the condition", scaled, origin=lagging.sources[SCALED])
+    yield from _factors(group, lagging)
     for name, key in (
         ("lagging_thickness", "thickness"),
         ("shear_modulus", "shear_modulus"),
@@ -216,6 +217,24 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
         yield Input(group, "Tested to a pressure of", most, "pressure", "p", by_law)
         yield Input(group, "Tested to a slip of", tested.slip_max, "length", "x", by_law)
         yield Input(group, "Tested at a slip speed of", tested.slip_speed, "speed", "", by_law)
+
+
+def _factors(group: str, lagging: Lagging) -> Iterator[Input]:
+    """Yield the factors of slip speed and temperature that the tested law was multiplied by."""
+    of = lagging.factors
+    if of is None:
+        return
+    if of.by_slip_speed is not None:
+        name = "Friction factor of slip speed, up to"
+        fastest = of.slip_speed or of.by_slip_speed.at[-1]
+        told = f"the least is {of.of_slip_speed:.3g}"
+        yield Input(group, name, fastest, "speed", "", of.by_slip_speed.source, told)
+    if of.by_temperature is not None:
+        told = f"{of.of_temperature:.3g}"
+        if of.temperature is None:
+            told = f"{told}, the least of its table: no temperature is given"
+        name = "Friction factor of temperature"
+        yield Input(group, name, told, origin=of.by_temperature.source)
 
 
 def _overrun(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
