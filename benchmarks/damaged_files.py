@@ -227,7 +227,7 @@ def step_force(test: VirtualTest, rng: Rng) -> VirtualTest:
 
 def noise(test: VirtualTest, rng: Rng) -> VirtualTest:
     random_numbers = np.random.default_rng(rng.randrange(2**31))
-    level = rng.choice([0.1, 0.5, 2.0]) * test.force.max()
+    level = rng.choice([0.1, 0.5, 2.0]) * np.abs(test.force).max()
     return replace(test, force=test.force + random_numbers.normal(0, level, len(test.force)))
 
 

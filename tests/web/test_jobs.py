@@ -1,6 +1,7 @@
 """Long work: studies followed, cancelled and equal to the command line; shear tests in memory."""
 
 import asyncio
+import io
 import json
 import tomllib
 from collections.abc import Callable, Iterator
@@ -8,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import xlsxwriter
 from starlette.testclient import TestClient
 
 from cli.running import wraparc
@@ -255,6 +257,29 @@ def test_files_are_described_and_taken_away(api: TestClient) -> None:
     assert api.post(f"{API}/tests/none/files", files=[("files", named)]).status_code == 404
     many = [("files", ("c", b"1", "x/y"))] * (MOST_FILES + 1)
     assert api.post(f"{place}/files", files=many).status_code in (413, 422)
+
+
+def test_tests_side_by_side_and_files_beyond_a_test(api: TestClient) -> None:
+    """What a file may need at most holds here as in the command line, and is told the same way."""
+    place = f"{API}/tests/{api.post(f'{API}/tests').json()['session']}"
+    rows = "".join(f"{0.05 * i:.2f};{9 * i};{0.05 * i:.2f};{8 * i}\n" for i in range(100))
+    beside = ("two.csv", ("Weg;Kraft;Weg;Kraft\nmm;N;mm;N\n" + rows).encode(), "text/csv")
+    wide = ("wide.csv", b"1," * 5000, "text/csv")
+    out = io.BytesIO()
+    with xlsxwriter.Workbook(out) as book:
+        book.add_worksheet().write("XFD1048576", 1.0)
+    far = ("far.xlsx", out.getvalue(), "application/x")
+    sent = api.post(f"{place}/files", files=[("files", file) for file in (beside, wide, far)])
+    first, second, third = sent.json()["files"]
+    assert "2 tests stand side by side" in first["problems"][0]["message"]
+    assert "5001 cells; at most 1000 are read" in second["problems"][0]["message"]
+    assert "more cells than a test" in third["problems"][0]["message"]
+    said = {"choices": {"block": 2, "stroke": "last"}}
+    told = api.put(f"{place}/files/{first['id']}", json=said).json()
+    assert told["preview"]["force"][-1] == 8.0 * 99
+    assert "test 2 of 2 side by side" in told["place"]
+    wrong = api.put(f"{place}/files/{first['id']}", json={"choices": {"stroke": "middle"}}).json()
+    assert "stroke" in wrong["problems"][0]["path"]
 
 
 def test_sessions_are_limited_and_end() -> None:

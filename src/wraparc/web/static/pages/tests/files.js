@@ -270,5 +270,40 @@ function choices(f) {
       }),
     );
   const unitless = (f.columns || []).filter((x) => !x.unit || c.units?.[x.name]);
-  return h("div", { class: "bar" }, ROLES.map(role), unitless.map(unit));
+  const said = [...(f.problems || []), ...(f.refused || [])].map(sentence).join(" ");
+  const typed = (/** @type {string} */ key, /** @type {string} */ label, /** @type {any} */ as) =>
+    (c[key] || said.includes(key)) &&
+    h(
+      "label",
+      { key },
+      label,
+      h("input", {
+        type: "text",
+        size: 8,
+        value: c[key] || "",
+        onChange: act((e) => put({ [key]: as(valueIn(e).trim()) || null })),
+      }),
+    );
+  const stroke = h(
+    "label",
+    { key: "stroke" },
+    "Stroke",
+    h(
+      "select",
+      {
+        value: c.stroke || "first",
+        onChange: act((e) => put({ stroke: valueIn(e) === "first" ? null : valueIn(e) })),
+      },
+      ["first", "last", "all", "mean"].map((t) => h("option", { value: t, key: t }, t)),
+    ),
+  );
+  return h(
+    "div",
+    { class: "bar" },
+    ROLES.map(role),
+    unitless.map(unit),
+    stroke,
+    typed("block", "Which of the tests side by side", Number),
+    typed("stress_area", "Area that the stress is over", String),
+  );
 }
