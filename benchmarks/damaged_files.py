@@ -8,6 +8,7 @@ peak memory are of the item; a workbook is read in a process of its own, whose m
 
 import io
 import random
+import signal
 import sys
 import time
 import traceback
@@ -15,8 +16,9 @@ import warnings
 import zipfile
 from collections import Counter
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
@@ -338,9 +340,11 @@ def measured(use: Callable[[int], str], seed: int) -> tuple[str, float, float]:
 
 
 def run(name: str, use: Callable[[int], str], count: int) -> None:
-    results = [measured(use, seed) for seed in range(count)]
+    results: list[tuple[str, float, float]] = []
+    with suppress(KeyboardInterrupt):  # ended before, it tells what it has
+        results.extend(map(partial(measured, use), range(count)))
     times, peaks = np.array([r[1] for r in results]), np.array([r[2] for r in results])
-    print(f"| {count} {name} | |\n|---|---|")
+    print(f"| {len(results)} {name} | |\n|---|---|")
     for said, often in Counter(r[0] for r in results).most_common():
         print(f"| {said} | {often} |")
     print(f"| CPU time, median and largest [s] | {np.median(times):.3f}, {times.max():.2f} |")
@@ -353,5 +357,10 @@ if __name__ == "__main__":
     if kind in {"--file", "--folder"}:
         print(measured(use_file if kind == "--file" else use_folder, int(more[0])))
     else:
-        run("damaged files", use_file, int(kind))
-        run("folders with damaged tests", use_folder, int(more[0] if more else 2000))
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        for name, use, count in (
+            ("damaged files", use_file, int(kind)),
+            ("folders with damaged tests", use_folder, int(more[0])),
+        ):
+            if count:
+                run(name, use, count)

@@ -27,9 +27,10 @@ from wraparc.machine_tables.numerals import (
 )
 from wraparc.machine_tables.tables import RawTable, careful_tables, numeric_text
 
-# Lines of the first piece, which holds the header, and of the others; rows that a piece must
+# Lines of the first piece, which holds the header, of the others, and of one that is not halved
+# where it cannot be read at once; rows that a piece must
 # start and end with, so that nothing is decided across its ends; rows that show a decimal sign.
-_HEAD, _PIECE, _SEAM, _SAMPLE = 150, 5000, 3, 2000
+_HEAD, _PIECE, _SMALL, _SEAM, _SAMPLE = 150, 5000, 60, 3, 2000
 _LAST_DECIMALS = re.compile(r"[.,](\d*)\"?\s*$")
 
 
@@ -194,6 +195,12 @@ def _add_piece(
         if values is not None:
             growing.add_rows(values, rows)
             return
+    # what has to be read carefully is made small, by halves
+    middle = _seam(lines, sign, (start + stop) // 2, stop) if found else stop
+    if stop - start > _SMALL and middle < stop:
+        _add_piece(found, lines, start, middle, sign)
+        _add_piece(found, lines, middle, stop, sign)
+        return
     _refuse_many(lines[start:stop], sign, "")
     header = found[-1].table.header if found else ()
     tables = careful_tables(lines[start:stop], sign, start, header=header)
@@ -217,8 +224,8 @@ def _style(table: RawTable, piece: Sequence[str], sign: str) -> NumeralStyle:
     return style_of([text for text in map(numeric_text, columns) if text], "")
 
 
-def _seam(lines: Sequence[str], sign: str, target: int) -> int:
-    """Find a place from `target` on with rows of one width on both sides, or the end."""
+def _seam(lines: Sequence[str], sign: str, target: int, end: int | None = None) -> int:
+    """Find a place from `target` on, before `end`, with rows of one width on both sides, or it."""
     split = splitter(sign)
 
     def width(line: str) -> int:
@@ -226,13 +233,14 @@ def _seam(lines: Sequence[str], sign: str, target: int) -> int:
         return len(cells) if sum(map(looks_numeric, cells)) >= 2 else 0
 
     alike, before = 0, 0
-    for k in range(max(0, target - _SEAM), len(lines)):
+    end = len(lines) if end is None else end
+    for k in range(max(0, target - _SEAM), end):
         own = width(lines[k])
         alike = alike + 1 if own and own == before else int(own > 0)
         before = own
         if alike >= 2 * _SEAM:
             return k + 1 - _SEAM
-    return len(lines)
+    return end
 
 
 def _before_blank(lines: Sequence[str], sign: str, start: int, stop: int) -> int:
