@@ -21,8 +21,8 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from web.browser import READY, STEPS, Visitor, browsing
-from web.calculators import wait_for
+from web.browser import READY, STEPS, Visitor, browser
+from web.calculators import serving, wait_for
 
 MEDIAN, MOST, LOAD = 20.0, 35.0, 300.0
 _FRAMES = """() => new Promise((done) => {
@@ -62,11 +62,12 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], dict[str
     """Return times by what they are [ms], and how the page loaded."""
     with (
         tempfile.TemporaryDirectory() as folder,
-        browsing("--database", f"{folder}/d.sqlite", workers=2) as (browser, server),
+        serving("--no-open", "--workers", "2", "--database", f"{folder}/d.sqlite") as server,
+        browser() as chromium,
     ):
         loads = []
         for _ in range(5):
-            visitor = Visitor(browser, server.address)
+            visitor = Visitor(chromium, server.address)
             page = visitor.open("drive")
             loads.append(page.evaluate(_LOAD))
             if len(loads) < 5:

@@ -10,7 +10,10 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
-from web.calculators import PATIENCE, TOKEN, Process, serving
+from web.calculators import PATIENCE, TOKEN, Process
+
+#: A browser, and the server that it visits.
+Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
 _LONG = 120e3
@@ -121,6 +124,13 @@ class Visitor:
         self.page.click("#file > summary")
         self.page.get_by_role("button", name=title, exact=True).click()
 
+    def load(self, file: Path) -> None:
+        """Open a file from the menu."""
+        with self.page.expect_file_chooser() as asked:
+            self.page.click("#file > summary")
+            self.page.get_by_role("button", name="Open a drive or lagging file").click()
+        asked.value.set_files(file)
+
     def solved(self) -> None:
         """Wait until everything is solved anew."""
         self.page.wait_for_selector("html:not(.stale) #drive .t-capacity", state="attached")
@@ -131,12 +141,11 @@ class Visitor:
 
 
 @contextlib.contextmanager
-def browsing(*arguments: str, workers: int = 1) -> Iterator[tuple[Browser, Process]]:
-    """Run a server and a browser for a while."""
-    started = serving("--no-open", "--workers", str(workers), *arguments)
-    with started as server, sync_playwright() as tool:
-        browser = tool.chromium.launch(executable_path=chromium(), args=FLAGS)
+def browser() -> Iterator[Browser]:
+    """Run a browser for a while."""
+    with sync_playwright() as tool:
+        found = tool.chromium.launch(executable_path=chromium(), args=FLAGS)
         try:
-            yield browser, server
+            yield found
         finally:
-            browser.close()
+            found.close()

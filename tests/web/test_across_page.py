@@ -2,38 +2,24 @@
 
 import json
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
-from web.browser import Visitor, browsing
-from web.calculators import Process
+from web.browser import Visitor
 from wraparc.present.sheet import named
 
-Calculator = tuple[Browser, Process]
 #: Counts what a hand does: presses of the mouse, wherever they land.
 _COUNT = "window.presses = 0; addEventListener('pointerdown', () => { presses += 1; }, true);"
 _CHOSEN = 2  # presses to choose from a list, or a file in its window: outside the page
 
 
-@pytest.fixture(scope="module")
-def calculator() -> Iterator[Calculator]:
-    with browsing() as found:
-        yield found
-
-
 @pytest.fixture
-def visitor(calculator: Calculator) -> Iterator[Visitor]:
-    browser, server = calculator
-    found = Visitor(browser, server.address)
-    found.context.add_init_script(_COUNT)
-    yield found
-    found.context.close()
-    assert found.wrong == []
-    assert found.elsewhere == []
+def visitor(visitor: Visitor) -> Visitor:
+    visitor.context.add_init_script(_COUNT)
+    return visitor
 
 
 def presses(page: Page) -> int:

@@ -4,35 +4,15 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Route, expect
+from playwright.sync_api import Route, expect
 
 from cli.running import wraparc
-from web.browser import PAGES, READY, STEPS, STUDY, Visitor, browsing
-from web.calculators import TOKEN, Process, document, wait_for
-
-Calculator = tuple[Browser, Process]
-
-
-@pytest.fixture(scope="module")
-def calculator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Calculator]:
-    database = tmp_path_factory.mktemp("designs") / "designs.sqlite"
-    with browsing("--database", str(database)) as found:
-        yield found
-
-
-@pytest.fixture
-def visitor(calculator: Calculator) -> Iterator[Visitor]:
-    browser, server = calculator
-    found = Visitor(browser, server.address)
-    yield found
-    found.context.close()
-    assert found.wrong == []
-    assert found.elsewhere == []
+from web.browser import PAGES, READY, STEPS, STUDY, Calculator, Visitor
+from web.calculators import TOKEN, document, wait_for
 
 
 def key_figure(visitor: Visitor, name: str) -> str:
@@ -274,10 +254,7 @@ def test_file_is_opened_and_what_it_says_is_kept(visitor: Visitor, tmp_path: Pat
     file = tmp_path / "mine.toml"
     answer = page.request.get(f"{visitor.address}api/v1/examples/downhill-braking").json()
     file.write_text(answer["toml"], "utf-8")
-    with page.expect_file_chooser() as asked:
-        page.click("#file > summary")
-        page.get_by_role("button", name="Open a drive or lagging file").click()
-    asked.value.set_files(file)
+    visitor.load(file)
     expect(page.locator("#drive .pick h2")).to_have_text("Downhill conveyor, braking drive")
     expect(page.locator("#drive .duty")).to_have_text("braking")
     assert page.input_value("#f-belt-width") == "48"
@@ -285,10 +262,7 @@ def test_file_is_opened_and_what_it_says_is_kept(visitor: Visitor, tmp_path: Pat
     # a file that is no drive file says so and changes nothing
     broken = tmp_path / "broken.toml"
     broken.write_text("format = = 1", "utf-8")
-    with page.expect_file_chooser() as asked:
-        page.click("#file > summary")
-        page.get_by_role("button", name="Open a drive or lagging file").click()
-    asked.value.set_files(broken)
+    visitor.load(broken)
     page.wait_for_selector("#toast.bad:not(:empty)")
     expect(page.locator("#drive .duty")).to_have_text("braking")
 
@@ -369,16 +343,18 @@ def test_study_is_started_followed_shown_and_cancelled(visitor: Visitor) -> None
     page.get_by_role("button", name="Start the study").click()
     page.wait_for_selector("#study .verdict.bad:has-text('sampling.samples')")
     page.get_by_label("Samples").fill("64")
+    page.locator("#study").get_by_label("Title").fill("Followed")
     page.get_by_role("button", name="Start the study").click()
-    done = page.locator("#study .job[data-state=done]")
+    done = page.locator("#study .job[aria-label=Followed][data-state=done]")
     done.locator("table").first.wait_for(timeout=STUDY)
     image = done.locator("img").first
     wait_for(lambda: image.evaluate("(e) => e.naturalWidth") > 100)
     assert image.get_attribute("alt")
     page.get_by_label("Samples").fill("200000")
+    page.locator("#study").get_by_label("Title").fill("Cancelled")
     page.get_by_role("button", name="Start the study").click()
     page.get_by_role("button", name="Cancel").click()
-    page.locator("#study .job[data-state=cancelled]").wait_for()
+    page.locator("#study .job[aria-label=Cancelled][data-state=cancelled]").wait_for()
     done.get_by_role("button", name="Forget").click()
     expect(done).to_have_count(0)
 

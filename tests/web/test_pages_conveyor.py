@@ -4,17 +4,14 @@ Expected tensions: what `wraparc.load_drive` reads from the same file (tests/con
 the standards).
 """
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import expect
 
-from web.browser import Visitor, browsing
-from web.calculators import Process
+from web.browser import Calculator, Visitor
 from wraparc import load_drive
 
-Calculator = tuple[Browser, Process]
 UPHILL = Path(__file__).parents[2] / "examples" / "uphill-conveyor.toml"
 TYPED = {
     "length": "600 m",
@@ -29,17 +26,11 @@ TYPED = {
 }
 
 
-@pytest.fixture(scope="module")
-def calculator() -> Iterator[Calculator]:
-    with browsing(str(UPHILL)) as found:
-        yield found
-
-
 def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
     browser, server = calculator
     visitor = Visitor(browser, server.address)
     page = visitor.open("drive")
-    visitor.solved()
+    visitor.load(UPHILL)
     names = [case.name for case in load_drive(UPHILL).load_cases]
     assert names == ["full", "empty", "start", "stop"]
     picked = page.locator("#pick-case option")

@@ -1,48 +1,22 @@
 """Typing, opening, turning back, losing the server: nothing typed is lost or changed silently."""
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
-from web.browser import Visitor, browsing
-from web.calculators import Process, document
+from web.browser import Calculator, Visitor
+from web.calculators import document
 
-Calculator = tuple[Browser, Process]
 EXAMPLES = Path(__file__).parents[2] / "examples"
-
-
-@pytest.fixture(scope="module")
-def calculator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Calculator]:
-    database = tmp_path_factory.mktemp("designs") / "designs.sqlite"
-    with browsing("--database", str(database)) as found:
-        yield found
-
-
-@pytest.fixture
-def visitor(calculator: Calculator) -> Iterator[Visitor]:
-    browser, server = calculator
-    found = Visitor(browser, server.address)
-    yield found
-    found.context.close()
-    assert found.wrong == []
 
 
 def kept(page: Page) -> Any:
     """Return the design of the newest draft that the browser keeps."""
     return json.loads(page.evaluate("localStorage.getItem('wraparc.drafts')"))[0]["doc"]
-
-
-def opening(visitor: Visitor, file: Path) -> None:
-    """Open a file from the menu."""
-    with visitor.page.expect_file_chooser() as asked:
-        visitor.page.click("#file > summary")
-        visitor.page.get_by_role("button", name="Open a drive or lagging file").click()
-    asked.value.set_files(file)
 
 
 def unfold(page: Page, words: str) -> None:
@@ -114,7 +88,7 @@ def test_file_that_is_no_drive_says_what_it_is(
     if not file.exists():
         file = tmp_path / name
         file.write_text("" if name == "empty.toml" else "colour = 'red'\n", "utf-8")
-    opening(visitor, file)
+    visitor.load(file)
     expect(page.locator("#toast")).to_contain_text(told)
     expect(page.locator(f"#{shown}")).to_be_visible()
     if shown == "study":

@@ -1,34 +1,15 @@
 """The page of drives in time: a start of both shipped tandems is followed and played."""
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
-from web.browser import PHONE, Visitor, browsing
-from web.calculators import Process
+from web.browser import PHONE, Calculator, Visitor
 from wraparc.web.examples import examples
 
-Calculator = tuple[Browser, Process]
 TANDEMS = ("tandem-fabric", "tandem-steel-cord")
-
-
-@pytest.fixture(scope="module")
-def calculator() -> Iterator[Calculator]:
-    with browsing() as found:
-        yield found
-
-
-@pytest.fixture
-def visitor(calculator: Calculator) -> Iterator[Visitor]:
-    browser, server = calculator
-    found = Visitor(browser, server.address)
-    yield found
-    found.context.close()
-    assert found.wrong == []
-    assert found.elsewhere == []
 
 
 def short(name: str) -> str:
@@ -43,10 +24,7 @@ def opened(visitor: Visitor, text: str, folder: Path) -> Page:
     page = visitor.open("drive")
     file = folder / "mine.toml"
     file.write_text(text, "utf-8")
-    with page.expect_file_chooser() as asked:
-        page.click("#file > summary")
-        page.get_by_role("button", name="Open a drive or lagging file").click()
-    asked.value.set_files(file)
+    visitor.load(file)
     expect(page.locator("#toast")).to_contain_text("opened", ignore_case=True)
     visitor.open("events")
     page.select_option("#e-points", "30")

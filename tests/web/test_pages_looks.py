@@ -15,23 +15,15 @@ import pytest
 from PIL import Image
 from playwright.sync_api import Browser, FloatRect, Page, expect
 
-from web.browser import DESKTOP, PAGES, PHONE, READY, STUDY, Visitor, axe, browsing
-from web.calculators import Process, wait_for
+from web.browser import DESKTOP, PAGES, PHONE, READY, STUDY, Calculator, Visitor, axe
+from web.calculators import wait_for
 
-Calculator = tuple[Browser, Process]
 #: How much of each page is shown in the documentation.
 HEIGHTS = {
     "drive": 1120, "compare": 560, "across": 1240, "tests": 1560, "train": 1050, "events": 1560,
     "study": 1180, "saved": 440,
 }  # fmt: skip
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
-
-
-@pytest.fixture(scope="module")
-def calculator(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Calculator]:
-    database = tmp_path_factory.mktemp("designs") / "designs.sqlite"
-    with browsing("--database", str(database)) as found:
-        yield found
 
 
 @pytest.fixture(scope="module")
