@@ -97,7 +97,7 @@ system: ## install Chromium, PostgreSQL and Node.js for the gate where they are 
 
 tests: dev system
 	@echo "== tests: pytest, warnings are errors"
-	@$(BIN)/python -m pytest --no-header -n $(WORKERS) --dist loadfile -W error
+	@$(BIN)/python -m pytest --no-header -n $(WORKERS) --dist loadfile --no-loadscope-reorder -W error
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"

@@ -47,7 +47,21 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("time", range(times))
 
 
+#: What takes longest, so that workers who begin with it end together.
+FIRST = (
+    "golden/test_golden", "arc/test_twin", "web/test_pages_looks", "web/test_pages",
+    "web/test_pages_editing", "arc/test_wide_net", "web/test_fuzz", "web/test_across_page",
+    "web/test_pages_events", "study/test_study_dask", "calibrate/test_calibration",
+    "batch/test_batch", "cli/test_readme", "report/test_note_pdf", "arc/test_capacity",
+    "cli/test_process", "cli/test_trim", "choose/test_selection", "arc/test_results",
+    "arc/test_paper_march", "shear_test/test_misfit", "shear_test/test_coverage",
+    "web/test_serve", "web/test_pages_conveyor", "batch/test_compiled_cache",
+)  # fmt: skip
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    places = {name: place for place, name in enumerate(FIRST)}
+    items.sort(key=lambda i: places.get(f"{i.path.parent.name}/{i.path.stem}", len(FIRST)))
     if config.getoption("--under-load"):
         others = [item for item in items if not item.get_closest_marker("processes")]
         config.hook.pytest_deselected(items=others)
@@ -80,8 +94,18 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
         process.wait()
 
 
-#: Rooms above the arc that have many of them solved.
-COMPILED = ("across", "checks", "choose", "cli", "report", "study", "train", "web")
+#: Rooms above the arc that have many of them solved, and what holds the arc to no other numbers.
+COMPILED = {
+    "across",
+    "checks",
+    "choose",
+    "cli",
+    "report",
+    "study",
+    "train",
+    "web",
+    "test_qualities",
+}
 
 
 class Interpreted(Distributed):
@@ -103,7 +127,7 @@ def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
         return compiled.Compiled(self.steps, self.points, self.capacities).solve(arc)
 
     with pytest.MonkeyPatch.context() as patch:
-        if request.path.parent.name in COMPILED:
+        if COMPILED & {request.path.parent.name, request.path.stem}:
             patch.setattr(compiled, "Distributed", Interpreted)
             patch.setattr(Distributed, "solve", solve)
             patch.setitem(across._ready, "compiled", True)

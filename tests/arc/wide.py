@@ -20,10 +20,13 @@ from scipy.integrate import ode
 from arc.drives import LAWS
 from arc.twin import Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.batch.compiled import Compiled
 from wraparc.friction import FrictionLaw, MeasuredTable
 
 NAMES = (*LAWS, "any table")
 ACCURACY = 1e-5
+INTERPRETED = Distributed(capacities=False, points=400)
+COMPILED = Compiled(capacities=False, points=400)
 
 
 def log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
@@ -122,9 +125,9 @@ def carries_more(arc: WrapArc) -> float:
     return max(-arc.side * e.log_tension for e in ratios) / goal
 
 
-def verdict(arc: WrapArc) -> tuple[str, float]:
+def verdict(arc: WrapArc, solver: Distributed | Compiled = INTERPRETED) -> tuple[str, float]:
     """How a drive ends, and the largest miss of its solution."""
-    result = Distributed(capacities=False, points=400).solve(arc)
+    result = solver.solve(arc)
     if result.status is not Status.SOLVED:
         return result.status.name.lower(), 0.0
     return "solved", misses(arc, result)

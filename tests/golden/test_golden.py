@@ -10,11 +10,16 @@ exp and log, of fused multiplications and of linear algebra differ; there number
 `ELSEWHERE`, and the last digit of a number in a text may turn.
 """
 
+from collections.abc import Iterator
+from functools import cache
+
 import pytest
 
 from golden.answers import DOORS, TRAINS
 from golden.compare import Difference, Kind, differences
 from golden.record import DATA, MACHINE, golden, machine, record
+from wraparc.arc import Distributed
+from wraparc.train import member
 
 #: Largest relative differences on another kind of machine, some ten times what one changed last bit
 #: of belt width or sample area moved: 1e-11 on a pulley, 1e-8 where speeds of a train are found by
@@ -22,6 +27,15 @@ from golden.record import DATA, MACHINE, golden, machine, record
 ELSEWHERE, TRAIN, FIT = 1e-10, 1e-6, 1e-6
 _FITS = ("cli-calibrate", "cli-fit", "web-shear-tests")
 _SHOWN = 30
+
+
+@pytest.fixture(scope="module", autouse=True)
+def each_arc_is_solved_once() -> Iterator[None]:
+    """Many doors ask for the same arcs of the same examples, and an arc has one answer."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Distributed, "solve", cache(Distributed.solve))
+        patch.setattr(member, "shoot", cache(member.shoot))
+        yield
 
 
 def elsewhere(door: str, name: str) -> float:
