@@ -42,7 +42,7 @@ def each_note_is_made_once() -> Iterator[None]:
         yield
 
 
-@SCHEMA.parametrize()
+@SCHEMA.parametrize()  # type: ignore[untyped-decorator]
 @settings(
     max_examples=4,
     derandomize=True,
