@@ -260,6 +260,8 @@ class TestFileRequest(Request):
     condition: Line = "dry"
     repeat: Line = ""
     sample: Line = ""
+    use: bool = True
+    reason: Line = ""
     choices: FileChoices = FileChoices()
     illustrative: bool = False
 

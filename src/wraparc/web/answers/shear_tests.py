@@ -184,7 +184,7 @@ def _one_test(file: MachineFile) -> PlannedTest:
         "format": 1,
         "lagging": {"name": "lagging"},
         "rig": {"sample_area": "1 m2"},
-        "test": [_test_table(file.name, file.said)],
+        "test": [_test_table(file.name, file.said.model_copy(update={"use": True}))],
     }
     return plan_from_document(document).tests[0]
 
@@ -194,6 +194,8 @@ def _test_table(file: str, said: TestFileRequest) -> Document:
     choices = said.choices.model_dump()
     choices["normal_force_column"] = choices.pop("normal_force")
     given = {**said.model_dump(include=set(_TEST_KEYS)), **choices}
+    if not said.use:
+        given |= {"use": False, "reason": said.reason}
     return {"file": file, **{k: v for k, v in given.items() if v not in (None, "", {})}}
 
 

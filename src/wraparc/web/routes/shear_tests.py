@@ -51,6 +51,8 @@ class FileAnswer(ReadFile):
     condition: str
     repeat: str
     sample: str
+    use: bool
+    reason: str
     choices: FileChoices
     illustrative: bool
 

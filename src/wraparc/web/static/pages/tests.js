@@ -6,7 +6,7 @@ import { words } from "../base/units.js";
 import { list, refused, table } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
 import { details, drop, files, session, within } from "./tests/files.js";
-import { planForm, rowOf, said } from "./tests/plan.js";
+import { planForm, rowOf, said, typedAt } from "./tests/plan.js";
 import { conditionPlots } from "./tests/plots.js";
 
 export { openPlan } from "./tests/plan.js";
@@ -32,7 +32,9 @@ async function fit(reason = "") {
   state.marks = {};
   redraw();
   try {
-    const parts = { lagging: said("lagging"), rig: said("rig"), fit: said("fit") };
+    const fixed = said("fixed");
+    const how = { ...said("fit"), ...(Object.keys(fixed).length ? { fixed } : {}) };
+    const parts = { lagging: said("lagging"), rig: said("rig"), fit: how };
     const plan = { ...parts, accept_misfit: reason };
     state.result = await within("fit", plan);
     requestAnimationFrame(() =>
@@ -41,7 +43,7 @@ async function fit(reason = "") {
   } catch (x) {
     const problems = refusal(x);
     state.problems = problems.filter((p) => !rowOf(p.path));
-    for (const p of problems) if (rowOf(p.path)) state.marks[p.path] = sentence(p);
+    for (const p of problems) if (rowOf(p.path)) state.marks[typedAt(p.path)] = sentence(p);
     if (!state.problems.length) state.problems = problems;
   } finally {
     state.fitting = false;

@@ -72,6 +72,8 @@ async function say(f, more) {
     condition: f.condition || "dry",
     repeat: f.repeat || "",
     sample: f.sample || "",
+    use: f.use !== false,
+    reason: f.reason || "",
     choices: f.choices || {},
     ...more,
   };
@@ -138,7 +140,7 @@ export function drop() {
 }
 export function files() {
   const n = session.files.length;
-  const heads = ["File", "Read as", "Set pressure", "Condition"];
+  const heads = ["File", "Read as", "Set pressure", "Condition", "Use"];
   return h(
     "section",
     { class: "card", "aria-label": "Tests", key: "files" },
@@ -191,6 +193,19 @@ function fileRow(f) {
     h("td", {}, box(f, "condition", "Condition", 7)),
     h(
       "td",
+      { class: "use" },
+      h("input", {
+        type: "checkbox",
+        checked: f.use !== false,
+        "aria-label": `Use ${f.name}`,
+        onChange: act((e) =>
+          say(f, { use: /** @type {HTMLInputElement} */ (e.currentTarget).checked }),
+        ),
+      }),
+      f.use === false && box(f, "reason", "Why not to use", 14, "why not"),
+    ),
+    h(
+      "td",
       {},
       h(
         "button",
@@ -207,11 +222,13 @@ function fileRow(f) {
 }
 /** @param {Column} c */
 const columnText = (c) => `${c.role.replace("_", " ")}: ${c.name}${c.unit ? ` [${c.unit}]` : ""}`;
-/** @param {TestFile} f @param {string} key @param {string} label @param {number} size */
-const box = (f, key, label, size) =>
+/** @param {TestFile} f @param {string} key @param {string} label @param {number} size
+ * @param {string} [hint] */
+const box = (f, key, label, size, hint) =>
   h("input", {
     type: "text",
     size,
+    placeholder: hint,
     value: f[key] || "",
     "aria-label": `${label} of ${f.name}`,
     "aria-invalid": Boolean(f.refused?.some((p) => p.path.includes(key))),

@@ -41,8 +41,18 @@ const ROWS = {
     { key: "transition_pressure", label: "Transition pressure", help: "Estimated if left empty." },
     { key: "remove_shear", label: "Take off the sample's own shear", list: ["", "true", "false"] },
   ],
+  fixed: [
+    { key: "peak_slip", label: "Peak slip", help: "Fitted if left empty; so are the others." },
+    { key: "peak_friction", label: "Peak friction" },
+    { key: "lash", label: "Lash" },
+  ],
 };
-const TITLES = { lagging: "Lagging", rig: "Rig", fit: "Fit" };
+const TITLES = {
+  lagging: "Lagging",
+  rig: "Rig",
+  fit: "Fit",
+  fixed: "Held in every curve, not fitted",
+};
 /** @type {Record<string, string>} */
 const LIST_WORDS = { "": "as found best", true: "yes", false: "no" };
 
@@ -57,9 +67,10 @@ const typed = /** @type {Record<string, Record<string, string>>} */ (
 );
 /** Take lagging, rig and fit of a test plan into the form. @param {any} plan */
 export function openPlan(plan) {
+  const parts = { ...plan, fixed: plan.fit?.fixed };
   for (const part of Object.keys(ROWS))
     for (const { key } of ROWS[part])
-      if (plan[part]?.[key] !== undefined) typed[part][key] = String(plan[part][key]);
+      if (parts[part]?.[key] !== undefined) typed[part][key] = String(parts[part][key]);
 }
 
 /** What is typed of a part of the plan; numbers and truth values as such. @param {string} part */
@@ -75,9 +86,11 @@ export function said(part) {
 }
 /** @param {string} path */
 export function rowOf(path) {
-  const [part, key] = (path || "").split(".");
+  const [part, key] = typedAt(path).split(".");
   return ROWS[part]?.some((r) => r.key === key);
 }
+/** Where something is typed that stands at a place of the plan. @param {string} path */
+export const typedAt = (path) => (path || "").replace(/^fit\.fixed\./, "fixed.");
 /** The form. @param {Record<string, string>} marks what is wrong with a row, by part and key */
 export const planForm = (marks) =>
   h(

@@ -2,6 +2,7 @@
 import { app } from "../../base/design.js";
 import { show, shown, unit } from "../../base/units.js";
 import { Plot } from "../../parts/plot.js";
+import { ZoomPlot } from "../../parts/zoom_plot.js";
 import { h } from "../../vendor/preact.js";
 
 /** @import { ChartData } from "../../types.d.ts" */
@@ -44,7 +45,14 @@ export function conditionPlots(c) {
       data: once(c, key, () => overPressure(c, key)),
     });
   return [
-    h(Plot, { title, height: 300, xlabel: `Slip [${lu}]`, data: curves, key: app.units }),
+    h(ZoomPlot, { title, height: 300, xlabel: `Slip [${lu}]`, data: curves, key: app.units }),
+    h(ZoomPlot, {
+      title: "What the fits leave over (measured less fitted)",
+      height: 240,
+      xlabel: `Slip [${lu}]`,
+      data: once(c, "left over", () => leftOver(c)),
+      key: `left${app.units}`,
+    }),
     h(
       "div",
       { class: "plots", key: "over" },
@@ -53,27 +61,50 @@ export function conditionPlots(c) {
     ),
   ];
 }
-/** @param {any} c @returns {ChartData} */
-function frictionCurves(c) {
+/**
+ * @typedef {{pressure: number, slip: number[], friction: number[], fitted: number[]}} Curve
+ * @typedef {{of: Curve, x: number[], cls: string, label: string}} Drawn
+ */
+/** The curves with their slip, a colour for each pressure. @param {any} c @returns {Drawn[]} */
+function drawn(c) {
   const [, lf] = unit("length");
-  /** @type {{pressure: number, slip: number[], friction: number[], fitted: number[]}[]} */
+  /** @type {Curve[]} */
   const curves = [...c.curves].sort((a, b) => a.pressure - b.pressure);
   const group = (/** @type {number} */ p) => Math.round(p / 1e3);
   const pressures = [...new Set(curves.map((v) => group(v.pressure)))];
   const seen = new Set();
-  const lines = curves.flatMap((v) => {
-    const first = !seen.has(group(v.pressure));
-    seen.add(group(v.pressure));
-    const cls = COLOURS[pressures.indexOf(group(v.pressure)) % COLOURS.length];
-    const x = v.slip.map((s) => s / lf);
-    const label = first ? shown("wrap_pressure", v.pressure, 3) : "";
-    return [
-      { x, y: v.friction, cls: `${cls} thin`, free: true },
-      { x, y: v.fitted, cls, label },
-    ];
+  return curves.map((of) => {
+    const first = !seen.has(group(of.pressure));
+    seen.add(group(of.pressure));
+    const cls = COLOURS[pressures.indexOf(group(of.pressure)) % COLOURS.length];
+    const label = first ? shown("wrap_pressure", of.pressure, 3) : "";
+    return { of, x: of.slip.map((s) => s / lf), cls, label };
   });
-  const most = Math.max(...curves.map((v) => Math.max(...v.slip))) / lf;
-  return { x: [0, most], xs: [0, most], zero: true, ylabel: "friction [-]", lines };
+}
+/** @param {Drawn[]} curves @param {string} ylabel @param {any[]} lines @returns {ChartData} */
+function overSlip(curves, ylabel, lines) {
+  const most = Math.max(...curves.map((v) => Math.max(...v.x)));
+  return { x: [0, most], xs: [0, most], zero: true, ylabel, lines };
+}
+/** @param {any} c @returns {ChartData} */
+function frictionCurves(c) {
+  const curves = drawn(c);
+  const lines = curves.flatMap(({ of, x, cls, label }) => [
+    { x, y: of.friction, cls: `${cls} thin`, free: true },
+    { x, y: of.fitted, cls, label },
+  ]);
+  return overSlip(curves, "friction [-]", lines);
+}
+/** @param {any} c @returns {ChartData} */
+function leftOver(c) {
+  const curves = drawn(c);
+  const lines = curves.map(({ of, x, cls, label }) => ({
+    x,
+    y: of.friction.map((v, i) => v - of.fitted[i]),
+    cls: `${cls} thin`,
+    label,
+  }));
+  return overSlip(curves, "friction left over [-]", lines);
 }
 /**
  * Peak friction or its slip over pressure.
