@@ -64,8 +64,12 @@ async function take(found) {
     if (f.read && !f.pressure && f.pressure_guess) await say(f, { pressure: f.pressure_guess });
   redraw();
 }
-/** Say something of a file that it does not tell itself. @param {TestFile} f @param {any} more */
-async function say(f, more) {
+/** Say something of a file that it does not tell itself. @param {TestFile} of @param {any} more */
+async function say(of, more) {
+  const here = () => session.files.findIndex((x) => x.id === of.id);
+  // what was said a moment ago may still be on its way: it must not be taken back
+  const f = Object.assign(session.files[here()] ?? of, more);
+  const sent = { ...f };
   const told = {
     pressure: f.pressure || null,
     normal_force: f.normal_force || null,
@@ -75,14 +79,17 @@ async function say(f, more) {
     use: f.use !== false,
     reason: f.reason || "",
     choices: f.choices || {},
-    ...more,
   };
   try {
-    const now = await within(`files/${f.id}`, told, { method: "PUT" });
-    const i = session.files.findIndex((x) => x.id === f.id);
-    session.files[i] = { ...f, refused: null, ...now };
+    const answer = await within(`files/${f.id}`, told, { method: "PUT" });
+    const i = here();
+    if (i < 0) return;
+    const later = Object.entries(session.files[i]).filter(
+      ([key, value]) => key in told && value !== sent[key],
+    );
+    session.files[i] = { ...f, refused: null, ...answer, ...Object.fromEntries(later) };
   } catch (x) {
-    Object.assign(f, more, { refused: refusal(x) });
+    Object.assign(f, { refused: refusal(x) });
   }
   redraw();
 }
