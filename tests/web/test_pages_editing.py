@@ -1,6 +1,7 @@
 """Typing, opening, turning back, losing the server: nothing typed is lost or changed silently."""
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,16 @@ from web.browser import Calculator, Visitor
 from web.calculators import document
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture(scope="module")
+def clerk(calculator: Calculator) -> Iterator[Visitor]:
+    """One who opens file after file."""
+    browser, server = calculator
+    found = Visitor(browser, server.address)
+    yield found
+    found.context.close()
+    assert found.wrong == []
 
 
 def kept(page: Page) -> Any:
@@ -81,14 +92,14 @@ def test_units_are_a_view_and_the_file_keeps_what_was_typed(visitor: Visitor) ->
     ],
 )
 def test_file_that_is_no_drive_says_what_it_is(
-    visitor: Visitor, tmp_path: Path, name: str, told: str, shown: str
+    clerk: Visitor, tmp_path: Path, name: str, told: str, shown: str
 ) -> None:
-    page = visitor.open("drive")
+    page = clerk.open("drive")
     file = EXAMPLES / name
     if not file.exists():
         file = tmp_path / name
         file.write_text("" if name == "empty.toml" else "colour = 'red'\n", "utf-8")
-    visitor.load(file)
+    clerk.load(file)
     expect(page.locator("#toast")).to_contain_text(told)
     expect(page.locator(f"#{shown}")).to_be_visible()
     if shown == "study":
@@ -100,8 +111,8 @@ def test_file_that_is_no_drive_says_what_it_is(
         expect(page.locator("#t-lagging-name")).to_have_value("diamond-rubber-virtual")
     # the page goes on as before
     page.click("#nav-drive")
-    page.fill("#f-pulley-0-exit_tension", "71")
-    visitor.solved()
+    page.fill("#f-pulley-0-exit_tension", f"{60 + len(name)}")
+    clerk.solved()
     expect(page.locator("#results [role=alert]")).to_have_text("")
 
 

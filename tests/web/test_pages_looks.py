@@ -34,6 +34,14 @@ def desktop(calculator: Calculator) -> Iterator[Visitor]:
     visitor.context.close()
 
 
+@pytest.fixture(scope="module")
+def phone(calculator: Calculator) -> Iterator[Visitor]:
+    """One visit to all pages by telephone."""
+    visitor = Visitor(*_at(calculator), PHONE, has_touch=True, is_mobile=True)
+    yield visitor
+    visitor.context.close()
+
+
 def _at(calculator: Calculator) -> tuple[Browser, str]:
     return calculator[0], calculator[1].address
 
@@ -157,11 +165,10 @@ def test_dark_pages_are_accessible_and_paper_stays_light(calculator: Calculator)
 
 @pytest.mark.parametrize("name", PAGES)
 def test_phone_shows_everything_without_scrolling_sideways(
-    calculator: Calculator, name: str, tmp_path: Path
+    phone: Visitor, name: str, tmp_path: Path
 ) -> None:
-    visitor = Visitor(*_at(calculator), PHONE, has_touch=True, is_mobile=True)
-    page = visitor.open(name)
-    visitor.painted()
+    page = phone.open(name)
+    phone.painted()
     assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
     small = page.evaluate(
         "[...document.querySelectorAll('main button, main select, main input:not([type=range])')]"
@@ -171,7 +178,6 @@ def test_phone_shows_everything_without_scrolling_sideways(
     assert [s for s in small if "checkbox" not in s and "radio" not in s and "away" not in s] == []
     if name == "drive":
         keep(page.screenshot(), "phone", tmp_path)
-    visitor.context.close()
 
 
 @pytest.mark.parametrize(("paper", "width"), [("A4", 794), ("Letter", 816)])
