@@ -7,11 +7,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-from shear_test.virtual import PRESSURES, fitted, laboratory
+from shear_test.virtual import PRESSURES, as_record, fitted, laboratory, single
 from wraparc.checks import Level
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.report.shear_test_tables import verdict
-from wraparc.shear_test import MachineRecord, PlanResult, TestPlan
+from wraparc.shear_test import (
+    MachineRecord,
+    PlanResult,
+    Sample,
+    TestPlan,
+    VirtualRig,
+    reduce_record,
+    run_virtual_test,
+)
+from wraparc.shear_test.correlation import noise_kernel
+from wraparc.shear_test.curve_fit import fit_curve
 
 SCATTERED = {"points": 250, "scatter_friction": 0.02, "scatter_slip": 0.03}
 SMALL = PRESSURES[[0, 2, 4, 6]]
@@ -73,3 +83,171 @@ def test_a_smooth_law_shows_no_transition(seed: int) -> None:
     assert any(
         r.startswith("no transition is shown: a smooth law does as well") for r in found.remarks
     )
+
+
+def shifted(factor: float, name: str, load: float = 1.0, **options: Any) -> PlanResult:
+    """A small laboratory with one test whose pull, or whose typed pressure, is off by a factor."""
+    plan, records = scattered(**({"repeats": 2, "pressures": SMALL} | options))
+    record = records[name]
+    assert record.normal_force is not None
+    records[name] = replace(
+        record, force=factor * record.force, normal_force=load * record.normal_force
+    )
+    tests = [
+        replace(test, pressure=load * test.pressure)
+        if test.file == name and test.pressure
+        else test
+        for test in plan.tests
+    ]
+    return fitted(replace(plan, tests=tuple(tests)), records)
+
+
+@pytest.mark.parametrize("pressures", [SMALL[:3], SMALL])
+@pytest.mark.parametrize("factor", [0.5, 0.71])
+def test_a_test_at_half_its_friction_is_no_ok(pressures: Any, factor: float) -> None:
+    for seed in (1, 2):
+        found = shifted(factor, "p1r1", seed=seed, pressures=pressures)
+        assert verdict(found).level is Level.ATTENTION
+
+
+@pytest.mark.parametrize(("name", "load", "asked"), [("p3r1", 0.1, 414.0), ("p0r0", 10.0, 34.0)])
+def test_a_pressure_typed_ten_times_off_is_asked_about(
+    name: str, load: float, asked: float
+) -> None:
+    found = shifted(1.0, name, load, seed=2, law=smooth())
+    told = " ".join([str(p) for p in found.left_out] + list(found.conditions[0].misfit))
+    if found.left_out:
+        assert "if its pressure or normal force were 10 times as large" in told
+    else:
+        assert f"({name}): was its pressure {asked:.3g} kPa, not {load * asked:.4g} kPa?" in told
+    assert verdict(found).level is Level.ATTENTION
+
+
+def test_a_pull_in_another_unit_within_the_limits_is_asked_about() -> None:
+    """Expected: 4.448 times smaller, as if lbf had been read as N."""
+    found = shifted(1 / 4.448222, "p1r0", seed=1).conditions[0]
+    assert any("if its pull were 4.45 times as large" in sentence for sentence in found.misfit)
+
+
+def test_sound_tests_are_not_asked_about() -> None:
+    for seed, repeats in ((1, 1), (4, 2)):
+        assert not any("would fit" in s for s in sound(seed, repeats).conditions[0].misfit)
+
+
+def test_tests_of_different_speeds_are_no_repeats() -> None:
+    plan, records = scattered(seed=1, repeats=2, pressures=SMALL)
+    tests = []
+    for test in plan.tests:
+        fast = test.file.endswith("r1")
+        record = records[test.file]
+        assert record.time is not None
+        if fast:  # 50 times as fast, and 12 % more friction
+            records[test.file] = replace(record, force=1.12 * record.force, time=record.time / 50)
+        tests.append(replace(test, speed=10e-3 / 60 if not fast else None))
+    found = fitted(replace(plan, tests=tuple(tests)), records)
+    (told,) = (s for s in found.conditions[0].misfit if "share one law" in s)
+    assert told.startswith("tests at 10 mm/min, 500 mm/min share one law: at 500 mm/min friction")
+    assert "differs by +1" in told
+    assert not found.conditions[0].found.flagged.any()
+    said = replace(plan, tests=tuple(replace(test, speed=10e-3 / 60) for test in plan.tests))
+    wrong = fitted(said, records).conditions[0].misfit
+    assert sum("time and travel of the file say 500 mm/min" in s for s in wrong) == 4
+
+
+def test_a_zero_that_the_record_does_not_show_is_said_and_in_the_interval() -> None:
+    """Expected: the 2 % of the largest force that are taken for it, through the fit itself."""
+    plan, records = scattered(seed=1, pressures=[207e3], lash=0.0)
+    kept = fitted(plan, records).conditions[0]
+    offset = {
+        name: replace(record, force=record.force + 0.02 * record.force.max())
+        for name, record in records.items()
+    }
+    moved = fitted(plan, offset).conditions[0]
+    for before, after in zip(kept.tests, moved.tests, strict=True):
+        assert before.curve.zero_unknown == pytest.approx(
+            0.02 * before.curve.friction.max(), rel=0.1
+        )
+        change = after.fit.parameters.ln_peak_friction - before.fit.parameters.ln_peak_friction
+        assert before.fit.error("ln_peak_friction") > 0.6 * abs(change)
+    assert any("cannot be verified" in remark for remark in kept.remarks)
+    flat = fitted(*scattered(seed=1, pressures=[207e3])).conditions[0]
+    assert not any("cannot be verified" in remark for remark in flat.remarks)
+    error = [c.tests[0].fit.error("ln_peak_friction") for c in (flat, kept)]
+    assert error[1] > 2.0 * error[0]
+
+
+def test_half_the_peak_is_not_taken_for_a_zero() -> None:
+    """Expected: friction 1.33 at the peak, of which 0.6 stands before the slip starts."""
+    plan, records = scattered(
+        seed=1, repeats=1, pressures=[69e3], scatter_friction=0.0, noise=0.002,
+        law=single(0.73, 8e-3),
+    )  # fmt: skip
+    record = records["p0r0"]
+    records["p0r0"] = replace(record, force=record.force + 0.6 * 2.0 * 69e3 * 0.04)
+    (test,) = fitted(plan, records).conditions[0].tests
+    low, high = test.fit.interval("peak_friction")
+    assert low < 1.33 < high
+    assert low > 0.5
+    (told,) = (s.text for s in test.judged.misfit if s.about == "rubbing")
+    assert told.startswith("before the slip starts the force is 45 % of its largest value")
+    assert "nothing was taken off" in told
+
+
+def test_what_a_usual_compliance_would_do_is_computed() -> None:
+    """Expected: the peak slip of the same laboratory, fitted with that compliance."""
+    plan, records = scattered(seed=1, repeats=1, pressures=SMALL[:2])
+    remarks = " ".join(fitted(plan, records).conditions[0].remarks)
+    given = fitted(replace(plan, rig=replace(plan.rig, compliance=0.05e-6)), records).conditions[0]
+    slip = given.tests[-1].fit.parameters.peak_slip * 1e3
+    assert f"would put the peak slip at 103 kPa at {slip:.3g} mm instead of" in remarks
+    assert "compliance" not in " ".join(given.remarks)
+
+
+def test_a_remainder_is_judged_by_noise_and_by_size() -> None:
+    """A wave of 1.5 % under noise of 0.1 % stood under "within their noise" once."""
+    plan, records = scattered(seed=1, repeats=1, pressures=[207e3], points=1500, noise=0.001)
+    quiet = fitted(plan, records)
+    assert "noise levels" in verdict(quiet).headline
+    record = records["p0r0"]
+    wave = 1.0 + 0.04 * np.sin(record.travel / record.travel[-1] * 20.0)
+    records["p0r0"] = replace(record, force=record.force * wave)
+    found = fitted(plan, records)
+    assert verdict(found).level is Level.ATTENTION
+    (told,) = (s for s in found.conditions[0].misfit if "systematic remainder" in s)
+    assert "% of the largest friction (" in told
+    assert "noise levels)" in told
+
+
+def test_a_law_that_is_hardly_known_is_no_ok() -> None:
+    found = shifted(0.4, "p1r0", seed=1, repeats=1, pressures=SMALL[:3])
+    assert verdict(found).level is Level.ATTENTION
+
+
+@pytest.mark.parametrize("memory", [9.5, 0.0])
+def test_intervals_of_curves_hold_the_truth_in_correlated_noise(memory: float) -> None:
+    """Expected: 95 of 100. Of 40 curves at least 34 (p = 0.01); 61 % before, of memory 9.5."""
+    rig = VirtualRig(law=single(0.9, 10e-3), points=300, correlation=memory)
+    held = []
+    for seed in range(20):
+        drawn = as_record(run_virtual_test(rig, 138e3, seed))
+        fit = fit_curve(reduce_record(drawn, Sample(area=0.04)))
+        for name, truth in (("peak_slip", 10e-3), ("peak_friction", 0.9)):
+            low, high = fit.interval(name)
+            held.append(low <= truth <= high)
+    assert sum(held) >= 34
+
+
+def test_the_memory_of_noise_is_found_under_the_fit() -> None:
+    """Expected: the sum of a first-order autoregression's covariances, rho^distance."""
+    rng = np.random.default_rng(1)
+    rho, count = 0.9, 4000
+    noise = np.zeros(count)
+    for k in range(1, count):
+        noise[k] = rho * noise[k - 1] + np.sqrt(1.0 - rho**2) * rng.normal()
+    design = np.vander(np.linspace(-1.0, 1.0, count), 4)
+    residual = noise - design @ np.linalg.lstsq(design, noise, rcond=None)[0]
+    kernel = noise_kernel(residual, design)
+    assert kernel is not None
+    total = (1.0 + rho) / (1.0 - rho)  # readings that tell no more than one
+    assert 0.8 * total < 2.0 * kernel.sum() - kernel[0] < 1.5 * total
+    assert noise_kernel(rng.normal(size=count), design) is None

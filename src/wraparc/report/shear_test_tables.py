@@ -23,7 +23,7 @@ from wraparc.report.shear_test_standard import laws_table, standard_tables
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
-from wraparc.shear_test.misfit import OTHER_PRESSURE
+from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.units import System, display_unit
 
@@ -108,7 +108,20 @@ def verdict(result: PlanResult) -> Verdict:
     if misfit:
         headline = f"The law does not describe everything: {counted(misfit)}."
         return Verdict(Level.ATTENTION, headline, shown)
-    return Verdict(Level.OK, "The law describes the tests within their noise and scatter.")
+    return Verdict(Level.OK, f"The law describes the tests. {_remainders(result)}")
+
+
+def _remainders(result: PlanResult) -> str:
+    """Largest remainder of a single curve, by size and by noise, and the scatter of samples."""
+    tests = [test for condition in result.conditions for test in condition.tests]
+    share = max(test.fit.remainder / _top(test) for test in tests)
+    levels = max(noise_levels(test.fit, test.curve) for test in tests)
+    scatters = [c.fit.scatter[1, 1] ** 0.5 for c in result.conditions if c.fit is not None]
+    between = f"; samples scatter by {100 * max(scatters, default=0.0):.2g} % in peak friction"
+    return (
+        f"No single curve is off its law by more than {100 * share:.1f} % of its friction "
+        f"({levels:.1f} noise levels){between if scatters else ''}."
+    )
 
 
 def counted(remarks: Sequence[str]) -> str:

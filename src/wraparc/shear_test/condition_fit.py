@@ -15,12 +15,13 @@ from wraparc.shear_test.analysis import (
 from wraparc.shear_test.budget import Common, bent_peak
 from wraparc.shear_test.consistency import lone_distances, outliers
 from wraparc.shear_test.joint_fit import curve_points, refine
-from wraparc.shear_test.lack_of_fit import with_lack_of_fit
+from wraparc.shear_test.lack_of_fit import with_lack_of_fit, with_unknown_zero
 from wraparc.shear_test.law import lagging_of
 from wraparc.shear_test.left_out import left_out_pressures
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import choose_form
 from wraparc.shear_test.sentences import law_sentences
+from wraparc.shear_test.speeds import by_speed, speed_groups
 from wraparc.shear_test.tails import Tails, level_tails
 from wraparc.shear_test.transition import find_transition
 
@@ -45,7 +46,7 @@ def fit_condition(
     """
     curves, fits = [t.curve for t in tests], [t.fit for t in tests]
     points = curve_points(curves, fits, levels)
-    flagged, distances = outliers(points)
+    flagged, distances = outliers(by_speed(points, speed_groups(tests)[0]))
     tails = _tails(tests, levels, flagged)
     choice = law = None
     left_out: tuple[LeftOut, ...] = ()
@@ -53,7 +54,8 @@ def fit_condition(
     if len(np.unique(levels)) > 1:
         choice = choose_form(points, plan.options, flagged)
         law, points = refine(curves, fits, points, choice.fit, flagged)
-        law = replace(with_lack_of_fit(law, points, flagged), common=common)
+        law = with_unknown_zero(with_lack_of_fit(law, points, flagged), fits)
+        law = replace(law, common=common)
         good = [test for test, off in zip(tests, flagged, strict=True) if not off]
         left_out = left_out_pressures(law, points, good, levels[~flagged], tails)
     found = Findings(

@@ -48,7 +48,10 @@ class CurveFit:
         Names of the fitted parameters, in the order of `covariance`.
     covariance
         Of the fitted parameters, from the scatter of the data about the curve, its
-        correlation along the curve included, shape (k, k).
+        correlation along the curve included, and from a zero of the force that the record does
+        not show, shape (k, k).
+    by_zero
+        Part of that zero in the parameters, one standard deviation, shape (k,).
     bending
         Travel taken off for the shear of sample and rig, per unit of friction [m].
     slip
@@ -74,6 +77,7 @@ class CurveFit:
     parameters: CurveParameters
     free: tuple[str, ...]
     covariance: Array
+    by_zero: Array
     bending: float
     slip: Array
     friction: Array
@@ -275,6 +279,12 @@ class _Task:
             matrix[:, free.index(name)] = root[:, k]
         return matrix, root @ self.prior.mean
 
+    def _by_zero(self, solution: Robust) -> Array:
+        """Change of the fitted parameters with the zero of the force, as far as it is linear."""
+        root = 1.0 / (1.0 + (solution.rows / solution.scale) ** 2) ** 0.25
+        found = np.linalg.lstsq(solution.jacobian * root[:, None], self.weights * root, rcond=1e-9)
+        return np.asarray(found[0])
+
     def readings(self, q: CurveParameters) -> Array:
         """Reading minus model for every reading."""
         model, _ = friction_and_jacobian(self.curve.travel, self.bending, q)
@@ -284,9 +294,11 @@ class _Task:
         """Covariance and figures of merit of the chosen run."""
         q, solution = run.parameters, run.solution
         single = self.readings(q)
-        readings = Readings(single, self.curve.place, self.weights / self.curve.counts)
+        counts = self.curve.counts
+        readings = Readings(single, self.curve.place, self.weights / counts, counts)
         covariance = sandwich(solution, readings, self._scales(run.free))
         covariance = self.held.known(covariance, run.free)
+        by_zero = self._by_zero(solution) * self.curve.zero_unknown * (np.diag(covariance) > 0.0)
         model, _ = friction_and_jacobian(self.travel, self.bending, q)
         off = self.friction - model
         total = float(((self.friction - self.friction.mean()) ** 2).sum())
@@ -295,7 +307,8 @@ class _Task:
         return CurveFit(
             parameters=q,
             free=run.free,
-            covariance=covariance,
+            covariance=covariance + np.outer(by_zero, by_zero),
+            by_zero=by_zero,
             bending=self.bending,
             slip=self.travel - q.lash - self.bending * (self.friction - q.zero),
             friction=self.friction - q.zero,

@@ -105,4 +105,6 @@ def _informed(
         curve, bending=own.bending, start=own, prior=Prior(mean=mean, covariance=scatter / repeats)
     )
     found, covariance = _peak(fit), fit.covariance[:2, :2]
-    return found + covariance @ np.linalg.solve(scatter, found - mean), covariance
+    # The zero of the force is no noise: the data pull as if it were known.
+    data = covariance - np.outer(fit.by_zero[:2], fit.by_zero[:2])
+    return found + data @ np.linalg.solve(scatter, found - mean), covariance

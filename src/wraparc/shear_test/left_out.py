@@ -25,6 +25,7 @@ from wraparc.shear_test.tails import Tails
 FALSE_ALARM = 0.02
 # Error of ln x_pk and ln mu_pk between the points of a law without a trend. Ours.
 _BETWEEN = 0.03
+_LEAST_OTHERS = 4
 
 
 def left_out_pressures(
@@ -91,7 +92,7 @@ def _distance(
     """
     own = points.only(points.level == level)
     others = len(np.unique(points.level)) - 1
-    if not rest.form.nodes and 2 * others < rest.form.size + 2:
+    if others < _LEAST_OTHERS if rest.form.nodes else 2 * others < rest.form.size + 2:
         return float("nan"), float("nan")
     at = np.array([float(own.pressure.mean())])
     rest_points = points.only(points.level != level)

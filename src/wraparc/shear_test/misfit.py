@@ -12,11 +12,13 @@ import numpy as np
 from wraparc.shear_test.curve_fit import CurveFit, fit_curve
 from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.curve_model import friction_and_jacobian
-from wraparc.shear_test.reduce import FrictionCurve
+from wraparc.shear_test.reduce import MOST_ZERO, UNKNOWN_ZERO, FrictionCurve
 
 _LATE = 0.5
 _STRETCHES = 30
-_REMAINDER = 0.02
+# What a law may leave of a curve, as a share of the largest friction: in any noise, and where it
+# stands clear of the noise of one reading.
+_REMAINDER, _SMALL_REMAINDER, _CLEAR_REMAINDER = 0.02, 0.01, 4.0
 _NOISY = 0.05
 _ZERO_LIMIT = 0.05
 _UNKNOWN_PEAK = 0.25
@@ -83,7 +85,8 @@ def judged_fit(
             "zero was not recorded, and the slip before it is not known"
         )
         misfit.append(Sentence("late start", text))
-    misfit += _jump(fit, curve) + _remainder(fit, top)
+    misfit += _jump(fit, curve) + _remainder(fit, curve, top)
+    misfit += _not_a_zero(curve, top)
     zero = abs(fit.parameters.zero)
     if zero > _ZERO_LIMIT * top:
         text = (
@@ -92,6 +95,19 @@ def judged_fit(
         )
         misfit.append(Sentence("rubbing", text))
     return JudgedFit(fit=fit, misfit=tuple(misfit), remarks=_remarks(fit, curve, top))
+
+
+def _not_a_zero(curve: FrictionCurve, top: float) -> list[Sentence]:
+    """Force before the slip starts that is too much to be taken off as an error of its zero."""
+    if curve.zero_unknown <= 1.01 * UNKNOWN_ZERO * top:
+        return []
+    text = (
+        f"before the slip starts the force is {200 * curve.zero_unknown / top:.0f} % of its "
+        f"largest value: more than the {100 * MOST_ZERO:.0f} % that are taken for an error of "
+        "its zero, so nothing was taken off; the rig may rub or the sample may have been under "
+        "load, and the intervals hold either"
+    )
+    return [Sentence("rubbing", text)]
 
 
 def _zero_carried_off(fit: CurveFit, curve: FrictionCurve, top: float) -> bool:
@@ -159,9 +175,14 @@ def _jump(fit: CurveFit, curve: FrictionCurve) -> list[Sentence]:
     return [Sentence("jump", text)]
 
 
-def _remainder(fit: CurveFit, top: float) -> list[Sentence]:
-    share = fit.remainder / top
-    if share < _REMAINDER:
+def noise_levels(fit: CurveFit, curve: FrictionCurve) -> float:
+    """What the law leaves of a curve, in noise levels of one reading."""
+    return fit.remainder / curve.noise if curve.noise > 0.0 else 0.0
+
+
+def _remainder(fit: CurveFit, curve: FrictionCurve, top: float) -> list[Sentence]:
+    share, levels = fit.remainder / top, noise_levels(fit, curve)
+    if share < _SMALL_REMAINDER or (share < _REMAINDER and levels < _CLEAR_REMAINDER):
         return []
     stretch = np.minimum((fit.slip / fit.slip_max * _STRETCHES).astype(int), _STRETCHES - 1)
     off = fit.friction - fit.fitted
@@ -172,14 +193,26 @@ def _remainder(fit: CurveFit, top: float) -> list[Sentence]:
     worst = max(means, key=lambda k: abs(means[k]))
     place = (worst + 0.5) / _STRETCHES * fit.slip_max * 1e3
     text = (
-        f"the law leaves a systematic remainder of {100 * share:.1f} % of the largest friction, "
+        f"the law leaves a systematic remainder of {100 * share:.1f} % of the largest friction "
+        f"({_in_levels(levels)}), "
         f"largest ({means[worst]:+.3f}) near {place:.2g} mm of slip"
     )
     return [Sentence("remainder", text)]
 
 
+def _in_levels(levels: float) -> str:
+    return f"{levels:.2g} noise levels" if levels < 100.0 else "far above the noise"
+
+
 def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]:
     remarks: list[str] = []
+    if 0.0 < curve.zero_unknown <= 1.01 * UNKNOWN_ZERO * top:
+        remarks.append(
+            "the record has no flat part before the slip starts, or a short one, so the zero of "
+            f"the force cannot be verified: it is taken to be good to "
+            f"{100 * curve.zero_unknown / top:.1f} % of the largest force (one standard "
+            "deviation), and the intervals hold that"
+        )
     q, error = fit.parameters, fit.error("ln_peak_slip")
     if not fit.peak_inside and error > _UNKNOWN_PEAK:
         remarks.append(

@@ -26,7 +26,13 @@ _SLIPS = (
     (1e3, "a force in kN had been read as N"),
     (1 / 4.4482216152605, "a force in N had been read as lbf"),
     (4.4482216152605, "a force in lbf had been read as N"),
+    (0.1, "its pressure or normal force were 10 times as large"),
+    (10.0, "its pressure or normal force were a tenth"),
 )
+#: Error of the force's zero, as a share of the largest force, where the record does not show it
+#: (one standard deviation), and the most that is taken for one. Ours.
+UNKNOWN_ZERO, MOST_ZERO = 0.02, 0.1
+_LEAST_BEFORE = 3
 _LEAST_TRAVEL, _MOST_TRAVEL, _MOST_FORCE = 1e-6, 10.0, 1e9
 
 
@@ -85,6 +91,8 @@ class FrictionCurve:
         None if the record has no such part.
     zero_error
         Its standard error, for white noise [-].
+    zero_unknown
+        Standard deviation of a zero that the record does not show [-]; 0 where it shows one.
     first_friction
         Friction of the first readings [-].
     onset
@@ -104,6 +112,7 @@ class FrictionCurve:
     noise: float
     zero: float | None
     zero_error: float
+    zero_unknown: float
     first_friction: float
     onset: float
     notes: tuple[str, ...]
@@ -146,6 +155,8 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     notes = _notes(record, found, used, sample.stroke, int((~keep).sum()))
     mean_normal = float(normal.mean())
     pressure = mean_normal / sample.area
+    if zero and abs(zero[0]) > MOST_ZERO * float(np.quantile(friction, 0.98)):
+        zero = None
     bins = _binned(travel, friction, onset)
     return FrictionCurve(
         travel=travel,
@@ -159,6 +170,7 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         noise=noise_level(friction),
         zero=zero[0] if zero else None,
         zero_error=zero[1] if zero else 0.0,
+        zero_unknown=_zero_unknown(friction, friction[travel < 0.75 * onset], zero is None),
         first_friction=float(np.median(friction[:5])),
         onset=onset,
         notes=notes,
@@ -200,11 +212,12 @@ def _refuse_odd_friction(
     top = float(np.quantile(friction, 0.98))
     if allowed[0] <= top <= allowed[1]:
         return
-    hint = ""
-    for factor, what in _SLIPS:
-        if allowed[0] <= top * factor <= allowed[1]:
-            hint = f"; it would be {top * factor:.3g} if {what}"
-            break
+    fitting = [
+        f"{top * factor:.3g} if {what}"
+        for factor, what in _SLIPS
+        if allowed[0] <= top * factor <= allowed[1]
+    ]
+    hint = f"; it would be {', or '.join(fitting)}" if fitting else ""
     raise _refused(
         record,
         f"its friction reaches {top:.3g}, outside the {allowed[0]:g} to {allowed[1]:g} that a test "
@@ -258,6 +271,24 @@ def _start(travel: Array, friction: Array) -> tuple[float, tuple[float, float] |
     if abs(rise) > max(0.01 * top, 6.0 * error):
         return onset, None
     return onset, (float(np.median(flat)), error)
+
+
+def _zero_unknown(friction: Array, before: Array, missing: bool) -> float:
+    """Standard deviation of a zero that was not taken from the record [-].
+
+    The readings before the slip starts bound it, even where they are too few to be taken off;
+    what stands there and is too much for an error of the zero may be one, or friction.
+    """
+    if not missing:
+        return 0.0
+    top = float(np.quantile(np.abs(friction), 0.98))
+    if len(before) < _LEAST_BEFORE:
+        return UNKNOWN_ZERO * top
+    standing = abs(float(np.median(before)))
+    if standing > MOST_ZERO * top:
+        return 0.5 * standing
+    error = 1.25 * noise_level(friction) / np.sqrt(len(before))
+    return min(float(np.hypot(standing, error)), UNKNOWN_ZERO * top)
 
 
 def _binned(

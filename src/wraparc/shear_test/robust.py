@@ -2,7 +2,7 @@
 
 The loss is soft-L1, rho(z) = 2 (sqrt(1 + z) - 1) with z the squared residual over the
 scale: quadratic for the bulk, linear for outliers. The covariance is the sandwich of
-M-estimation, with Newey-West sums for residuals that are correlated along the curve.
+M-estimation, with the correlation of the noise along the curve.
 
 The minimum is sought here rather than by ``scipy.optimize.least_squares``: the rows of a prior are
 quadratic beside the soft-L1 rows of the data, and of many fits in a laboratory each counts. Given a
@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.shear_test.correlation import apply, noise_kernel
 from wraparc.shear_test.record import Array
 
 Residual = Callable[[Array], tuple[Array, Array]]
@@ -148,11 +149,14 @@ class Readings:
         Row of the fit each reading was averaged into, shape (m,).
     share
         Derivative of the weighted row by the reading: weight / count, shape (n,).
+    counts
+        Readings in each row, shape (n,).
     """
 
     residual: Array
     row: NDArray[np.int64]
     share: Array
+    counts: Array
 
 
 def sandwich(fit: Robust, readings: Readings, scales: Array) -> Array:
@@ -172,10 +176,10 @@ def sandwich(fit: Robust, readings: Readings, scales: Array) -> Array:
     -----
     B is the curvature of the loss, M = G' V G the variance of its gradient with G its
     derivative by each reading and V the covariance of the readings: their local standard
-    deviation times a correlation that is the same all along the curve, as far as it
-    reaches. (Summing products of the residuals themselves, after Newey and West, fails
-    where a few correlated readings decide a parameter, as at the onset of slip: the fit
-    has made those residuals small.)
+    deviation times a correlation that is the same all along the curve (`noise_kernel`).
+    (Summing products of the residuals themselves, after Newey and West, fails where a few
+    correlated readings decide a parameter, as at the onset of slip: the fit has made those
+    residuals small.)
     """
     n, k = fit.jacobian.shape
     root = np.sqrt(1.0 + (fit.rows / fit.scale) ** 2)
@@ -187,8 +191,12 @@ def sandwich(fit: Robust, readings: Readings, scales: Array) -> Array:
     gradient = (tamed * readings.share)[:, None] * fit.jacobian
     level = _local_level(readings.residual)
     spread = gradient[readings.row] * level[:, None]
-    correlated = _correlated(spread, readings.residual / level)
-    meat = spread.T @ correlated * (n / max(n - k, 1)) + ridge
+    design = (fit.jacobian / (readings.share * readings.counts)[:, None])[readings.row]
+    kernel = noise_kernel(readings.residual / level, design / level[:, None])
+    if kernel is None:
+        meat = spread.T @ spread * (n / max(n - k, 1)) + ridge
+    else:
+        meat = spread.T @ apply(kernel, spread) + ridge
     covariance = inverse @ meat @ inverse
     return np.asarray(0.5 * (covariance + covariance.T))
 
@@ -202,22 +210,6 @@ def _local_level(residual: Array) -> Array:
     first = np.clip(np.arange(len(residual)) - width // 2, 0, len(residual) - width)
     means = (sums[first + width] - sums[first]) / width
     return np.asarray(np.sqrt(np.maximum(means, 1e-6 * means.max() + 1e-300)))
-
-
-def _correlated(columns: Array, noise: Array) -> Array:
-    """Correlation matrix of stationary noise times columns, by FFT; shape of `columns`."""
-    count = len(noise)
-    lags = min(int(2.0 * correlation_length(noise)), count // 4)
-    if lags == 0:
-        return columns
-    size = 2 ** int(np.ceil(np.log2(2 * count)))
-    power = np.abs(np.fft.rfft(noise, size)) ** 2
-    correlation = np.fft.irfft(power, size)[: lags + 1]
-    kernel = np.zeros(size)
-    kernel[: lags + 1] = correlation / correlation[0] * (1.0 - np.arange(lags + 1) / (lags + 1.0))
-    kernel[-lags:] = kernel[lags:0:-1]
-    product = np.fft.rfft(columns, size, axis=0) * np.fft.rfft(kernel)[:, None]
-    return np.asarray(np.fft.irfft(product, size, axis=0)[:count])
 
 
 def correlation_length(residual: Array) -> float:

@@ -6,28 +6,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
+from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE
 from wraparc.shear_test.consistency import FAR
+from wraparc.shear_test.curve_fit import fit_curve
+from wraparc.shear_test.load_slips import load_questions
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
+from wraparc.shear_test.reduce import UNKNOWN_ZERO
+from wraparc.shear_test.speeds import speed_sentences
 
 _FEW = 3
 _CLEARLY = 100.0
 _FAR_FROM_LAW = 3.5
+# Two standard errors of ln mu beyond which no law is relied on without a word. Ours.
+_WIDE = 0.25
+# Standard deviation of ln mu_pk between samples beyond which they are not of one kind. Ours.
+_LOOSE = 0.1
 
 
 def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Sentences on misfit, and remarks, of one condition's law."""
     tests, law, choice = found.tests, found.fit, found.choice
-    misfit = _of_curves(tests) + _repeats(tests, found)
+    by_speed, speed_remarks = speed_sentences(tests, found.points)
+    misfit = _of_curves(tests) + _repeats(tests, found) + by_speed
+    misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found)
-        misfit += _predictions(found.left_out)
+        misfit += _predictions(found.left_out) + _wide(tests, law, found)
     remarks = [
         _shear_sentence(plan),
         _tests_sentence(tests, found.levels),
         *_unused(plan),
         *_held(plan),
+        *speed_remarks,
+        *_compliance(plan, tests),
+        *_zero(tests),
     ]
     if law is None or choice is None:
         pressure = tests[0].curve.pressure / 1e3
@@ -48,6 +62,58 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "slip the law is an extrapolation"
         )
     return tuple(misfit), tuple(remarks)
+
+
+def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> list[str]:
+    """Pressures at which the law's friction, at the tested slip, is hardly known."""
+    at = found.level_pressures()
+    reached = np.array([
+        max(t.fit.slip_max for t, level in zip(tests, found.levels, strict=True) if level == k)
+        for k in np.unique(found.levels)
+    ])  # fmt: skip
+    r = np.minimum(reached / np.exp(law.peaks(at)[:, 0]), 1.0)
+    by_peak = np.stack([np.log(r) / (1.0 - np.log(r)), np.ones_like(r)], axis=-1)
+    error = np.sqrt(np.einsum("ni,nij,nj->n", by_peak, law.own_covariance(at), by_peak))
+    half = 2.0 * error
+    worst = int(np.argmax(half))
+    scatter = float(np.sqrt(law.scatter[1, 1]))
+    loose = [
+        f"samples scatter by {100 * scatter:.0f} % in peak friction about the law, more than the "
+        f"{100 * _LOOSE:.0f} % of samples that are alike: see which of them differ, and why"
+    ]
+    if half[worst] < _WIDE:
+        return loose if scatter > _LOOSE else []
+    return [
+        f"the law's friction at {at[worst] / 1e3:.4g} kPa and {reached[worst] * 1e3:.3g} mm of "
+        f"slip is known within a factor of {np.exp(half[worst]):.2g} only (two standard "
+        "errors): more repeats, or a look at the tests that disagree"
+    ]
+
+
+def _compliance(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
+    """What a usual compliance of the rig would do to the result, where none is given."""
+    if plan.rig.compliance > 0.0:
+        return []
+    test = tests[-1]
+    more = UNKNOWN_COMPLIANCE * plan.rig.faces * test.curve.pressure * plan.rig.area
+    other = fit_curve(test.curve, bending=test.fit.bending + more, start=test.fit)
+    own, moved = (fit.parameters.peak_slip * 1e3 for fit in (test.fit, other))
+    return [
+        "the rig's own travel is not given (compliance): 0.05 mm/kN, for example, would put the "
+        f"peak slip at {test.curve.pressure / 1e3:.4g} kPa at {moved:.3g} mm instead of "
+        f"{own:.3g} mm ({100 * (moved / own - 1.0):+.1f} %)"
+    ]
+
+
+def _zero(tests: Sequence[TestResult]) -> list[str]:
+    unknown = sum(test.curve.zero_unknown > 0.0 for test in tests)
+    if not unknown:
+        return []
+    return [
+        f"{unknown} of {len(tests)} records have no flat part before the slip starts, or a short "
+        "one: their zero of the force cannot be verified, and the intervals hold up to "
+        f"{100 * UNKNOWN_ZERO:.0f} % of the largest force for it (one standard deviation)"
+    ]
 
 
 def _tests_sentence(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:

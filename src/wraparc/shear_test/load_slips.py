@@ -1,0 +1,91 @@
+"""A test whose pull fits the others at another pressure: a pressure typed 40 for 400 kPa.
+
+The pull is right and the load is not, so the friction is off by the factor of the load. A test
+that is far off the others at its own pressure, and fits them at a usual factor of it (a place of
+the decimal point, another unit), is asked about, with the value that would fit.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.shear_test.analysis import TestResult
+from wraparc.shear_test.pressure_fit import CurvePoints
+from wraparc.shear_test.record import Array
+
+# Off by more than this in ln mu is no scatter of samples; as near as this it fits. Ours.
+_OFF, _FITS = 0.3, 0.12
+# Powers of the pressure that friction may follow outside the other tests' pressures. Ours.
+_STEEPEST, _FLATTEST = -0.85, 0.1
+_PSI, _LBF, _KGF = 6.894757, 4.448222, 9.80665
+_LOAD_FACTORS = (10.0, 1000.0, _PSI, _LBF, _KGF)
+_PULL_FACTORS = (10.0, 1000.0, _LBF, _KGF, 2.0)
+
+
+def load_questions(
+    tests: Sequence[TestResult], points: CurvePoints, flagged: NDArray[np.bool_]
+) -> list[str]:
+    """Ask about tests whose pull would fit the others at another pressure, or by a factor.
+
+    Parameters
+    ----------
+    tests
+        The tests.
+    points
+        Their curves.
+    flagged
+        Which disagree with their repeats; a test that agrees with some is not asked about.
+    """
+    found = []
+    for k, test in enumerate(tests):
+        others = np.arange(len(tests)) != k
+        repeated = bool((points.level[others] == points.level[k]).any())
+        if len(tests) < 3 or (repeated and not flagged[k]):
+            continue
+        text = _question(points.only(others), float(points.pressure[k]), float(points.value[k, 1]))
+        if text:
+            found.append(f"{test.name}: {text}")
+    return found
+
+
+def _question(others: CurvePoints, pressure: float, ln_friction: float) -> str:
+    at = np.log(others.level_pressures)
+    means = np.array([others.value[others.level == k, 1].mean() for k in np.unique(others.level)])
+    if _off(at, means, np.log(pressure), ln_friction) < _OFF:
+        return ""
+    friction = np.exp(ln_friction)
+    for factor in _both(_LOAD_FACTORS):
+        p = np.log(pressure * factor)
+        inside = at[0] - 0.05 < p < at[-1] + 0.05
+        if inside and _off(at, means, p, ln_friction - np.log(factor)) < _FITS:
+            return (
+                f"was its pressure {np.exp(p) / 1e3:.3g} kPa, not {pressure / 1e3:.4g} kPa? At "
+                f"{np.exp(p) / 1e3:.3g} kPa its pull would fit the other tests (friction "
+                f"{friction / factor:.3g} instead of {friction:.3g}); see the pressure or normal "
+                "force in the plan and its unit"
+            )
+    for factor in _both(_PULL_FACTORS):
+        if _off(at, means, np.log(pressure), ln_friction + np.log(factor)) < _FITS:
+            return (
+                f"its friction of {friction:.3g} would fit the other tests if its pull were "
+                f"{_times(factor)}; see unit and factor of the pull, and how many faces slid"
+            )
+    return ""
+
+
+def _both(factors: Sequence[float]) -> list[float]:
+    return [value for factor in factors for value in (factor, 1.0 / factor)]
+
+
+def _times(factor: float) -> str:
+    return f"{factor:.3g} times as large" if factor > 1.0 else f"{1.0 / factor:.3g} times smaller"
+
+
+def _off(at: Array, means: Array, ln_pressure: float, ln_friction: float) -> float:
+    """Distance in ln mu from the other tests, outside their pressures from what may be there."""
+    nearest = float(np.clip(ln_pressure, at[0], at[-1]))
+    beyond = ln_pressure - nearest
+    base = float(np.interp(nearest, at, means))
+    low, high = sorted((base + _STEEPEST * beyond, base + _FLATTEST * beyond))
+    return float(max(low - ln_friction, ln_friction - high, 0.0))
