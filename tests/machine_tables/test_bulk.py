@@ -102,8 +102,8 @@ def test_a_sparse_column_of_notes_goes_the_quick_way(
 
 
 def test_a_sign_that_changes_in_the_file_is_asked_about_however_long_it_is() -> None:
-    rows = [f"{k * 0.1:.2f};{k * 0.25:.2f}" for k in range(1000)]
-    rows[700] = rows[700].replace(".", ",")
+    rows = [f"{k * 0.1:.2f};{k * 0.25:.2f}" for k in range(4000)]
+    rows[3000] = rows[3000].replace(".", ",")
     (table,) = room.tables_in_text("Weg [mm];Kraft [N]\n" + "\n".join(rows) + "\n")
     with pytest.raises(InputError, match=r"both a point .* and a comma"):
         table.found_style("x")
