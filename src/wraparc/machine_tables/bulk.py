@@ -21,14 +21,14 @@ from wraparc.machine_tables.numerals import (
 )
 
 _END, _BLANK, _TAB = 10, 32, 9
-_MINUS = re.compile("\u2212")
 # What a comma between thousands cannot look like, where the point is the decimal sign.
 _BAD_GROUP = re.compile(
     r",(?:(?!\d{3}(?!\d))|(?<!\d,)|(?<=\d{4},)|(?<=\.\d,)|(?<=\.\d{2},)|(?<=\.\d{3},)"
     r"|(?<=\D0,)|(?<=\D0\d,)|(?<=\D0\d\d,))"
 )
-# White space that ends a cell between blanks, but is no blank.
-_OTHER_BLANKS = re.compile(r"[^\t\n\x20-\x7e]")
+# Bytes of text without white space that ends a cell between blanks, but is no blank.
+_KNOWN = np.zeros(256, dtype=bool)
+_KNOWN[[_TAB, _END, *range(_BLANK, 127)]] = True
 
 
 class OtherSignError(ValueError):
@@ -60,14 +60,14 @@ def read_bulk(
     OtherSignError
         If a cell proves that the decimal sign is the other one.
     """
-    plain = _MINUS.sub("-", "\n".join(lines))
+    plain = "\n".join(lines).replace("\u2212", "-")
     block, sign = _unquoted(plain, delimiter, width, len(lines))
-    if sign == " " and _OTHER_BLANKS.search(block):
-        return None
     if style.decimal == "." and sign != "," and "," in block and not _BAD_GROUP.search(block):
         block = block.replace(",", "")
     data = block.encode() + b"\n"
     codes = np.frombuffer(data, dtype=np.uint8)
+    if sign == " " and not _KNOWN[codes].all():
+        return None
     starts, ends, tokens = _cells(codes, sign, width, len(lines))
     if starts is None or ends is None or tokens is None:
         return None
