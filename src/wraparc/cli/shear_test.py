@@ -1,6 +1,7 @@
 """``wraparc read``, ``wraparc fit`` and ``wraparc rig``: shear tests to a lagging file."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -49,10 +50,8 @@ def read(
     """
     from wraparc.report.shear_test_record import record_sheet
     from wraparc.shear_test import Choices, read_machine_tests
-    from wraparc.units import parse_quantity
 
-    area = None if stress_area is None else parse_quantity(stress_area, "area")
-    choices = Choices(units=_units(units), stress_area=area, **said)
+    choices = Choices(units=_units(units), stress_area=_area(stress_area), **said)
     problems: list[Problem] = []
     shown_before = False
     for file in files:
@@ -69,6 +68,19 @@ def read(
     if problems:
         raise InputError(problems)
     return _DONE
+
+
+def _area(given: str | None) -> float | None:
+    from wraparc.units import parse_quantity
+
+    try:
+        area = None if given is None else parse_quantity(given, "area")
+    except InputError as error:
+        raise InputError([replace(p, key="--stress-area") for p in error.problems]) from None
+    if area is not None and not area > 0.0:
+        message, remedy = "must be above 0", "Write for example --stress-area '400 cm2'."
+        raise InputError(Problem(message=message, remedy=remedy, key="--stress-area"))
+    return area
 
 
 def _units(given: tuple[str, ...]) -> dict[str, str]:
