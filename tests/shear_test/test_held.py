@@ -119,3 +119,11 @@ def test_a_peak_without_an_upper_end_is_said_to_have_none() -> None:
     assert curves_table(condition, "si", "").rows[0].values[1].endswith("to ?)")
     document = json_text(plan_document(fitted(plan, records)))
     assert "Infinity" not in document
+
+
+def test_a_held_lash_longer_than_the_test_leaves_it_out() -> None:
+    plan, records = laboratory(pressures=[200e3], repeats=1, points=300)
+    with pytest.raises(
+        InputError, match=r"held by the plan, 20 mm, leaves no slip of its 15\.5 mm"
+    ):
+        fitted(replace(plan, held=Held(lash=20e-3)), records)

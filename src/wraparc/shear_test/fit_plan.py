@@ -23,6 +23,8 @@ Reader = Callable[[PlannedTest], MachineRecord]
 Progress = Callable[[int, int, str], None]
 # Set pressures that differ by less are one pressure.
 _SAME_PRESSURE = 0.03
+# Part of the travel that a held lash may take up.
+_LASH_OF_TEST = 0.8
 _MEASURED_OFF = 0.05
 # Measured pressures that are one, whatever was set.
 _ONE_PRESSURE = 0.01
@@ -142,11 +144,27 @@ def _fitted(
     bending, other = curve.bending, rig_only
     if not plan.removes_shear:
         bending, other = other, bending
+    _refuse_long_lash(plan, test, float(curve.travel[-1]))
     judged = judged_fit(curve, plan.rig.largest_lash, bending, plan.held)
     for sentence in _set_and_measured(plan, test, curve.pressure):
         judged = with_misfit(judged, sentence)
     second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None
     return TestResult(test=test, record=record, curve=curve, judged=judged, other=second)
+
+
+def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:
+    """Refuse a lash that the plan holds and that takes up nearly all of a test."""
+    lash = plan.held.lash
+    if lash is None or lash < _LASH_OF_TEST * travel:
+        return
+    raise InputError(
+        Problem(
+            message=f"the lash held by the plan, {lash * 1e3:.3g} mm, leaves no slip of its "
+            f"{travel * 1e3:.3g} mm of travel",
+            remedy="Correct lash in fixed of [fit], or leave it out to have it fitted.",
+            file=test.file,
+        )
+    )
 
 
 def _set_force(plan: TestPlan, test: PlannedTest) -> float | None:
