@@ -1,12 +1,12 @@
 """A test plan to a lagging: the results, test by test and condition by condition, as data."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.drive import Lagging
+from wraparc.drive import FrictionFactor, Lagging
 from wraparc.errors import InputError, Problem, shown
 from wraparc.shear_test.budget import Common
 from wraparc.shear_test.curve_fit import Z95, CurveFit
@@ -160,6 +160,23 @@ class Transition:
     inside: bool
 
 
+@dataclass(frozen=True, kw_only=True)
+class Separated:
+    """What speed and temperature of the tests do to friction.
+
+    Parameters
+    ----------
+    by_slip_speed, by_temperature
+        Factors over the tests at the reference, or None where there is no effect that they tell.
+    remarks
+        What was found and what could not be, as sentences.
+    """
+
+    by_slip_speed: FrictionFactor | None = None
+    by_temperature: FrictionFactor | None = None
+    remarks: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Findings:
     """What the tests of one condition have shown.
@@ -193,6 +210,8 @@ class Findings:
         Predictions of left-out pressures.
     common
         Errors common to all tests, or None.
+    separated
+        Effects of speed and temperature that were taken off the curves.
     """
 
     condition: str
@@ -208,6 +227,7 @@ class Findings:
     tails: Tails
     left_out: tuple[LeftOut, ...]
     common: Common | None = None
+    separated: Separated = field(default_factory=Separated)
 
     def level_pressures(self) -> Array:
         """Mean pressure of each level [Pa]."""

@@ -10,6 +10,7 @@ from wraparc.shear_test.analysis import (
     ConditionResult,
     Findings,
     LeftOut,
+    Separated,
     TestResult,
 )
 from wraparc.shear_test.budget import Common, bent_peak
@@ -29,7 +30,11 @@ Levels = NDArray[np.int64]
 
 
 def fit_condition(
-    plan: TestPlan, condition: str, tests: Sequence[TestResult], levels: Levels
+    plan: TestPlan,
+    condition: str,
+    tests: Sequence[TestResult],
+    levels: Levels,
+    separated: Separated | None = None,
 ) -> ConditionResult:
     """Fit the law of one condition.
 
@@ -43,10 +48,14 @@ def fit_condition(
         Its tests, pressures ascending.
     levels
         Number of the pressure of each.
+    separated
+        What was taken off the tests for their speed and temperature.
     """
     curves, fits = [t.curve for t in tests], [t.fit for t in tests]
     points = curve_points(curves, fits, levels)
-    flagged, distances = outliers(by_speed(points, speed_groups(tests)[0]))
+    told = separated is not None and separated.by_slip_speed is not None
+    alike = points if told else by_speed(points, speed_groups(tests)[0])
+    flagged, distances = outliers(alike)
     tails = _tails(tests, levels, flagged)
     choice = law = None
     left_out: tuple[LeftOut, ...] = ()
@@ -72,6 +81,7 @@ def fit_condition(
         tails=tails,
         left_out=left_out,
         common=common,
+        separated=separated or Separated(),
     )
     misfit, remarks = law_sentences(plan, found)
     lagging = lagging_of(plan, found, misfit, remarks)

@@ -17,6 +17,7 @@ from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve, Sample, reduce_record
+from wraparc.shear_test.separation import at_reference, separate
 
 Reader = Callable[[PlannedTest], MachineRecord]
 #: Called with tests done, tests in all, and what was done.
@@ -167,6 +168,12 @@ def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:
     )
 
 
+def _again(plan: TestPlan, test: TestResult, factor: float) -> TestResult:
+    """A test with its friction times a factor, fitted again."""
+    curve = at_reference(test.curve, factor)
+    return _fitted(plan, test.test, test.record, curve, plan.shear_compliance / factor)
+
+
 def _set_force(plan: TestPlan, test: PlannedTest) -> float | None:
     if test.normal_force is None and test.pressure is not None:
         return test.pressure * plan.rig.area
@@ -216,7 +223,10 @@ def _law(plan: TestPlan, name: str, own: Sequence[TestResult]) -> ConditionResul
     order = np.argsort(levels, kind="stable")
     try:
         with np.errstate(all="ignore"):  # what is not finite in the end is no law
-            result = fit_condition(plan, name, [own[k] for k in order], levels[order])
+            tests, separated = separate(
+                [own[k] for k in order], levels[order], lambda t, factor: _again(plan, t, factor)
+            )
+            result = fit_condition(plan, name, tests, levels[order], separated)
             peaks = np.concatenate(result.peaks_at(result.found.level_pressures())[:2])
     except _FAILURES as error:
         return error.problems[0].message if isinstance(error, InputError) else str(error)

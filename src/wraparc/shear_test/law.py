@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.drive import NORMAL_95, Fit, Lagging
+from wraparc.drive import NORMAL_95, Factors, Fit, Lagging
 from wraparc.friction import IntegralLog, PressureKnots, TestedRange
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.provenance import Kind, Provenance
@@ -169,9 +169,14 @@ def lagging_of(
     else:
         pressure = knot_pressures(found.fit, found.tails)
         peaks, covariance = found.fit.peaks(pressure), found.fit.peak_covariance(pressure)
-    law = law_through(
-        pressure, peaks, found.tails, _slip_max(found), slip_speed(plan, found.condition)
-    )
+    of = found.separated
+    speed = slip_speed(plan, found.condition)
+    if of.by_slip_speed is not None:
+        speed = of.by_slip_speed.at[0]
+    law = law_through(pressure, peaks, found.tails, _slip_max(found), speed)
+    factors = None
+    if of.by_slip_speed is not None or of.by_temperature is not None:
+        factors = Factors(law=law, by_slip_speed=of.by_slip_speed, by_temperature=of.by_temperature)
     statistics = _knot_statistics(law, covariance, found, misfit)
     return Lagging(
         name=plan.name,
@@ -179,12 +184,19 @@ def lagging_of(
         description=plan.description,
         surface=plan.surface,
         condition=found.condition,
-        law=law,
+        law=law if factors is None else factors.used,
         fit=statistics,
+        factors=factors,
         provenance=plan.provenance,
         notes=remarks,
-        **elasticity(plan),
+        **_sourced(elasticity(plan), factors),
     )
+
+
+def _sourced(given: dict[str, Any], factors: Factors | None) -> dict[str, Any]:
+    """Name the sources of factors beside those of thickness and moduli."""
+    more = factors.sources if factors is not None else {}
+    return given | {"sources": given["sources"] | more}
 
 
 def slip_speed(plan: TestPlan, condition: str) -> float | None:

@@ -28,7 +28,9 @@ _LOOSE = 0.1
 def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Sentences on misfit, and remarks, of one condition's law."""
     tests, law, choice = found.tests, found.fit, found.choice
-    by_speed, speed_remarks = speed_sentences(tests, found.points)
+    by_speed, speed_remarks = speed_sentences(
+        tests, found.points, told=found.separated.by_slip_speed is not None
+    )
     misfit = _of_curves(tests) + _repeats(tests, found) + by_speed
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
@@ -40,6 +42,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         *_unused(plan),
         *_held(plan),
         *speed_remarks,
+        *found.separated.remarks,
         *_compliance(plan, tests),
         *_zero(tests),
     ]

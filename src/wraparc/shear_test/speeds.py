@@ -51,20 +51,28 @@ def by_speed(points: CurvePoints, groups: NDArray[np.int64]) -> CurvePoints:
 
 
 def speed_sentences(
-    tests: Sequence[TestResult], points: CurvePoints
+    tests: Sequence[TestResult], points: CurvePoints, *, told: bool = False
 ) -> tuple[list[str], list[str]]:
-    """Sentences on speeds against the law, and remarks on them."""
+    """Sentences on speeds against the law, and remarks on them.
+
+    Parameters
+    ----------
+    tests, points
+        Tests of one condition, and their curves as points.
+    told
+        Whether what speed does was taken off the curves, and said.
+    """
     misfit = [
-        f"{test.name}: the plan says {_in_mm(test.test.speed)}, time and travel of the file say "
-        f"{_in_mm(measured)}"
+        f"{test.name}: the plan says {in_mm(test.test.speed)}, time and travel of the file say "
+        f"{in_mm(measured)}"
         for test in tests
         if test.test.speed and (measured := measured_speed(test.record))
         if not 1.0 / _APART < measured / test.test.speed < _APART
     ]
     groups, speeds = speed_groups(tests)
-    if len(speeds) < 2:
+    if len(speeds) < 2 or told:
         return misfit, []
-    text = f"tests at {', '.join(_in_mm(speed) for speed in speeds)} share one law"
+    text = f"tests at {', '.join(in_mm(speed) for speed in speeds)} share one law"
     slow, fast = groups == 0, groups == groups.max()
     differences = []
     for level in np.unique(points.level):
@@ -81,13 +89,14 @@ def speed_sentences(
     mean = float(np.mean(differences))
     error = float(np.std(differences)) / np.sqrt(max(len(differences) - 1, 1))
     text += (
-        f": at {_in_mm(speeds[-1])} friction differs by {100 * np.expm1(mean):+.0f} % from that at "
-        f"{_in_mm(speeds[0])}; they were not taken as repeats of each other"
+        f": at {in_mm(speeds[-1])} friction differs by {100 * np.expm1(mean):+.0f} % from that at "
+        f"{in_mm(speeds[0])}; they were not taken as repeats of each other"
     )
     if abs(mean) > max(_LEAST, 2.0 * error):
         return [*misfit, f"{text}; {advice}"], []
     return misfit, [text]
 
 
-def _in_mm(speed: float | None) -> str:
+def in_mm(speed: float | None) -> str:
+    """A speed in words [mm/min]."""
     return f"{(speed or 0.0) * 60e3:.3g} mm/min"
