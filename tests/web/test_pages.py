@@ -293,6 +293,8 @@ def test_tests_are_read_fitted_and_used_at_once(visitor: Visitor, tmp_path: Path
     expect(page.locator("#f-pulley-0-lagging")).to_have_value("from-the-rig")
     visitor.solved()
     assert re.fullmatch(r"[\d.]+ mm", key_figure(visitor, "Creep at exit"))
+    interval = r"95 % by the law: [\d.]+ mm to [\d.]+ mm"
+    expect(page.locator("#drive .figures")).to_contain_text(re.compile(interval))
 
 
 def test_reports_of_the_page_are_those_of_the_drive_on_it(visitor: Visitor, tmp_path: Path) -> None:
