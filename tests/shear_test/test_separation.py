@@ -97,6 +97,13 @@ def test_what_changed_together_is_not_told_apart() -> None:
 def test_a_speed_for_each_pressure_tells_nothing_of_speed() -> None:
     speeds = (SLOW, FAST, 3.0 * FAST)
     own = {(k, r): (speeds[k], COLD) for k in range(3) for r in range(2)}
-    of = condition(own, -0.03, 0.0).found.separated
-    assert of.by_slip_speed is None
-    assert any("no pressure was tested at more than one speed" in r for r in of.remarks)
+    found = condition(own, -0.03, 0.0)
+    assert found.found.separated.by_slip_speed is None
+    assert any("what speed does is not known" in said for said in found.misfit)
+
+
+def test_a_temperature_for_each_pressure_tells_nothing_of_temperature() -> None:
+    own = {(k, r): (SLOW, (COLD, WARM, WARM)[k]) for k in range(3) for r in range(2)}
+    of = condition(own, 0.0, -0.002).found.separated
+    assert of.by_temperature is None
+    assert any("no pressure was tested at more than one temperature" in r for r in of.remarks)
