@@ -268,7 +268,7 @@ def test_file_is_opened_and_what_it_says_is_kept(visitor: Visitor, tmp_path: Pat
 
 
 def test_tests_are_read_fitted_and_used_at_once(visitor: Visitor, tmp_path: Path) -> None:
-    # all dialects but the one without units: left out, one pressure would miss the law of the others
+    # not the dialect without units: the law of the others would miss what is left out
     dialects = ("bluehill", "testxpert", "excel", "testsuite", "logger", "trapezium", "polish")
     rig = ["rig", str(tmp_path / "rig"), "--repeats", "1", "--points", "120"]
     code, _, errors = wraparc(*rig, *(part for name in dialects for part in ("--dialect", name)))
