@@ -215,11 +215,6 @@ COVERAGE: dict[str, tuple[str, dict[str, Any]]] = {
 PARTS = ("sound", "faulty", "coverage")
 
 
-def attention(lab: Laboratory) -> bool:
-    """Whether a laboratory is told anything but OK."""
-    return verdict(lab.fit()).level is not Level.OK
-
-
 def sound(law: str, design: str, count: int) -> tuple[int, int]:
     """Sound laboratories told ATTENTION, and those told of a transition."""
     accused = bent = 0
@@ -231,13 +226,15 @@ def sound(law: str, design: str, count: int) -> tuple[int, int]:
 
 
 def faulty(fault: str, design: str, count: int) -> int:
-    """Faulty laboratories that are told OK."""
+    """Faulty laboratories that are told OK; what speed does may be told and taken off instead."""
     missed = 0
     for seed in range(1, count + 1):
         law = list(LAWS.values())[seed % len(LAWS)]()
         lab = laboratory(law, design, seed)
         FAULTS[fault](lab, seed)
-        missed += not attention(lab)
+        found = lab.fit()
+        told = found.conditions[0].found.separated.by_slip_speed is not None
+        missed += not told and verdict(found).level is Level.OK
     return missed
 
 

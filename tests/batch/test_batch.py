@@ -109,8 +109,9 @@ def test_precise_capacities_are_those_of_one_arc() -> None:
 def test_a_batch_has_every_number_of_an_arc() -> None:
     result = Distributed().solve(random_arcs(1, 1)[0]).scalars()
     batch = solve_arcs(columns_of(random_arcs(1, 1)[:1], LAGGINGS), capacities=False)
-    # of one arc only: its own check, and the active arc seen from the belt
-    assert set(result) - set(batch) == {"identity_error", "k_factor"}
+    # of one arc only: its own check, the active arc seen from the belt, the interval of its law
+    of_one = {"identity_error", "k_factor", "exit_creep_low", "exit_creep_high"}
+    assert set(result) - set(batch) == of_one
     assert set(batch) - set(result) == {"status"}
 
 
