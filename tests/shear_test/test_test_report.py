@@ -109,7 +109,12 @@ def test_the_laboratorys_report_is_the_source_of_the_law(result: PlanResult) -> 
         ("operator =", "operater =", 'rig.operater = "A. Tester": unknown key. Did you mean'),
         ("serial =", "serail =", 'rig.force_cell.serail = "A123": unknown key. Did you mean'),
         ("laboratory =", "labratory =", "report.labratory"),
-        ('"50 %"', '"150 %"', 'all_tests.humidity = "150 %": must be between 0 and 1'),
+        (
+            '"50 %"',
+            '"150 %"',
+            'all_tests.humidity = "150 %": must be a percentage from 0 % to 100 %',
+        ),
+        ('"40 %"', "40", 'test[2].humidity = 40: must be a percentage. Write "40 %".'),
         ('"40 %"', '"40 degC"', 'test[2].humidity = "40 degC"'),
         ("use = false", 'use = "no"', 'test[4].use = "no": must be true or false'),
         (

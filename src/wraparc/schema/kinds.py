@@ -84,6 +84,31 @@ class Quantity(Kind):
 
 
 @dataclass(eq=False, repr=False)
+class Percent(Quantity):
+    """A part of one that is written with its %: a bare 0.5 could be half, or half a per cent."""
+
+    def __init__(self, most: float = 1.0) -> None:
+        super().__init__("number", Limit("number", most=most))
+        self.most = most
+
+    def read(self, raw: object, place: Place, report: Report) -> Any:
+        """Return the part of one."""
+        text = str(raw).replace(",", ".").strip()
+        if text and not text.strip("+-.0123456789"):
+            report.add(place, "must be a percentage", f'Write "{text} %".', raw)
+            return NOTHING
+        found = super().read(raw, place, Report())
+        if found is NOTHING:
+            message = f"must be a percentage from 0 % to {100.0 * self.most:g} %"
+            report.add(place, message, 'Write for example "0.5 %".', raw)
+        return found
+
+    def written(self, value: Any) -> Any:
+        """Return the number with its %."""
+        return f"{100.0 * value:g} %"
+
+
+@dataclass(eq=False, repr=False)
 class Text(Kind):
     """Printable text."""
 

@@ -4,7 +4,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from wraparc.drive import SURFACES, Limit
-from wraparc.schema.kinds import ByName, Choice, Count, Flag, Kind, Name, Quantity, Rows, Text
+from wraparc.schema.kinds import (
+    ByName,
+    Choice,
+    Count,
+    Flag,
+    Kind,
+    Name,
+    Percent,
+    Quantity,
+    Rows,
+    Text,
+)
 from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
 from wraparc.schema.tables import Entry, Table, need
@@ -41,7 +52,7 @@ _FORCE_OR_NONE = Quantity("force", Limit("force"))
 _LENGTH = Quantity("length", Limit("length", open=True))
 _MODULUS = Quantity("pressure", Limit("pressure", 1.0))
 _FRICTION = Quantity("number", Limit("number", least=1e-4, most=1e4))
-_HUMIDITY = Quantity("number", Limit("number", most=1.0))
+_HUMIDITY = Percent()
 
 # What can be said of a file; in [columns] for all tests, in a [[test]] for one.
 _FILE_ENTRIES = (
@@ -132,7 +143,7 @@ RIG = Table(
     of=Rig,
 )
 
-_PART = Quantity("number", Limit("number", most=0.5))
+_PART = Percent(0.5)
 UNCERTAINTY = Table(
     "Largest errors, common to all tests",
     Entry("force", 'Of the pulling force: "0.5 %" for class 0.5; 1 % if left out.', _PART),

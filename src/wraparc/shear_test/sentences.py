@@ -95,7 +95,8 @@ def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> lis
 
 def _compliance(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
     """What a usual compliance of the rig would do to the result, where none is given."""
-    if plan.rig.compliance > 0.0:
+    stated = plan.uncertainty is not None and plan.uncertainty.compliance is not None
+    if plan.rig.compliance > 0.0 or stated:
         return []
     test = tests[-1]
     more = UNKNOWN_COMPLIANCE * plan.rig.faces * test.curve.pressure * plan.rig.area
