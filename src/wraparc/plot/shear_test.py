@@ -44,7 +44,7 @@ def curves_picture(condition: ConditionResult) -> Picture:
                 top = max(top, float(test.fit.fitted.max()))
             pressure = condition.found.level_pressures()[level]
             slip = np.linspace(0.0, max(test.fit.slip_max for test in tests), 120)
-            law = condition.lagging.law.friction(slip, pressure)
+            law = condition.tested_law.friction(slip, pressure)
             ax.plot(slip / _MM, law, color="black", lw=1.2, ls=(0, (4, 2)))
             ax.set_ylim(0.0, 1.12 * max(top, float(law.max())))
             ax.set_xlim(left=-0.02 * slip[-1] / _MM)

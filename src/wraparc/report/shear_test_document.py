@@ -13,6 +13,7 @@ from wraparc.shear_test.standard_values import (
     STANDARD_SLIPS,
     StandardValues,
     Statistic,
+    law_at_slips,
     standard_values,
 )
 
@@ -71,6 +72,7 @@ def _condition(condition: ConditionResult, laws: bool) -> dict[str, Any]:
         "tests": [_test(t, bool(off)) for t, off in zip(found.tests, found.flagged, strict=True)],
         "law": law,
         "standard_values": [_standard(values) for values in standard_values(condition)],
+        "law_at_standard_slips": _law_at_slips(condition),
         "budget": None if fit is None else _budget(fit.budget(found.points)),
         **({"laws": [asdict(law) for law in alternative_laws(condition)]} if laws else {}),
         "form": None if fit is None else str(fit.form),
@@ -120,6 +122,14 @@ def _standard(values: StandardValues) -> dict[str, Any]:
             for slip, of, law in zip(STANDARD_SLIPS, values.at_slip, values.beyond, strict=True)
         ],
     }
+
+
+def _law_at_slips(condition: ConditionResult) -> list[dict[str, Any]]:
+    """The law and its expanded uncertainty at the standard slips [m], pressures ascending."""
+    return [
+        {"slip": list(STANDARD_SLIPS), "friction": mu, "expanded": [_or_none(u) for u in error]}
+        for mu, error in zip(*(part.tolist() for part in law_at_slips(condition)), strict=True)
+    ]
 
 
 def _or_none(value: float) -> float | None:

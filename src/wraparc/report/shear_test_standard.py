@@ -2,13 +2,17 @@
 
 import math
 
+import numpy as np
+
 from wraparc.present.sheet import NONE, Row, Table
+from wraparc.report.shear_test_numbers import with_error
 from wraparc.shear_test.alternatives import alternative_laws
 from wraparc.shear_test.analysis import ConditionResult
 from wraparc.shear_test.standard_values import (
     STANDARD_SLIPS,
     StandardValues,
     Statistic,
+    law_at_slips,
     standard_values,
 )
 from wraparc.units import System, display_unit
@@ -19,7 +23,38 @@ _DEVIATION = "s: standard deviation between tests."
 def standard_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
     """Return static and kinetic friction, and friction at standard slips, by pressure."""
     values = standard_values(condition)
-    return [_static_table(values, system, name), _slips_table(values, system, name)]
+    return [
+        _static_table(values, system, name),
+        _slips_table(values, system, name),
+        _law_table(condition, system, name),
+    ]
+
+
+def _law_table(condition: ConditionResult, system: System, name: str) -> Table:
+    """The law at the standard slips, with its expanded uncertainty."""
+    unit, size = display_unit("length", system)
+    found = condition.found
+    pressure_unit, pressure_size = display_unit("pressure", system)
+    rows = []
+    for k, (friction, expanded) in enumerate(zip(*law_at_slips(condition), strict=True)):
+        reached = max(
+            t.fit.slip_max
+            for t, level in zip(found.tests, found.levels, strict=True)
+            if level == np.unique(found.levels)[k]
+        )
+        cells = [
+            f"[{text}]" if slip > reached else text
+            for slip, text in zip(
+                STANDARD_SLIPS, map(with_error, friction, np.nan_to_num(expanded)), strict=True
+            )
+        ]
+        rows.append(Row(f"{found.level_pressures()[k] / pressure_size:.4g}", tuple(cells)))
+    note = (
+        f"First column: pressure [{pressure_unit}]. \u00b1: expanded uncertainty, every part of "
+        "the budget included. In brackets: beyond the slip of the tests."
+    )
+    heads = tuple(f"{slip / size:.3g} {unit}" for slip in STANDARD_SLIPS)
+    return Table(f"Law at standard slips{name}", tuple(rows), heads, note)
 
 
 def _static_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:

@@ -107,6 +107,10 @@ class Percent(Quantity):
         """Return the number with its %."""
         return f"{100.0 * value:g} %"
 
+    def schema(self) -> dict[str, Any]:
+        """Text with a %."""
+        return super().schema() | {"type": "string", "examples": ["0.5 %"]}
+
 
 @dataclass(eq=False, repr=False)
 class Text(Kind):

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from wraparc.drive import FrictionFactor, Lagging
 from wraparc.errors import InputError, Problem, shown
+from wraparc.friction import FrictionLaw
 from wraparc.shear_test.budget import Common
 from wraparc.shear_test.curve_fit import Z95, CurveFit
 from wraparc.shear_test.misfit import JudgedFit
@@ -277,6 +278,12 @@ class ConditionResult:
     def fit(self) -> PressureFit | None:
         """The law's fit over pressure; None for a single pressure."""
         return self.found.fit
+
+    @property
+    def tested_law(self) -> FrictionLaw:
+        """The law of the tests at their reference, without factors of speed and temperature."""
+        of = self.lagging.factors
+        return self.lagging.law if of is None else of.law
 
     def peaks_at(self, pressures: Array) -> tuple[Array, Array, Array]:
         """Peak slip [m], peak friction, half 95 % intervals of their logarithms, shape (n, 2)."""

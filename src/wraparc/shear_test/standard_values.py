@@ -106,7 +106,7 @@ def _of_pressure(condition: ConditionResult, tests: Sequence[TestResult]) -> Sta
     at_slip = tuple(
         Statistic.of(friction_at(test, slip) for test in tests) for slip in STANDARD_SLIPS
     )
-    law = condition.lagging.law
+    law = condition.tested_law
     return StandardValues(
         pressure=pressure,
         tests=len(tests),
@@ -122,6 +122,29 @@ def _of_pressure(condition: ConditionResult, tests: Sequence[TestResult]) -> Sta
             for slip, known in zip(STANDARD_SLIPS, at_slip, strict=True)
         ),
     )
+
+
+def law_at_slips(condition: ConditionResult) -> tuple[Array, Array]:
+    """Return the law at the standard slips, and its expanded uncertainty.
+
+    Up to the peak ln mu = ln mu_pk + ln r + ln(1 - ln r) with r = x/x_pk, so that
+    d ln mu = d ln mu_pk + ln r/(1 - ln r) d ln x_pk; past it the uncertainty is that of the peak.
+
+    Returns
+    -------
+    friction, expanded
+        Of every pressure and slip, shape (n, 5) each [-]; the uncertainty is nan for a law of one
+        pressure.
+    """
+    pressure, slips = condition.found.level_pressures(), np.array(STANDARD_SLIPS)
+    friction = condition.tested_law.friction(slips[None, :], pressure[:, None])
+    if condition.fit is None:
+        return friction, np.full(friction.shape, np.nan)
+    ln_r = np.minimum(np.log(slips) - condition.fit.peaks(pressure)[:, :1], 0.0)
+    by_peak = np.stack([ln_r / (1.0 - ln_r), np.ones_like(ln_r)], axis=-1)
+    covariance = condition.fit.own_covariance(pressure)
+    variance = np.einsum("nsi,nij,nsj->ns", by_peak, covariance, by_peak)
+    return friction, condition.fit.coverage_factor * np.sqrt(variance) * friction
 
 
 def friction_at(test: TestResult, slip: float) -> float:
