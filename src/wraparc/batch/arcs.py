@@ -12,12 +12,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.arc.wrap_arc import overrun_coefficient
+from wraparc.batch.columns import (
+    Column,
+    columns_of,
+    length_problems,
+    read_column,
+    refused,
+    row_problem,
+)
 from wraparc.batch.laws import LawBank
 from wraparc.drive import CREEP_LIMIT, Lagging, Pulley
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
-from wraparc.units import display
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -200,26 +207,31 @@ def arcs_of_table(table: Mapping[str, ArrayLike], laggings: Sequence[Lagging] | 
     Raises
     ------
     InputError
-        With every unknown or missing column and, column by column, the values that cannot be.
+        With every unknown or missing column and, column by column, the rows that cannot be.
     """
     some = [laggings] if isinstance(laggings, Lagging) else list(laggings)
-    given = {str(name): np.asarray(table[name]) for name in table}
+    given = columns_of(table)
     problems = _unknown(given, len(some))
     if problems:
         raise InputError(problems)
-    n, problems = _length(given)
-    which, more = _lagging_column(given, some, n)
+    which_of = np.asarray(given.pop(LAGGING, 0))
+    read = {name: read_column(raw, flags=name == "recovery") for name, raw in given.items()}
+    shapes = {name: column.value.shape for name, column in read.items()}
+    n, problems = length_problems({**shapes, LAGGING: which_of.shape})
+    which, more = _lagging_column(which_of, some, n)
     columns = {}
     for name in COLUMNS:
-        value, found = _column(name, given, some, which, n)
-        columns[name] = value
-        more += found
+        column = read.get(name) or Column(_default(name, some, which))
+        more += _refused(name, column)
+        shape = column.value.shape
+        value = column.value if shape in ((), (1,), (n,)) else np.array(nan)  # told already
+        columns[name] = np.broadcast_to(value, (n,)).copy()
     if problems or more:
         raise InputError(problems + more)
     return Arcs(laws=LawBank.of([lag.law for lag in some]), law=which, **columns)
 
 
-def _unknown(given: Mapping[str, NDArray[Any]], laggings: int) -> list[Problem]:
+def _unknown(given: Mapping[str, Any], laggings: int) -> list[Problem]:
     known = (*COLUMNS, LAGGING)
     problems = [
         Problem(
@@ -247,27 +259,10 @@ def _meaning(name: str) -> str:
     return GLOSSARY[name].meaning
 
 
-def _length(given: Mapping[str, NDArray[Any]]) -> tuple[int, list[Problem]]:
-    """Number of rows, and a problem for every column of another length."""
-    lengths = {name: len(v) for name, v in given.items() if v.ndim == 1}
-    n = max(lengths.values(), default=1)
-    problems = [
-        Problem(
-            key=f"column {shown(name)}",
-            value=f"{v.ndim} dimensions" if v.ndim > 1 else f"{len(v)} rows",
-            message=f"must be one number or have {n} rows, as the longest column has",
-        )
-        for name, v in given.items()
-        if v.ndim > 1 or (v.ndim == 1 and len(v) != n)
-    ]
-    return n, problems
-
-
 def _lagging_column(
-    given: Mapping[str, NDArray[Any]], laggings: Sequence[Lagging], n: int
+    value: NDArray[Any], laggings: Sequence[Lagging], n: int
 ) -> tuple[Integers, list[Problem]]:
     names = [lag.name for lag in laggings]
-    value = given.get(LAGGING, np.zeros(1, dtype=np.int64))
     if value.shape not in ((), (1,), (n,)):
         return np.zeros(n, dtype=np.int64), []  # its length is a problem already
     if value.dtype.kind in "iu":
@@ -282,38 +277,23 @@ def _lagging_column(
         allowed = f"must be one of {', '.join(map(shown, names[:10]))}"
     if not len(bad):
         return which, []
-    row = int(bad[0])
-    text = shown(np.broadcast_to(value, (n,))[row].item())
-    return np.zeros(n, dtype=np.int64), [_row_problem(LAGGING, row, text, allowed, len(bad))]
+    text = shown(np.broadcast_to(value, (n,))[bad[0]].item())
+    return np.zeros(n, dtype=np.int64), [row_problem(LAGGING, bad.tolist(), text, allowed)]
 
 
-def _column(
-    name: str,
-    given: Mapping[str, NDArray[Any]],
-    laggings: Sequence[Lagging],
-    which: Integers,
-    n: int,
-) -> tuple[Array, list[Problem]]:
-    if name in given:
-        try:
-            value = np.asarray(given[name], dtype=float)
-        except (TypeError, ValueError):
-            message = "must hold numbers [SI]"
-            return np.full(n, nan), [Problem(key=f"column {shown(name)}", message=message)]
-    elif (default := DEFAULTS[name]) is not None:
-        value = np.asarray(default)
-    else:
-        attribute = "thickness" if name == "lagging_thickness" else name
-        of_lagging = [getattr(lag, attribute) for lag in laggings]
-        value = np.array([nan if v is None else v for v in of_lagging], dtype=float)[which]
-    if value.shape not in ((), (1,), (n,)):
-        return np.full(n, nan), []  # its length is a problem already
-    value = np.broadcast_to(value, (n,)).astype(float)
-    return value, _refused(name, value)
+def _default(name: str, laggings: Sequence[Lagging], which: Integers) -> Array:
+    """A column that the table does not have."""
+    default = DEFAULTS[name]
+    if default is not None:
+        return np.array(default)
+    attribute = "thickness" if name == "lagging_thickness" else name
+    of_lagging = [getattr(lag, attribute) for lag in laggings]
+    return np.array([nan if v is None else v for v in of_lagging], dtype=float)[which]
 
 
-def _refused(name: str, value: Array) -> list[Problem]:
+def _refused(name: str, column: Column) -> list[Problem]:
     """Problems of a column: what WrapArc refuses, for all rows at once."""
+    value, missing = column.value, name in _MAY_BE_MISSING
     if name == "recovery":
         good, allowed = (value == 0.0) | (value == 1.0), "must be 1 or 0"
     else:
@@ -325,21 +305,11 @@ def _refused(name: str, value: Array) -> list[Problem]:
         if name not in _RIGID:
             good &= value < math.inf
             allowed += " and finite"
-        if name in _MAY_BE_MISSING:
+        if missing:
             good |= np.isnan(value)
             allowed += ", or nan where it is not known"
-    bad = np.flatnonzero(~good)
-    if not len(bad):
-        return []
-    row = int(bad[0])
     quantity = GLOSSARY.get(name)
-    number = float(value[row])
-    text = (
-        display(number, quantity.dimension) if quantity and math.isfinite(number) else f"{number:g}"
+    dimension = quantity.dimension if quantity else None
+    return refused(
+        name, column, np.asarray(good), allowed, dimension=dimension, may_be_missing=missing
     )
-    return [_row_problem(name, row, text, allowed, len(bad))]
-
-
-def _row_problem(name: str, row: int, value: str, allowed: str, count: int) -> Problem:
-    more = f" ({count} rows are like this)" if count > 1 else ""
-    return Problem(key=f"column {shown(name)}, row {row}", value=value, message=allowed + more)
