@@ -94,12 +94,16 @@ class Factors:
         )
 
     @property
+    def fastest(self) -> float | None:
+        """Slip speed up to which the law is used [m/s], or None without a factor of it."""
+        table = self.by_slip_speed
+        return None if table is None else self.slip_speed or table.at[-1]
+
+    @property
     def of_slip_speed(self) -> float:
         """Least factor up to the largest slip speed [-]."""
-        table = self.by_slip_speed
-        if table is None:
-            return 1.0
-        return table.least(table.at[0], self.slip_speed or table.at[-1])
+        table, fastest = self.by_slip_speed, self.fastest
+        return 1.0 if table is None or fastest is None else table.least(table.at[0], fastest)
 
     @property
     def of_temperature(self) -> float:
@@ -115,10 +119,9 @@ class Factors:
     def used(self) -> FrictionLaw:
         """The law that a drive is solved with; its tests reach to the largest slip speed."""
         law = self.law.scaled(self.of_slip_speed * self.of_temperature)
-        tested, table = law.tested, self.by_slip_speed
-        if tested is None or table is None or isinstance(law, MeasuredTable):
+        tested, fastest = law.tested, self.fastest
+        if tested is None or fastest is None or isinstance(law, MeasuredTable):
             return law  # a table of friction says nothing of speed
-        fastest = self.slip_speed or table.at[-1]
         return replace(law, tested=replace(tested, slip_speed=fastest))  # type: ignore[type-var]
 
     @property

@@ -226,9 +226,8 @@ def _factors(group: str, lagging: Lagging) -> Iterator[Input]:
         return
     if of.by_slip_speed is not None:
         name = "Friction factor of slip speed, up to"
-        fastest = of.slip_speed or of.by_slip_speed.at[-1]
         told = f"the least is {of.of_slip_speed:.3g}"
-        yield Input(group, name, fastest, "speed", "", of.by_slip_speed.source, told)
+        yield Input(group, name, of.fastest, "speed", "", of.by_slip_speed.source, told)
     if of.by_temperature is not None:
         told = f"{of.of_temperature:.3g}"
         if of.temperature is None:

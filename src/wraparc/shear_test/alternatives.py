@@ -13,13 +13,12 @@ from functools import lru_cache
 import numpy as np
 
 from wraparc.shear_test.analysis import ConditionResult, TestResult
+from wraparc.shear_test.curve_fit import bins_alike
 from wraparc.shear_test.record import Array
-from wraparc.shear_test.robust import inflation, minimise
+from wraparc.shear_test.robust import minimise
 
-#: Law by name: friction at slips >= 0 [mm] for its parameters, and how many there are.
+# Slips of the table, and lashes tried, for one curve.
 _NODES = 10
-# A scale of the loss that no residual reaches: plain least squares.
-_QUADRATIC = 1e9
 _LASHES = 25
 
 
@@ -95,13 +94,9 @@ def alternative_laws(condition: ConditionResult) -> tuple[AlternativeLaw, ...]:
 def _curve_of(test: TestResult) -> _Curve:
     fit, q = test.fit, test.fit.parameters
     bent = test.curve.binned_travel - fit.bending * fit.friction
-    single = test.curve.friction - np.interp(
-        test.curve.travel, test.curve.binned_travel, fit.fitted + q.zero
-    )
-    rows = len(fit.friction)
-    repeats = max(1.0, inflation(single) * rows / len(single))
+    independent = len(fit.friction) / bins_alike(test.curve, fit)
     return _Curve(
-        bent * 1e3, fit.friction, fit.weights, rows / repeats, q.lash * 1e3,
+        bent * 1e3, fit.friction, fit.weights, independent, q.lash * 1e3,
         q.peak_slip * 1e3, q.peak_friction,
     )  # fmt: skip
 
@@ -137,7 +132,7 @@ def _least_squares(
         moved = zip(steps, np.diag(steps), strict=True)
         return at, np.stack([(rows(vector + by) - at) / step for step, by in moved], axis=-1)
 
-    best = minimise(residual, np.clip(start, *bounds), bounds, _QUADRATIC)
+    best = minimise(residual, np.clip(start, *bounds), bounds)
     return rows(best), len(start)
 
 
@@ -222,6 +217,7 @@ def _table(curve: _Curve) -> _Fitted:
     return _on_lashes(curve, hats)
 
 
+# Law by name: residuals of its best fit to a curve, and how many parameters that took.
 _LAWS: dict[str, Callable[[_Curve], _Fitted]] = {
     "integral-log": _integral_log,
     "integral-log, then a line": _with_line,

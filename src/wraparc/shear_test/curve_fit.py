@@ -18,7 +18,7 @@ from wraparc.shear_test.curve_model import (
 )
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
-from wraparc.shear_test.robust import Readings, Robust, fit_robust, inflation, sandwich
+from wraparc.shear_test.robust import Readings, Robust, alike, fit_robust, sandwich
 
 BASE = ("ln_peak_slip", "ln_peak_friction", "lash")
 TAILS: tuple[tuple[str, ...], ...] = (
@@ -178,8 +178,20 @@ def fit_curve(
         for tail in TAILS[1:]:
             runs.append(task.run(task.tail_start(runs[-1].parameters, tail), (*base, *tail)))
     readings = task.readings(runs[-1].parameters)
-    repeats = inflation(readings) * len(runs[0].solution.rows) / len(readings)
-    return task.finish(min(runs, key=lambda run: run.criterion(max(1.0, repeats))))
+    repeats = alike(readings, len(runs[0].solution.rows))
+    return task.finish(min(runs, key=lambda run: run.criterion(repeats)))
+
+
+def bins_alike(curve: FrictionCurve, fit: CurveFit) -> float:
+    """Return how many bins of a curve tell no more than one: their readings are correlated.
+
+    Parameters
+    ----------
+    curve, fit
+        A curve and its fit.
+    """
+    fitted = np.interp(curve.travel, curve.binned_travel, fit.fitted + fit.parameters.zero)
+    return alike(curve.friction - fitted, len(fit.friction))
 
 
 class _Task:

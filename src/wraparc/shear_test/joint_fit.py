@@ -12,12 +12,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.shear_test.curve_fit import CurveFit, Prior, fit_curve
+from wraparc.shear_test.curve_fit import CurveFit, Prior, bins_alike, fit_curve
 from wraparc.shear_test.pressure_choice import settled
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
-from wraparc.shear_test.robust import inflation
 
 # A curve with a smaller error of ln x_pk than this is as good as normal by itself.
 _SURE = 0.02
@@ -96,11 +95,8 @@ def _informed(
     With the prior N(m, Psi) the solution f obeys S^-1 (y - f) = Psi^-1 (f - m): the data
     alone, seen from f, say y = f + S Psi^-1 (f - m).
     """
-    residual = curve.friction - np.interp(
-        curve.travel, curve.binned_travel, own.fitted + own.parameters.zero
-    )
     # Correlated readings tell less than the weights of the curve's fit assume.
-    repeats = max(1.0, inflation(residual) * len(own.friction) / len(residual))
+    repeats = bins_alike(curve, own)
     fit = fit_curve(
         curve, bending=own.bending, start=own, prior=Prior(mean=mean, covariance=scatter / repeats)
     )

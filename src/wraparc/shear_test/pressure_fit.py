@@ -26,8 +26,6 @@ _LEAST_SCATTER = 3e-4
 _FAR_CURVE = 3.0
 _EM_STEPS = 40
 _TRIES = 4
-# A scale of the loss that no residual reaches: plain least squares.
-_QUADRATIC = 1e9
 
 
 @dataclass(frozen=True, eq=False)
@@ -264,9 +262,7 @@ def fit_form(
     if form.has_transition and transition is None:
         low[-1], high[-1] = np.log(transition_bounds(points))
     starts = _best_start(form, points, at, transition) if start is None else [start]
-    ended = [
-        minimise(residual, np.clip(first, low, high), (low, high), _QUADRATIC) for first in starts
-    ]
+    ended = [minimise(residual, np.clip(first, low, high), (low, high)) for first in starts]
     theta = min(ended, key=lambda vector: float((residual(vector)[0] ** 2).sum()))
     rows, slopes = residual(theta)
     covariance = np.zeros((form.size, form.size))

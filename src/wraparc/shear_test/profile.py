@@ -13,9 +13,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from wraparc.shear_test.curve_fit import CurveFit, fit_curve
+from wraparc.shear_test.curve_fit import CurveFit, bins_alike, fit_curve
 from wraparc.shear_test.reduce import FrictionCurve
-from wraparc.shear_test.robust import inflation
 
 # Chi-squared of one degree of freedom that is exceeded once in twenty.
 _LIMIT = 3.841459
@@ -37,7 +36,7 @@ def profile_interval(curve: FrictionCurve, fit: CurveFit) -> tuple[float, float]
         `high` is infinite where a peak at 20 times the tested slip is not excluded.
     """
     best = fit.parameters.ln_peak_slip
-    independent = _independent(curve, fit)
+    independent = len(fit.friction) / bins_alike(curve, fit)
     least = _squares(fit)
 
     def excess(ln_slip: float) -> float:
@@ -74,11 +73,3 @@ def _squares(fit: CurveFit) -> float:
     """Weighted sum of squares, large residuals counted less, as the fit does."""
     rows = fit.weights * (fit.friction - fit.fitted)
     return float((2.0 * (np.sqrt(1.0 + rows**2 / 4.0) - 1.0) * 4.0).sum())
-
-
-def _independent(curve: FrictionCurve, fit: CurveFit) -> float:
-    """Bins that tell as much as independent ones, see `inflation`."""
-    fitted = np.interp(curve.travel, curve.binned_travel, fit.fitted + fit.parameters.zero)
-    count = len(fit.friction)
-    repeats = max(1.0, inflation(curve.friction - fitted) * count / len(curve.travel))
-    return count / repeats

@@ -22,6 +22,8 @@ from wraparc.shear_test.record import Array
 Residual = Callable[[Array], tuple[Array, Array]]
 _SOFT = 2.0
 _UNKNOWN = 10.0
+# A scale of the loss that no residual reaches: plain least squares.
+_QUADRATIC = 1e9
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +85,7 @@ def minimise(
     residual: Residual,
     start: Array,
     bounds: tuple[Array, Array],
-    scale: float,
+    scale: float = _QUADRATIC,
     pull: tuple[Array, Array] | None = None,
 ) -> Array:
     """Levenberg-Marquardt on the reweighted rows, steps cut back at the bounds.
@@ -246,3 +248,8 @@ def inflation(residual: Array) -> float:
     correlation = np.fft.irfft(power, size)[1 : lags + 1] / total
     weights = 1.0 - np.arange(1, lags + 1) / (lags + 1.0)
     return max(1.0, 1.0 + 2.0 * float((weights * correlation).sum()))
+
+
+def alike(residual: Array, bins: int) -> float:
+    """Bins of the readings that tell no more than one, at least 1, see `inflation`."""
+    return max(1.0, inflation(residual) * bins / len(residual))
