@@ -127,7 +127,7 @@ BAD: dict[str, tuple[Any, str]] = {
     "truth value": ([1.0, True, 1.0], "row 1 = true: must be a number [m]."),
     "none": ([1.0, None, 1.0], "row 1 = no value: must be a number [m]."),
     "missing in pandas": (pd.Series([1.0, None, 1.0], dtype="Float64"),
-                          "row 1 = no value: must be a number [m]."),
+                          "row 1 = nan: must be more than 0 and finite."),
     "masked": (np.ma.masked_array([1.0, 2.0, 3.0], mask=[False, False, True]),
                "row 2 = no value: must be a number [m]."),
     "complex": (np.array([1.0, 1.0, 1j]),
@@ -135,6 +135,7 @@ BAD: dict[str, tuple[Any, str]] = {
     "dates": (np.array(["2020-01-01"] * 3, "M8[D]"),
               'row 0 = "2020-01-01": must be a number [m] (3 rows are like this: 0, 1, 2).'),
     "beyond numbers": ([1.0, 1.0, 10**400], f"row 2 = 1{'0' * 55}...: must be a number [m]."),
+    "a list within": ([1.0, [2.0], 3.0], "row 1 = [2.0]: must be a number [m]."),
     "missing in polars": (PolarsColumn([1.0, None, 1.0]),
                           "row 1 = nan: must be more than 0 and finite."),
 }  # fmt: skip

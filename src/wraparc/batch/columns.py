@@ -65,10 +65,8 @@ def read_column(raw: Any, *, flags: bool = False) -> Column:
         value = np.where(mask, math.nan, read.value)
         gone = {int(i): NO_VALUE for i in np.flatnonzero(mask)}
         return Column(value, {**read.strange, **gone})
-    try:
-        given = np.asarray(raw)
-    except ValueError:  # lists of different lengths within
-        return Column(np.full(1, math.nan), {0: shown(raw)})
+    # of a list numpy would make texts of numbers beside texts, and numbers of truth values
+    given = np.asarray(raw, dtype=object if isinstance(raw, list | tuple) else None)
     if given.dtype.kind in "fiu" or (flags and given.dtype.kind == "b"):
         return Column(np.array(given, dtype=float, order="C"))
     found, strange = np.full(given.size, math.nan), {}
