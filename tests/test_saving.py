@@ -3,12 +3,13 @@
 import os
 import stat
 import sys
+import threading
 from pathlib import Path
 
 import pytest
 
 from wraparc import InputError
-from wraparc.saving import save_file, saving_problems
+from wraparc.saving import alone, interrupted, replacing, save_file, saving_problems
 
 
 def sentence(path: object, **options: object) -> str:
@@ -91,3 +92,79 @@ def test_a_place_that_refuses_drafts(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert sentence(tmp_path / "a", key="--csv") == (
         f'--csv = "{tmp_path}/a": cannot be written: Permission denied. Choose another place.'
     )
+
+
+def test_a_file_of_which_the_disk_took_only_a_part_is_not_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Some drives tell only when asked whether all is on the disk (quota, network)."""
+    target = tmp_path / "a"
+
+    def full(_: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(InputError, match="No space left"):
+        save_file(target, "new")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such limit there")
+def test_what_is_larger_than_may_be_written_is_not_there(tmp_path: Path) -> None:
+    import resource
+
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, hard))
+    try:
+        with pytest.raises(InputError, match="cannot be written: File too large"):
+            save_file(tmp_path / "a", b"x" * 5000)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_two_threads_that_write_one_file_leave_one_of_both_whole(tmp_path: Path) -> None:
+    target, begun = tmp_path / "a", threading.Barrier(2)
+
+    def write(content: bytes) -> None:
+        with replacing(target) as draft:
+            draft.write_bytes(content)
+            begun.wait()  # both have a draft
+
+    threads = [threading.Thread(target=write, args=(bytes([i]) * 9,)) for i in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert target.read_bytes() in (b"\0" * 9, b"\1" * 9)
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_long_name_beyond_latin_has_a_draft_too(tmp_path: Path) -> None:
+    target = tmp_path / ("鼓" * 84)
+    save_file(target, "x")
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_two_runs_do_not_write_one_file(tmp_path: Path) -> None:
+    target = tmp_path / "a.csv"
+    with alone(target, "--csv"), pytest.raises(InputError) as caught, alone(target, "--csv"):
+        raise AssertionError("both write it")
+    assert str(caught.value) == (
+        f'--csv = "{target}": another run is writing this file. Wait until it has ended, or name '
+        "another file."
+    )
+    with alone(target):  # the first has ended
+        pass
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_takes_no_lock_keeps_nobody_away(tmp_path: Path) -> None:
+    with alone(tmp_path / "none" / "a"):
+        pass
+
+
+def test_an_interrupt_says_what_is_kept() -> None:
+    with pytest.raises(KeyboardInterrupt) as caught, interrupted(lambda: "all of it"):
+        raise KeyboardInterrupt
+    assert caught.value.__notes__ == ["all of it"]

@@ -1,15 +1,22 @@
 """Files written as a whole or not at all, and told beforehand where that cannot be done."""
 
+import errno
 import json
 import os
+import secrets
 import stat
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
+from typing import BinaryIO
 
 from wraparc.errors import InputError, Problem
 
 Location = str | os.PathLike[str]
+#: What an error of the system is called when there is no room left.
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 @contextmanager
@@ -18,15 +25,116 @@ def replacing(target: Path) -> Iterator[Path]:
     draft = _draft(target)
     try:
         yield draft
-        if target.exists():
-            draft.chmod(stat.S_IMODE(target.stat().st_mode))
-        os.replace(draft, target)
+        put_in_place(draft, target)
     finally:
         draft.unlink(missing_ok=True)
 
 
+def put_in_place(draft: Path, target: Path) -> None:
+    """Let a complete draft, once it is on the disk, take the place of a file, with its mode."""
+    with draft.open("r+b") as file:
+        to_disk(file.fileno())
+    if target.exists():
+        draft.chmod(stat.S_IMODE(target.stat().st_mode))
+    os.replace(draft, target)
+
+
+def to_disk(file: int) -> None:
+    """Wait until what was written to a file is on the disk, where the system can tell."""
+    try:
+        os.fsync(file)
+    except OSError as error:
+        if error.errno in (*FULL, errno.EIO):  # else there is nothing to wait for
+            raise
+
+
 def _draft(target: Path) -> Path:
-    return target.with_name(f".{target.name[:80]}.{os.getpid()}.tmp")
+    """Path of a draft that nobody else writes, on whatever machine he is."""
+    return target.with_name(f".{target.name[:40]}.{os.getpid()}-{secrets.token_hex(4)}.tmp")
+
+
+def is_device(target: Path) -> bool:
+    """Whether something is there that is written to, and never replaced: a device or a pipe."""
+    return target.exists() and not stat.S_ISREG(target.stat().st_mode)
+
+
+@contextmanager
+def alone(path: Location, key: str = "") -> Iterator[None]:
+    """Keep other runs from writing the same file; ends with its process, however that ends.
+
+    Where there are no locks (some network drives), nobody is kept away.
+
+    Parameters
+    ----------
+    path
+        The file that is written.
+    key
+        What asked for it, for the message.
+
+    Raises
+    ------
+    InputError
+        If another run is writing it.
+    """
+    target = Path(os.path.realpath(path))
+    place = target.with_name(f".{target.name}.lock")
+    try:
+        file = _lock(place)
+    except (OSError, ValueError):  # what stands in its way stands in the way of the file too
+        yield
+        return
+    if file is None:
+        message = "another run is writing this file"
+        remedy = "Wait until it has ended, or name another file."
+        raise InputError(
+            Problem(key=key, value=_quoted(os.fspath(path)), message=message, remedy=remedy)
+        )
+    with file:
+        try:
+            yield
+        finally:
+            with suppress(OSError):  # Windows removes no open file: it stays, and is used again
+                place.unlink(missing_ok=True)
+
+
+def _lock(place: Path) -> BinaryIO | None:
+    """Open and lock a file; None if another has it."""
+    while True:
+        file = place.open("ab")
+        if not _locked(file):
+            file.close()
+            return None
+        if os.fstat(file.fileno()).st_nlink:
+            return file
+        file.close()  # removed meanwhile by whoever had it: the next one is another file
+
+
+def _locked(file: BinaryIO) -> bool:
+    """Lock an open file; False if another has it."""
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+            return True
+        import fcntl
+
+        fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        return error.errno not in (errno.EWOULDBLOCK, errno.EACCES, errno.EDEADLK)
+    return True
+
+
+@contextmanager
+def interrupted(kept: Callable[[], str]) -> Iterator[None]:
+    """Let an interruption say what is kept, if anything: a note, which the command line shows."""
+    try:
+        yield
+    except KeyboardInterrupt as error:
+        note = kept()
+        if note:
+            error.add_note(note)
+        raise
 
 
 def save_file(path: Location, data: str | bytes) -> None:
@@ -43,13 +151,13 @@ def save_file(path: Location, data: str | bytes) -> None:
     content = data.encode("utf-8") if isinstance(data, str) else data
     target = Path(os.path.realpath(path))
     try:
-        if target.exists() and not stat.S_ISREG(target.stat().st_mode):
+        if is_device(target):
             target.write_bytes(content)
             return
         with replacing(target) as draft:
             draft.write_bytes(content)
     except (OSError, ValueError) as error:
-        raise InputError(_unwritable(path, error)) from None
+        raise InputError(unwritable(path, error)) from None
 
 
 def saving_problems(
@@ -79,7 +187,7 @@ def saving_problems(
         remedy = "Choose another name."
         return [Problem(key=key, value=_quoted(name), message=message, remedy=remedy)]
     problem = _trial(name)
-    return [] if problem is None else [_with_key(problem, key)]
+    return [] if problem is None else [replace(problem, key=key)]
 
 
 def _same(path: str, given: Location) -> bool:
@@ -102,27 +210,25 @@ def _trial(name: str) -> Problem | None:
             return Problem(value=_quoted(name), message=message, remedy="Make the folder first.")
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(0, "Permission denied")
-        if not target.exists() or stat.S_ISREG(target.stat().st_mode):
+        if not is_device(target):
             draft = _draft(target)
             draft.touch()
             draft.unlink()
     except (OSError, ValueError) as error:
-        return _unwritable(name, error)
+        return unwritable(name, error)
     return None
 
 
-def _unwritable(path: Location, error: Exception) -> Problem:
+def unwritable(
+    path: Location, error: Exception, remedy: str = "Choose another place.", *, key: str = ""
+) -> Problem:
+    """Return the problem of a file that cannot be written, with the words of the system."""
     reason = getattr(error, "strerror", None) or str(error)
     message = f"cannot be written: {reason}"
-    remedy = "Choose another place."
-    return Problem(value=_quoted(os.fspath(path)), message=message, remedy=remedy)
+    return Problem(key=key, value=_quoted(os.fspath(path)), message=message, remedy=remedy)
 
 
 def _quoted(path: str) -> str:
     """Return a path for a message: whole, so that it can be found, and printable."""
     text = json.dumps(path, ensure_ascii=False)
     return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
-
-
-def _with_key(problem: Problem, key: str) -> Problem:
-    return Problem(key=key, value=problem.value, message=problem.message, remedy=problem.remedy)

@@ -111,7 +111,31 @@ def test_an_interrupt_ends_quietly(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         raise KeyboardInterrupt
 
     monkeypatch.setattr("wraparc.cli.solve.solve_drive", interrupt)
-    assert wraparc("solve", drive_file(tmp_path)) == (130, "", "\nInterrupted.\n")
+    assert wraparc("solve", drive_file(tmp_path)) == (
+        130,
+        "",
+        "\nInterrupted.\nNothing was written.\n",
+    )
+
+
+@pytest.mark.processes
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no disk that is always full")
+@pytest.mark.parametrize("arguments", [("solve", "--json", "-"), ("belts",), ("--help",)])
+def test_a_full_disk_under_standard_output_is_told(
+    tmp_path: Path, arguments: tuple[str, ...]
+) -> None:
+    file = [drive_file(tmp_path)] if arguments[0] == "solve" else []
+    command = [*arguments[:1], *map(str, file), *arguments[1:]]
+    script = f"from wraparc.cli import main; main({command!r})"
+    with open("/dev/full", "wb") as full:
+        ran = subprocess.run(
+            [sys.executable, "-c", script], stdout=full, stderr=subprocess.PIPE, check=False
+        )
+    assert ran.returncode == 2
+    assert ran.stderr.decode() == (
+        "Error: standard output: cannot be written: No space left on device. What is printed is "
+        "not whole: print it to another place.\n"
+    )
 
 
 def test_a_fault_is_one_line_and_a_traceback_only_on_request(

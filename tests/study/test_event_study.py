@@ -1,6 +1,7 @@
 """Studies over an event: each row is what `wraparc run` of that design gives."""
 
 import csv
+import errno
 import json
 from pathlib import Path
 
@@ -10,6 +11,8 @@ import pytest
 from cli.running import wraparc
 from wraparc import InputError, load_motion, simulate
 from wraparc.checks import judge_run
+from wraparc.saving import alone, to_disk, unwritable
+from wraparc.study import event_rows
 from wraparc.study.event_rows import run_event_study
 from wraparc.study.event_study import event_study_from_document, load_event_study
 
@@ -101,6 +104,50 @@ def test_an_interrupted_study_goes_on_to_the_same_rows(tmp_path: Path) -> None:
     other = event_study_from_document(study(axis=[{"field": field, "values": ["0.5 s"]}]))
     with pytest.raises(InputError, match="of another study"):
         run_event_study(other, cut, resume=True)
+
+
+def test_a_full_disk_keeps_the_designs_that_were_followed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # both designs are refused at once: what is kept matters here
+    axis = {"field": "motion.event.start.happens[1].time", "values": ["0.4 s", "0.5 s"]}
+    asked = event_study_from_document(study(axis=[axis]))
+    path, part = tmp_path / "a.csv", tmp_path / "a.csv.part"
+    disk, asked_for = to_disk, iter([1, 2, 3])
+    monkeypatch.setattr(
+        event_rows, "to_disk", lambda file: full(file) if next(asked_for) == 2 else disk(file)
+    )
+    monkeypatch.setattr(event_rows, "save_file", unwritten)
+    for count, place in ((1, part), (2, path)):  # at last there is no room for the whole file
+        with pytest.raises(InputError) as caught:
+            run_event_study(asked, path, resume=count > 1)
+        assert str(caught.value) == (
+            f'"{place}": cannot be written: No space left on device; {count} of 2 designs are kept '
+            f"in {part}. Make room and go on with --resume."
+        )
+        assert sorted(p.name for p in tmp_path.iterdir()) == ["a.csv.part"]
+    monkeypatch.undo()
+    rows = run_event_study(asked, path, resume=True)
+    run_event_study(asked, tmp_path / "whole.csv")
+    assert path.read_bytes() == (tmp_path / "whole.csv").read_bytes()
+    assert [row.values for row in rows] == [("0.4 s",), ("0.5 s",)]
+
+
+def full(_: object) -> None:
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+def unwritten(path: Path, _: object) -> None:
+    try:
+        full(path)
+    except OSError as error:
+        raise InputError(unwritable(path, error)) from None
+
+
+def test_two_runs_do_not_write_the_same_rows(tmp_path: Path) -> None:
+    asked = event_study_from_document(study())
+    with alone(tmp_path / "a.csv"), pytest.raises(InputError, match="another run is writing"):
+        run_event_study(asked, tmp_path / "a.csv")
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ import pytest
 from cli.running import wraparc_process, wraparc_started
 from study.studies import FOLDER, FRICTION, SAMPLING, TAKE_UP, study_of
 from wraparc.errors import InputError
+from wraparc.saving import put_in_place
 from wraparc.study import run as run_module
 from wraparc.study.executor import DaskCluster, Threads, executor_named
 from wraparc.study.parameter_study import Study
@@ -210,12 +211,14 @@ _HELD = (
 import glob
 from wraparc.study import executor
 solve_part, begun = executor.solve_part, []
+kept = lambda: len(glob.glob(glob.escape(FOLDER) + "/*.parquet"))
+before = kept()
 
 def held(study, start, stop, tell):
     begun.append(start)
     if len(begun) == 1:
         return solve_part(study, start, stop, tell)
-    while not glob.glob(glob.escape(FOLDER) + "/*.parquet"):
+    while kept() == before:
         tell(0, stop - start)
     print("kept", flush=True)
     while True:
@@ -227,23 +230,60 @@ executor.solve_part = held
 
 
 @pytest.mark.processes
-@pytest.mark.skipif(sys.platform == "win32", reason="no such signal there")
-def test_an_interrupt_keeps_what_is_done(tmp_path: Path) -> None:
-    """Ctrl-C on a real process that has kept one part and is at work on the next."""
-    path = tmp_path / "a.parquet"
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signals there")
+def test_a_run_killed_and_interrupted_ends_in_the_same_file(tmp_path: Path) -> None:
+    """Real processes that have kept one part more and are at work on the next."""
+    path, whole = tmp_path / "a.parquet", tmp_path / "whole.parquet"
     file, outputs = Path(FOLDER) / "take-up-grid.toml", 'outputs=["exit_creep"]'
-    arguments = ("study", file, "-o", path, "--threads", "1", "--part", "40", "--set", outputs)
+    arguments = ("study", file, "--threads", "1", "--part", "40", "--set", outputs, "-o")
     code = f"FOLDER = {str(parts_folder(path))!r}\n{_HELD}"
-    process = wraparc_started(*arguments, code=code)
-    assert process.stdout is not None
-    assert process.stdout.readline() == "kept\n"
-    process.send_signal(signal.SIGINT)
-    _, told = process.communicate()
+    for count, number in enumerate((signal.SIGKILL, signal.SIGINT), start=1):
+        process = wraparc_started(*arguments, path, "--resume", code=code)
+        assert process.stdout is not None
+        assert process.stdout.readline() == "kept\n"
+        if count == 1:
+            with pytest.raises(InputError, match="another run is writing this file"):
+                run_study(small(), path, Run(resume=True))
+        process.send_signal(number)
+        _, told = process.communicate()
+        assert len(list(parts_folder(path).glob("*.parquet"))) == count
+        assert not path.exists()
     assert process.returncode == 130, told
-    assert "What is solved is kept: go on with --resume." in told
-    assert "Traceback" not in told
-    assert len(list(parts_folder(path).glob("*.parquet"))) == 1
-    assert not path.exists()
-    resumed = wraparc_process(*arguments, "--resume", code=_PLAIN)
-    assert resumed.returncode == 0, resumed.stderr
-    assert len(pq.read_table(path)) == 117
+    kept = f"2 of 3 parts are kept in {parts_folder(path)}: go on with --resume."
+    assert f"Interrupted.\n{kept}\n" in told
+    for into in (path, whole):
+        ran = wraparc_process(*arguments, into, "--resume", code=_PLAIN)
+        assert ran.returncode == 0, ran.stderr
+    assert path.read_bytes() == whole.read_bytes()
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.parquet", "whole.parquet"]
+
+
+def test_what_a_run_leaves_that_dies_while_it_merges_goes_with_its_parts(
+    whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "a.parquet"
+
+    def dies(draft: Path, _: Path) -> None:
+        assert draft.exists()
+        raise _Stop
+
+    monkeypatch.setattr(run_module, "put_in_place", dies)
+    with pytest.raises(_Stop):
+        run_study(small(), path)
+    assert [p.name for p in tmp_path.iterdir()] == ["a.parquet.parts"]
+    monkeypatch.setattr(run_module, "put_in_place", put_in_place)
+    run_study(small(), path, Run(resume=True))
+    assert path.read_bytes() == whole.read_bytes()
+    assert [p.name for p in tmp_path.iterdir()] == ["a.parquet"]
+
+
+def test_a_disk_without_room_for_the_first_byte_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", full)
+    with pytest.raises(InputError, match="No space left on device"):
+        run_study(small(), tmp_path / "a.parquet")
+    assert list(tmp_path.iterdir()) == []

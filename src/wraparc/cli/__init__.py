@@ -11,7 +11,7 @@ from typing import NoReturn
 import click
 
 from wraparc.cli.group import LazyGroup
-from wraparc.cli.pipe import NoReaderError, reader_may_leave
+from wraparc.cli.pipe import reader_may_leave
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 
@@ -50,32 +50,35 @@ def run(arguments: Sequence[str]) -> int:
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):  # a console that lacks a letter shows another instead
             stream.reconfigure(errors="replace")
-    code = 0
-    with reader_may_leave():
-        code = _invoke(list(arguments))
-    return code  # noqa: RET504 - what stands before it counts when the reader leaves
+    return _invoke(list(arguments))
 
 
 def _invoke(arguments: list[str]) -> int:
+    returned = None  # that counts when the reader leaves
     try:
-        returned = wraparc.main(args=arguments, prog_name="wraparc", standalone_mode=False)
+        with reader_may_leave():
+            returned = wraparc.main(args=arguments, prog_name="wraparc", standalone_mode=False)
         return returned if isinstance(returned, int) else 0
     except click.ClickException as error:
         error.show()
         return error.exit_code
-    except (click.Abort, KeyboardInterrupt):
-        click.echo("Interrupted.", err=True)
+    except (click.Abort, KeyboardInterrupt) as error:
+        click.echo("\n".join(("Interrupted.", *_kept(error))), err=True)
         return INTERRUPTED
     except (InputError, MissingExtraError) as error:
         click.echo(f"Error: {error}", err=True)
         return BAD_INPUT
-    except NoReaderError:
-        raise
     except Exception as error:
         if "--debug" in arguments:
             raise
         _tell_fault(error)
         return FAULT
+
+
+def _kept(error: BaseException) -> list[str]:
+    """What the command that was interrupted says it has kept; most write at their end."""
+    interrupt = error.__cause__ or error
+    return getattr(interrupt, "__notes__", None) or ["Nothing was written."]
 
 
 def _tell_fault(error: Exception) -> None:

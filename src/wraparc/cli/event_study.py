@@ -13,6 +13,7 @@ from wraparc.cli.options import check_outputs
 from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
 from wraparc.errors import InputError, Problem
+from wraparc.saving import interrupted
 from wraparc.study.event_rows import SUFFIXES, run_event_study
 from wraparc.study.event_study import EventStudy, load_event_study
 from wraparc.units import System
@@ -73,17 +74,14 @@ def _run(asked: EventStudy, path: str, wanted: Wanted) -> None:
     from wraparc.present.event_study_sheet import event_study_document, event_study_sheet
 
     with bar(len(asked.designs), "Following") as tell:
-        try:
-            rows = run_event_study(asked, path, resume=wanted.resume, progress=tell)
-        except KeyboardInterrupt:
-            click.echo("What is followed is kept: go on with --resume.", err=True)
-            raise
+        rows = run_event_study(asked, path, resume=wanted.resume, progress=tell)
     click.echo(f"Wrote {path}", err=True)
-    files: dict[str, Content] = {}
-    if wanted.json:
-        files[wanted.json] = json_text(event_study_document(asked, rows))
-    if wanted.plot:
-        from wraparc.plot.event_study import plot_event_study
+    with interrupted(lambda: f"{path} is whole."):
+        files: dict[str, Content] = {}
+        if wanted.json:
+            files[wanted.json] = json_text(event_study_document(asked, rows))
+        if wanted.plot:
+            from wraparc.plot.event_study import plot_event_study
 
-        files[wanted.plot] = plot_event_study(asked, rows, wanted.units).save
-    deliver(files, lambda: event_study_sheet(asked, rows, wanted.units))
+            files[wanted.plot] = plot_event_study(asked, rows, wanted.units).save
+        deliver(files, lambda: event_study_sheet(asked, rows, wanted.units))

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-import csv
-import os
 import sys
-from collections.abc import Callable, Sequence
-from contextlib import ExitStack
-from pathlib import Path
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import click
 
 from wraparc.checks import judge_run
 from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver
+from wraparc.cli.output import STANDARD_OUTPUT, Content, deliver
+from wraparc.cli.run_rows import streamed
 from wraparc.cli.solve import FAILS, SOLVED, code_of
-from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.errors import InputError, Problem
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
 from wraparc.motion.follow import simulate
-from wraparc.motion.keeper import row_names
 from wraparc.motion.result import Outcome, RunResult
-from wraparc.motion.station import Station
-from wraparc.saving import replacing
+from wraparc.saving import interrupted
 from wraparc.units import System, parse_quantity
 
 _PICTURES = (".svg", ".png", ".pdf")
@@ -89,7 +85,8 @@ def run(
         require_matplotlib()
     motion = load_motion(file, overrides=settings)
     chosen = motion.event(event)
-    with _Rows(motion.station, csv_file, parquet_file, goes_on=bool(state_file)) as rows:
+    rows_to = streamed(motion.station, csv_file, parquet_file, state_file)
+    with rows_to as rows, _followed(quiet=quiet) as progress:
         result = simulate(
             motion.station,
             chosen,
@@ -97,21 +94,20 @@ def run(
             points=points,
             every=None if every is None else _time("--every", every),
             sink=rows.take if rows.wanted else None,
-            progress=None if quiet else _told(),
+            progress=progress,
             checkpoint=Checkpoint(state_file, rows.resumed, rows.flush) if state_file else None,
         )
-        if state_file and result.outcome is Outcome.CANCELLED:
-            rows.later = True
-            click.echo(f"The same command goes on from {state_file}.", err=True)
-    written = [p for p in (csv_file, parquet_file) if p and p != "-" and not rows.later]
+        rows.cancelled = result.outcome is Outcome.CANCELLED
     files: dict[str, Content] = {}
-    if plot_file:
+    if plot_file and not rows.cancelled:
         from wraparc.plot.motion import plot_run
 
         files[plot_file] = plot_run(result, units).save
-    if csv_file != "-":
-        deliver(files, lambda: _run_sheet(result, units))
-    for path in written:
+    deliver(files, None if csv_file == STANDARD_OUTPUT else lambda: _run_sheet(result, units))
+    if rows.cancelled:
+        with interrupted(lambda: rows.kept([plot_file] if plot_file else [])):
+            raise KeyboardInterrupt
+    for path in rows.drafts:
         click.echo(f"Wrote {path}", err=True)
     return code_of(judge_run(result).level)
 
@@ -172,128 +168,27 @@ def stability(
     return SOLVED if result.stable else FAILS
 
 
-class _Rows:
-    """Streams rows as they come, into drafts that take the places of the files at the end.
-
-    The draft of a run that may go on later (`goes_on`) is FILE.part, which stays if it is broken
-    off.
-    """
-
-    def __init__(
-        self,
-        station: Station,
-        csv_file: str | None,
-        parquet_file: str | None,
-        *,
-        goes_on: bool = False,
-    ) -> None:
-        self.goes_on, self.later = goes_on, False
-        self.part: Any = None
-        self.names = row_names(station)
-        self.csv_file, self.parquet_file = csv_file, parquet_file
-        self.block: list[Sequence[float]] = []
-        self.stack = ExitStack()
-        self.sinks: list[Callable[[list[Sequence[float]]], object]] = []
-
-    def __enter__(self) -> _Rows:
-        if self.csv_file == "-":
-            self._csv(sys.stdout)
-        elif self.csv_file and self.goes_on:
-            path = Path(os.path.realpath(self.csv_file) + ".part")
-            mode = "r+" if path.exists() else "w+"
-            self.part = self.stack.enter_context(path.open(mode, encoding="utf-8", newline=""))
-        elif self.csv_file:
-            draft = self.stack.enter_context(replacing(Path(os.path.realpath(self.csv_file))))
-            self._csv(self.stack.enter_context(draft.open("w", encoding="utf-8", newline="")))
-        if self.parquet_file:
-            self._parquet(Path(os.path.realpath(self.parquet_file)))
-        return self
-
-    def __exit__(self, *error: Any) -> None:
-        if error[0] is None:
-            self.flush()
-        self.stack.__exit__(*error)
-        if self.part is not None and error[0] is None and not self.later:
-            os.replace(self.part.name, self.part.name.removesuffix(".part"))
-
-    def resumed(self, rows: int) -> None:
-        """Go on behind the rows that were streamed before."""
-        if self.part is None:
-            return
-        kept = 0
-        while kept < (rows + 1 if rows else 0) and self.part.readline():
-            kept += 1
-        if rows and kept < rows + 1:
-            message = f"has {max(kept - 1, 0)} rows; the saved state follows on row {rows}"
-            remedy = "Remove the saved state, and begin anew."
-            raise InputError(
-                Problem(key="--csv", value=self.part.name, message=message, remedy=remedy)
-            )
-        self.part.seek(self.part.tell())
-        self.part.truncate()
-        self._csv(self.part, head=not rows)
-
-    @property
-    def wanted(self) -> bool:
-        return bool(self.sinks) or self.part is not None
-
-    def take(self, row: Sequence[float]) -> None:
-        self.block.append(row)
-        if len(self.block) >= _BLOCK:
-            self.flush()
-
-    def flush(self) -> None:
-        """Write what has come so far."""
-        for sink in self.sinks if self.block else ():
-            sink(self.block)
-        self.block = []
-        if self.part is not None:
-            self.part.flush()
-
-    def _csv(self, stream: Any, *, head: bool = True) -> None:
-        writer = csv.writer(stream, lineterminator="\n")
-        if head:
-            writer.writerow(self.names)
-        self.sinks.append(lambda rows: writer.writerows([f"{v:.10g}" for v in r] for r in rows))
-
-    def _parquet(self, target: Path) -> None:
-        try:
-            import pyarrow as pa
-            import pyarrow.parquet as pq
-        except ImportError:
-            raise MissingExtraError("pyarrow", "study") from None
-        schema = pa.schema([(name, pa.float64()) for name in self.names])
-        draft = self.stack.enter_context(replacing(target))
-        writer = self.stack.enter_context(pq.ParquetWriter(draft, schema))
-
-        def sink(rows: list[Sequence[float]]) -> None:
-            columns = [pa.array([float(v) for v in c]) for c in zip(*rows, strict=True)]
-            writer.write_table(pa.table(columns, schema=schema))
-
-        self.sinks.append(sink)
-
-
 def _run_sheet(result: RunResult, units: System) -> Any:
     from wraparc.present.motion_sheet import run_sheet
 
     return run_sheet(result, units)
 
 
-def _told() -> Callable[[float], bool]:
-    """Show progress on the error stream; an interruption ends the run and keeps it."""
+@contextmanager
+def _followed(*, quiet: bool) -> Iterator[Callable[[float], bool]]:
+    """Give what shows progress on the error stream; an interruption ends the run and keeps it."""
     import signal
     import threading
 
     asked: list[bool] = []
-    if threading.current_thread() is threading.main_thread():
-        before = signal.getsignal(signal.SIGINT)
+    mine = threading.current_thread() is threading.main_thread()
+    before = signal.getsignal(signal.SIGINT) if mine else None
 
-        def stop(*_: object) -> None:
-            asked.append(True)
-            signal.signal(signal.SIGINT, before)
+    def stop(*_: object) -> None:
+        asked.append(True)
+        signal.signal(signal.SIGINT, before)  # a second one ends it at once
 
-        signal.signal(signal.SIGINT, stop)
-    shows = sys.stderr.isatty()
+    shows = sys.stderr.isatty() and not quiet
 
     def progress(part: float) -> bool:
         if shows:
@@ -301,7 +196,13 @@ def _told() -> Callable[[float], bool]:
             sys.stderr.flush()
         return bool(asked)
 
-    return progress
+    try:
+        if mine:
+            signal.signal(signal.SIGINT, stop)
+        yield progress
+    finally:
+        if mine:
+            signal.signal(signal.SIGINT, before)
 
 
 def _time(option: str, text: str) -> float:

@@ -7,7 +7,7 @@ import click
 from wraparc.cli.pipe import say
 from wraparc.cli.show import show
 from wraparc.present.sheet import Sheet
-from wraparc.saving import save_file
+from wraparc.saving import interrupted, save_file
 
 #: Written to standard output instead of a file.
 STANDARD_OUTPUT = "-"
@@ -15,7 +15,7 @@ STANDARD_OUTPUT = "-"
 Content = str | bytes | Callable[[str], object]
 
 
-def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet]) -> None:
+def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet] | None) -> None:
     """Write files and only then print: a reader who goes away takes no file with him.
 
     Parameters
@@ -23,18 +23,23 @@ def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet]) -> None:
     files
         By path. What is meant for standard output is text, and printed in place of the sheet.
     sheet
-        Makes the sheet that is printed.
+        Makes the sheet that is printed, if any.
     """
     paths = [path for path in files if path != STANDARD_OUTPUT]
-    for path in paths:
-        content = files[path]
-        if callable(content):
-            content(path)
-        else:
-            save_file(path, content)
-    if STANDARD_OUTPUT in files:
-        say(str(files[STANDARD_OUTPUT]), end="")
-    else:
-        show(sheet())
-    for path in paths:
-        click.echo(f"Wrote {path}", err=True)
+    written: list[str] = []
+    with interrupted(lambda: "What was written before is whole." if written else ""):
+        try:
+            for path in paths:
+                content = files[path]
+                if callable(content):
+                    content(path)
+                else:
+                    save_file(path, content)
+                written.append(path)
+            if STANDARD_OUTPUT in files:
+                say(str(files[STANDARD_OUTPUT]), end="")
+            elif sheet is not None:
+                show(sheet())
+        finally:
+            for path in written:
+                click.echo(f"Wrote {path}", err=True)

@@ -1,11 +1,15 @@
-"""Standard output whose reader may go away: ``wraparc belts | head -1`` is no error."""
+"""Standard output: its reader may go away (``wraparc belts | head -1``), or its disk be full."""
 
+import errno
 import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 import click
+
+from wraparc.errors import InputError, Problem
+from wraparc.saving import FULL
 
 
 class NoReaderError(BrokenPipeError):
@@ -25,5 +29,16 @@ def reader_may_leave() -> Iterator[None]:
         yield
         sys.stdout.flush()
     except BrokenPipeError:
-        # what is printed from here on, and what the interpreter flushes at its end, goes nowhere
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _nowhere()
+    except OSError as error:
+        if error.errno not in (*FULL, errno.EIO) or error.filename is not None:
+            raise
+        _nowhere()
+        message = f"cannot be written: {error.strerror}"
+        remedy = "What is printed is not whole: print it to another place."
+        raise InputError(Problem(key="standard output", message=message, remedy=remedy)) from None
+
+
+def _nowhere() -> None:
+    """Let what is printed from here on, and what the interpreter flushes at its end, be lost."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

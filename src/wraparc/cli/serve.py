@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.saving import interrupted
 
 if TYPE_CHECKING:
     from wraparc.web.settings import Settings
@@ -65,7 +66,8 @@ def serve(
         start_file=start_file,
         workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
     )
-    run(settings, tell=_tell, browser=browser)
+    with interrupted(lambda: "Every design that was saved is kept."):
+        run(settings, tell=_tell, browser=browser)
     return 0
 
 

@@ -12,6 +12,7 @@ from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
 from wraparc.cli.show import show
 from wraparc.errors import InputError, Problem, shown
+from wraparc.saving import interrupted
 from wraparc.units import System
 
 _DONE, _MISFIT = 0, 1
@@ -275,6 +276,8 @@ def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
                 value=shown(os.fspath(folder)),
             )
         )
-    plan = write_virtual_tests(path, lagging, pressures, **said)
+    kept = f"The tests in {folder} are not all there: remove it, and begin anew."
+    with interrupted(lambda: kept):
+        plan = write_virtual_tests(path, lagging, pressures, **said)
     say(f"Plan: {plan}\nFit it:  wraparc fit {plan} -o {path / 'lagging.toml'}")
     return _DONE

@@ -11,6 +11,7 @@ from wraparc.cli.bar import bar
 from wraparc.cli.options import check_outputs, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
+from wraparc.saving import interrupted
 from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
@@ -124,22 +125,17 @@ def study(
         hint = "numba is not installed, and this takes far longer: pip install 'wraparc[fast]'"
         click.echo(hint, err=True)
     with bar(len(asked.study.plan), "Solving") as tell:
-        try:
-            run_study(
-                asked.study,
-                path,
-                Run(
-                    executor=executor,
-                    part_designs=part,
-                    resume=resume,
-                    confirmed_rows=confirm,
-                    progress=tell,
-                ),
-            )
-        except KeyboardInterrupt:
-            click.echo("What is solved is kept: go on with --resume.", err=True)
-            raise
-    _tell(asked, path, units, json_file, plot_file, report_file)
+        how = Run(
+            executor=executor,
+            part_designs=part,
+            resume=resume,
+            confirmed_rows=confirm,
+            progress=tell,
+        )
+        run_study(asked.study, path, how)
+    click.echo(f"Wrote {path}", err=True)
+    with interrupted(lambda: f"{path} is whole."):
+        _tell(asked, path, units, json_file, plot_file, report_file)
     return _DONE
 
 
@@ -182,7 +178,6 @@ def _tell(
         remarks=asked.remarks,
         sources=asked.sources,
     )
-    click.echo(f"Wrote {path}", err=True)
     files: dict[str, Content] = {}
     if json_file:
         files[json_file] = json_text(study_document(summary, local=local, indices=indices))

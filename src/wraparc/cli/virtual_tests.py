@@ -11,7 +11,7 @@ from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files import load_lagging
 from wraparc.provenance import Kind
-from wraparc.saving import save_file
+from wraparc.saving import save_file, unwritable
 from wraparc.schema.emit import document_text
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.shear_test import DIALECTS, Dialect, VirtualRig, run_virtual_test
@@ -54,7 +54,7 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
         scatter_friction=said["scatter"],
         scatter_slip=1.5 * said["scatter"],
     )
-    folder.mkdir(parents=True, exist_ok=True)
+    _make(folder)
     tests: list[dict[str, Any]] = []
     repeats = range(1, said["repeats"] + 1)
     for (condition, factor), pressure, repeat in product(conditions.items(), values, repeats):
@@ -73,6 +73,13 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
     plan = folder / "plan.toml"
     save_file(plan, _HEAD + document_text(_plan(of, tests, said), PLAN))
     return plan
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(unwritable(folder, error)) from None
 
 
 # What measures in the computer has no errors but those that were asked for.

@@ -18,7 +18,8 @@ import numpy as np
 from wraparc.errors import InputError, Problem
 from wraparc.motion.keeper import Keeper, Sink
 from wraparc.motion.march import March
-from wraparc.saving import replacing
+from wraparc.saving import replacing, unwritable
+from wraparc.version import __version__
 
 #: Least time between two savings [s].
 SELDOM = 2.0
@@ -70,8 +71,9 @@ class Checkpoint:
             self.save(march, keeper)
 
     def end(self, march: March, keeper: Keeper, *, whole: bool) -> None:
-        """Remove the file after a run that came to its end, else save it."""
+        """Remove the file after a run that came to its end, its rows safe, else save it."""
         if whole:
+            self.flush()
             Path(self.path).unlink(missing_ok=True)
         else:
             self.save(march, keeper)
@@ -98,7 +100,10 @@ class Checkpoint:
             with replacing(Path(os.path.realpath(self.path))) as draft, draft.open("wb") as file:
                 np.savez(file, about=np.array(about), **arrays)
         except OSError as error:
-            raise self._problem(f"cannot be written: {error.strerror}", "") from None
+            kept = "Make room: the same command goes on from the state before."
+            remedy = kept if os.path.exists(self.path) else "Choose another place."
+            problem = unwritable(self.path, error, remedy, key="--checkpoint")
+            raise InputError(problem) from None
         self.saved = time.monotonic()
 
     def _restore(self, march: March, keeper: Keeper) -> None:
@@ -150,7 +155,7 @@ def _are_numbers(value: Any) -> bool:
 
 
 def _key(march: March, keeper: Keeper) -> str:
-    """What a run is: the same station, event, step, pieces and rows."""
+    """What a run is: the same program, station, event, step, pieces and rows."""
     points = [d.arc.points for d in march.drums]
-    parts = (march.station, march.event, march.h, points, keeper.every)
+    parts = (__version__, march.station, march.event, march.h, points, keeper.every)
     return hashlib.sha256(repr(parts).encode()).hexdigest()

@@ -9,12 +9,19 @@ import json
 import math
 import os
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.motion.file import load_motion
-from wraparc.saving import replacing, save_file
+from wraparc.saving import (
+    alone,
+    interrupted,
+    replacing,
+    save_file,
+    to_disk,
+    unwritable,
+)
 from wraparc.study.event_study import (
     EventRow,
     EventStudy,
@@ -75,20 +82,37 @@ def run_event_study(
     if os.fspath(path).lower().endswith(".parquet"):
         require_pyarrow()
     part = Path(os.path.realpath(path) + ".part")
-    rows = _begun(study, part, resume=resume)
-    try:
-        with part.open("a", encoding="utf-8") as file:
-            for row in follow_study(study, progress, done=len(rows)):
-                file.write(json.dumps(asdict(row)) + "\n")
-                file.flush()
-                rows.append(row)
-    except OSError as error:
-        message = f"cannot be written: {error.strerror}; {len(rows)} designs are kept"
-        remedy = "Make room and go on with --resume."
-        raise InputError(Problem(value=shown(str(part)), message=message, remedy=remedy)) from None
-    save_rows(study, rows, path)
-    part.unlink(missing_ok=True)
+    with alone(path, "--output"):
+        rows = _begun(study, part, resume=resume)
+
+        def kept() -> str:
+            return f"{len(rows)} of {len(study.designs)} designs are kept in {part}"
+
+        with interrupted(lambda: f"{kept()}: go on with --resume."):
+            try:
+                _follow(study, part, rows, progress)
+                save_rows(study, rows, path)
+            except (OSError, InputError) as error:
+                told = (
+                    error.problems[0] if isinstance(error, InputError) else unwritable(part, error)
+                )
+                message = f"{told.message}; {kept()}"
+                remedy = "Make room and go on with --resume."
+                raise InputError(replace(told, message=message, remedy=remedy)) from None
+        part.unlink(missing_ok=True)
     return rows
+
+
+def _follow(
+    study: EventStudy, part: Path, rows: list[EventRow], progress: EventTell | None
+) -> None:
+    """Follow what is left of a study, each row on the disk before the next design is begun."""
+    with part.open("a", encoding="utf-8") as file:
+        for row in follow_study(study, progress, done=len(rows)):
+            file.write(json.dumps(asdict(row)) + "\n")
+            file.flush()
+            to_disk(file.fileno())
+            rows.append(row)
 
 
 def _begun(study: EventStudy, part: Path, *, resume: bool) -> list[EventRow]:
@@ -108,8 +132,7 @@ def _begun(study: EventStudy, part: Path, *, resume: bool) -> list[EventRow]:
             lines = [json.dumps({"study": key}), *(json.dumps(asdict(row)) for row in rows)]
             draft.write_text("".join(f"{line}\n" for line in lines), "utf-8")
     except OSError as error:
-        message = f"cannot be written: {error.strerror}"
-        raise InputError(Problem(value=shown(str(part)), message=message)) from None
+        raise InputError(unwritable(part, error)) from None
     return rows
 
 

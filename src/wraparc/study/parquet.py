@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from wraparc.checks.of_rows import NOT_CHECKED
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.glossary import GLOSSARY
-from wraparc.saving import replacing
 from wraparc.study.parameter_study import (
     CONDITION,
     DESIGN,
@@ -203,10 +202,10 @@ def rows_of(path: Path, fingerprint: str) -> int:
 
 
 def merge(parts: Iterable[Path], schema: Any, target: Path) -> None:
-    """Write parts into one file, a row group a part; whole or not at all."""
+    """Write parts into one file, a row group a part."""
     import pyarrow.parquet as pq
 
-    with replacing(target) as draft, _writer(str(draft), schema) as writer:
+    with _writer(str(target), schema) as writer:
         for part in parts:
             with pq.ParquetFile(part) as file:
                 writer.write_table(file.read().cast(schema))

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-import errno
 import json
 import os
 import shutil
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from wraparc.batch import Setting
 from wraparc.batch.native import available
 from wraparc.errors import InputError, Problem, shown
-from wraparc.saving import replacing, save_file, saving_problems
+from wraparc.saving import (
+    FULL,
+    alone,
+    interrupted,
+    put_in_place,
+    replacing,
+    save_file,
+    saving_problems,
+    unwritable,
+)
 from wraparc.study.executor import Executor, Part, Threads
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import merge, require_pyarrow, rows_of, schema_of
@@ -26,7 +35,7 @@ MOST_ROWS = 1_000_000
 PART_ROWS = {Setting.ENGINEERING: 16_384, Setting.PRECISE: 2_048}
 _PART_ROWS_PLAIN = 64
 _BYTES_A_NUMBER = 8
-_PLAN = "study.json"
+_PLAN, _WHOLE = "study.json", "whole.tmp"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,19 +91,32 @@ def run_study(study: Study, path: str | os.PathLike[str], how: Run | None = None
     """
     how = how or Run()
     require_pyarrow()
-    raise_problems(run_problems(study, path, how))
-    how.executor.check()
-    folder = parts_folder(path)
-    parts = _begin(study, folder, how)
-    done = {part for part in parts if _is_done(study, folder, part)}
-    _solve(study, folder, parts, done, how)
+    with alone(path, "--output"):
+        raise_problems(run_problems(study, path, how))
+        how.executor.check()
+        folder = parts_folder(path)
+        parts = _begin(study, folder, how)
+        with interrupted(lambda: _kept(folder, parts)):
+            done = {part for part in parts if _is_done(study, folder, part)}
+            _solve(study, folder, parts, done, how)
+            _merge(study, folder, parts, path)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _merge(study: Study, folder: Path, parts: Sequence[Part], path: str | os.PathLike[str]) -> None:
+    """Make one file of all parts, in their folder: what is left of it if all ends here goes too."""
+    draft = folder / _WHOLE
     try:
-        merge(
-            (_file(folder, part) for part in parts), schema_of(study), Path(os.path.realpath(path))
-        )
+        merge((_file(folder, part) for part in parts), schema_of(study), draft)
+        put_in_place(draft, Path(os.path.realpath(path)))
     except OSError as error:
+        draft.unlink(missing_ok=True)
         raise _stopped(error, path, len(parts), len(parts)) from None
-    shutil.rmtree(folder, ignore_errors=True)
+
+
+def _kept(folder: Path, parts: Sequence[Part]) -> str:
+    count = sum(_file(folder, part).exists() for part in parts)
+    return f"{count} of {len(parts)} parts are kept in {folder}: go on with --resume."
 
 
 def run_problems(study: Study, path: str | os.PathLike[str], how: Run) -> list[Problem]:
@@ -161,12 +183,16 @@ def _begin(study: Study, folder: Path, how: Run) -> list[Part]:
     if file.exists():
         size = _size_of(study, file)
     else:
+        known = {"fingerprint": study.fingerprint, "title": study.title, "part_designs": size}
         try:
             folder.mkdir(exist_ok=True)
+            save_file(file, json.dumps(known) + "\n")
         except OSError as error:
-            raise _stopped(error, folder, 0, 0) from None
-        known = {"fingerprint": study.fingerprint, "title": study.title, "part_designs": size}
-        save_file(file, json.dumps(known) + "\n")
+            raise InputError(unwritable(folder, error)) from None
+        except InputError:
+            with suppress(OSError):  # nothing is done yet, and nothing is left
+                folder.rmdir()
+            raise
     total = len(study.plan)
     return [Part(start, min(start + size, total)) for start in range(0, total, size)]
 
@@ -226,7 +252,7 @@ def _tell(progress: Progress | None, done: int, total: int) -> None:
 
 
 def _stopped(error: OSError, path: str | os.PathLike[str], done: int, total: int) -> InputError:
-    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    full = error.errno in FULL
     reason = "the disk is full" if full else f"cannot be written: {error.strerror or error}"
     return InputError(
         Problem(
