@@ -3,6 +3,7 @@
 import asyncio
 import hashlib
 import inspect
+import pickle
 from collections.abc import Awaitable, Callable, Coroutine, Mapping
 from typing import Any, get_type_hints
 
@@ -14,10 +15,11 @@ from wraparc.web.answers import rows
 from wraparc.web.database.store import Store
 from wraparc.web.errors import Problems, refused
 from wraparc.web.jobs import Jobs
+from wraparc.web.kept import Kept
 from wraparc.web.routes.bodies import Body
 from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
-from wraparc.web.work import WHOLE, Function, Workers
+from wraparc.web.work import QUICK, WHOLE, Function, Workers
 
 JSON = "application/json"
 
@@ -32,6 +34,7 @@ class State:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.workers = Workers(settings.workers)
+        self.kept = Kept()
         self.sessions = Sessions()
         self.jobs = Jobs()
         self.runs = Jobs(one="run", many="runs in time")
@@ -115,19 +118,31 @@ def offer(
     queue: str = WHOLE,
     long: Callable[[Any], bool] = lambda asked: False,
 ) -> None:
-    """Offer what a function gives to a request: its types are the form of both."""
+    """Offer what a function gives to a request: its types are the form of both.
+
+    It must give the same for the same request: its answers are kept.
+    """
     hints = get_type_hints(function)
     listed = hints["return"] in rows.WITH_ROWS
 
     async def endpoint(request: Request, asked: Any) -> Response:
-        workers, client = state_of(request).workers, client_of(request)
+        workers, kept, client = (
+            state_of(request).workers,
+            state_of(request).kept,
+            client_of(request),
+        )
         lines = listed and rows.MEDIA in request.headers.get("accept", "")
         question = (rows.csv_of, function, asked) if lines else (function, asked)
-        if long(asked):
-            work = workers.long(client, *question)
-        else:
-            work = workers.short(client, *question, queue=queue)
-        found = await waited(request, work)
+        key = hashlib.sha256(pickle.dumps(question)).digest()
+        found = kept.find(key)
+        if found is None:
+            if long(asked):
+                work = workers.long(client, *question)
+            else:
+                work = workers.short(client, *question, queue=queue)
+            found = await waited(request, work)
+            if queue != QUICK:  # sooner solved than found again, and never the same
+                kept.keep(key, found)
         return Response(found, media_type=rows.MEDIA) if lines else json_answer(found)
 
     endpoint.__annotations__["asked"] = hints["asked"]
