@@ -87,7 +87,7 @@ def alone(path: Location, key: str = "") -> Iterator[None]:
         message = "another run is writing this file"
         remedy = "Wait until it has ended, or name another file."
         raise InputError(
-            Problem(key=key, value=_quoted(os.fspath(path)), message=message, remedy=remedy)
+            Problem(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
         )
     with file:
         try:
@@ -180,12 +180,12 @@ def saving_problems(
     allowed = tuple(suffixes)
     if allowed and not name.lower().endswith(allowed):
         message = f"the kind of file is told by its ending, which must be {' or '.join(allowed)}"
-        remedy = f"Write for example {_quoted((os.path.splitext(name)[0] or 'file') + allowed[0])}."
-        return [Problem(key=key, value=_quoted(name), message=message, remedy=remedy)]
+        remedy = f"Write for example {quoted((os.path.splitext(name)[0] or 'file') + allowed[0])}."
+        return [Problem(key=key, value=quoted(name), message=message, remedy=remedy)]
     if any(_same(name, given) for given in inputs):
         message = "is the file that is read, and would be written over"
         remedy = "Choose another name."
-        return [Problem(key=key, value=_quoted(name), message=message, remedy=remedy)]
+        return [Problem(key=key, value=quoted(name), message=message, remedy=remedy)]
     problem = _trial(name)
     return [] if problem is None else [replace(problem, key=key)]
 
@@ -203,11 +203,11 @@ def _trial(name: str) -> Problem | None:
         target = Path(os.path.realpath(name))
         if target.is_dir():
             return Problem(
-                value=_quoted(name), message="is a folder", remedy="Name a file in that folder."
+                value=quoted(name), message="is a folder", remedy="Name a file in that folder."
             )
         if not target.parent.is_dir():
-            message = f"there is no folder {_quoted(str(target.parent))}"
-            return Problem(value=_quoted(name), message=message, remedy="Make the folder first.")
+            message = f"there is no folder {quoted(str(target.parent))}"
+            return Problem(value=quoted(name), message=message, remedy="Make the folder first.")
         if target.exists() and not os.access(target, os.W_OK):
             raise PermissionError(0, "Permission denied")
         if not is_device(target):
@@ -225,10 +225,10 @@ def unwritable(
     """Return the problem of a file that cannot be written, with the words of the system."""
     reason = getattr(error, "strerror", None) or str(error)
     message = f"cannot be written: {reason}"
-    return Problem(key=key, value=_quoted(os.fspath(path)), message=message, remedy=remedy)
+    return Problem(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
 
 
-def _quoted(path: str) -> str:
+def quoted(path: str) -> str:
     """Return a path for a message: whole, so that it can be found, and printable."""
     text = json.dumps(path, ensure_ascii=False)
     return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)

@@ -34,31 +34,46 @@ def _as_user() -> dict[str, Any]:
     return {"user": "postgres", "group": pwd.getpwnam("postgres").pw_gid, "extra_groups": []}
 
 
-@contextlib.contextmanager
-def postgresql() -> Iterator[str]:
-    """Run a server on a socket of its own; yield the URL of an empty database."""
-    folder = Path(tempfile.mkdtemp(prefix="wraparc-pg-"))
-    who = _as_user()
-    server = None
-    try:
-        if who:
+class PostgreSQL:
+    """A server on a socket of its own, with an empty database."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder, self.url = folder, f"postgresql+psycopg://postgres@/postgres?host={folder}"
+        self._who, self._data = _as_user(), folder / "data"
+        if self._who:
             shutil.chown(folder, "postgres")
-        data = folder / "data"
-        init = [_program("initdb"), "-D", str(data), "-A", "trust", "-U", "postgres", "-N"]
-        subprocess.run([*init, "-E", "UTF8"], check=True, capture_output=True, cwd=folder, **who)
-        server = subprocess.Popen(
+        init = [_program("initdb"), "-D", str(self._data), "-A", "trust", "-U", "postgres", "-N"]
+        how: dict[str, Any] = {"cwd": folder, **self._who}
+        subprocess.run([*init, "-E", "UTF8"], check=True, capture_output=True, **how)
+        self.start()
+
+    def start(self) -> None:
+        """Start it, and wait until it answers."""
+        self._server = subprocess.Popen(
             [
-                _program("postgres"), "-D", str(data), "-k", str(folder),
+                _program("postgres"), "-D", str(self._data), "-k", str(self.folder),
                 "-c", "listen_addresses=", "-c", "fsync=off",
             ],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=folder, **who,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.folder, **self._who,
         )  # fmt: skip
-        _wait(folder, server)
-        yield f"postgresql+psycopg://postgres@/postgres?host={folder}"
+        _wait(self.folder, self._server)
+
+    def stop(self, how: signal.Signals = signal.SIGINT) -> None:
+        """Stop it without waiting for its clients; with SIGQUIT as a crash does."""
+        self._server.send_signal(how)
+        self._server.wait()
+
+
+@contextlib.contextmanager
+def postgresql() -> Iterator[PostgreSQL]:
+    """Run a server."""
+    folder, server = Path(tempfile.mkdtemp(prefix="wraparc-pg-")), None
+    try:
+        server = PostgreSQL(folder)
+        yield server
     finally:
         if server is not None:
-            server.send_signal(signal.SIGINT)  # without waiting for its clients
-            server.wait()
+            server.stop()
         shutil.rmtree(folder, ignore_errors=True)
 
 

@@ -1,9 +1,14 @@
 """Saved designs: the same on SQLite and PostgreSQL, both real; nothing saved is ever lost."""
 
+import errno
+import os
+import shutil
+import signal
 import sqlite3
 import threading
 from collections.abc import Iterator
 from contextlib import closing
+from datetime import datetime
 from http.client import HTTPException
 from pathlib import Path
 from typing import Any
@@ -14,9 +19,10 @@ from alembic.runtime.migration import MigrationContext
 from sqlalchemy import create_engine, event, text
 
 from web.calculators import API, PATIENCE, Process, client, document, serving
-from web.postgres import postgresql
+from web.postgres import PostgreSQL, postgresql
 from wraparc.errors import InputError
-from wraparc.web.database.engine import migrate, open_engine
+from wraparc.web.database import engine
+from wraparc.web.database.engine import _to_wal, migrate, open_engine
 from wraparc.web.database.place import database_url, user_folder
 from wraparc.web.database.store import NewerVersionError, NoSuchDesignError, Store, VersionAnswer
 from wraparc.web.database.tables import Base
@@ -24,9 +30,9 @@ from wraparc.web.errors import ApiError
 
 
 @pytest.fixture(scope="module")
-def server() -> Iterator[str]:
-    with postgresql() as url:
-        yield url
+def server() -> Iterator[PostgreSQL]:
+    with postgresql() as found:
+        yield found
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])
@@ -34,9 +40,18 @@ def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
     if request.param == "sqlite":
         yield f"sqlite:///{tmp_path}/designs.sqlite"
         return
-    found: str = request.getfixturevalue("server")
-    yield found
-    engine = create_engine(found)
+    yield from emptied(request.getfixturevalue("server"))
+
+
+@pytest.fixture
+def on_postgresql(server: PostgreSQL) -> Iterator[str]:
+    yield from emptied(server)
+
+
+def emptied(server: PostgreSQL) -> Iterator[str]:
+    """Lend its database, and take everything out of it again."""
+    yield server.url
+    engine = create_engine(server.url)
     with engine.begin() as connection:
         connection.execute(text("DROP SCHEMA public CASCADE"))
         connection.execute(text("CREATE SCHEMA public"))
@@ -272,6 +287,79 @@ def test_a_damaged_database_is_told_and_left_as_it_is(tmp_path: Path) -> None:
     assert file.read_bytes() == content
 
 
+def test_a_damaged_database_names_the_copy_of_its_last_sound_state(tmp_path: Path) -> None:
+    file, url = file_of(tmp_path)
+    for number in range(20):  # each start keeps what was there
+        store = Store.open(url)
+        save(store, f"design {number}")
+        store.close()
+    kept = tmp_path / "designs.sqlite.backup"
+    file.write_bytes(file.read_bytes()[:5000])
+    with pytest.raises(InputError) as caught:
+        open_engine(url, "shown")
+    day = datetime.fromtimestamp(kept.stat().st_mtime).astimezone()
+    assert str(caught.value).endswith(
+        f'It was left as it is; `sqlite3 "{file}" .recover` may save what is in it. The designs as '
+        f'of {day:%Y-%m-%d %H:%M} are in "{kept}": name a copy of that file with --database.'
+    )
+    assert str(caught.value).startswith("--database = shown: the file is damaged (")
+    copied = kept.read_bytes()
+    again = Store.open(f"sqlite:///{shutil.copy(kept, tmp_path / 'copy.sqlite')}")
+    assert again.listed().total == 19
+    again.close()
+    assert kept.read_bytes() == copied
+
+
+def test_a_copy_is_made_only_of_what_has_changed(tmp_path: Path) -> None:
+    file, url = file_of(tmp_path)
+    kept = tmp_path / "designs.sqlite.backup"
+    Store.open(url).close()
+    assert not kept.exists()  # there was nothing to lose
+    Store.open(url).close()
+    second = 10**9
+    os.utime(kept, ns=(second, second))
+    for changed, anew in ((0, False), (2 * second, True)):
+        os.utime(file, ns=(changed, changed))
+        Store.open(url).close()
+        assert (kept.stat().st_mtime_ns != second) == anew
+
+
+def test_no_room_for_the_copy_keeps_nobody_from_working(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    _, url = file_of(tmp_path)
+    Store.open(url).close()
+    monkeypatch.setattr(engine, "replacing", full)
+    store = Store.open(url)
+    assert save(store).id == 1
+    store.close()
+
+
+def test_servers_that_make_a_file_together_wait_for_each_other() -> None:
+    """SQLite refuses at once who would switch to the log while another does."""
+    asked = []
+
+    class Cursor:
+        def execute(self, sql: str) -> None:
+            asked.append(sql)
+            if len(asked) < 3:
+                error = sqlite3.OperationalError("database is locked")
+                error.sqlite_errorcode = sqlite3.SQLITE_BUSY
+                raise error
+            if len(asked) == 4:
+                error = sqlite3.OperationalError("disk I/O error")
+                error.sqlite_errorcode = sqlite3.SQLITE_IOERR
+                raise error
+
+    _to_wal(Cursor())
+    assert asked == ["PRAGMA journal_mode=WAL"] * 3
+    with pytest.raises(sqlite3.OperationalError, match="I/O"):
+        _to_wal(Cursor())
+
+
 def test_a_full_disk_is_told_and_loses_nothing(tmp_path: Path) -> None:
     _, url = file_of(tmp_path)
     store = Store.open(url)
@@ -356,6 +444,50 @@ def test_every_commit_is_written_through(tmp_path: Path) -> None:
         for name, value in (("journal_mode", "wal"), ("synchronous", 2), ("foreign_keys", 1)):
             assert connection.exec_driver_sql(f"PRAGMA {name}").scalar() == value
     engine.dispose()
+
+
+@pytest.mark.processes
+def test_a_database_that_is_restarted_has_lost_nothing(
+    server: PostgreSQL, on_postgresql: str
+) -> None:
+    """It ends as by a crash, and comes back; the server goes on by itself."""
+    store = Store.open(on_postgresql)
+    for number in range(3):
+        save(store, f"before {number}")
+    server.stop(signal.SIGQUIT)
+    try:
+        with pytest.raises(ApiError, match="Nothing was saved: keep the page open") as raised:
+            save(store, "while it is down")
+        assert raised.value.status_code == 503
+        with pytest.raises(ApiError, match="Try again in a moment"):
+            store.listed()
+    finally:
+        server.start()
+    save(store, "after")
+    server.stop()
+    server.start()
+    names = [design.name for design in store.listed().designs]
+    assert names == ["after", "before 2", "before 1", "before 0"]
+    store.close()
+
+
+def test_a_save_whose_fate_is_not_known_is_not_called_lost(on_postgresql: str) -> None:
+    store, other = Store.open(on_postgresql), create_engine(on_postgresql)
+
+    def cut_off(connection: Any) -> None:
+        """End the connection just before it commits."""
+        number = connection.exec_driver_sql("SELECT pg_backend_pid()").scalar()
+        with other.begin() as killer:
+            killer.execute(text("SELECT pg_terminate_backend(:n)"), {"n": number})
+
+    event.listen(store._engine, "commit", cut_off)
+    with pytest.raises(ApiError, match="Look into the list whether it is there") as raised:
+        save(store)
+    assert raised.value.status_code == 503
+    event.remove(store._engine, "commit", cut_off)
+    assert save(store, "another").id
+    other.dispose()
+    store.close()
 
 
 @pytest.mark.processes

@@ -1,6 +1,7 @@
 """Who works on what when: turns of clients, shared and abandoned questions, processes that die."""
 
 import asyncio
+import errno
 import os
 import pickle
 import signal
@@ -136,6 +137,10 @@ def _held(file: str) -> str:
     return "held"
 
 
+def _fills() -> None:
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
 def _raises(message: str) -> None:
     raise InputError(Problem(message=message))
 
@@ -149,6 +154,9 @@ def test_what_a_process_raises_comes_back_and_it_lives_on() -> None:
             with pytest.raises(ApiError, match="ZeroDivisionError") as raised:
                 await found.short("a", divmod, 1, 0)
             assert raised.value.status_code == 500
+            with pytest.raises(ApiError, match="the disk of the server is full") as full:
+                await found.short("a", _fills)
+            assert full.value.status_code == 507
             assert await found.short("a", os.getpid) == before
 
     asyncio.run(scenario())

@@ -8,6 +8,7 @@ from typing import Any
 from starlette.exceptions import HTTPException
 
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.saving import FULL
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Answer
 
@@ -107,6 +108,8 @@ def refusal_of(error: BaseException) -> ApiError:
     if isinstance(error, HTTPException):
         problem = Problem(message=str(error.detail).lower())
         return ApiError(error.status_code, problem, dict(error.headers or {}))
+    if isinstance(error, OSError) and error.errno in FULL:
+        return refused(507, "the disk of the server is full", "Make room there, and try again.")
     message = f"a fault in wraparc {__version__} ({type(error).__name__})"
     return refused(500, message, "Please report it with the drive file.")
 

@@ -19,7 +19,7 @@ from typing import Any
 
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.web.answers.shown import Answer
-from wraparc.web.errors import ApiError, refused
+from wraparc.web.errors import ApiError, refusal_of
 from wraparc.web.progress import Tell, tell_to, unheard
 from wraparc.web.turns import Turns, busy
 
@@ -340,5 +340,5 @@ def _serve(pipe: Connection, prepare: Callable[[], None]) -> None:
         except (InputError, MissingExtraError, ApiError) as error:
             told = "error", error  # type: ignore[assignment]
         except Exception as error:  # noqa: BLE001 - told to whoever waits
-            told = "error", refused(500, f"a fault in the program ({type(error).__name__})")  # type: ignore[assignment]
+            told = "error", refusal_of(error)  # type: ignore[assignment]
         pipe.send(told)

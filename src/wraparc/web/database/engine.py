@@ -2,9 +2,11 @@
 
 import os
 import sqlite3
-from contextlib import closing
+from contextlib import closing, suppress
+from datetime import datetime
 from pathlib import Path
 from threading import Lock
+from time import monotonic, sleep
 from typing import Any
 
 from alembic import command
@@ -12,19 +14,20 @@ from alembic.config import Config
 from alembic.runtime.migration import MigrationContext
 from alembic.script import ScriptDirectory
 from alembic.util import CommandError
-from sqlalchemy import Connection, Engine, create_engine, event, text
+from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
 from sqlalchemy.exc import ArgumentError, SQLAlchemyError
 from sqlalchemy.pool import StaticPool
 
 from wraparc.errors import InputError, Problem
-from wraparc.saving import replacing
+from wraparc.saving import quoted, replacing
 
 MIGRATIONS = Path(__file__).with_name("migrations")
 #: Execution option of a transaction that will write.
 WRITES = "wraparc_writes"
-_BUSY_MS = 15_000
+_BUSY_MS, _AGAIN = 15_000, 0.02
 _CHECK = "Check that it is there and can be written, or name another with --database."
 _migrating = Lock()  # alembic has one context in a process
+_BACKUP = ".backup"  # of a file, as it was found sound the last time
 _LOCK = 0x77726170  # of all servers on one PostgreSQL database while one of them migrates
 
 
@@ -61,6 +64,10 @@ def open_engine(url: str, shown: str) -> Engine:
         message = "is no URL of a database"
         raise _unusable(shown, message, "Write postgresql://user@host/name.") from None
     except (SQLAlchemyError, sqlite3.Error, OSError) as error:
+        if _is_damage(error):
+            message = f"the file is damaged ({reason(error)})"
+            remedy = _after_damage(make_url(url).database or "")
+            raise _unusable(shown, message, remedy) from None
         raise _unusable(shown, f"cannot be used: {reason(error)}", _CHECK) from None
     return engine
 
@@ -71,25 +78,56 @@ def reason(error: Exception) -> str:
 
 
 def _sound_and_kept(engine: Engine) -> None:
-    """Look whether a file is damaged, and keep a copy of it before its tables are changed."""
+    """Look whether a file is damaged; keep a copy of a sound one, and one before it is changed."""
     file = engine.url.database
     if not file or not os.path.exists(file) or not os.path.getsize(file):
         return
     with engine.connect() as connection:
         found = connection.exec_driver_sql("PRAGMA quick_check(1)").scalar()
         if found != "ok":
-            raise sqlite3.DatabaseError(
-                f"the file is damaged ({str(found).splitlines()[-1][:100]})"
-            )
+            damage = sqlite3.DatabaseError(str(found).splitlines()[-1][:100])
+            damage.sqlite_errorcode = sqlite3.SQLITE_CORRUPT
+            raise damage
         now = MigrationContext.configure(connection).get_current_revision()
         newest = ScriptDirectory.from_config(configuration()).get_heads()
-        if now is None or now in newest or now > max(newest):
-            return
-        kept = Path(f"{file}.before-{max(newest)}")
         source = connection.connection.driver_connection
-        if not kept.exists() and isinstance(source, sqlite3.Connection):
-            with replacing(kept) as draft, closing(sqlite3.connect(draft)) as copy:
-                source.backup(copy)
+        if now is None or now > max(newest) or not isinstance(source, sqlite3.Connection):
+            return
+        if now not in newest and not os.path.exists(kept := f"{file}.before-{max(newest)}"):
+            _copy(source, kept)
+        with suppress(sqlite3.Error, OSError):  # no room for it is no reason not to serve
+            if _changed(file):
+                _copy(source, f"{file}{_BACKUP}")
+
+
+def _changed(file: str) -> bool:
+    """Whether a file has changed since its copy was made; what is not in it yet is in its log."""
+    kept, log = Path(f"{file}{_BACKUP}"), Path(f"{file}-wal")
+    logged = log.exists() and log.stat().st_size > 0
+    return not kept.exists() or logged or kept.stat().st_mtime < Path(file).stat().st_mtime
+
+
+def _copy(source: sqlite3.Connection, to: str) -> None:
+    with replacing(Path(to)) as draft, closing(sqlite3.connect(draft)) as copy:
+        source.backup(copy)
+
+
+def _is_damage(error: Exception) -> bool:
+    code = getattr(getattr(error, "orig", None) or error, "sqlite_errorcode", 0) & 0xFF
+    return code in (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
+
+
+def _after_damage(file: str) -> str:
+    """Say what can be done with a damaged file."""
+    kept = Path(f"{file}{_BACKUP}")
+    found = f"It was left as it is; `sqlite3 {quoted(file)} .recover` may save what is in it."
+    if not kept.exists():
+        return f"{found} Name another file with --database."
+    day = datetime.fromtimestamp(kept.stat().st_mtime).astimezone()
+    return (
+        f"{found} The designs as of {day:%Y-%m-%d %H:%M} are in {quoted(str(kept))}: name a copy "
+        "of that file with --database."
+    )
 
 
 def _engine(url: str) -> Engine:
@@ -112,10 +150,24 @@ def _prepare_sqlite(connection: Any, _: object) -> None:
     connection.isolation_level = None  # transactions are begun below
     cursor = connection.cursor()
     cursor.execute(f"PRAGMA busy_timeout={_BUSY_MS}")
-    cursor.execute("PRAGMA journal_mode=WAL")
+    _to_wal(cursor)
     cursor.execute("PRAGMA synchronous=FULL")
     cursor.execute("PRAGMA foreign_keys=ON")
     cursor.close()
+
+
+def _to_wal(cursor: Any) -> None:
+    """Switch to the log; while another server does it, SQLite refuses at once and never waits."""
+    end = monotonic() + _BUSY_MS / 1e3
+    while True:
+        try:
+            cursor.execute("PRAGMA journal_mode=WAL")
+        except sqlite3.OperationalError as error:
+            if error.sqlite_errorcode & 0xFF != sqlite3.SQLITE_BUSY or monotonic() > end:
+                raise
+            sleep(_AGAIN)
+        else:
+            return
 
 
 def _begin_sqlite(connection: Connection) -> None:

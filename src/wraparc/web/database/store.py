@@ -8,7 +8,7 @@ from typing import Annotated, cast
 
 from pydantic import PlainSerializer
 from sqlalchemy import ColumnElement, Engine, func, select
-from sqlalchemy.exc import IntegrityError, SQLAlchemyError
+from sqlalchemy.exc import DBAPIError, IntegrityError, SQLAlchemyError
 from sqlalchemy.orm import Session
 
 from wraparc.errors import Problem
@@ -120,14 +120,15 @@ class Store:
 
     @contextmanager
     def _session(self, *, writes: bool = False) -> Iterator[Session]:
-        options = {WRITES: writes}
+        options, committing = {WRITES: writes}, False
         try:
             with Session(self._engine.execution_options(**options)) as session, session.begin():
                 yield session
+                committing = writes
         except IntegrityError:
             raise
         except SQLAlchemyError as error:
-            raise _unavailable(error, writes=writes) from None
+            raise _unavailable(error, writes=writes, committing=committing) from None
 
     def listed(
         self, query: str = "", offset: int = 0, limit: int = 50, *, binned: bool = False
@@ -270,9 +271,15 @@ class Store:
             session.delete(_get(session, design, lock=True, binned=True))
 
 
-def _unavailable(error: SQLAlchemyError, *, writes: bool) -> ApiError:
+def _unavailable(error: SQLAlchemyError, *, writes: bool, committing: bool) -> ApiError:
     """Return what a database in trouble means for the user."""
     text = reason(error)
+    if committing and isinstance(error, DBAPIError) and error.connection_invalidated:
+        problem = Problem(
+            message=f"the saved designs went out of reach while this was saved ({text})",
+            remedy="Look into the list whether it is there before you save it again.",
+        )
+        return ApiError(503, problem, {"retry-after": "5"})
     saved = "Nothing was saved: keep the page open, or save the design as a file."
     if "is full" in text or "No space left" in text:
         problem = Problem(message="the disk with the saved designs is full", remedy=saved)
