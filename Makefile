@@ -26,7 +26,7 @@ sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building
 
 .DEFAULT_GOAL := help
-.PHONY: help demo serve test dev format lint types docs system tests bench lock clean
+.PHONY: help demo serve test dev format lint types docs installed system tests bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -42,7 +42,7 @@ serve: $(UV) ## open the calculator in the browser (sets itself up); FILE=drive.
 	@$(BIN)/wraparc serve --open $(FILE)
 
 test: dev format lint ## the whole gate (sets itself up)
-	@$(MAKE) --no-print-directory -j3 types docs tests
+	@$(MAKE) --no-print-directory -j4 types docs installed tests
 
 dev: $(UV) node_modules/.locked ## install everything a developer needs into .venv and node_modules
 	@echo "== environment: every extra and the developer tools, as locked"
@@ -75,6 +75,11 @@ docs: dev ## build the documentation into build/docs, running its code; check it
 	@$(BIN)/python docs/building/links.py build/docs README.md CONTRIBUTING.md CHANGELOG.md
 	@echo "documentation: build/docs/index.html"
 
+# The lowest versions that pyproject.toml allows (make lock), and every newer Python that is here.
+installed: dev ## build wheel and sdist; install them, also with the lowest libraries; try each
+	@echo "== installed: wheel and sdist, lowest versions of the libraries, other Pythons"
+	@UV="$(CURDIR)/$(UV)" $(BIN)/python tests/installed/check.py
+
 # Programs that no Python package brings: for the checks of the page, the tests of the calculator
 # and its database.
 headless = $(shell command -v chromium-headless-shell || command -v chrome-headless-shell)
@@ -103,8 +108,10 @@ bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"
 	@$(BIN)/python -m pytest -q -o addopts="" -W error benchmarks
 
-lock: $(UV) ## resolve the dependencies anew and write uv.lock and package-lock.json
+lock: $(UV) ## resolve the dependencies anew and write uv.lock, lowest.txt and package-lock.json
 	@$(UV) lock
+	@$(UV) pip compile --quiet --universal --resolution lowest-direct --all-extras --no-annotate \
+	  --no-header --output-file tests/installed/lowest.txt pyproject.toml
 	@npm install --silent --no-audit --no-fund --package-lock-only
 
 clean: ## remove everything that make installed or built
