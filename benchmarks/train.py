@@ -1,10 +1,13 @@
 """Speed of trains, in ratios to one solve of one arc in the same run.
 
-Run it with ``python benchmarks/train.py``. CPU time of this process, plain Python, best of a few.
+    python benchmarks/train.py          CPU time of this process, plain Python, best of a few
+    python benchmarks/train.py batch    trains a second in batches, on all processors
 
-Goals: all load cases of a two-drive file in under 50 ms of solving, a 101 x 101 map in under 2 s.
+Goals: all load cases of a two-drive file in under 50 ms of solving, a 101 x 101 map in under 2 s;
+20,000 trains a second on two processors, wear of one drum, belt and friction drawn at random.
 """
 
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,14 +16,17 @@ from pathlib import Path
 import numpy as np
 
 from wraparc.arc import Distributed
+from wraparc.batch import Setting
 from wraparc.train import (
     Axis,
+    Motors,
     Speeds,
     Train,
     match_drives,
     share_curve,
     share_map,
     solve_train,
+    solve_train_batch,
 )
 from wraparc.train.file import load_train
 from wraparc.train.locate import locate
@@ -53,6 +59,44 @@ def tensions_only(train: Train) -> None:
     softening = any(p.lagging.law.steepest_fall() < 0.0 for p in train.pulleys)
     for case in train.cases:
         locate(Setup.of(train, case).system, [p.name for p in train.pulleys], softening)
+
+
+def machine() -> float:
+    """CPU time of a plain loop, to know the machine by [s]."""
+    start, total = time.process_time(), 0.0
+    for i in range(3_000_000):
+        total += i * 0.5
+    return time.process_time() - start
+
+
+def batches(n: int = 40_000) -> None:
+    """Print trains a second, by CPU time of one processor and by the clock."""
+    print(f"a plain loop of 3 million: {machine():.2f} s (0.25 where nothing else runs)")
+    rng = np.random.default_rng(1)
+    print(f"{'':44s}{'trains':>8s}{'CPU us':>9s}{'a second':>10s}  solved")
+    for name in ("tandem-fabric", "tandem-steel-cord", "triple-steel-cord"):
+        train = load_train(EXAMPLES / f"{name}.toml")
+        first, second = (p.name for p in train.pulleys[:2])
+        worn = {
+            f"{second}.wear": rng.uniform(0.0, 5e-4, n),
+            f"{first}.friction_factor": rng.uniform(0.85, 1.1, n),
+            "belt_modulus": train.belt.modulus * rng.uniform(0.9, 1.1, n),
+        }
+        shares = {f"{first}.share": rng.uniform(0.35, 0.5, n)}
+        trims = {f"{second}.speed_trim": rng.uniform(0.999, 1.001, n)}
+        kinds = [("wear, friction, belt", worn, n), ("shares", shares, n)]
+        if not isinstance(train.cases[0].division, Motors):
+            kinds.append(("trim", trims, n))
+        for kind, columns, count in [*kinds, ("wear ..., precise", worn, n // 40)]:
+            some = {key: column[:count] for key, column in columns.items()}
+            setting = Setting.PRECISE if "precise" in kind else Setting.ENGINEERING
+            few = {key: column[:2] for key, column in some.items()}
+            solve_train_batch(train, few, setting=setting, capacities=False)  # compiled
+            clock, used = time.perf_counter(), time.process_time()
+            found = solve_train_batch(train, some, setting=setting, capacities=False)
+            clock, used = time.perf_counter() - clock, time.process_time() - used
+            told = f"{count:8d}{1e6 * used / count:9.1f}{count / clock:10.0f}"
+            print(f"{name + ', ' + kind:44s}{told}  {np.mean(found.solved):.1%}", flush=True)
 
 
 def main() -> None:
@@ -89,4 +133,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    batches() if sys.argv[1:] == ["batch"] else main()

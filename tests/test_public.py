@@ -53,6 +53,7 @@ PUBLIC = [
     "Tensions",
     "TestedRange",
     "Train",
+    "TrainBatchResult",
     "TrainResult",
     "Transition",
     "Trend",
@@ -69,6 +70,7 @@ PUBLIC = [
     "solve_across",
     "solve_batch",
     "solve_train",
+    "solve_train_batch",
     "stability",
 ]
 

@@ -63,7 +63,13 @@ if typing.TYPE_CHECKING:
     from wraparc.motion import Event, RunResult, StabilityResult, Station, simulate, stability
     from wraparc.motion.file import load_motion
     from wraparc.provenance import Kind, Provenance
-    from wraparc.train import Train, TrainResult, solve_train
+    from wraparc.train import (
+        Train,
+        TrainBatchResult,
+        TrainResult,
+        solve_train,
+        solve_train_batch,
+    )
     from wraparc.train.file import load_drive, load_train
     from wraparc.version import __version__
 
@@ -111,6 +117,7 @@ __all__ = [
     "Tensions",
     "TestedRange",
     "Train",
+    "TrainBatchResult",
     "TrainResult",
     "Transition",
     "Trend",
@@ -127,6 +134,7 @@ __all__ = [
     "solve_across",
     "solve_batch",
     "solve_train",
+    "solve_train_batch",
     "stability",
 ]
 
@@ -152,7 +160,7 @@ _ROOMS = {
     "motion.file": "load_motion",
     "provenance": "Kind Provenance",
     "batch": "BatchResult Setting solve_batch",
-    "train": "Train TrainResult solve_train",
+    "train": "Train TrainBatchResult TrainResult solve_train solve_train_batch",
     "train.file": "load_drive load_train",
     "version": "__version__",
 }

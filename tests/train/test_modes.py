@@ -304,6 +304,14 @@ def test_shares_beyond_friction_name_the_drive() -> None:
     assert caught.value.result.cases[0].status is TrainStatus.BREAKAWAY
 
 
+def test_a_drum_that_slides_as_much_as_it_can_has_no_speed() -> None:
+    """The second drum moves no belt at an entry creep ratio of 1: its speeds are not known."""
+    result = tried(train(pulleys(2), case(Shares((0.5, 0.5)), exit_=2e3)))
+    assert result.status is TrainStatus.BREAKAWAY
+    assert math.isnan(result["p2"].speed_ratio)
+    assert math.isnan(result["p2"].surface_speed)
+
+
 def test_many_load_cases() -> None:
     of = pulleys(2)
     cases = tuple(

@@ -107,29 +107,49 @@ def solve_arcs(
     InputError
         If `threads` is less than 1.
     """
+    parts = row.EVERYTHING if capacities else row.TENSIONS
+    found = np.empty((len(arcs), row.FOUND_NUMBERS))
+
+    def run(which: slice) -> None:
+        found[which] = _chunk(arcs.rows(which), setting, parts)
+
+    share_chunks(run, len(arcs), CHUNK[setting.value], threads, progress)
+    return BatchResult(arcs, found)
+
+
+def share_chunks(
+    run: Callable[[slice], None],
+    total: int,
+    size: int,
+    threads: int | None,
+    progress: Progress | None,
+) -> None:
+    """Run chunks of rows on the threads of this process, see `solve_arcs`.
+
+    Raises
+    ------
+    InputError
+        If `threads` is less than 1.
+    """
     workers = os.cpu_count() or 1 if threads is None else threads
     if workers < 1:
         problem = Problem(key="threads", value=str(threads), message="must be at least 1")
         raise InputError(problem)
-    parts = row.EVERYTHING if capacities else row.TENSIONS
-    found = np.empty((len(arcs), row.FOUND_NUMBERS))
-    size = CHUNK[setting.value]
-    starts = range(0, len(arcs), size)
+    starts = range(0, total, size)
 
-    def run(start: int) -> int:
-        which = slice(start, min(start + size, len(arcs)))
-        found[which] = _chunk(arcs.rows(which), setting, parts)
+    def chunk(start: int) -> int:
+        which = slice(start, min(start + size, total))
+        run(which)
         return which.stop - which.start
 
     # without a compiler the interpreter's lock leaves nothing to share
     if workers == 1 or len(starts) < 2 or not available():
         done = 0
         for start in starts:
-            done += run(start)
-            _tell(progress, done, len(arcs))
+            done += chunk(start)
+            _tell(progress, done, total)
     else:
-        _share(run, starts, workers, progress, len(arcs))
-    return BatchResult(arcs, found)
+        _share(chunk, starts, workers, progress, total)
 
 
 def _share(

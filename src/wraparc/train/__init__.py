@@ -7,6 +7,8 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from wraparc.train.batch import solve_train_batch
+    from wraparc.train.batch_result import TRAIN_STATUSES, DrumColumns, TrainBatchResult
     from wraparc.train.change import what_if
     from wraparc.train.curve import Mark, MarkKind, ShareCurve, share_curve
     from wraparc.train.grid import ShareMap, share_map
@@ -24,10 +26,12 @@ if TYPE_CHECKING:
     from wraparc.train.walk import Axis
 
 __all__ = [
+    "TRAIN_STATUSES",
     "Axis",
     "CaseResult",
     "Change",
     "Division",
+    "DrumColumns",
     "FluidCoupling",
     "Induction",
     "Mark",
@@ -44,6 +48,7 @@ __all__ = [
     "Speeds",
     "TorqueFollower",
     "Train",
+    "TrainBatchResult",
     "TrainCase",
     "TrainResult",
     "TrainStatus",
@@ -52,10 +57,13 @@ __all__ = [
     "share_curve",
     "share_map",
     "solve_train",
+    "solve_train_batch",
     "what_if",
 ]
 
 _MODULES = {
+    "batch": "solve_train_batch",
+    "batch_result": "TRAIN_STATUSES DrumColumns TrainBatchResult",
     "curve": "Mark MarkKind ShareCurve share_curve",
     "matching": "Change Matching match_drives",
     "motors": "FluidCoupling Induction Motor TorqueFollower VariableSpeed",

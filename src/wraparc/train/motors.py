@@ -19,7 +19,7 @@ from wraparc.errors import Problem
 from wraparc.schema.limits import limit_problems, raise_all
 
 #: Fall of speed per rated torque beyond the end of a curve, for solvers only [-].
-_BEYOND = 10.0
+BEYOND = 10.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -116,7 +116,7 @@ class Motor(ABC):
         within = min(max(load, -end), end)
         excess = load - within
         speed = self.shaft_speed(within) / self.gear_ratio
-        return speed * math.exp(-_BEYOND * math.copysign(math.log1p(abs(excess)), excess))
+        return speed * math.exp(-BEYOND * math.copysign(math.log1p(abs(excess)), excess))
 
     def limits(self) -> tuple[float, float]:
         """Least and largest load that the motor can bear, in rated torques [-]."""

@@ -260,9 +260,10 @@ def _member(
     total = setup.case.effective_tension
     a, a1 = arc.entry_tension, first.entry_tension
     g, g1 = ratios[i], ratios[0]
-    ratio = (1.0 + a / stretch) * (1.0 - g1) / ((1.0 + a1 / stretch) * (1.0 - g))
+    leaves = 1.0 - g if g < 1.0 else nan  # a drum that slides as much as it can moves no belt
+    ratio = (1.0 + a / stretch) * (1.0 - g1) / ((1.0 + a1 / stretch) * leaves)
     arm, arm1 = (r.arc.radius - r.arc.compression for r in (arc, first))
-    surface = belt_speed / (1.0 - g)
+    surface = belt_speed / leaves
     torque, rotation = arc.effective_tension * arm, surface / arm
     return MemberResult(
         arc=arc,
