@@ -90,8 +90,8 @@ class Visitor:
         self.context = browser.new_context(
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
+        self.context.set_default_timeout(_LONG)
         self.page: Page = self.context.new_page()
-        self.page.set_default_timeout(_LONG)
         self.address = address
         self.wrong: list[str] = []
         self.elsewhere: list[str] = []

@@ -197,14 +197,14 @@ def test_saved_design_comes_back_in_every_version(visitor: Visitor) -> None:
 
 
 def test_a_link_from_elsewhere_asks_for_the_token(calculator: Calculator) -> None:
-    context = calculator[0].new_context()
-    page = context.new_page()
-    page.goto(f"{calculator[1].address}#/compare")
+    visitor = Visitor(calculator[0], calculator[1].address)
+    page = visitor.page
+    page.goto(f"{visitor.address}#/compare")
     page.get_by_label("Token").fill(TOKEN)
     page.get_by_role("button", name="Open").click()
     page.wait_for_selector(READY["compare"])
     assert "token" not in page.url
-    context.close()
+    visitor.context.close()
 
 
 def test_a_design_goes_into_the_bin_and_comes_back(visitor: Visitor) -> None:
