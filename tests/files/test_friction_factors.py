@@ -11,6 +11,7 @@ from wraparc.errors import InputError
 from wraparc.files.lagging_file import lagging_from_text
 from wraparc.files.write import lagging_text
 from wraparc.provenance import Kind
+from wraparc.report import NoteHead, markdown
 
 LAGGING = """
 format = 1
@@ -167,3 +168,12 @@ def test_a_drive_may_say_the_speed_of_its_own(tmp_path: Path) -> None:
     (tmp_path / "drive.toml").write_text(own.replace('lagging = "mine.toml"', preset), "utf-8")
     of = load_drive(tmp_path / "drive.toml")
     assert of.pulleys[0].lagging.law.friction(1e-3, 1e5) == pytest.approx(0.5 * 0.95 * 0.8)
+
+
+def test_a_note_assumes_nothing_that_the_factors_contradict(tmp_path: Path) -> None:
+    (tmp_path / "mine.toml").write_text(LAGGING, "utf-8")
+    (tmp_path / "drive.toml").write_text(
+        DRIVE.replace('condition = ["dry", "muddy"]\n', ""), "utf-8"
+    )
+    text = markdown([solve(load_drive(tmp_path / "drive.toml"))], NoteHead())
+    assert "not on speed, temperature or time (but by the factors among the inputs" in text

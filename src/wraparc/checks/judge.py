@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import of_arc, of_drive
+from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, LoadCase
@@ -33,7 +33,7 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
 
 def before(drive: Drive) -> Verdict:
     """Return the checks of a drive that need no solving."""
-    checks: list[Check] = [of_drive.data(drive, p) for p in drive.pulleys]
+    checks: list[Check] = [of_data.data(drive, p) for p in drive.pulleys]
     checks += of_drive.usual_sizes(drive)
     checks += of_drive.take_up(drive)
     checks += (of_drive.pulley_diameter(drive, p) for p in drive.pulleys)
@@ -47,8 +47,8 @@ def _unsolved(drive: Drive, case: LoadCase) -> Iterator[Check]:
         yield of_drive.belt_tension(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)
-        yield from of_drive.condition(case, pulley)
-        yield from of_drive.fit(case, pulley)
+        yield from of_data.condition(case, pulley)
+        yield from of_data.fit(case, pulley)
     found = of_drive.sag(drive, case)
     if found is not None:
         yield found
@@ -69,7 +69,7 @@ def _drive(result: DriveResult) -> Iterator[Check]:
         yield of_drive.pulley_diameter(drive, pulley)
     yield from of_drive.usual_sizes(drive)
     for pulley in drive.pulleys:
-        yield of_drive.data(drive, pulley)
+        yield of_data.data(drive, pulley)
 
 
 def _across(result: DriveResult) -> Iterator[Check]:
@@ -96,8 +96,8 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_arc.lagging_stress(pulley, result)
         yield from of_drive.tested_pressure(drive, case, pulley)
-        yield from of_drive.condition(case, pulley)
-        yield from of_drive.fit(case, pulley)
+        yield from of_data.condition(case, pulley)
+        yield from of_data.fit(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
         balanced = of_arc.balance(result)
         if balanced is not None:

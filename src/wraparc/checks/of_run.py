@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
-from wraparc.checks import of_arc, of_drive
+from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
@@ -53,15 +53,15 @@ def _checks(run: RunResult) -> Iterator[Check]:
         of_pulley = (
             of_drive.face_pressure(drive, case, pulley),
             *of_drive.tested_pressure(drive, case, pulley),
-            *of_drive.condition(case, pulley),
-            *of_drive.fit(case, pulley),
+            *of_data.condition(case, pulley),
+            *of_data.fit(case, pulley),
         )
         yield from (replace(check, place=place) for check in of_pulley)
         yield of_drive.pulley_diameter(drive, pulley)
     yield _tension(run, case)
     yield _sag(drive, run)
     yield from of_drive.usual_sizes(drive)
-    yield from (of_drive.data(drive, pulley) for pulley in drive.pulleys)
+    yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
 
 
 def _case(run: RunResult) -> LoadCase:

@@ -34,7 +34,7 @@ class Edges:
         Tension where the belt is tightest and what an edge may carry [N/m]; infinite where a strip
         goes slack or the belt is not carried; the limit nan without a rating.
     where
-        Place of the worst case, as in `wraparc.choose.selection.Held`.
+        Place of the worst case, as in `wraparc.choose.limits.Held`.
     """
 
     unevenness: Array

@@ -3,8 +3,9 @@
 import math
 from collections.abc import Iterator
 
+from wraparc.choose.limits import NO_TENSION
 from wraparc.choose.search import Search
-from wraparc.choose.selection import NO_TENSION, Selection, own_slack
+from wraparc.choose.selection import Selection, own_slack
 from wraparc.choose.slack_rules import standard_asks
 from wraparc.present.sheet import named, percent, quantity
 from wraparc.units import Dimension, System

@@ -7,19 +7,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Literal
 
-from wraparc.arc import ArcResult, DriveResult
+from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
 from wraparc.drive import Lagging
 from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Equation
-from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import (
     answer_table,
     belongs,
     capacity_table,
-    creep_interval_text,
     creep_table,
 )
 from wraparc.present.catalogue_sheets import law_table
@@ -31,10 +29,10 @@ from wraparc.present.drive_sheet import method_remarks
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
-from wraparc.present.sheet import NONE, Row, Table, Verdict, named, number, percent, started
+from wraparc.present.sheet import Table, Verdict, named, percent, started
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
-from wraparc.present.words import level_of, short, verdict
+from wraparc.present.words import verdict
 from wraparc.report.drawings import (
     Drawing,
     across_drawing,
@@ -43,7 +41,8 @@ from wraparc.report.drawings import (
     pulley_drawing,
 )
 from wraparc.report.equations import equations
-from wraparc.units import System, display_unit
+from wraparc.report.note_tables import arcs_table, shares_table
+from wraparc.units import System
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -250,82 +249,14 @@ def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input
 def _results_section(
     results: Sequence[DriveResult], system: System, train: "TrainResult | None"
 ) -> Section:
-    tables = [_arcs_table(results, system)]
+    tables = [arcs_table(results, system)]
     if results[0].drive.conditions:
         tables.append(conditions_table(results[0], system))
     if train is not None:
         from wraparc.present.train_sheet import case_table
 
-        tables += [_shares_table(train, system), case_table(train.governing, system)]
+        tables += [shares_table(train, system), case_table(train.governing, system)]
     return Section("Results by load case", tables=tuple(tables))
-
-
-def _arcs_table(results: Sequence[DriveResult], system: System) -> Table:
-    """One line for each arc; the creep by the other methods beside that of the first."""
-    columns = (
-        ("entry_tension", "T1"), ("exit_tension", "T2"), ("tension_ratio", "T1/T2"),
-        ("exit_creep", "creep"), ("exit_slip", "slip"), ("peak_shear_angle", "shear angle"),
-        ("peak_shear_stress", "shear stress"), ("creep_limit_margin", "margin"),
-        ("power_loss", "loss"),
-    )  # fmt: skip
-    others = ["creep, paper"] if len(results) > 1 else []
-    heads = [_head(name, words, system) for name, words in columns]
-    heads[4:4] = [_head("exit_creep", words, system) for words in others]
-    rows = []
-    for position, arc in enumerate(results[0]):
-        values = [_number(arc, name, system) for name, _ in columns]
-        values[4:4] = [_number(r.arcs[position], "exit_creep", system) for r in results[1:2]]
-        title = arc.arc.load_case
-        if len(results[0].drive.pulleys) > 1:
-            title += f": {arc.arc.pulley}"
-        rows.append(Row(title, (*values, short(results[0], arc)), level=level_of(results[0], arc)))
-    note = (
-        "Margin: capacity at the creep limit over the actual tension ratio. Shear angle and shear "
-        "stress at their peak."
-    )
-    for arc in results[0]:
-        told = creep_interval_text(arc, system)
-        note += f" Creep in {belongs(arc)}: {told}." if told else ""
-    return Table("", tuple(rows), (*heads, "answer"), note)
-
-
-def _shares_table(train: "TrainResult", system: System) -> Table:
-    """One line for each drive of each load case: what it carries, how fast it turns."""
-    from wraparc.present.train_sheet import trim_text
-
-    rows, pulleys = [], train.drive_result()
-    for case in train:
-        for m in case.members:
-            values = (
-                percent(m.share),
-                number("drum_power", m.drum_power, system),
-                f"{100.0 * (m.speed_ratio - 1.0):+.4f}",
-                trim_text(m.speed_trim),
-                percent(m.motor.motor_load) if m.motor else NONE,
-            )
-            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(pulleys, m.arc)))
-    heads = (
-        "share", _head("drum_power", "power", system), "speed to the first [%]", "speed trim",
-        "motor load",
-    )  # fmt: skip
-    return Table("Shares and speeds", tuple(rows), heads)
-
-
-def _head(name: str, words: str, system: System) -> str:
-    unit, _ = display_unit(GLOSSARY[name].dimension, system)
-    return f"{words} [{unit}]" if unit else words
-
-
-def _number(result: ArcResult, name: str, system: System) -> str:
-    if name in ("entry_tension", "exit_tension", "tension_ratio"):
-        arc = result.arc
-        ratio = arc.entry_tension / arc.exit_tension
-        value = ratio if name == "tension_ratio" else getattr(arc, name)
-    elif not result.status.solved and name != "creep_limit_margin":
-        return NONE
-    else:
-        value = result.scalars()[name]
-    return number(name, value, system)
 
 
 def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Iterator[Section]:
@@ -380,10 +311,10 @@ def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") ->
             "Across the width alone they are not uniform: the belt is cut into strips that its "
             "in-plane shear couples, the spans are membranes held to their track."
         )
-    yield (
-        "The friction law depends on slip and pressure, not on speed, temperature or time; it is "
-        f"that of the condition named ({_conditions(drive.laggings)})."
-    )
+    told = "The friction law depends on slip and pressure, not on speed, temperature or time"
+    if any(lagging.factors is not None for lagging in drive.laggings):
+        told += " (but by the factors among the inputs, the least over the whole arc)"
+    yield f"{told}; it is that of the condition named ({_conditions(drive.laggings)})."
     for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
         yield (
             f"The law of {lagging.name} when {lagging.condition} is a tested law scaled as a whole "

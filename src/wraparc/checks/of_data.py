@@ -1,0 +1,119 @@
+"""Checks of what the numbers rest on: tests, fits, conditions that were scaled, weak data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from wraparc.checks.check import Check, Level, Place
+from wraparc.checks.of_drive import escaped, origin
+from wraparc.checks.rules import RULES
+from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.conditions import SCALED
+from wraparc.provenance import Kind
+
+
+def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+    """Ask for attention where a law is scaled to a condition it was not tested in."""
+    lagging = pulley.lagging
+    if SCALED not in lagging.sources:
+        return
+    source = lagging.sources[SCALED]
+    yield Check(
+        name=RULES["condition"].name,
+        title=f"Friction of {lagging.name}, {lagging.condition}",
+        level=Level.ATTENTION,
+        place=Place(pulley.name, case.name),
+        source=origin(source),
+        short=f"not tested {lagging.condition}",
+        says=escaped(
+            f"Lagging {lagging.name} was not tested {lagging.condition}: its law is a tested one "
+            f"scaled as a whole ({lagging.notes[-1]})."
+        ),
+        remedy=f"Test the lagging {lagging.condition}, or keep more slack-side tension in hand.",
+        binding=False,
+    )
+
+
+def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+    """Ask for attention where the fit of a law left word that it does not describe its tests."""
+    lagging = pulley.lagging
+    if lagging.fit is None or not lagging.fit.misfit:
+        return
+    first, *more = lagging.fit.misfit
+    others = f" (and {len(more)} more of its lagging file)" if more else ""
+    yield Check(
+        name=RULES["fit"].name,
+        title=f"Friction of {lagging.name}, fit to its tests",
+        level=Level.ATTENTION,
+        place=Place(pulley.name, case.name),
+        source=origin(lagging.sources.get("law", lagging.provenance)),
+        short="does not fit its tests",
+        says=escaped(
+            f"The friction law of lagging {lagging.name} does not describe its tests: "
+            f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"
+        ),
+        remedy="Mend or repeat those tests and fit again, or keep more slack-side tension in hand.",
+        binding=False,
+    )
+
+
+def _accepted(reason: str) -> str:
+    return f" The laboratory wrote it nevertheless: {reason.rstrip('.')}." if reason else ""
+
+
+def data(drive: Drive, pulley: Pulley) -> Check:
+    """Say on what data the answer for a pulley stands; the weakest decides."""
+    lagging = pulley.lagging
+    found: dict[str, list[str]] = {}
+    for kind, what in _weak_sources(drive, pulley):
+        found.setdefault(kind, []).append(what)
+    law, friction = lagging.source_of("law").kind.value, f"The friction of {lagging.name} is"
+    words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
+    untested = lagging.law.tested is None
+    words += [f"{friction} given without tests."] if untested else []
+    words += [
+        f"{kind.capitalize()}: {', '.join(dict.fromkeys(found[kind]))}."
+        for kind in ("illustrative", "calibrated", "estimated")
+        if kind in found
+    ]
+    ground = {law: True, "untested": untested} | dict.fromkeys(found, True)
+    worst = next((word for kind, word in _GROUNDS.items() if ground.get(kind)), "")
+    return Check(
+        name="data",
+        title="Data that the answer stands on",
+        level=Level.OK,
+        place=Place(pulley.name),
+        short=worst,
+        says=escaped(" ".join(words)),
+        binding=False,
+    )
+
+
+def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
+    """Yield each number that is illustrative, calibrated or estimated, with its kind."""
+    lagging, belt = pulley.lagging, drive.belt
+    owners = (
+        (lagging.name, {k: v for k, v in lagging.sources.items() if k != "law"}),
+        ("the belt", belt.sources),
+        (f"pulley {pulley.name}", pulley.sources),
+    )
+    told = [(f"{k.replace('_', ' ')} of {owner}", v) for owner, of in owners for k, v in of.items()]
+    if pulley.across is not None and belt.in_plane_shear_stiffness is None:
+        yield "estimated", "in-plane shear stiffness of the belt"
+    for what, source in (*told, ("the belt", belt.provenance)):
+        if source.note.startswith("estimated"):
+            yield "estimated", what
+        if source.kind in (Kind.ILLUSTRATIVE, Kind.CALIBRATED):
+            yield source.kind.value, what
+
+
+_GROUNDS = {
+    "illustrative": "on illustrative data",
+    "untested": "on friction without tests",
+    "estimated": "on estimated data",
+    "calibrated": "on calibrated data",
+}
+_LAWS = {
+    "illustrative": "illustrative: it describes no real product",
+    "calibrated": "calibrated: it was fitted to a known result",
+}

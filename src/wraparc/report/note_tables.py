@@ -1,0 +1,82 @@
+"""Tables that a calculation note alone has: all arcs of all load cases, the shares of a train."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from wraparc.arc import ArcResult, DriveResult
+from wraparc.glossary import GLOSSARY
+from wraparc.present.arc_tables import belongs, creep_interval_text
+from wraparc.present.sheet import NONE, Row, Table, number, percent
+from wraparc.present.words import level_of, short
+from wraparc.units import System, display_unit
+
+if TYPE_CHECKING:
+    from wraparc.train import TrainResult
+
+
+def arcs_table(results: Sequence[DriveResult], system: System) -> Table:
+    """One line for each arc; the creep by the other methods beside that of the first."""
+    columns = (
+        ("entry_tension", "T1"), ("exit_tension", "T2"), ("tension_ratio", "T1/T2"),
+        ("exit_creep", "creep"), ("exit_slip", "slip"), ("peak_shear_angle", "shear angle"),
+        ("peak_shear_stress", "shear stress"), ("creep_limit_margin", "margin"),
+        ("power_loss", "loss"),
+    )  # fmt: skip
+    others = ["creep, paper"] if len(results) > 1 else []
+    heads = [_head(name, words, system) for name, words in columns]
+    heads[4:4] = [_head("exit_creep", words, system) for words in others]
+    rows = []
+    for position, arc in enumerate(results[0]):
+        values = [_number(arc, name, system) for name, _ in columns]
+        values[4:4] = [_number(r.arcs[position], "exit_creep", system) for r in results[1:2]]
+        title = arc.arc.load_case
+        if len(results[0].drive.pulleys) > 1:
+            title += f": {arc.arc.pulley}"
+        rows.append(Row(title, (*values, short(results[0], arc)), level=level_of(results[0], arc)))
+    note = (
+        "Margin: capacity at the creep limit over the actual tension ratio. Shear angle and shear "
+        "stress at their peak."
+    )
+    for arc in results[0]:
+        told = creep_interval_text(arc, system)
+        note += f" Creep in {belongs(arc)}: {told}." if told else ""
+    return Table("", tuple(rows), (*heads, "answer"), note)
+
+
+def shares_table(train: "TrainResult", system: System) -> Table:
+    """One line for each drive of each load case: what it carries, how fast it turns."""
+    from wraparc.present.train_sheet import trim_text
+
+    rows, pulleys = [], train.drive_result()
+    for case in train:
+        for m in case.members:
+            values = (
+                percent(m.share),
+                number("drum_power", m.drum_power, system),
+                f"{100.0 * (m.speed_ratio - 1.0):+.4f}",
+                trim_text(m.speed_trim),
+                percent(m.motor.motor_load) if m.motor else NONE,
+            )
+            rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(pulleys, m.arc)))
+    heads = (
+        "share", _head("drum_power", "power", system), "speed to the first [%]", "speed trim",
+        "motor load",
+    )  # fmt: skip
+    return Table("Shares and speeds", tuple(rows), heads)
+
+
+def _head(name: str, words: str, system: System) -> str:
+    unit, _ = display_unit(GLOSSARY[name].dimension, system)
+    return f"{words} [{unit}]" if unit else words
+
+
+def _number(result: ArcResult, name: str, system: System) -> str:
+    if name in ("entry_tension", "exit_tension", "tension_ratio"):
+        arc = result.arc
+        ratio = arc.entry_tension / arc.exit_tension
+        value = ratio if name == "tension_ratio" else getattr(arc, name)
+    elif not result.status.solved and name != "creep_limit_margin":
+        return NONE
+    else:
+        value = result.scalars()[name]
+    return number(name, value, system)
