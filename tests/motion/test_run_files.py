@@ -107,9 +107,15 @@ def test_a_full_disk_keeps_the_state_and_says_so(
         f'Error: "{tmp_path}/rows.csv.part": cannot be written: No space left on device. Make '
         f"room: the same command goes on from {state}.\n"
     )
-    assert not (tmp_path / "rows.csv").exists()
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["rows.csv.part", "run.npz"]
     assert run(tmp_path, "--checkpoint", str(state)).code == 0
     assert (tmp_path / "rows.csv").read_bytes() == undisturbed
+
+
+def test_a_run_that_cannot_begin_leaves_nothing(tmp_path: Path) -> None:
+    ran = run(tmp_path, "--checkpoint", str(tmp_path / "run.npz"), "--step", "9 s")
+    assert ran.code == 2
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_last_rows_are_safe_before_the_state_goes(

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,6 +14,7 @@ import pytest
 from study.studies import FOLDER
 from study.test_study_run import columns, small
 from wraparc.errors import InputError
+from wraparc.study import executor
 from wraparc.study.executor import DaskCluster, _check_workers, require_distributed
 from wraparc.study.run import Run, parts_folder, run_study
 
@@ -85,8 +87,8 @@ def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> N
             alive.append(total - done)
 
     path = tmp_path / "cluster.parquet"
-    executor = DaskCluster(cluster.address, timeout=60.0)
-    run_study(study, path, Run(executor=executor, part_designs=10, progress=tell))
+    solver = DaskCluster(cluster.address, timeout=60.0)
+    run_study(study, path, Run(executor=solver, part_designs=10, progress=tell))
     assert alive, "the worker was to die in the middle of the work"
     assert alive[0] > 0
     run_study(study, tmp_path / "here.parquet")
@@ -101,13 +103,37 @@ def test_a_cluster_that_is_lost_keeps_what_is_done(cluster: Cluster, tmp_path: P
         if done >= total // 4:
             cluster.scheduler.kill()
 
-    executor = DaskCluster(cluster.address, timeout=60.0)
+    solver = DaskCluster(cluster.address, timeout=60.0)
     with pytest.raises(InputError, match=r"the cluster was lost: .*parts that are done stay"):
-        run_study(study, path, Run(executor=executor, part_designs=10, progress=tell))
+        run_study(study, path, Run(executor=solver, part_designs=10, progress=tell))
     assert len(list(parts_folder(path).glob("*.parquet"))) >= 10
     run_study(study, path, Run(resume=True))
     run_study(study, tmp_path / "here.parquet")
     assert columns(path) == columns(tmp_path / "here.parquet")
+
+
+def test_a_cluster_without_workers_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its scheduler lives on; none of its workers does, and no other comes."""
+
+    class Client:
+        looks = iter([{"tcp://a:1": 1}, {}, {}, {}])
+
+        def nthreads(self) -> dict[str, int]:
+            return next(self.looks)
+
+    class Running:
+        thread_condition = threading.Condition()
+
+        def has_ready(self) -> bool:
+            return False
+
+    moments = iter([0.0, 30.0, 60.0, 91.0])
+    monkeypatch.setattr(executor, "monotonic", lambda: next(moments))
+    monkeypatch.setattr(executor, "_LOOK", 0.0)
+    with pytest.raises(TimeoutError, match="no worker is left, and none has come in 60 s"):
+        DaskCluster("tcp://a:1")._next(Client(), Running())
+    told = str(executor._lost("tcp://a:1", TimeoutError("no worker is left")))
+    assert told.endswith("parts that are done stay. Go on with --resume.")
 
 
 def test_processes_of_this_computer(tmp_path: Path) -> None:

@@ -84,6 +84,11 @@ class Rows:
         """Whether there is any file of rows."""
         return bool(self.csv_file or self.parquet_file)
 
+    @property
+    def _goes_on(self) -> bool:
+        """Whether the same command goes on from a saved state."""
+        return bool(self.state_file) and os.path.exists(self.state_file or "")
+
     def open(self, files: ExitStack) -> None:
         """Begin the files; that of a run that may go on waits for `resumed`."""
         self._files = files
@@ -141,7 +146,7 @@ class Rows:
     def clear_away(self) -> None:
         """Remove drafts that nobody goes on with."""
         for path, draft in self.drafts.items():
-            if not (self.cancelled or self.state_file or draft == Path(os.path.realpath(path))):
+            if not (self.cancelled or self._goes_on or draft == Path(os.path.realpath(path))):
                 with suppress(OSError):
                     draft.unlink(missing_ok=True)
 
@@ -157,7 +162,7 @@ class Rows:
     def unwritable(self, error: OSError) -> Problem:
         """Return the problem of rows that cannot be written."""
         place = next(iter(self.drafts.values()), None)
-        if self.state_file and os.path.exists(self.state_file):
+        if self._goes_on:
             remedy = f"Make room: the same command goes on from {self.state_file}."
             return unwritable(place or "", error, remedy)
         return unwritable(place or "standard output", error)

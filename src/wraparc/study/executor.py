@@ -12,6 +12,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from itertools import islice
 from threading import Event
+from time import monotonic
 from typing import Any, NamedTuple, Protocol
 
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
@@ -20,6 +21,9 @@ from wraparc.study.parquet import solve_part
 from wraparc.version import __version__
 
 _ADDRESS = re.compile(r"(?:tcp|tls)://(\[[0-9a-fA-F:]+\]|[^:/\s]{1,253}):([0-9]{1,5})")
+
+#: Seconds that a cluster may be without workers, and between two looks whether it has any.
+_WITHOUT_WORKERS, _LOOK = 60.0, 1.0
 
 
 class Part(NamedTuple):
@@ -160,10 +164,24 @@ class DaskCluster:
                 running.add(future)
             if not places:
                 return
-            future = next(running)
+            future = self._next(client, running)
             content = bytes(future.result())
             yield places.pop(future.key), content
             future.release()
+
+    def _next(self, client: Any, running: Any) -> Any:
+        """Wait for a part; without any worker only so long as one may take to come back."""
+        worked = monotonic()
+        while not running.has_ready():
+            if client.nthreads():
+                worked = monotonic()
+            elif monotonic() - worked > _WITHOUT_WORKERS:
+                raise TimeoutError(
+                    f"no worker is left, and none has come in {_WITHOUT_WORKERS:g} s"
+                )
+            with running.thread_condition:
+                running.thread_condition.wait_for(running.has_ready, _LOOK)
+        return next(running)
 
 
 @dataclass(frozen=True)
