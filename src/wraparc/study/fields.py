@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from wraparc.drive import Limit
@@ -11,12 +12,18 @@ from wraparc.schema.kinds import Kind, Quantity, TextOr, WordOr, table_labels
 from wraparc.schema.problems import Place, place_text
 from wraparc.schema.source import Document
 from wraparc.schema.tables import unknown_key_remedy
+from wraparc.train.columns import OF_DRUM
 from wraparc.train.keys import TRAIN_FILE
 
 FRICTION_FACTOR, SLIP_FACTOR = "friction_factor", "slip_factor"
 #: Keys below the lagging of a pulley that no drive file has: they scale its law.
 SCALING = (FRICTION_FACTOR, SLIP_FACTOR)
 FACTOR = Quantity("number", Limit("number", open=True, most=100.0))
+#: Keys of a pulley that no drive file has: depth worn off its lagging, and within a train its share
+#: of the load or its trim, the speeds of the others held.
+DRUM_KEYS: Mapping[str, Quantity] = {
+    key: Quantity(OF_DRUM[key].dimension, OF_DRUM[key]) for key in ("wear", "share", "speed_trim")
+}
 
 
 def canonical(steps: Place, document: Document) -> Place:
@@ -49,6 +56,8 @@ def kind_of(steps: Place) -> Kind:
     """
     if len(steps) == 4 and steps[0] == "pulley" and steps[2] == "lagging" and steps[3] in SCALING:
         return FACTOR
+    if len(steps) == 3 and steps[0] == "pulley" and steps[2] in DRUM_KEYS:
+        return DRUM_KEYS[str(steps[2])]
     kind: Kind = TRAIN_FILE
     for number, step in enumerate(steps):
         kind = _below(kind, step, steps[: number + 1])
@@ -70,7 +79,9 @@ def _below(kind: Kind, step: str | int, place: Place) -> Kind:
     if not keys:
         message = f"{place_text(place[:-1])} is a value, with nothing below it"
         raise InputError(Problem(message=message))
-    known = (*keys, *SCALING) if len(place) == 4 and place[2] == "lagging" else keys
+    known: Sequence[str] = (*keys, *SCALING) if len(place) == 4 and place[2] == "lagging" else keys
+    if len(place) == 3 and place[0] == "pulley":
+        known = [*keys, *DRUM_KEYS]
     raise InputError(
         Problem(
             message="a drive file has no such field",

@@ -25,19 +25,22 @@ from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document, check_format, parse, read_text, read_whole
 from wraparc.schema.tables import Record
 from wraparc.study.across_rows import ACROSS_OUTPUTS
-from wraparc.study.fields import SCALING
+from wraparc.study.fields import DRUM_KEYS, SCALING
 from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
 from wraparc.study.fitted import DrawnFit
 from wraparc.study.keys import STUDY
-from wraparc.study.parameter_study import OUTPUTS, Condition, Rows, Study
+from wraparc.study.parameter_study import OUTPUTS, TRAIN_OUTPUTS, Condition, Rows, Study
 from wraparc.study.plan import Drawn, DrawnField, Levels, Plan, Saltelli, Sweep
 from wraparc.study.sampling import SAMPLINGS
 from wraparc.study.source import DriveSource, Field
+from wraparc.study.train_columns import refused
 from wraparc.train.drive_parts import check_cases, pulley_of
 from wraparc.train.file import any_drive_from_document
 
 #: Results whose sensitivity is shown where the file names none.
 SENSITIVE = ("creep_limit_margin", "exit_creep")
+#: How near tensions come where the load of a train divides row by row.
+_DIVIDED = 1e-4
 _NO_OUTPUTS = ("status", "identity_error")
 
 
@@ -101,7 +104,8 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     report.raise_all()
     plan = _plan(record, [axis for axis, _ in axes], known, sensitivity, report)
     report.raise_all()
-    source = _source(base, pulley, loads, axes, report)
+    setting = Setting(record.get("setting", Setting.ENGINEERING.value))
+    source = _source(base, pulley, loads, axes, setting, report)
     report.raise_all()
     study = Study(
         title=record.get("title", "") or drive.title,
@@ -109,7 +113,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         source=source,
         load_cases=loads,
         conditions=known,
-        setting=Setting(record.get("setting", Setting.ENGINEERING.value)),
+        setting=setting,
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
         ground=before(drive).qualifier,
@@ -226,7 +230,7 @@ def output_names() -> tuple[str, ...]:
     """Return the results that a study can keep."""
     nothing: Any = None
     even = (name for name in BatchResult(nothing, nothing) if name not in _NO_OUTPUTS)
-    return (*even, *ACROSS_OUTPUTS)
+    return (*even, *ACROSS_OUTPUTS, *TRAIN_OUTPUTS)
 
 
 def _sensitivity(record: Record, report: Report) -> tuple[str, ...]:
@@ -274,21 +278,28 @@ def _source(
     pulley: str,
     loads: tuple[str, ...],
     axes: Sequence[tuple[Axis, Place]],
+    setting: Setting,
     report: Report,
 ) -> DriveSource:
     """Return the source, every field tried against the drive file itself."""
     pairs = [(a, f) for a, place in axes if (f := field_of(a, place)) is not None]
     fields = [field for _, field in pairs]
     fits = [axis for axis, _ in axes if isinstance(axis, DrawnFit)]
-    source = DriveSource(document, pulley, fields, fits)
+    source = DriveSource(document, pulley, fields, fits, setting=setting)
+    if refused(source, loads, report):
+        return source
     slow = {
         field.name
         for axis, field in pairs
         if not isinstance(axis, DrawnFit)
-        and field.place[-1] not in SCALING
+        and field.place[-1] not in (*SCALING, *DRUM_KEYS)
         and _differs(source, field, _trials(axis), loads, report)
     }
-    return DriveSource(document, pulley, fields, fits, frozenset(slow)) if slow else source
+    if not slow:
+        return source
+    source = DriveSource(document, pulley, fields, fits, frozenset(slow), setting)
+    refused(source, loads, report)
+    return source
 
 
 def _differs(
@@ -296,6 +307,7 @@ def _differs(
 ) -> bool:
     """Whether a field does more to an arc than its column says; report one that does nothing."""
     place = ("axis", field.name)
+    within = _DIVIDED if source.divides else 1e-12
     differs = changes = False
     for value in trials:
         given = {place_text(field.place): field.given(value)}
@@ -307,8 +319,8 @@ def _differs(
         for case in loads:
             other = told.rows({}, 1, case)
             one = source.rows({field.name: np.array([value])}, 1, case)
-            differs |= not _same(one, other)
-            changes |= not _same(source.rows({}, 1, case), other)
+            differs |= not _same(one, other, within)
+            changes |= not _same(source.rows({}, 1, case), other, within)
     if not changes and len(trials) > 1:
         message = f"changes nothing on pulley {source.pulley} in these load cases"
         report.add(place, message, "Take it out, or name another load case or pulley.")
@@ -330,7 +342,7 @@ def _trials(axis: Levels | DrawnField) -> list[float]:
     return sorted({min(numbers), max(numbers)})
 
 
-def _same(one: Rows, other: Rows) -> bool:
+def _same(one: Rows, other: Rows, within: float) -> bool:
     """Whether two single arcs are the same, with their laws and what they are held against."""
     numbers = [
         [getattr(rows.arcs, name)[0] for name in COLUMNS]
@@ -338,7 +350,7 @@ def _same(one: Rows, other: Rows) -> bool:
         for rows in (one, other)
     ]
     a, b = np.array(numbers, dtype=float)
-    close = np.allclose(a, b, rtol=1e-12, atol=0.0, equal_nan=True)
+    close = np.allclose(a, b, rtol=within, atol=0.0, equal_nan=True)
     laws = [rows.arcs.laws.compact(int(rows.arcs.law[0])) for rows in (one, other)]
     if _uneven(one) != _uneven(other):
         return False

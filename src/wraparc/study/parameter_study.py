@@ -16,6 +16,7 @@ from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, worst_of_rows
+from wraparc.checks.rules import NO_GRIP
 from wraparc.drive import Drive
 from wraparc.provenance import Provenance
 from wraparc.study.across_rows import solve_rows
@@ -60,6 +61,8 @@ OUTPUTS = (
     "largest_effective_tension",
     "power_loss",
 )
+#: Results that a pulley has within a train; not a number where the study does not divide its load.
+TRAIN_OUTPUTS = ("share", "speed_trim")
 #: Results that need the capacities.
 CAPACITY_OUTPUTS = frozenset(f.name for f in fields(Capacities))
 
@@ -84,6 +87,10 @@ class Rows:
         Drives they are of, and that of each design, shape (n,).
     pulley, load_case
         Names.
+    lost
+        Status of those that are trains without a balance, 0 of the others, shape (n,).
+    of_train
+        What the pulley has within the whole drive, see `TRAIN_OUTPUTS`; shape (n,) each.
     """
 
     arcs: Arcs
@@ -95,6 +102,8 @@ class Rows:
     which: NDArray[np.int64]
     pulley: str
     load_case: str
+    lost: NDArray[np.int8]
+    of_train: Mapping[str, Array]
 
 
 class Source(Protocol):
@@ -268,6 +277,7 @@ class Study:
         for name in self.outputs:
             columns[name] = np.full(size, np.nan)
             columns[name][good] = solved[name]
+        _lose(columns, rows, self.outputs)
         return columns
 
     def _solved(
@@ -307,6 +317,22 @@ class Study:
                 (rows.pulley, rows.load_case),
                 judged,
             )
-            kept = {n: uneven[n] if n in uneven else solved[n] for n in wanted}
+            missing = np.full(len(some), np.nan)
+            whole = {
+                n: rows.of_train[n][some] if n in rows.of_train else missing for n in TRAIN_OUTPUTS
+            }
+            more = {**uneven, **whole}
+            kept = {n: more[n] if n in more else solved[n] for n in wanted}
             found.append(kept | dict(zip(JUDGED, judged[:2], strict=True)))
         return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
+
+
+def _lose(columns: Columns, rows: Rows, outputs: Sequence[str]) -> None:
+    """Take back the results of trains whose load finds no balance: they break away."""
+    lost = np.flatnonzero(rows.lost)
+    columns[STATUS][lost] = rows.lost[lost]
+    columns[WITHIN][lost] = False
+    columns[VERDICT][lost] = NO_GRIP.rank
+    columns[GOVERNING][lost] = NAMES.index("gross_slip")
+    for name in outputs:
+        columns[name][lost] = np.nan

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.batch import Setting
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import held_by
@@ -20,10 +21,11 @@ from wraparc.friction import FrictionLaw
 from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
-from wraparc.study.fields import FRICTION_FACTOR, SLIP_FACTOR
+from wraparc.study.fields import DRUM_KEYS, FRICTION_FACTOR, SLIP_FACTOR
 from wraparc.study.fitted import DrawnFit
 from wraparc.study.parameter_study import Rows
 from wraparc.study.plan import Levels, Values
+from wraparc.study.train_columns import Divided, TrainColumns
 from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import DIMENSION_TEXT, Dimension
@@ -109,6 +111,8 @@ class DriveSource:
         Laws that are drawn.
     slow
         Names of fields that are never taken as columns.
+    setting
+        How accurately the load of a train is divided.
     """
 
     def __init__(
@@ -118,8 +122,9 @@ class DriveSource:
         fields: Sequence[Field],
         fits: Sequence[DrawnFit] = (),
         slow: frozenset[str] = frozenset(),
+        setting: Setting = Setting.ENGINEERING,
     ) -> None:
-        self.document, self.pulley, self.slow = document, pulley, slow
+        self.document, self.pulley, self.slow, self.setting = document, pulley, slow, setting
         self.fields, self.fits = tuple(fields), tuple(fits)
         # whether tensions stand at the pulleys, or follow from a train or a conveyor
         self._at_pulleys = not {"train", "conveyor"} & document.keys()
@@ -136,11 +141,16 @@ class DriveSource:
             and (column := _column(field.place, pulley, own, self.drive))
         }
         self._scaling = {f.place[-1]: f.name for f in self.fields if f.place[-1] in _SCALING}
-        fast = {*self._columns, *self._scaling.values()}
+        #: divides the load of a train anew in every row; None where drives are built for that
+        self.divides = TrainColumns.of(document, self.fields) if not (slow or fits) else None
+        self._wear = [f.name for f in self.fields if f.place == ("pulley", pulley, "wear")]
+        own_keys = {f.name for f in self.fields if f.place[-1] in DRUM_KEYS}
+        fast = {*self._columns, *self._scaling.values(), *own_keys}
         self._others = tuple(
             f
             for f in self.fields
-            if f.name not in fast
+            if self.divides is None
+            and f.name not in fast
             and (f.name in slow or not self._at_pulleys or not _is_tension(f.place, pulley))
         )
         self._kept: dict[tuple[float, ...], _Base | None] = {}
@@ -168,11 +178,19 @@ class DriveSource:
         """Yield what a reader must know of the tensions: how a train divides them, the take-up."""
         if "train" in self.document:
             again = ", ".join(f.name for f in self._others)
-            yield (
-                f"The load of the train divides as its file says, and pulley {self.pulley} "
-                + (f"(divided anew for each value of {again}) " if again else "")
-                + "keeps its pull whatever else varies; `wraparc solve` divides the load anew."
-            )
+            if self.divides is not None:
+                yield "The load of the train divides anew in every row, as its file says."
+                if any(f.place[-1] in ("wear", "speed_trim") for f in self.fields):
+                    yield (
+                        "Where the file gives shares, the drums keep the speeds that those ask "
+                        "for; wear and trims then shift the load."
+                    )
+            else:
+                yield (
+                    f"The load of the train divides as its file says, and pulley {self.pulley} "
+                    + (f"(divided anew for each value of {again}) " if again else "")
+                    + "keeps its pull whatever else varies; `wraparc solve` divides the load anew."
+                )
         take_up = drive.criteria.take_up
         held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
         held = f"the tension behind pulley {take_up.after}" if take_up.after else held
@@ -195,7 +213,17 @@ class DriveSource:
             if field in values:
                 columns[column] = np.asarray(values[field], dtype=float)
         drives = [b.drive for b in known]
-        if self._at_pulleys:
+        divided: Divided | None = None
+        for name in self._wear:
+            if name in values:
+                columns["diameter"] = columns["diameter"] - 2.0 * values[name]
+                columns["lagging_thickness"] = columns["lagging_thickness"] - values[name]
+        valid &= columns["lagging_thickness"] >= 0.0
+        if self.divides is not None:
+            divided = self.divides.solve(values, size, load_case, self.setting)
+            entries, exits = divided.entries, divided.exits
+            valid &= divided.valid
+        elif self._at_pulleys:
             entries, exits = self._tensions(values, size, load_case)
         else:
             entries, exits = (e[:, which] for e in self._tensions_of(drives, load_case))
@@ -218,7 +246,22 @@ class DriveSource:
             which=which,
             pulley=self.pulley,
             load_case=load_case,
+            lost=divided.lost if divided else np.zeros(size, dtype=np.int8),
+            of_train=self._of_train(divided, entries, exits),
         )
+
+    def _of_train(self, divided: Divided | None, entries: Array, exits: Array) -> dict[str, Array]:
+        """What the pulley has within the whole drive."""
+        pulls = entries - exits
+        total = pulls.sum(axis=0)
+        none = np.full(len(total), np.nan)
+        share = np.divide(
+            pulls[self._names.index(self.pulley)], total, where=total != 0.0, out=none
+        )
+        found = {"share": share}
+        if divided is not None:
+            found["speed_trim"] = divided.solved[self.pulley]["speed_trim"]
+        return found
 
     def _laws(
         self, laws: Sequence[FrictionLaw], which: NDArray[np.int64], values: Values, size: int

@@ -91,6 +91,9 @@ def balance(rows: TrainRows, start: Start, setting: Setting) -> Balanced:
     equations = Equations(rows, setting)
     if equations.rests:
         return Balanced(between, none, nobody, ~none)
+    if setting is Setting.PRECISE:  # the last steps are enough
+        near = balance(rows, start, Setting.ENGINEERING)
+        between = np.where(near.found[:, None], near.between, between)
     if count == 2 and not equations.followers:
         return _between_two(equations, between[:, 0], start.sensitivity)
     return _newton(equations, between)

@@ -307,7 +307,7 @@ class _Reader:
         for i in own:
             fractions[:, i] = self.columns[i, "share"]
         rest, parts = 1.0 - fractions[:, own].sum(axis=1), fractions[:, others]
-        if others and parts[0].sum() != 0.0:
+        if others and sum(base[i] for i in others) != 0.0:
             fractions[:, others] = parts * (rest / parts.sum(axis=1))[:, None]
         elif others:
             fractions[:, others] = (rest / len(others))[:, None]
