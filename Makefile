@@ -81,12 +81,14 @@ installed: dev ## build wheel and sdist; install them, also with the lowest libr
 	@UV="$(CURDIR)/$(UV)" $(BIN)/python tests/installed/check.py
 
 # Programs that no Python package brings: for the checks of the page, the tests of the calculator
-# and its database.
+# and its database, and those in other languages.
 headless = $(shell command -v chromium-headless-shell || command -v chrome-headless-shell)
 browser = $(or $(headless),$(shell command -v chromium || command -v chromium-browser || command -v google-chrome))
 initdb = $(firstword $(wildcard /usr/lib/postgresql/*/bin/initdb) $(shell command -v initdb))
 npm = $(shell command -v npm)
-lacking = $(if $(browser),,chromium) $(if $(initdb),,postgresql) $(if $(npm),,nodejs npm)
+turkish = $(or $(wildcard /usr/share/i18n/locales/tr_TR),$(shell locale -a 2>/dev/null | grep tr_TR))
+lacking = $(if $(browser),,chromium) $(if $(initdb),,postgresql) $(if $(npm),,nodejs npm) \
+  $(if $(turkish),,locales)
 
 install = test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
   { apt-get install -qq -y --no-install-recommends $(1) >/dev/null || \
@@ -94,7 +96,7 @@ install = test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
 
 # Chromium without its windows does the same tests at half the cost; where it cannot be had, the
 # whole of it does.
-system: ## install Chromium, PostgreSQL and Node.js for the gate where they are missing
+system: ## install Chromium, PostgreSQL, Node.js and locales for the gate where they are missing
 	@test -n "$(headless)" || { $(call install,chromium-headless-shell); } 2>/dev/null || true
 	@test -z "$(strip $(lacking))" || { \
 	  echo "== system: installing $(strip $(lacking))"; $(call install,$(lacking)); } || \

@@ -140,6 +140,8 @@ def interrupted(kept: Callable[[], str]) -> Iterator[None]:
 def save_file(path: Location, data: str | bytes) -> None:
     """Write a file: text as UTF-8, whole or not at all.
 
+    What UTF-8 has no place for, as in names that are not UTF-8, is written as an escape.
+
     A draft beside the file takes its place when it is complete; what was there before stays
     untouched until then. A device or pipe is written to directly.
 
@@ -148,7 +150,7 @@ def save_file(path: Location, data: str | bytes) -> None:
     InputError
         If it cannot be written.
     """
-    content = data.encode("utf-8") if isinstance(data, str) else data
+    content = as_bytes(data)
     target = Path(os.path.realpath(path))
     try:
         if is_device(target):
@@ -158,6 +160,11 @@ def save_file(path: Location, data: str | bytes) -> None:
             draft.write_bytes(content)
     except (OSError, ValueError) as error:
         raise InputError(unwritable(path, error)) from None
+
+
+def as_bytes(data: str | bytes) -> bytes:
+    """Return text as the bytes of a file."""
+    return data.encode("utf-8", "backslashreplace") if isinstance(data, str) else data
 
 
 def saving_problems(

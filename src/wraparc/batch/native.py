@@ -199,15 +199,15 @@ def _code(code: CodeType) -> tuple[object, ...]:
 def _folder(name: str) -> Path | None:
     """Folder of one state of the kernel, the older ones cleared away; None if none can be made."""
     given = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("WRAPARC_CACHE_DIR")
-    root = Path(given) if given else _user_cache() / "wraparc"
-    folder = root / "compiled" / name
     try:
+        root = Path(given) if given else _user_cache() / "wraparc"
+        folder = root / "compiled" / name
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         os.utime(folder)
         others = sorted(folder.parent.iterdir(), key=lambda p: p.stat().st_mtime, reverse=True)
         for old in others[_KEPT:]:
             shutil.rmtree(old, ignore_errors=True)
-    except OSError:
+    except (OSError, RuntimeError):  # RuntimeError: a user without a home
         return None
     return folder if os.access(folder, os.W_OK) else None
 

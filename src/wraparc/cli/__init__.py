@@ -4,6 +4,7 @@ Exit codes: 0 solved, 1 the verdict is FAILS, 2 bad input, 3 a fault of the prog
 130 interrupted. A reader of the output who goes away is no error.
 """
 
+import os
 import sys
 from collections.abc import Sequence
 from typing import NoReturn
@@ -47,8 +48,11 @@ def run(arguments: Sequence[str]) -> int:
     Whatever goes wrong is told in a sentence on the error stream; a traceback is shown only with
     ``--debug``.
     """
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):  # a console that lacks a letter shows another instead
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:  # closed by whoever started it, or a program without a console
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115
+        elif hasattr(stream, "reconfigure"):  # a console that lacks a letter shows another instead
             stream.reconfigure(errors="replace")
     return _invoke(list(arguments))
 

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from wraparc.cli.pipe import NoReaderError
+from wraparc.cli.pipe import NoReaderError, has_left
 from wraparc.errors import near
 
 
@@ -79,14 +79,18 @@ class LazyGroup(click.Group):
         """Run a command; a reader who goes away is left to `wraparc.cli.run`."""
         try:
             return super().invoke(ctx)
-        except BrokenPipeError as error:
+        except OSError as error:
+            if not has_left(error):
+                raise
             raise NoReaderError from error
 
     def make_context(self, *args: Any, **extra: Any) -> click.Context:
         """Read the arguments, which prints the help if they ask for it."""
         try:
             return super().make_context(*args, **extra)
-        except BrokenPipeError as error:
+        except OSError as error:
+            if not has_left(error):
+                raise
             raise NoReaderError from error
 
     def list_commands(self, ctx: click.Context) -> list[str]:

@@ -1,13 +1,14 @@
 """What a command leaves: the files that were asked for, then words on standard output."""
 
+import sys
 from collections.abc import Callable, Mapping
 
 import click
 
-from wraparc.cli.pipe import say
+from wraparc.cli.pipe import reader_may_leave, say
 from wraparc.cli.show import show
 from wraparc.present.sheet import Sheet
-from wraparc.saving import interrupted, save_file
+from wraparc.saving import as_bytes, interrupted, save_file
 
 #: Written to standard output instead of a file.
 STANDARD_OUTPUT = "-"
@@ -37,9 +38,20 @@ def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet] | None) -> 
                     save_file(path, content)
                 written.append(path)
             if STANDARD_OUTPUT in files:
-                say(str(files[STANDARD_OUTPUT]), end="")
+                _print(str(files[STANDARD_OUTPUT]))
             elif sheet is not None:
                 show(sheet())
         finally:
             for path in written:
                 click.echo(f"Wrote {path}", err=True)
+
+
+def _print(text: str) -> None:
+    """Print what would be a file: into a pipe or a file the same bytes, whatever the locale."""
+    raw = getattr(sys.stdout, "buffer", None)
+    if raw is None or sys.stdout.isatty():
+        say(text, end="")
+        return
+    with reader_may_leave():
+        sys.stdout.flush()
+        raw.write(as_bytes(text))

@@ -28,15 +28,22 @@ def reader_may_leave() -> Iterator[None]:
     try:
         yield
         sys.stdout.flush()
-    except BrokenPipeError:
-        _nowhere()
     except OSError as error:
+        if has_left(error):
+            _nowhere()
+            return
         if error.errno not in (*FULL, errno.EIO) or error.filename is not None:
             raise
         _nowhere()
         message = f"cannot be written: {error.strerror}"
         remedy = "What is printed is not whole: print it to another place."
         raise InputError(Problem(key="standard output", message=message, remedy=remedy)) from None
+
+
+def has_left(error: OSError) -> bool:
+    """Whether an error of writing says that nobody reads any more; Windows says it by EINVAL."""
+    unnamed = sys.platform == "win32" and error.errno == errno.EINVAL and error.filename is None
+    return isinstance(error, BrokenPipeError) or unnamed
 
 
 def _nowhere() -> None:

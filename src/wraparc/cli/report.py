@@ -26,6 +26,7 @@ from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.report.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
+from wraparc.schema.source import printable
 from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
@@ -90,7 +91,7 @@ def report(
         revision=revision,
         author=author,
         date=dt.date.today().isoformat() if date is None else date,  # noqa: DTZ011 - the user's
-        file=os.path.basename(file),
+        file=printable(os.path.basename(file))[-120:],
         paper=paper or ("us-letter" if units == "us" else "a4"),
     )
     read = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))

@@ -179,5 +179,6 @@ def _coloured(texts: list[str], row: Row | None, values: range, *, first_line: b
 
 
 def _marked(text: str, level: Level) -> str:
-    mark = click.style(str(level), **_STYLES[level])
-    return mark + text.removeprefix(level)
+    if not text.startswith(level):  # broken over lines that are shorter than the word
+        return text
+    return click.style(str(level), **_STYLES[level]) + text.removeprefix(level)

@@ -8,6 +8,7 @@ It imports nothing of the project, so that it starts at once.
 import io
 import json
 import sys
+from contextlib import suppress
 from typing import Any
 
 #: Most memory of the process [bytes] and time that it may work [s], where the system can limit.
@@ -22,7 +23,8 @@ def _limit() -> None:
     for kind, most in ((resource.RLIMIT_AS, _MEMORY), (resource.RLIMIT_CPU, _SECONDS)):
         soft, hard = resource.getrlimit(kind)
         if soft == resource.RLIM_INFINITY or soft > most:
-            resource.setrlimit(kind, (most, hard))
+            with suppress(OSError, ValueError):  # macOS limits no memory
+                resource.setrlimit(kind, (most, hard))
 
 
 def read_sheets(data: bytes, most: int, sheet: str | None) -> dict[str, Any]:

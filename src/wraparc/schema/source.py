@@ -136,10 +136,13 @@ def _syntax_error(text: str, message: str, file: str) -> InputError:
     sentence = _POSITION.sub("", message)
     sentence = f"{sentence[:1].lower()}{sentence[1:]}"
     column = f" at column {position[2]}" if position and position[2] else ""
+    remedy = 'Text needs quotes, and so does a quantity: width = "1200 mm".'
+    if sentence.startswith(("unescaped", "invalid hex value")):  # of "C:\drives", "C:\users"
+        remedy = "Write paths with / , or in single quotes: 'C:\\drives\\lagging.toml'."
     return InputError(
         Problem(
             message=f"not valid TOML: {sentence}{column}",
-            remedy='Text needs quotes, and so does a quantity: width = "1200 mm".',
+            remedy=remedy,
             file=file,
             line=line,
         )

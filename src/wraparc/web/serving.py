@@ -3,6 +3,7 @@
 import logging
 import os
 import socket
+import sys
 import threading
 import webbrowser
 from collections.abc import Callable
@@ -92,6 +93,8 @@ def listener(host: str, port: int) -> socket.socket:
         found = socket.socket(family, kind, protocol)
         if os.name == "posix":
             found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        elif sys.platform == "win32":  # else another program could listen at the same port
+            found.setsockopt(socket.SOL_SOCKET, socket.SO_EXCLUSIVEADDRUSE, 1)
         found.bind(address)
     except OSError as error:
         if found is not None:

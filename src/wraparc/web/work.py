@@ -14,6 +14,7 @@ import tempfile
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -321,7 +322,8 @@ class _Alone:
             return
         soft, hard = resource.getrlimit(resource.RLIMIT_AS)
         if soft == resource.RLIM_INFINITY or soft > _MEMORY:
-            resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, hard))
+            with suppress(OSError, ValueError):  # macOS limits no memory
+                resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, hard))
 
 
 def _serve(pipe: Connection, prepare: Callable[[], None]) -> None:

@@ -152,6 +152,7 @@ def _prepare_sqlite(connection: Any, _: object) -> None:
     cursor.execute(f"PRAGMA busy_timeout={_BUSY_MS}")
     _to_wal(cursor)
     cursor.execute("PRAGMA synchronous=FULL")
+    cursor.execute("PRAGMA fullfsync=ON")  # macOS: through the cache of the disk too
     cursor.execute("PRAGMA foreign_keys=ON")
     cursor.close()
 

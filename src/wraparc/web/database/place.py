@@ -21,7 +21,7 @@ def database_url(given: str | None) -> str:
     if given is None:
         return _of_file(user_folder() / _FILE)
     kind, mark, rest = given.partition("://")
-    if not mark:
+    if not mark or len(kind) == 1:  # C://... is a path too
         return _of_file(Path(given))
     dialect = kind.partition("+")[0]
     if dialect not in _KINDS:
@@ -41,7 +41,12 @@ def user_folder() -> Path:
     given = os.environ.get("WRAPARC_DATA")
     if given:
         return Path(given)
-    home = Path.home()
+    try:
+        home = Path.home()
+    except RuntimeError:
+        message = "this user has no home, and the folder of his data is not named"
+        remedy = "Set WRAPARC_DATA to a folder, or name a file with --database."
+        raise InputError(Problem(message=message, remedy=remedy)) from None
     if sys.platform == "win32":
         base = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))
     elif sys.platform == "darwin":
@@ -64,4 +69,9 @@ def _of_file(path: Path) -> str:
                 remedy="Name another file.",
             )
         ) from None
+    if "?" in whole.name:
+        message, remedy = "a ? begins the options of a database", "Name another file."
+        raise InputError(
+            Problem(key="--database", value=shown(str(path)), message=message, remedy=remedy)
+        )
     return f"sqlite:///{whole.as_posix()}"
