@@ -1,6 +1,6 @@
 """Runs and a server killed (SIGKILL) at random moments: what is left, and what they go on to.
 
-    python benchmarks/killed.py [--kills 20] [--seed 1]
+    python benchmarks/killed.py [--kills 20] [--seed 1] [--only server]
 
 A study, a study over an event and a run with a saved state are killed again and again and go on
 each time, until each has been killed that often; then they go on to their end. After every kill
@@ -173,7 +173,7 @@ def a_server(folder: Path, kills: int, draw: random.Random) -> None:
         threads = [threading.Thread(target=saves, args=(port, n, told)) for n in range(SAVERS)]
         for thread in threads:
             thread.start()
-        assert killed(server, draw.uniform(0.05, 1.5))
+        assert killed(server, draw.uniform(0.5, 3.0))
         for thread in threads:
             thread.join()
         with closing(sqlite3.connect(file)) as found:
@@ -192,14 +192,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=20)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="what begins so, of those told")
     told = parser.parse_args()
     draw = random.Random(told.seed)  # noqa: S311 - moments, no secrets
     setattr(Checkpoint, "due", Checkpoint.save)  # noqa: B010 - as often as can be
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         for name, (command, go_on) in works(folder).items():
-            one_work(folder, name, command, go_on, told.kills, draw)
-        a_server(folder, told.kills, draw)
+            if name.startswith(told.only):
+                one_work(folder, name, command, go_on, told.kills, draw)
+        if "server".startswith(told.only):
+            a_server(folder, told.kills, draw)
 
 
 if __name__ == "__main__":

@@ -9,10 +9,10 @@ import pytest
 
 from cli.running import Ran, wraparc
 from wraparc.cli import run_rows
-from wraparc.motion import follow
+from wraparc.motion import checkpoint, follow
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.march import March
-from wraparc.saving import alone, to_disk
+from wraparc.saving import alone, put_in_place, to_disk
 
 FILE = "examples/tandem-fabric.toml"
 SHORT = "motion.event.start.duration=1 s"
@@ -153,9 +153,34 @@ def test_rows_without_a_saved_state_go_with_a_full_disk(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_two_runs_do_not_write_the_same_rows(tmp_path: Path) -> None:
-    with alone(tmp_path / "rows.csv"):
-        ran = run(tmp_path)
+class _DiesError(BaseException):
+    pass
+
+
+def test_what_a_run_leaves_that_dies_while_it_saves_goes_with_the_next(
+    tmp_path: Path, undisturbed: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    state = tmp_path / "run.npz"
+
+    def dies(draft: Path, target: Path) -> None:
+        put_in_place(draft, target)
+        draft.write_bytes(b"half a state")
+        raise _DiesError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(checkpoint, "put_in_place", dies)
+        with pytest.raises(_DiesError):
+            run(tmp_path, "--checkpoint", str(state))
+    assert (tmp_path / ".run.npz.tmp").exists()
+    assert run(tmp_path, "--checkpoint", str(state)).code == 0
+    assert [p.name for p in tmp_path.iterdir()] == ["rows.csv"]
+    assert (tmp_path / "rows.csv").read_bytes() == undisturbed
+
+
+@pytest.mark.parametrize("taken", ["rows.csv", "run.npz"])
+def test_two_runs_do_not_write_the_same_files(tmp_path: Path, taken: str) -> None:
+    with alone(tmp_path / taken):
+        ran = run(tmp_path, "--checkpoint", str(tmp_path / "run.npz"))
     assert ran.code == 2
-    assert "another run is writing this file" in ran.err
+    assert f'"{tmp_path}/{taken}": another run is writing this file' in ran.err
     assert list(tmp_path.iterdir()) == []

@@ -1,5 +1,6 @@
 """``wraparc serve`` as a user starts it: what it says, what it refuses, how it ends."""
 
+import gc
 import re
 import socket
 import urllib.error
@@ -155,6 +156,34 @@ def test_a_request_that_does_not_come_is_given_up(monkeypatch: pytest.MonkeyPatc
         assert not connections.Connection.silent
 
     asyncio.run(scenario())
+
+
+def test_requests_leave_nothing_in_memory() -> None:
+    """`benchmarks/web_memory.py` watches a real server for five minutes."""
+    from web.calculators import client, document
+
+    drive, turns, counts = document(), 0, []
+
+    def ask(count: int) -> None:
+        nonlocal turns
+        for _ in range(count):
+            turns += 1
+            drive["pulley"][0]["exit_tension"] = f"{50 + 0.01 * turns:.2f} kN"
+            asked = {"document": drive, "points": 40}
+            assert api.post(f"{API}/solve/fast", json=asked).status_code == 200
+            made = {"name": f"{turns}", "document": drive}
+            assert api.post(f"{API}/designs", json=made).status_code == 201
+            assert api.get(f"{API}/designs?limit=5").status_code == 200
+            session = api.post(f"{API}/tests").json()["session"]
+            assert api.delete(f"{API}/tests/{session}").status_code == 204
+            assert api.post(f"{API}/solve/fast", json={"document": {}}).status_code == 422
+
+    with client() as api:
+        for count in (10, 50):  # what is loaded once is there after the first
+            ask(count)
+            gc.collect()
+            counts.append(len(gc.get_objects()))
+    assert counts[1] - counts[0] < 4 * 50  # an error or a session that is kept is more each time
 
 
 @pytest.mark.processes

@@ -36,7 +36,7 @@ def streamed(
     """
     with ExitStack() as locks:
         rows = Rows(station, csv_file, parquet_file, state_file)
-        for path in rows.drafts:
+        for path in (*rows.drafts, *([state_file] if state_file else [])):
             locks.enter_context(alone(path))
         try:
             with ExitStack() as files:

@@ -18,7 +18,7 @@ import numpy as np
 from wraparc.errors import InputError, Problem
 from wraparc.motion.keeper import Keeper, Sink
 from wraparc.motion.march import March
-from wraparc.saving import replacing, unwritable
+from wraparc.saving import put_in_place, unwritable
 from wraparc.version import __version__
 
 #: Least time between two savings [s].
@@ -74,7 +74,8 @@ class Checkpoint:
         """Remove the file after a run that came to its end, its rows safe, else save it."""
         if whole:
             self.flush()
-            Path(self.path).unlink(missing_ok=True)
+            for path in (Path(self.path), self._draft):
+                path.unlink(missing_ok=True)
         else:
             self.save(march, keeper)
 
@@ -97,14 +98,22 @@ class Checkpoint:
                     numbers[name][key] = list(value) if not _is_number(value) else value
         about = json.dumps({"format": _FORMAT, "key": self.key, "numbers": numbers})
         try:
-            with replacing(Path(os.path.realpath(self.path))) as draft, draft.open("wb") as file:
+            with self._draft.open("wb") as file:
                 np.savez(file, about=np.array(about), **arrays)
+            put_in_place(self._draft, Path(os.path.realpath(self.path)))
         except OSError as error:
+            self._draft.unlink(missing_ok=True)
             kept = "Make room: the same command goes on from the state before."
             remedy = kept if os.path.exists(self.path) else "Choose another place."
             problem = unwritable(self.path, error, remedy, key="--checkpoint")
             raise InputError(problem) from None
         self.saved = time.monotonic()
+
+    @property
+    def _draft(self) -> Path:
+        """Always the same: what a run leaves that dies while it saves is written over."""
+        target = Path(os.path.realpath(self.path))
+        return target.with_name(f".{target.name}.tmp")
 
     def _restore(self, march: March, keeper: Keeper) -> None:
         try:
