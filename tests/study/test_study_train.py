@@ -80,6 +80,7 @@ def test_a_train_that_finds_no_balance_breaks_away(tmp_path: Path) -> None:
     assert {LEVELS[k] for k in found["verdict"][gone]} == {"FAILS"}
     assert {NAMES[k] for k in found["governing"][gone]} == {"gross_slip"}
     assert np.isnan(found["exit_creep"][gone]).all()
+    assert np.array_equal(np.isnan(found["share"]), gone)  # there are no tensions to tell it from
     assert not found["within_creep_limit"][gone].any()
     run_study(study, tmp_path / "a.parquet")
     told = {g.levels["pulley.second.lagging.friction_factor"]: g.breakaway.value
