@@ -83,10 +83,12 @@ def batches(n: int = 40_000) -> None:
             "belt_modulus": train.belt.modulus * rng.uniform(0.9, 1.1, n),
         }
         shares = {f"{first}.share": rng.uniform(0.35, 0.5, n)}
-        trims = {f"{second}.speed_trim": rng.uniform(0.999, 1.001, n)}
         kinds = [("wear, friction, belt", worn, n), ("shares", shares, n)]
         if not isinstance(train.cases[0].division, Motors):
-            kinds.append(("trim", trims, n))
+            here = solve_train(train, method=QUICK).cases[0][second].speed_trim
+            trims = {f"{second}.speed_trim": here * rng.uniform(0.9995, 1.0005, n)}
+            brakes = {f"{second}.speed_trim": here * rng.uniform(1.005, 1.006, n // 10)}
+            kinds += [("trim", trims, n), ("trim, one drum brakes", brakes, n // 10)]
         for kind, columns, count in [*kinds, ("wear ..., precise", worn, n // 40)]:
             some = {key: column[:count] for key, column in columns.items()}
             setting = Setting.PRECISE if "precise" in kind else Setting.ENGINEERING
