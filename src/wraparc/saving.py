@@ -193,8 +193,21 @@ def saving_problems(
         message = "is the file that is read, and would be written over"
         remedy = "Choose another name."
         return [Problem(key=key, value=quoted(name), message=message, remedy=remedy)]
-    problem = _trial(name)
+    problem = _trial(name) or _no_text(name)
     return [] if problem is None else [replace(problem, key=key)]
+
+
+def _no_text(name: str) -> Problem | None:
+    """What writes Parquet takes paths as text alone."""
+    if not name.lower().endswith(".parquet"):
+        return None
+    try:
+        os.path.realpath(name).encode("utf-8")
+    except UnicodeEncodeError:
+        message = "its path is not UTF-8, which the library that writes Parquet needs"
+        remedy = "Name a file, and a folder, of letters."
+        return Problem(value=quoted(name), message=message, remedy=remedy)
+    return None
 
 
 def _same(path: str, given: Location) -> bool:
