@@ -5,6 +5,7 @@ Expected values: the interpreter, which has no cache.
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ from pathlib import Path
 import pytest
 
 import wraparc
+from wraparc.arc.kernel.butcher import to_last
 from wraparc.batch import native
 from wraparc.batch.lane_kernel import solve_rows as lane_rows
 from wraparc.batch.precise import capacity_rows, tension_rows
@@ -65,6 +67,24 @@ def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> 
         )
         assert run.stdout.strip() == expected, run.stderr
     assert len(list((tmp_path / "cache" / "compiled").iterdir())) == 3
+
+
+def test_a_full_disk_costs_only_the_code_on_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from numba.core.caching import IndexDataCacheFile
+
+    asked = []
+
+    def full(*_: object) -> None:
+        asked.append(1)
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(IndexDataCacheFile, "save", full)
+    monkeypatch.setenv("WRAPARC_CACHE_DIR", str(tmp_path))
+    numbers = tuple(map(float, range(to_last.__code__.co_argcount)))
+    assert native.compiled(to_last)(*numbers) == to_last(*numbers)
+    assert asked
 
 
 MARCH = """

@@ -84,7 +84,8 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
             own_way = nullcontext() if _as_it_is() else underlay.optimised_once(entry.__qualname__)
             with _alone(name), own_way:
                 if not dispatcher.nopython_signatures:  # another thread may have been first
-                    dispatcher.compile(tuple(map(numba.typeof, arguments)))
+                    with suppress(OSError):  # a full disk: it is compiled, and not kept
+                        dispatcher.compile(tuple(map(numba.typeof, arguments)))
         ready = True  # to ask the dispatcher takes longer than a short kernel
         return dispatcher(*arguments)
 

@@ -48,6 +48,8 @@ def streamed(
         except BrokenPipeError:
             raise
         except OSError as error:
+            if not rows.wanted:
+                raise
             raise InputError(rows.unwritable(error)) from None
         finally:
             rows.clear_away()
