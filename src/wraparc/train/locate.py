@@ -61,10 +61,10 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     """
     eased = _eased(system, _GIVE)
     fine = FINE if softening or eased is not system else SHARP
-    for steps in (COARSE, SHARP):
+    for steps in (COARSE, SHARP, FINE):  # close to breakaway a coarse mesh misses the solution
         search = Search(eased, steps)
         levels, states, failed = _states(eased, search, softening, fine)
-        if not failed:
+        if levels and not failed:
             break
     if eased is not system:
         states = [s for s in (_stiffened(system, state) for state in states) if s is not None]
