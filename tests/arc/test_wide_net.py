@@ -28,6 +28,8 @@ FAILED = [
     ("elastic-plastic", [2, 70]),
     ("any table", [2, 152]),
     ("power", [2, 105]),
+    ("constant", [1, 122]),  # an overrun takes tension down: the belt slips amid the wrap
+    ("rubber", [1, 405]),  # braking, slip passes through zero amid the mesh
 ]
 
 

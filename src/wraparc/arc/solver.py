@@ -147,7 +147,7 @@ def _profile(arc: WrapArc, entry_tension: float, out: Buffer, count: int, zone: 
     tension = entry_tension * np.exp(q)
     pressure = 2.0 * tension / (arc.width * arc.diameter)
     # a stuck belt has the friction of vanishing slip available
-    sliding = (s > zone) | (zone == 0.0)
+    sliding = ((s > zone) | (zone == 0.0)) & ((slip != 0.0) | (tau == 0.0))
     tiny = np.copysign(1e-300, np.where(tau == 0.0, arc.side, tau))
     friction = arc.law.friction(np.where(sliding, slip, tiny), pressure)
     return Profile(

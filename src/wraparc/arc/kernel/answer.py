@@ -42,7 +42,7 @@ from wraparc.arc.kernel.quantities import (
     zeros,
 )
 from wraparc.arc.kernel.search import NO_PULL, TOLERANCE, refine, tension_shot
-from wraparc.arc.kernel.stick import held_exit, stick_slip, zone_creep_ratio, zone_end
+from wraparc.arc.kernel.stick import held_exit, holds, stick_slip, zone_creep_ratio, zone_end
 from wraparc.arc.kernel.tension_march import march
 from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.arc.profile import sort
@@ -91,11 +91,15 @@ class Found(NamedTuple):
     steps: int
 
 
-def solve_tension(law: CompactLaw, par: Parameters, exit_tension: float, steps: int) -> Found:
+def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the other
+    law: CompactLaw, par: Parameters, exit_tension: float, steps: int
+) -> Found:
     """Effort at which the exit tension is met."""
     goal = par.side * log(par.entry_tension / exit_tension)
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
+        if held and not holds(law, par, par.length, creep):
+            return by_layers(law, par, exit_tension)
         if held:
             end = zone_end(law, par, par.length)[1]
             z = creep / end - 1.0 if end != 0.0 else 0.0
@@ -115,7 +119,10 @@ def solve_tension(law: CompactLaw, par: Parameters, exit_tension: float, steps: 
             if _resolved(law, par, found):
                 return found
             other = by_layers(law, par, exit_tension)
-            return other if other.outcome == SOLVED else found
+            if other.outcome == SOLVED:
+                return other
+            outcome = UNSOLVED if jumps(law) else found.outcome
+            return Found(outcome, found.z, found.shot, found.layers, found.steps)
     z = largest_effort(law, par)
     shot, _ = shoot_from(law, par, z, steps, 0, zeros(0))
     return Found(BREAKAWAY, z, shot, NO_LAYERS, steps)
@@ -139,7 +146,10 @@ def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Fo
 def _resolved(law: CompactLaw, par: Parameters, found: Found) -> bool:
     """Whether a march has met its aim on a mesh fine enough for the law."""
     if jumps(law):
-        return found.outcome == SOLVED or par.shear == 0.0
+        if found.outcome != SOLVED or par.shear == 0.0:
+            return found.outcome == SOLVED or par.shear == 0.0
+        zone = found.shot.stuck_length
+        return holds(law, par, zone, zone_end(law, par, zone)[1])
     return found.outcome == SOLVED and loss_miss(law, par, found.shot) < LOSS_MISS
 
 
@@ -226,12 +236,12 @@ def trace(
     """Profile of an arc solved by `solve_tension`: exit quantities and the number of records."""
     par, z, steps = found.par, found.z, found.steps
     goal = par.side * log(par.entry_tension / exit_tension)
+    if z != z:
+        return trace_layers(law, par, found.layers, points, out)
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
         if held:
             return stuck_shot(law, par, exit_tension, creep, points, out)
-    if z != z:
-        return trace_layers(law, par, found.layers, points, out)
     if applies(law, par) and goal > NO_PULL:
         fine = mesh_steps(law, par, steps)
         table = zeros(table_size(goal, fine))

@@ -37,6 +37,7 @@ from wraparc.friction.compact import (
 )
 
 STEP_TOLERANCE = 1e-9  # relative error of a step
+KINK_TOLERANCE = 1e-11  # the same of laws that hold and let go: what a kink leaves is no noise
 MOST_STEPS = 800  # of a layer: some 100 are usual
 
 
@@ -163,6 +164,7 @@ def march_layer(
     u, w = start
     s, h = 0.0, 0.02 * lag_at(law, par, rest, max(abs(u), abs(goal) if to_creep else abs(u)))
     ahead = goal - (u if to_creep else w)
+    tolerance = KINK_TOLERANCE if law.kind == LIMIT else STEP_TOLERANCE
     for _ in range(MOST_STEPS):
         if len(path) > 0:
             n = int(path[0])
@@ -174,8 +176,8 @@ def march_layer(
         error = max(abs(u2 - u1) / max(size_u, 1e-300), abs(w2 - w1) / max(size_w, 1e-300))
         if not error <= 1.0:
             error = 1.0
-        factor = 0.9 * (STEP_TOLERANCE / max(error, 1e-16)) ** (1.0 / 7.0)
-        if error > STEP_TOLERANCE and h > 1e-12 * par.length:
+        factor = 0.9 * (tolerance / max(error, 1e-16)) ** (1.0 / 7.0)
+        if error > tolerance and h > 1e-12 * par.length:
             h *= max(min(factor, 0.7), 0.1)
             continue
         left = goal - (u2 if to_creep else w2)

@@ -105,7 +105,7 @@ def _entry_layer(
 
 
 def solve_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> tuple[int, Layers]:
-    """Layers that meet both tensions of an arc, for laws without a jump.
+    """Layers that meet both tensions of an arc, whatever holds the belt at rest.
 
     Returns
     -------
@@ -116,7 +116,28 @@ def solve_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> tuple
     first, rest, crossing, floors = _at_rest(law, par, exit_tension)
     if first.solved and first.length <= par.length:
         return SOLVED, first
-    # less rest: lambda grows until the layers just fill the arc
+    outcome, found = _less_rest(law, par, exit_tension, crossing, floors, first)
+    if outcome != SOLVED and not first.solved and par.kick != 0.0:
+        # at rest the overrun takes more than all tension: creep may pass through zero all the same
+        rest = par.entry_tension
+        first = _layers_of(law, par, exit_tension, not crossing, floors, 0.0, rest)
+        other, layers = _less_rest(law, par, exit_tension, not crossing, floors, first)
+        if other == SOLVED:
+            return other, layers
+    return outcome, found
+
+
+def _less_rest(
+    law: CompactLaw,
+    par: Parameters,
+    exit_tension: float,
+    crossing: bool,
+    floors: tuple[float, float],
+    first: Layers,
+) -> tuple[int, Layers]:
+    """Layers that just fill the arc, from those at the floor that are longer."""
+    rest = first.rest_tension
+    # lambda grows until they do
     low, high, f_low, f_high = 0.0, 0.0, first.length / par.length - 1.0, inf
     best, top = first, log(LARGEST_RATIO / floors[1])
     reach = 2.0

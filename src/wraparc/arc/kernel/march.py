@@ -43,6 +43,7 @@ LANDINGS = 40  # attempts to land on a boundary
 MOST_CUTS = 200  # of a mesh step
 WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is like this
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
+NEAREST = 1e-7  # of the arc, to a point of no slip: nearer the slope of friction does not count
 
 
 def _stride(
@@ -64,6 +65,16 @@ def _stride(
     if steep:
         return creep_step(law, par, g, sign, q, x, span, xi, h)
     return step(law, par, g, segment, branch, sign, q, x, span, xi, h, k)
+
+
+def _near_no_slip(away: float, s: float, nearest: float) -> float:
+    """Longest step near a point of no slip amid the mesh, where the slope of the law is infinite.
+
+    `away` is slip over its rate: how far there is no slip, < 0 where it lies ahead [m].
+    """
+    if away < 0.0:
+        return max(-0.7 * away, nearest)
+    return max(2.0 * away, nearest) if away < 0.1 * s else inf
 
 
 def advance(  # noqa: C901 - one loop over steps and cuts
@@ -96,6 +107,11 @@ def advance(  # noqa: C901 - one loop over steps and cuts
         if dq * h > LARGEST_LOG_STEP:
             h = LARGEST_LOG_STEP / dq
         most = nan
+        if law.kind in (KNOTS, PIECES) and x * k[1] != 0.0:
+            s = span * xi**MESH_POWER
+            reach = _near_no_slip(x / k[1], s, NEAREST * par.length)
+            if span * (xi + h) ** MESH_POWER - s > reach:
+                h = ((s + reach) / span) ** (1.0 / MESH_POWER) - xi
         if law.kind == TABLE:
             most = cell_step(law, par, g, segment, branch, sign, q, x)
             # a cubic is not to be trusted far outside its cell
@@ -137,6 +153,8 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             )
             if f > 0.0:
                 tolerance = cut_tolerance(law, segment, side)
+                if side == NO_SLIP:
+                    tolerance = min(tolerance, 1e-3 * abs(x))
                 f_last, gap_last = 0.0, beyond(law, par, segment, branch, side, q, sign * x)
                 low, high = 0.0, 1.0
                 for tries in range(LANDINGS):

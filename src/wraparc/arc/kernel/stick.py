@@ -101,6 +101,21 @@ def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tu
     return max(par.entry_tension - pull / (lag * par.compliance), 1e-6 * par.entry_tension), creep
 
 
+def holds(law: CompactLaw, par: Parameters, length: float, end_creep: float) -> bool:
+    """Whether friction holds the belt all along a stuck zone, and not at its end alone.
+
+    An overrun may take tension, and friction with it, down amid the zone; on a braking pulley the
+    limit may grow faster towards the exit than the stress does.
+    """
+    compliance, parts = par.shear + par.onset, 64
+    for i in range(1, parts):
+        tension, creep = zone_point(par, length * i / parts, length, end_creep)
+        held, _ = onset_stress(law, tension / (par.width * par.radius))
+        if abs(creep) > compliance * held * (1.0 + 1e-9):
+            return False
+    return True
+
+
 def zone_creep_ratio(par: Parameters, length: float, end_creep: float) -> float:
     """Entry creep ratio g = (a - x_c) / l of a stuck zone [-]; may underflow to 0."""
     if par.shear + par.onset == 0.0:
