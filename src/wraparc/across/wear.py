@@ -60,12 +60,6 @@ class WearHistory:
         return bool(self.unevenness[-1] < self.unevenness[0])
 
     @property
-    def levelled(self) -> float:
-        """Unevenness at the end over that at the beginning [-]; nan for an even beginning."""
-        first = float(self.unevenness[0])
-        return float(self.unevenness[-1]) / first if first > 0.0 else math.nan
-
-    @property
     def hours(self) -> Array:
         """Running time [h], shape (k,); nan without a wear coefficient or a belt speed."""
         speed = self.wide.arc.belt_speed
