@@ -21,6 +21,8 @@ PLACE = ROOT / "build" / "installed"
 LOWEST = Path(__file__).with_name("lowest.txt")
 TRIAL = Path(__file__).with_name("trial.py")
 UV = os.environ["UV"]
+#: The Python that the lowest libraries have wheels for.
+LEAST = (3, 11)
 #: Extras that bring every library between them, for an environment that has all.
 ALL = ("plot", "report", "bayes", "fast", "study", "dask", "web", "notebook")
 #: What new versions of Python break: compiled libraries, and the server.
@@ -41,9 +43,13 @@ def main() -> None:
     )  # fmt: skip
     check_first_lines(sdist, locked)
     own = sys.version_info[:2]
-    others = {version: python for version, python in pythons().items() if version > own}
+    here = {**pythons(), own: sys.executable}
+    others = {version: python for version, python in here.items() if version > own}
     check_commands(environment("wheel", sys.executable, wheel, locked, whole=False))
-    tried(environment("lowest", sys.executable, wheel, LOWEST, whole=True), ALL)
+    if LEAST in here:
+        tried(environment("lowest", here[LEAST], wheel, LOWEST, whole=True), ALL)
+    else:  # which alone has wheels of them
+        say(f"no Python {LEAST[0]}.{LEAST[1]} is here: the lowest libraries were not tried")
     if not others:
         say(f"only Python {own[0]}.{own[1]} is here: no newer one was tried")
     for version, python in sorted(others.items()):

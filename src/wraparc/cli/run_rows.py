@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.cli.output import STANDARD_OUTPUT
+from wraparc.cli.pipe import has_left
 from wraparc.errors import InputError, MissingExtraError, Problem
 from wraparc.motion.keeper import row_names
 from wraparc.motion.station import Station
@@ -45,10 +46,8 @@ def streamed(
                 rows.flush()
             if not rows.cancelled:
                 rows.in_place()
-        except BrokenPipeError:
-            raise
         except OSError as error:
-            if not rows.wanted:
+            if has_left(error) or not rows.wanted:
                 raise
             raise InputError(rows.unwritable(error)) from None
         finally:
