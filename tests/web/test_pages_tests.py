@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Request, Route, expect
 
 from web.browser import Visitor
 from wraparc.cli.demo import examples_folder
@@ -89,6 +89,24 @@ def test_a_test_is_left_out_with_its_reason_and_taken_back(page: Page) -> None:
     expect(told).to_contain_text("Laws side by side")
     page.get_by_role("checkbox", name=f"Use {name}").check()
     expect(why).to_have_count(0)
+
+
+def test_the_fit_waits_for_all_that_was_said(visitor: Visitor) -> None:
+    page, name = visitor.open("tests"), FILES[2].name
+    held: list[Route] = []
+    page.route("**/tests/*/files/*", lambda route: held.append(route))  # noqa: PLW0108
+    fits: list[Request] = []
+    page.on("request", lambda r: fits.append(r) if r.url.endswith("/fit") else None)
+    page.set_input_files("#test-files", FILES)  # the names of all four tell the pressure
+    page.get_by_role("checkbox", name=f"Use {name}").uncheck()
+    page.get_by_role("textbox", name=f"Why not to use of {name}").fill("grease on the sample")
+    page.get_by_role("button", name=FIT).click()  # which leaves the field
+    page.wait_for_selector("text=Fitting …")
+    assert (len(held), fits) == (1, [])  # one thing is said after the other
+    page.unroute("**/tests/*/files/*")  # lets go of what it holds
+    page.get_by_role("button", name=USE).wait_for()
+    assert len(fits) == 1
+    expect(page.locator("#fitted")).to_contain_text("grease on the sample")
 
 
 def test_what_is_held_is_typed_refused_and_a_misfit_is_accepted(page: Page, tmp_path: Path) -> None:

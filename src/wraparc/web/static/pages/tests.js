@@ -5,7 +5,7 @@ import { act, note, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import { list, refused, table } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
-import { details, drop, files, session, within } from "./tests/files.js";
+import { allSaid, details, drop, files, session, within } from "./tests/files.js";
 import { planForm, rowOf, said, typedAt } from "./tests/plan.js";
 import { conditionPlots } from "./tests/plots.js";
 
@@ -36,6 +36,7 @@ async function fit(reason = "") {
     const how = { ...said("fit"), ...(Object.keys(fixed).length ? { fixed } : {}) };
     const parts = { lagging: said("lagging"), rig: said("rig"), fit: how };
     const plan = { ...parts, accept_misfit: reason };
+    await allSaid();
     state.result = await within("fit", plan);
     requestAnimationFrame(() =>
       document.getElementById("fitted")?.scrollIntoView({ block: "start" }),

@@ -60,15 +60,25 @@ async function take(found) {
     if (i < 0) session.files.push(f);
     else session.files[i] = f;
   }
-  for (const f of found)
-    if (f.read && !f.pressure && f.pressure_guess) await say(f, { pressure: f.pressure_guess });
+  const guessed = found.filter((f) => f.read && !f.pressure && f.pressure_guess);
+  await Promise.all(guessed.map((f) => say(f, { pressure: f.pressure_guess })));
   redraw();
 }
-/** Say something of a file that it does not tell itself. @param {TestFile} of @param {any} more */
-async function say(of, more) {
+let saying = /** @type {Promise<void>} */ (Promise.resolve());
+/** Wait until all that was said of files has arrived. */
+export const allSaid = () => saying;
+/** Say something of a file that it does not tell itself, after what was said before: the last word
+ * counts. @param {TestFile} of @param {any} more */
+function say(of, more) {
+  Object.assign(session.files.find((x) => x.id === of.id) ?? of, more);
+  redraw();
+  saying = saying.catch(() => {}).then(() => tell(of));
+  return saying;
+}
+/** @param {TestFile} of */
+async function tell(of) {
   const here = () => session.files.findIndex((x) => x.id === of.id);
-  // what was said a moment ago may still be on its way: it must not be taken back
-  const f = Object.assign(session.files[here()] ?? of, more);
+  const f = session.files[here()] ?? of;
   const sent = { ...f };
   const told = {
     pressure: f.pressure || null,
