@@ -24,21 +24,15 @@ from typing import Any
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+
+from files.samples import EXAMPLE_DRIVES
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
 from wraparc.schema.source import parse
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
-NAMES = (
-    "downhill-braking",
-    "head-drive-fabric",
-    "steel-cord-drive",
-    "test-pulley-calibrated",
-    "uphill-conveyor",
-    "worn-head-drive-fabric",
-    "worn-head-drive-steel-cord",
-)
 LONGEST = 2.0  # s CPU an arc
 EVERY_LAW = """format = 1
 [belt]
@@ -124,7 +118,7 @@ UNITS = ("mm", "m", "kN", "kPa", "MPa", "deg", "rad", "1/mm", "kN/m", "m/s", "W"
 
 @cache
 def documents() -> list[dict[str, Any]]:
-    samples = [parse((EXAMPLES / f"{name}.toml").read_text("utf-8")) for name in NAMES]
+    samples = [parse((EXAMPLES / f"{name}.toml").read_text("utf-8")) for name in EXAMPLE_DRIVES]
     return samples + [parse(f"{EVERY_LAW}[[lagging.own.law]]\n{law}\n") for law in LAWS] * 2
 
 

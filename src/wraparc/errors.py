@@ -8,6 +8,7 @@ import json
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from importlib import import_module
 from typing import Any
 
 _SHOWN_LENGTH = 60
@@ -157,6 +158,20 @@ class MissingExtraError(WraparcError, ImportError):
 
     def __str__(self) -> str:
         return f"needs {self.library}: pip install 'wraparc[{self.extra}]'"
+
+
+def library(name: str, extra: str) -> Any:
+    """Return a library that only an extra brings.
+
+    Raises
+    ------
+    MissingExtraError
+        If it is not installed.
+    """
+    try:
+        return import_module(name)
+    except ImportError:
+        raise MissingExtraError(name, extra) from None
 
 
 class BreakawayError(WraparcError):

@@ -13,7 +13,7 @@ from wraparc.arc import Status
 from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
-from wraparc.errors import MissingExtraError
+from wraparc.errors import library
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -102,11 +102,8 @@ class BatchResult(Mapping[str, Array]):
         MissingExtraError
             If pandas is not installed.
         """
-        try:
-            import pandas as pd
-        except ImportError:
-            raise MissingExtraError("pandas", "notebook") from None
-        return pd.DataFrame(dict(self))
+        frame: pd.DataFrame = library("pandas", "notebook").DataFrame(dict(self))
+        return frame
 
 
 def _place(place: int) -> Callable[[BatchResult], Array]:

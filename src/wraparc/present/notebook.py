@@ -6,7 +6,7 @@ from typing import Any
 from wraparc.across import AcrossResult
 from wraparc.arc import ArcResult, DriveResult, Profile
 from wraparc.drive import Drive, Lagging
-from wraparc.errors import MissingExtraError
+from wraparc.errors import library
 from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.present.drive_sheet import arc_sheet, drive_sheet, input_sheet
 from wraparc.present.page import sheet_html
@@ -85,7 +85,7 @@ def frame(thing: Any) -> Any:
 
 @frame.register
 def _(thing: Profile) -> Any:
-    return _pandas().DataFrame(dict(thing.columns()))
+    return library("pandas", "notebook").DataFrame(dict(thing.columns()))
 
 
 @frame.register
@@ -98,7 +98,9 @@ def _(thing: AcrossResult) -> Any:
     from wraparc.present.across_tables import across_data
 
     data = across_data(thing)
-    return _pandas().DataFrame({"across_position": data["across_position"], **data["across"]})
+    return library("pandas", "notebook").DataFrame(
+        {"across_position": data["across_position"], **data["across"]}
+    )
 
 
 @frame.register
@@ -112,7 +114,7 @@ def _(thing: DriveResult) -> Any:
         }
         for result in thing
     ]
-    return _pandas().DataFrame(rows).set_index(["load_case", "pulley"])
+    return library("pandas", "notebook").DataFrame(rows).set_index(["load_case", "pulley"])
 
 
 @frame.register
@@ -128,12 +130,4 @@ def _(thing: TrainResult) -> Any:
         for case in thing
         for member in case
     ]
-    return _pandas().DataFrame(rows).set_index(["load_case", "pulley"])
-
-
-def _pandas() -> Any:
-    try:
-        import pandas as pd
-    except ImportError as error:
-        raise MissingExtraError("pandas", "notebook") from error
-    return pd
+    return library("pandas", "notebook").DataFrame(rows).set_index(["load_case", "pulley"])

@@ -77,9 +77,10 @@ class Balanced:
     unsure: Flags
 
 
-def balance(rows: TrainRows, start: Start, setting: Setting) -> Balanced:
+def balance(equations: Equations, start: Start) -> Balanced:
     """Return the tensions of trains."""
-    n, count = len(rows), len(rows.names)
+    rows = equations.rows
+    n, count = len(rows), equations.count
     pulls = rows.pulls
     if pulls is None:
         pulls = np.array(start.shares) * rows.total[:, None]
@@ -88,11 +89,10 @@ def balance(rows: TrainRows, start: Start, setting: Setting) -> Balanced:
     none, nobody = np.zeros(n, dtype=bool), np.zeros((n, count), dtype=bool)
     if rows.pulls is not None or count == 1:
         return Balanced(between, ~none, nobody, none)
-    equations = Equations(rows, setting)
     if equations.rests:
         return Balanced(between, none, nobody, ~none)
-    if setting is Setting.PRECISE:  # the last steps are enough
-        near = balance(rows, start, Setting.ENGINEERING)
+    if equations.setting is Setting.PRECISE:  # the last steps are enough
+        near = balance(Equations(rows, Setting.ENGINEERING), start)
         between = np.where(near.found[:, None], near.between, between)
     if count == 2 and not equations.followers:
         return _between_two(equations, between[:, 0], start.sensitivity)

@@ -125,10 +125,11 @@ def solve_rows(
 
     def run(which: slice) -> None:
         part = rows.rows(which)
-        here = _located(part, balance(part, start, setting), setting)
+        equations = Equations(part, setting)
+        here = _located(part, balance(equations, start))
         located.put(which, here)
         some = slice(which.start * count, which.stop * count)
-        found[some] = _arcs(part, here, setting, capacities)
+        found[some] = _arcs(equations, here, capacities)
 
     share_chunks(run, n, CHUNK[setting], threads, progress)
     return _result(rows, located, found, setting)
@@ -155,7 +156,7 @@ class _Located:
         self.reasons.update({which.start + i: reason for i, reason in part.reasons.items()})
 
 
-def _located(rows: TrainRows, balanced: Balanced, setting: Setting) -> _Located:
+def _located(rows: TrainRows, balanced: Balanced) -> _Located:
     """Return the tensions, those of unsure rows by the solver of one train."""
     found = _Located.of(len(rows), len(rows.names))
     found.between[:], found.fallen[:] = balanced.between, balanced.fallen
@@ -173,17 +174,18 @@ def _located(rows: TrainRows, balanced: Balanced, setting: Setting) -> _Located:
     return found
 
 
-def _arcs(rows: TrainRows, located: _Located, setting: Setting, capacities: bool) -> Array:
+def _arcs(equations: Equations, located: _Located, capacities: bool) -> Array:
     """Rows of the kernel's numbers for all arcs of trains with a balance, nan for the others."""
-    count = len(rows.names)
-    equations = Equations(rows, setting)
+    rows, count = equations.rows, equations.count
     arcs = _tensioned(equations, located.between, _rough_speeds(equations, located.between))
     found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
     found[:, row.OUTCOME] = np.repeat(np.minimum(located.status, REFUSED), count)
     known = np.isin(located.status, (SOLVED, BEYOND_MOTOR))
     which = np.flatnonzero(np.repeat(known, count))
     factors = (rows.drums[k].ravel()[which] for k in ("friction_factor", "slip_factor"))
-    solved = solve_scaled(arcs.rows(which), *factors, setting=setting, capacities=capacities)
+    solved = solve_scaled(
+        arcs.rows(which), *factors, setting=equations.setting, capacities=capacities
+    )
     found[which] = solved.found
     return found
 

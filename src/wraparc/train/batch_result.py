@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch import STATUSES, BatchResult
-from wraparc.errors import MissingExtraError
+from wraparc.errors import library
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.result import TrainStatus
 from wraparc.train.rows import TrainRows
@@ -111,14 +111,11 @@ class TrainBatchResult:
         MissingExtraError
             If pandas is not installed.
         """
-        try:
-            import pandas as pd
-        except ImportError:
-            raise MissingExtraError("pandas", "notebook") from None
         columns: dict[str, Any] = {"status": self.status, "belt_speed": self.belt_speed}
         for pulley, drum in self.drums.items():
             columns |= {f"{pulley}.{name}": column for name, column in drum.items()}
-        return pd.DataFrame(columns)
+        frame: pd.DataFrame = library("pandas", "notebook").DataFrame(columns)
+        return frame
 
 
 @dataclass(frozen=True, eq=False, repr=False)

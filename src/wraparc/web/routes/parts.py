@@ -133,7 +133,8 @@ def offer(
         )
         lines = listed and rows.MEDIA in request.headers.get("accept", "")
         question = (rows.csv_of, function, asked) if lines else (function, asked)
-        key = hashlib.sha256(pickle.dumps(question)).digest()
+        # a slider never asks the same again: quick answers are not kept
+        key = b"" if queue == QUICK else hashlib.sha256(pickle.dumps(question)).digest()
         found = kept.find(key)
         if found is None:
             if long(asked):
@@ -141,7 +142,7 @@ def offer(
             else:
                 work = workers.short(client, *question, queue=queue)
             found = await waited(request, work)
-            if queue != QUICK:  # sooner solved than found again, and never the same
+            if key:
                 kept.keep(key, found)
         return Response(found, media_type=rows.MEDIA) if lines else json_answer(found)
 
