@@ -29,6 +29,7 @@ from wraparc.batch.lane_kernel import (
 )
 from wraparc.batch.lane_law import LaneLaws
 from wraparc.batch.laws import LawBank
+from wraparc.batch.least import search_least
 from wraparc.batch.native import available, compiled
 from wraparc.batch.plateau import Plateaus
 from wraparc.batch.precise import solve_precisely
@@ -142,16 +143,16 @@ class _Batch:
             made[:, k] = columns[name]
         return made
 
-    def solve(self, rows: Array, what: int) -> tuple[Array, Flags]:
+    def solve(self, rows: Array, what: int, fine: bool = False) -> tuple[Array, Flags]:
         """Solve rows, some a second time on a finer mesh, and say which are near enough.
 
         Those are the ones that were not, and those whose law has kinks that the pressure passes:
-        within its range, or at an end of it.
+        within its range, or at an end of it; all of them, if `fine`.
         """
         out = run_lanes(rows, self.laws.numbers, what, True, slot.MESHES[0])
         good = _near(out, what)
-        fine = self._kinked(rows, out) | ~good
-        again = np.flatnonzero(fine & np.isfinite(out[:, _FOUND[slot.Z]]))
+        anew = self._kinked(rows, out) | ~good | fine
+        again = np.flatnonzero(anew & np.isfinite(out[:, _FOUND[slot.Z]]))
         if len(again):
             second = rows[again]
             for name in (slot.Z, slot.END, slot.TENSION):
@@ -247,21 +248,19 @@ class _Batch:
         self._find_most(which[~good], top)
 
     def _find_most(self, which: Integers, top: Array) -> None:
-        """Largest pull at the creep limit: at the top of the tested pressures if it grows there."""
-        limit, pull, highest = self.of("creep_limit")[which], self.pull[which], top[which]
-        span = np.log(np.maximum(highest / pull, 1.0 + 1e-4))
-        inner = highest * np.exp(-np.minimum(0.02 * span, 0.05))
-        most, good = self._pull_within(which, limit, highest)
-        less, sound = self._pull_within(which, limit, inner)
-        good &= sound & (less <= most) & (most < pull)
-        self.found[which[good], row.MOST_PULL] = most[good]
-        self.left[which[~good]] |= answer.LEAST
+        """Largest pull at the creep limit, or the least tension where that is no easy search."""
+        limit, pull = self.of("creep_limit")[which], self.pull[which]
 
-    def _pull_within(self, which: Integers, limit: Array, tension: Array) -> tuple[Array, Flags]:
-        """Pull at the creep limit with an entry tension, and where it has been found."""
-        out, good = self.solve(self.rows(which, limit, tension), CREEP)
-        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
-        return -tension * np.expm1(-out[:, _FOUND[slot.END]]), good
+        def pull_within(log_tension: Array, rows: Integers, fine: bool) -> tuple[Array, Flags]:
+            tension = np.exp(log_tension)
+            out, good = self.solve(self.rows(which[rows], limit[rows], tension), CREEP, fine)
+            good &= ~self.softens[which[rows]] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+            return -tension * np.expm1(-out[:, _FOUND[slot.END]]), good
+
+        found = search_least(pull_within, pull, top[which])
+        self.found[which, row.LEAST_SLACK] = found.least - pull
+        self.found[which, row.MOST_PULL] = found.most
+        self.left[which[~found.good]] |= answer.LEAST
 
     def hand_over(self, parts: int) -> None:
         """Let the scalar kernel do what is left."""

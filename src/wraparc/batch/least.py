@@ -1,0 +1,150 @@
+"""Least tension, or largest pull, at a creep limit for many arcs: a search along the tension.
+
+The pull at the creep limit grows with the tight-side tension up to a top, and may fall past it:
+more tension makes friction worse and shrinks the belt more. Where the pull asked for lies above the
+top there is no least tension, and the top is told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Integers = NDArray[np.int64]
+
+#: pull [N] at the creep limit for ln tight-side tensions of some rows, and which of it is found;
+#: on the finer mesh if so asked
+Pull = Callable[[Array, Integers, bool], tuple[Array, Flags]]
+
+LOWEST = 1e-4  # of ln tight-side tension above the pull, where slack-side tension ends
+DEEPEST = 3.0  # below the top of the tested pressures, in ln tension, that is looked at
+GROWTH = 2.5  # of the steps down from the top
+NARROWINGS = 4  # of the bracket of the largest pull; a flat top needs no more
+TOO_NEAR = 3e-5  # of ln pull to the largest one: the least tension is ill-conditioned
+ROUNDS, NEAR = 40, 1e-7  # of false position, and of ln pull
+
+
+class Least(NamedTuple):
+    """Tight-side tension that is least, or the largest pull [N], nan for the other; shapes (n,)."""
+
+    least: Array
+    most: Array
+    good: Flags
+
+
+def search_least(pull_within: Pull, pull: Array, highest: Array) -> Least:
+    """Least tight-side tension that carries a pull at the creep limit, else the largest pull.
+
+    Parameters
+    ----------
+    pull_within
+        Pull at the creep limit.
+    pull
+        Pull to be carried, shape (n,) [N].
+    highest
+        Largest tight-side tension to consider, shape (n,) [N].
+    """
+    rows = np.arange(len(pull))
+    low, high = np.log(pull) + LOWEST, np.log(highest)
+    top, most, good = _top(pull_within, low, high)
+    away = np.log(most / pull)
+    good &= (low < high) & (np.abs(away) > TOO_NEAR)
+    least = np.full(len(pull), np.nan)
+    inside = rows[good & (away > 0.0)]
+    least[inside], found = _root(pull_within, inside, low[inside], top[inside], pull[inside])
+    good[inside[~found]] = False
+    most[~good | (away > 0.0)] = np.nan
+    return Least(np.exp(least), most, good)
+
+
+def _top(pull_within: Pull, low: Array, high: Array) -> tuple[Array, Array, Flags]:
+    """Tension in [low, high], as a logarithm, of the largest pull; that pull; where it is found.
+
+    Steps down from `high` that grow, until the pull falls; then parabolas through the three best.
+    """
+    rows = np.arange(len(low))
+    step = np.minimum(0.02 * (high - low), 0.05)
+    bottom = np.maximum(low, high - DEEPEST)
+    right, middle = high.copy(), high.copy()
+    best, good = pull_within(high, rows, False)
+    f_right = best.copy()
+    left = middle - step
+    f_left, sound = pull_within(left, rows, False)
+    good &= sound
+    climbing = rows[good & (f_left > best)]
+    inside = climbing
+    while len(climbing):
+        i = climbing
+        right[i], f_right[i], middle[i], best[i] = middle[i], best[i], left[i], f_left[i]
+        left[i] = np.maximum(left[i] - GROWTH * (right[i] - middle[i]), bottom[i])
+        f_left[i], sound = pull_within(left[i], i, False)
+        climbs = f_left[i] > best[i]
+        good[i] &= sound & ~(climbs & (left[i] <= bottom[i]))
+        climbing = i[good[i] & climbs]
+    for _ in range(NARROWINGS):
+        i = inside = inside[good[inside]]
+        at = _crown(left[i], f_left[i], middle[i], best[i], right[i], f_right[i])
+        new, sound = pull_within(at, i, False)
+        good[i] &= sound
+        better, after = new > best[i], at > middle[i]
+        # the worse of the two inner points becomes an end
+        x, f = np.where(better, middle[i], at), np.where(better, best[i], new)
+        to_left = after == better
+        left[i], f_left[i] = np.where(to_left, x, left[i]), np.where(to_left, f, f_left[i])
+        right[i], f_right[i] = np.where(to_left, right[i], x), np.where(to_left, f_right[i], f)
+        middle[i], best[i] = np.where(better, at, middle[i]), np.where(better, new, best[i])
+    best[inside], sound = pull_within(middle[inside], inside, True)
+    good[inside] &= sound
+    return middle, best, good
+
+
+def _crown(a: Array, f_a: Array, b: Array, f_b: Array, c: Array, f_c: Array) -> Array:
+    """Top of the parabola through three points a < b < c, kept off them."""
+    left, right = (b - a) * (f_b - f_c), (c - b) * (f_b - f_a)
+    at = b + 0.5 * ((c - b) * right - (b - a) * left) / np.maximum(left + right, 1e-300)
+    apart = 0.02 * (c - a)
+    at = np.where(np.abs(at - b) < apart, b + np.where(c - b > b - a, apart, -apart), at)
+    return np.clip(at, a + 0.5 * np.minimum(apart, b - a), c - 0.5 * np.minimum(apart, c - b))
+
+
+def _root(
+    pull_within: Pull, which: Integers, low: Array, high: Array, pull: Array
+) -> tuple[Array, Flags]:
+    """Tension below the top, as a logarithm, that carries the pull: false position."""
+    if not len(which):
+        return high, np.zeros(0, dtype=bool)
+    low, high = low.copy(), high.copy()
+    f_low, sound_low = _miss(pull_within, which, low, pull)
+    f_high, sound_high = _miss(pull_within, which, high, pull)
+    good = sound_low & sound_high & (f_low < 0.0) & (f_high > 0.0)
+    found, last = high.copy(), np.zeros(len(which))
+    open_ = np.flatnonzero(good)
+    for _ in range(ROUNDS):
+        i = open_
+        if not len(i):
+            break
+        at = (low[i] * f_high[i] - high[i] * f_low[i]) / (f_high[i] - f_low[i])
+        f, sound = _miss(pull_within, which[i], at, pull[i])
+        good[i] &= sound
+        found[i] = at
+        above = f > 0.0
+        # Illinois: the end that is kept twice counts half
+        f_low[i] *= np.where(above & (last[i] > 0.0), 0.5, 1.0)
+        f_high[i] *= np.where(~above & (last[i] < 0.0), 0.5, 1.0)
+        high[i], f_high[i] = np.where(above, at, high[i]), np.where(above, f, f_high[i])
+        low[i], f_low[i] = np.where(above, low[i], at), np.where(above, f_low[i], f)
+        last[i] = np.where(above, 1.0, -1.0)
+        open_ = i[sound & (np.abs(f) > NEAR)]
+    good[open_] = False
+    return found, good
+
+
+def _miss(pull_within: Pull, which: Integers, at: Array, pull: Array) -> tuple[Array, Flags]:
+    """Relative miss of a pull, as a logarithm, and where it is known."""
+    carried, sound = pull_within(at, which, True)
+    return np.log(np.maximum(carried, 1e-9 * pull) / pull), sound
