@@ -23,10 +23,10 @@ unexport VIRTUAL_ENV PYTHONPATH PYTHONHOME PYTHONDONTWRITEBYTECODE
 # From the cache where it suffices (fast, and works without a network), else from the index.
 sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 
-CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building
+CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building tools
 
 .DEFAULT_GOAL := help
-.PHONY: help demo serve test dev format lint types docs installed system tests bench lock clean
+.PHONY: help demo serve test dev format lint types docs installed system tests kernel bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -105,6 +105,9 @@ system: ## install Chromium, PostgreSQL, Node.js and locales for the gate where 
 tests: dev system
 	@echo "== tests: pytest, warnings are errors"
 	@$(BIN)/python -m pytest --no-header -n $(WORKERS) --dist loadfile --no-loadscope-reorder -W error
+
+kernel: dev ## translate the solver anew into the page, after a change of arc/kernel or friction/compact
+	@$(BIN)/python tools/page_kernel.py
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"

@@ -1,0 +1,211 @@
+"""Expressions of Python to JavaScript."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable
+from types import BuiltinFunctionType, FunctionType, ModuleType
+from typing import TYPE_CHECKING, Any
+
+from javascript.names import Where, is_named_tuple, literal, local
+
+if TYPE_CHECKING:
+    from javascript.translate import Module
+
+#: Functions of `math` that JavaScript has under the same name.
+_MATH = frozenset({
+    "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "ceil", "cos", "cosh", "exp",
+    "expm1", "floor", "hypot", "log", "log10", "log1p", "log2", "pow", "sin", "sinh", "sqrt",
+    "tan", "tanh", "trunc",
+})  # fmt: skip
+_BUILT_IN = {"abs": "Math.abs({})", "int": "Math.trunc({})", "float": "{}", "len": "{}.length"}
+_ARITHMETIC: dict[type[ast.operator], str] = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.BitAnd: "&", ast.BitOr: "|",
+}  # fmt: skip
+_COMPARED: dict[type[ast.cmpop], str] = {
+    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
+    ast.Is: "===", ast.IsNot: "!==",
+}  # fmt: skip
+_ABSENT = object()
+
+
+class Expressions:
+    """Expressions of one function.
+
+    Attributes
+    ----------
+    module
+        The module in the making.
+    own
+        Names of the function's parameters and variables.
+    known
+        Names of the module that the function stands in.
+    file, first
+        Where it stands.
+    """
+
+    def __init__(
+        self, module: Module, own: set[str], known: dict[str, Any], file: str, first: int
+    ) -> None:
+        self.module, self.own, self.known = module, own, known
+        self.file, self.first = file, first
+
+    def where(self, node: ast.AST) -> Where:
+        """Return where something stands."""
+        return Where(self.file, self.first + getattr(node, "lineno", 1) - 1)
+
+    def refuse(self, node: ast.AST, why: str) -> str:
+        """Raise an error that names the place and the words there."""
+        self.where(node).refuse(f"{why}: {ast.unparse(node)[:80]}")
+
+    def of(self, node: ast.expr) -> str:
+        """Return an expression."""
+        kind = type(node).__name__
+        write: Callable[[Any], str] | None = getattr(self, f"_{kind.lower()}", None)
+        return write(node) if write else self.refuse(node, f"{kind} is not translated")
+
+    def value(self, node: ast.expr) -> object:
+        """Return what a name of the module stands for, or a mark for a variable."""
+        if isinstance(node, ast.Name) and node.id not in self.own:
+            return self.known.get(node.id, _ABSENT)
+        if isinstance(node, ast.Attribute):
+            base = self.value(node.value)
+            if isinstance(base, ModuleType):
+                return getattr(base, node.attr, _ABSENT)
+        return _ABSENT
+
+    def _constant(self, node: ast.Constant) -> str:
+        return literal(node.value, self.where(node))
+
+    def _name(self, node: ast.Name) -> str:
+        if node.id in self.own:
+            return local(node.id)
+        return self._known(node, node.id)
+
+    def _attribute(self, node: ast.Attribute) -> str:
+        if self.value(node) is not _ABSENT:
+            return self._known(node, node.attr)
+        return f"{self.of(node.value)}.{node.attr}"
+
+    def _known(self, node: ast.expr, name: str) -> str:
+        value = self.value(node)
+        if value is _ABSENT:
+            return self.refuse(node, "an unknown name")
+        if is_named_tuple(type(value)):
+            self.module.named_tuple(type(value), self.where(node))
+        return self.module.constant(name, value, self.where(node))
+
+    def _tuple(self, node: ast.Tuple) -> str:
+        return f"[{', '.join(map(self.of, node.elts))}]"
+
+    def _list(self, node: ast.List) -> str:
+        return f"[{', '.join(map(self.of, node.elts))}]"
+
+    def _binop(self, node: ast.BinOp) -> str:
+        left, right = self.of(node.left), self.of(node.right)
+        if isinstance(node.op, ast.FloorDiv):
+            return f"Math.floor({left} / {right})"
+        if isinstance(node.op, ast.Mod):
+            return f"modulo({left}, {right})"
+        if isinstance(node.op, ast.Pow):
+            return f"(({left}) ** ({right}))"
+        if type(node.op) not in _ARITHMETIC:
+            return self.refuse(node, "the operator is not translated")
+        return f"({left} {_ARITHMETIC[type(node.op)]} {right})"
+
+    def _unaryop(self, node: ast.UnaryOp) -> str:
+        if isinstance(node.op, ast.Not):
+            return f"!({self.condition(node.operand)})"
+        if isinstance(node.op, ast.USub):
+            return f"(-{self.of(node.operand)})"
+        return self.refuse(node, "the operator is not translated")
+
+    def _boolop(self, node: ast.BoolOp) -> str:
+        sign = " && " if isinstance(node.op, ast.And) else " || "
+        return f"({sign.join(map(self.condition, node.values))})"
+
+    def condition(self, node: ast.expr) -> str:
+        """Return a condition; what is empty or not a number counts otherwise in JavaScript."""
+        if isinstance(node, ast.List | ast.Tuple | ast.Dict | ast.Constant):
+            return self.refuse(node, "a condition must compare")
+        if isinstance(node, ast.BinOp) and not isinstance(node.op, ast.BitAnd):
+            return self.refuse(node, "a condition must compare")
+        return self.of(node)
+
+    def _ifexp(self, node: ast.IfExp) -> str:
+        return f"({self.condition(node.test)} ? {self.of(node.body)} : {self.of(node.orelse)})"
+
+    def _compare(self, node: ast.Compare) -> str:
+        amid = [n for side in node.comparators[:-1] for n in ast.walk(side)]
+        if any(isinstance(n, ast.Call) and self.value(n.func) is not _ABSENT for n in amid):
+            return self.refuse(node, "a call amid a comparison")
+        sides = [node.left, *node.comparators]
+        found = [self._pair(node, *pair) for pair in zip(sides, node.ops, sides[1:], strict=False)]
+        return f"({' && '.join(found)})"
+
+    def _pair(self, node: ast.Compare, left: ast.expr, sign: ast.cmpop, right: ast.expr) -> str:
+        one = self.of(left)
+        if isinstance(sign, ast.In | ast.NotIn):
+            if not isinstance(right, ast.Tuple):
+                return self.refuse(node, "`in` takes a tuple that is written out")
+            found = " || ".join(f"{one} === {self.of(other)}" for other in right.elts)
+            return f"{'!' if isinstance(sign, ast.NotIn) else ''}({found})"
+        return f"{one} {_COMPARED[type(sign)]} {self.of(right)}"
+
+    def _subscript(self, node: ast.Subscript) -> str:
+        if isinstance(node.slice, ast.Slice | ast.UnaryOp):
+            return self.refuse(node, "only places from the start are translated")
+        return f"{self.of(node.value)}[{self.of(node.slice)}]"
+
+    def _call(self, node: ast.Call) -> str:
+        if isinstance(node.func, ast.Attribute) and node.func.attr == "_replace":
+            return self._replaced(node, node.func)
+        if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
+            return self.refuse(node, "arguments go by their place")
+        called, args = self.value(node.func), [self.of(arg) for arg in node.args]
+        if isinstance(called, BuiltinFunctionType):
+            return self._of_math(node, called, args)
+        if is_named_tuple(called):
+            name = self.module.named_tuple(called, self.where(node))
+            return f"new {name}({', '.join(args)})"
+        if isinstance(called, FunctionType):
+            return self._own(node, called, args)
+        return self._built_in(node, args)
+
+    def _replaced(self, node: ast.Call, func: ast.Attribute) -> str:
+        """Return a copy of a named tuple with other values."""
+        base = self.of(func.value)
+        changed = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
+        return f"Object.assign(Object.create(Object.getPrototypeOf({base})), {base}, {{{changed}}})"
+
+    def _of_math(self, node: ast.Call, called: BuiltinFunctionType, args: list[str]) -> str:
+        name = called.__name__
+        if called is getattr(math, name, None):
+            if name in _MATH:
+                return f"Math.{name}({', '.join(args)})"
+            if name == "copysign":
+                return f"copysign({', '.join(args)})"
+            if name == "isfinite":
+                return f"Number.isFinite({args[0]})"
+            if name == "isnan":
+                return f"Number.isNaN({args[0]})"
+        return self.refuse(node, "a function that JavaScript does not have")
+
+    def _own(self, node: ast.Call, called: FunctionType, args: list[str]) -> str:
+        if called.__name__ == "zeros":  # the one that compiled code replaces too
+            return f"zeros({', '.join(args)})"
+        if called.__module__.partition(".")[0] != self.module.package:
+            return self.refuse(node, "a function of another package")
+        return f"{self.module.function(called)}({', '.join(args)})"
+
+    def _built_in(self, node: ast.Call, args: list[str]) -> str:
+        name = node.func.id if isinstance(node.func, ast.Name) else ""
+        if name in ("max", "min") and len(args) > 1:
+            found = args[0]
+            for other in args[1:]:
+                found = f"{name}({found}, {other})"
+            return found
+        if name in _BUILT_IN and len(args) == 1:
+            return _BUILT_IN[name].format(args[0])
+        return self.refuse(node, "the call is not translated")
