@@ -154,9 +154,9 @@ def steps(arcs: Arcs) -> None:
     print("\nmesh steps of the lane kernel, one thread (before anything is handed over)")
     for mesh in (16, 24, 32, 48, 64, 96):
         _, cpu = cost(
-            lambda m=mesh: engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, m)  # type: ignore[misc]
+            lambda m=mesh: engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, m, False)  # type: ignore[misc]
         )
-        out = engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, mesh)
+        out = engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, mesh, False)
         miss = np.abs(out[:, place] / exact["exit_creep"] - 1.0)
         print(f"  {mesh}: {1e6 * cpu / n:.2f} us CPU, creep median {np.median(miss):.0e},"
               f" 99.9 % {np.percentile(miss, 99.9):.0e}, worst {np.max(miss):.0e}")  # fmt: skip

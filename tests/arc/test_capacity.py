@@ -21,6 +21,7 @@ from wraparc.arc import ArcResult, Capacities, Status, WrapArc
 from wraparc.arc.kernel import capacity
 from wraparc.arc.kernel.effort import CREEP, Aim
 from wraparc.batch.compiled import Compiled
+from wraparc.files import load_lagging
 from wraparc.friction import Constant, FrictionLaw
 
 JUMPS = {"jump table", "constant", "power", "elastic-plastic"}
@@ -201,6 +202,20 @@ def test_gross_slip_of_a_softening_law_is_the_largest_ratio_there_is(
     assert above.status is Status.BREAKAWAY
     assert math.log(above.tension_ratio) == pytest.approx(ratio, rel=1e-6)
     assert above.exit_creep == pytest.approx(creep, rel=0.01)
+
+
+def test_a_ratio_that_hardly_rises_any_more_is_largest_at_the_highest_creep() -> None:
+    """Shipped ceramics: a coarse mesh saw the largest ratio at a creep ratio of 0.6 here."""
+    ceramic = load_lagging("full-ceramic")
+    arc = replace(
+        ARC, law=ceramic.law, entry_tension=62660.0, exit_tension=26266.0, diameter=1.06511,
+        wrap_angle=3.779106, width=1.606632, axial_stiffness=19654016.0 * 1.606632,
+        thickness=17.9846e-3, compression_modulus=18.4e6, overrun=None,
+    )  # fmt: skip
+    end = Twin(arc).integrate(1.0)
+    c = capacities(arc)
+    assert math.log(c.gross_slip_capacity) == pytest.approx(-end.log_tension, rel=1e-6)
+    assert c.gross_slip_creep == pytest.approx(end.creep, rel=1e-6)
 
 
 def test_gross_slip_of_a_braking_softening_law() -> None:

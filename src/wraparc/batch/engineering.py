@@ -17,11 +17,13 @@ from wraparc.batch.lane_kernel import (
     CREEP,
     FOUND,
     GIVEN,
+    GROSS,
     LEAST,
     NODES,
     SLIP,
     TENSIONS,
     TRACES,
+    solve_falling_rows,
     solve_goal_rows,
     solve_goals,
     solve_rows,
@@ -35,11 +37,13 @@ from wraparc.batch.plateau import Plateaus
 from wraparc.batch.precise import solve_precisely
 
 Flags = NDArray[np.bool_]
+Solved = tuple[Array, Flags]  # rows of `FOUND`, and which are near enough
 
 #: largest last correction: what is left after it is about its square, and a sixteenth for the mesh
 ACCEPTED_MISS = 1e-3
 ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with kinks is left
 SMALLEST_LOG_RATIO = 1e-5
+MESH = slot.MESHES[1]  # where the coarse one is not enough, and for laws that fall: no kink is cut
 NO_LIMIT = 1e300
 SURELY = 1.01  # times the slip speed of the tests: above it by more than the accuracy of a batch
 
@@ -84,6 +88,7 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
         batch.find_carried(SLIP, row.SLIP_CAPACITY, answer.TESTED_SLIP)
     if parts & answer.LEAST:
         batch.find_least()
+    batch.cap_by_gross()
     batch.hand_over(parts)
     return batch.found, batch.left > 0
 
@@ -143,23 +148,47 @@ class _Batch:
             made[:, k] = columns[name]
         return made
 
-    def solve(self, rows: Array, what: int, fine: bool = False) -> tuple[Array, Flags]:
-        """Solve rows, some a second time on a finer mesh, and say which are near enough.
+    def solve(self, which: Integers, rows: Array, what: int, fine: bool = False) -> Solved:
+        """Solve rows of the arcs `which`, and say which of them are near enough.
 
-        Those are the ones that were not, and those whose law has kinks that the pressure passes:
-        within its range, or at an end of it; all of them, if `fine`.
+        Laws that fall past their peak are solved by lanes of their own, but for the tensions: there
+        few come to the peak, and those are not good.
         """
-        out = run_lanes(rows, self.laws.numbers, what, True, slot.MESHES[0])
+        falls = self.softens[which] & (what != TENSIONS)
+        out, good = np.empty((len(rows), len(FOUND))), np.empty(len(rows), dtype=bool)
+        flat = np.flatnonzero(~falls)
+        out[flat], good[flat] = self._solve_flat(rows[flat], what, fine)
+        falling = np.flatnonzero(falls)
+        out[falling] = self._run(rows[falling], what, True, MESH, True)
+        good[falling] = _near(out[falling], what)
+        again = falling[~good[falling] & (what != GROSS)]
+        out[again] = self._again(rows[again], out[again], what, True)
+        good[again] = _near(out[again], what)
+        good &= ~self.softens[which] | falls | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        return out, good
+
+    def _solve_flat(self, rows: Array, what: int, fine: bool) -> Solved:
+        """Solve rows of laws flat past their peak, some a second time on a finer mesh.
+
+        Those are the ones that were not near enough, and those whose law has kinks that the
+        pressure passes: within its range, or at an end of it; all of them, if `fine`.
+        """
+        out = self._run(rows, what, True, slot.MESHES[0], False)
         good = _near(out, what)
         anew = self._kinked(rows, out) | ~good | fine
         again = np.flatnonzero(anew & np.isfinite(out[:, _FOUND[slot.Z]]))
-        if len(again):
-            second = rows[again]
-            for name in (slot.Z, slot.END, slot.TENSION):
-                second[:, GIVEN.index(name)] = out[again, _FOUND[name]]
-            out[again] = run_lanes(second, self.laws.numbers, what, False, slot.MESHES[1])
-            good[again] = _near(out[again], what)
+        out[again] = self._again(rows[again], out[again], what, False)
+        good[again] = _near(out[again], what)
         return out, good
+
+    def _again(self, rows: Array, out: Array, what: int, falls: bool) -> Array:
+        """Solve rows once more, from what has been found, on the finer mesh."""
+        for name in (slot.Z, slot.END, slot.TENSION):
+            rows[:, GIVEN.index(name)] = out[:, _FOUND[name]]
+        return self._run(rows, what, False, MESH, falls)
+
+    def _run(self, rows: Array, what: int, fresh: bool, steps: int, falls: bool) -> Array:
+        return run_lanes(rows, self.laws.numbers, what, fresh, steps, falls)
 
     def _kinked(self, rows: Array, out: Array) -> Flags:
         """Whether the law has kinks, or the pressure passes its first or last edge."""
@@ -175,7 +204,7 @@ class _Batch:
         return passes
 
     def find_gross(self, parts: int) -> None:
-        """Gross slip of laws flat past their peak, and the breakaways that follow from it."""
+        """Gross slip, and the breakaways that follow from it where laws are flat."""
         which = np.flatnonzero(self.fit & ~self.softens)
         gross = self.plateaus.capacity(
             self.arcs.law[which], self.pressure[which], self.of("wrap_angle")[which]
@@ -183,15 +212,28 @@ class _Batch:
         self.found[which, row.GROSS_CAPACITY] = gross
         self.found[which, row.GROSS_CREEP] = np.inf
         self.found[which[self.log_ratio[which] >= gross], row.OUTCOME] = BREAKAWAY
-        self.left[self.fit & self.softens] |= answer.GROSS_SLIP
+        if parts & answer.CAPACITIES:
+            self._find_falling_gross()
+
+    def _find_falling_gross(self) -> None:
+        """Gross slip of laws that fall past their peak."""
+        which = np.flatnonzero(self.fit & self.softens)
+        rows = self.rows(which, 1.0)
+        rows[:, GIVEN.index(slot.END)] = self.plateaus.capacity(
+            self.arcs.law[which], self.pressure[which], self.of("wrap_angle")[which]
+        )
+        out, good = self.solve(which, rows, GROSS)
+        good &= out[:, _FOUND[slot.DETERMINANT]] > 0.5  # not at the low end of what is looked at
+        self.found[which[good], row.GROSS_CAPACITY] = out[good, _FOUND[slot.END]]
+        self.found[which[good], row.GROSS_CREEP] = out[good, _FOUND[slot.EXIT_CREEP]]
+        self.left[which[~good]] |= answer.CAPACITIES
 
     def find_tensions(self) -> None:
         """Operating points."""
         runs = self.fit & (self.found[:, row.OUTCOME] == SOLVED)
         which = np.flatnonzero(runs & (self.log_ratio > SMALLEST_LOG_RATIO))
         self.left[runs & (self.log_ratio <= SMALLEST_LOG_RATIO)] |= row.TENSIONS
-        out, good = self.solve(self.rows(which, 1.0), TENSIONS)
-        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        out, good = self.solve(which, self.rows(which, 1.0), TENSIONS)
         self.left[which[~good]] |= row.TENSIONS
         kept, out = which[good], out[good]
         for place, name in _MAIN:
@@ -223,8 +265,7 @@ class _Batch:
         """Capacity at the creep limit, or at the largest tested slip."""
         goal = self.of("creep_limit" if what == CREEP else "slip_max")
         which = np.flatnonzero(self.fit & np.isfinite(goal))
-        out, good = self.solve(self.rows(which, goal[which]), what)
-        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+        out, good = self.solve(which, self.rows(which, goal[which]), what)
         self.found[which[good], place] = out[good, _FOUND[slot.END]]
         self.left[which[~good]] |= part
 
@@ -240,10 +281,9 @@ class _Batch:
         carried = -np.expm1(-self.found[which, row.CREEP_CAPACITY])
         first = np.minimum(self.pull[which] / carried, top[which])
         first = np.maximum(first, 1.02 * self.pull[which])
-        out, good = self.solve(self.rows(which, limit[which], first), LEAST)
+        out, good = self.solve(which, self.rows(which, limit[which], first), LEAST)
         found = out[:, _FOUND[slot.TENSION]]
         good &= (out[:, _FOUND[slot.DETERMINANT]] > 0.0) & (found <= top[which])
-        good &= ~self.softens[which] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
         self.found[which[good], row.LEAST_SLACK] = found[good] - self.pull[which[good]]
         self._find_most(which[~good], top)
 
@@ -253,8 +293,8 @@ class _Batch:
 
         def pull_within(log_tension: Array, rows: Integers, fine: bool) -> tuple[Array, Flags]:
             tension = np.exp(log_tension)
-            out, good = self.solve(self.rows(which[rows], limit[rows], tension), CREEP, fine)
-            good &= ~self.softens[which[rows]] | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
+            some = which[rows]
+            out, good = self.solve(some, self.rows(some, limit[rows], tension), CREEP, fine)
             return -tension * np.expm1(-out[:, _FOUND[slot.END]]), good
 
         found = search_least(pull_within, pull, top[which])
@@ -262,8 +302,21 @@ class _Batch:
         self.found[which, row.MOST_PULL] = found.most
         self.left[which[~found.good]] |= answer.LEAST
 
+    def cap_by_gross(self) -> None:
+        """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
+        creep = self.found[:, row.GROSS_CREEP]
+        for limit, place, part in (
+            ("creep_limit", row.CREEP_CAPACITY, answer.CREEP_LIMIT),
+            ("slip_max", row.SLIP_CAPACITY, answer.TESTED_SLIP),
+        ):
+            capped = creep <= self.of(limit)  # False where either is nan
+            self.found[capped, place] = self.found[capped, row.GROSS_CAPACITY]
+            self.left[capped] &= ~part
+
     def hand_over(self, parts: int) -> None:
-        """Let the scalar kernel do what is left."""
+        """Let the scalar kernel do what is left; it caps ratios only where it knows gross slip."""
+        unsure = self.softens & (self.left & (answer.CREEP_LIMIT | answer.TESTED_SLIP) > 0)
+        self.left[unsure] |= answer.GROSS_SLIP
         self.left &= parts | (answer.GROSS_SLIP if parts & answer.CAPACITIES else 0)
         which = np.flatnonzero(self.left)
         if not len(which):
@@ -284,7 +337,7 @@ def _near(out: Array, what: int) -> Flags:
     return np.asarray(near)
 
 
-def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int) -> Array:
+def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int, falls: bool) -> Array:
     """Rows of `FOUND` numbers from rows of `GIVEN` numbers; in the interpreter without numba."""
     out = np.empty((len(rows), len(FOUND)))
     if not len(rows):
@@ -292,14 +345,17 @@ def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int) -> A
     if available():
         scratch = (np.zeros(k * LANES) for k in (slot.SLOTS, NODES, TRACES))
         entry = solve_rows if what == TENSIONS else solve_goal_rows
+        entry = solve_falling_rows if falls else entry
         compiled(entry, contract=True)(rows, laws, what, fresh, steps, *scratch, out)
         return out
     w, nodes, trace = Lanes(slot.SLOTS), Lanes(NODES), Lanes(TRACES)
     for k, name in enumerate(GIVEN):
         w[name, 0] = rows[:, k]
     with np.errstate(all="ignore"):
-        solve = solve_tensions if what == TENSIONS else solve_goals
-        solve(w, laws, nodes, trace, what, fresh, steps)
+        if what == TENSIONS:
+            solve_tensions(w, laws, nodes, trace, what, fresh, steps)
+        else:
+            solve_goals(w, laws, nodes, what, fresh, steps, 1.0 if falls else None)
     for k, name in enumerate(FOUND):
         out[:, k] = w[name, 0]
     return out

@@ -15,6 +15,7 @@ from wraparc.batch.elementwise import (
     lanes,
     memory,
 )
+from wraparc.batch.lane_gross import meet_gross
 from wraparc.batch.lane_guess import (
     guess,
     guess_carried,
@@ -24,6 +25,7 @@ from wraparc.batch.lane_guess import (
 from wraparc.batch.lane_look import (
     read_head,
 )
+from wraparc.batch.lane_march import Falls
 from wraparc.batch.lane_read import (
     read,
 )
@@ -105,7 +107,7 @@ FOUND = (
 NODES = NODE * (2 * MOST_STEPS + 1)
 TRACES = TRACE * (MOST_STEPS + 1)
 
-TENSIONS, CREEP, SLIP, LEAST = range(4)  # what is to be met
+TENSIONS, CREEP, SLIP, LEAST, GROSS = range(5)  # what is to be met
 
 
 def solve_tensions(
@@ -122,21 +124,35 @@ def solve_tensions(
 
 
 def solve_goals(
-    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, what: int, fresh: bool, steps: int
+    w: Lanes,
+    laws: Table,
+    nodes: Lanes,
+    what: int,
+    fresh: bool,
+    steps: int,
+    falls: Falls,
 ) -> None:
     """Solve a block for the creep or slip at the exit, or for the creep at a given pull.
 
-    Not `fresh`, the search begins at the z and the END or TENSION given.
+    Not `fresh`, the search begins at the z and the END or TENSION given. Of laws that fall past
+    their peak also for gross slip; END is to be what the plateau would carry.
     """
     n = lanes()
     of_slip = 1.0 if what == SLIP else 0.0
     read_head(w, laws)
     load(w, laws)
+    if falls is not None and what == GROSS:
+        meet_gross(w, laws, nodes, steps)
+        return
     if fresh and what == LEAST:
         guess_least(w, laws)
     elif fresh:
         guess_carried(w, laws, of_slip)
-    meet_creep(w, laws, nodes, steps, of_slip, what == LEAST)
+    first = 0
+    if falls is not None:
+        # the guesses know no fall; and kinks are felt by a change of mesh
+        first = -1 if fresh else 2
+    meet_creep(w, laws, nodes, steps, of_slip, what == LEAST, first, falls)
     last = NODE * 2 * steps
     for i in range(n):
         w[STEEPEST, i] = w[X, i] * nodes[last, i]
@@ -176,12 +192,31 @@ def solve_goal_rows(
     out: Any,
 ) -> None:
     """The same for a goal. An entry of its own: what is not asked for need not be compiled."""
-    w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
-    laws = memory(laws_, "tables")
+    w, nodes, laws = memory(w_, "w"), memory(nodes_, "nodes"), memory(laws_, "tables")
     n, count = lanes(), len(rows)
     for first in range(0, count, n):
         take(rows, first, count, w)
-        solve_goals(w, laws, nodes, trace, what, fresh, steps)
+        solve_goals(w, laws, nodes, what, fresh, steps, None)
+        give(w, first, count, out)
+
+
+def solve_falling_rows(
+    rows: Any,
+    laws_: Any,
+    what: int,
+    fresh: bool,
+    steps: int,
+    w_: Any,
+    nodes_: Any,
+    trace_: Any,
+    out: Any,
+) -> None:
+    """The same for laws that fall past their peak."""
+    w, nodes, laws = memory(w_, "w"), memory(nodes_, "nodes"), memory(laws_, "tables")
+    n, count = lanes(), len(rows)
+    for first in range(0, count, n):
+        take(rows, first, count, w)
+        solve_goals(w, laws, nodes, what, fresh, steps, 1.0)
         give(w, first, count, out)
 
 

@@ -13,13 +13,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch.laws import LawBank
-from wraparc.friction.compact import KNOT_STRIDE, KNOTS, PIECES, CompactLaw, peak
+from wraparc.friction.compact import KNOT_STRIDE, KNOTS, PIECES, CompactLaw, peak, tail
 
 Array = NDArray[np.float64]
 
 HEAD = 3  # first edge, last edge [Pa], buckets per pascal
 BUCKETS = 128
-CELL = 10  # numbers of a cell: where it begins and ends, cubics of peak slip and peak friction
+#: numbers of a cell: where it begins and ends, and cubics: of peak slip and peak friction, of the
+#: slope past the peak and the residual friction
+CELL = 18
+SLOPE_CUBIC, RESIDUAL_CUBIC = 10, 14  # where they begin
 FIRST_CELL = HEAD + BUCKETS
 SAMPLED_WITHIN = 1e-6  # relative error allowed in sampling trend lines
 MOST_CELLS = 64  # of a piece of a law by trend lines
@@ -105,13 +108,13 @@ def _value_and_slope(c: Array, t: Array) -> tuple[Array, Array]:
 
 
 def _cells(law: CompactLaw) -> tuple[Array, Array] | None:
-    """Edges and cubics of one law, shapes (n,) and (n - 1, 8); None if it is of another kind."""
+    """Edges and cubics of one law, shapes (n,) and (n - 1, 16); None if it is of another kind."""
     edges, c = np.array(law.edges), np.array(law.coefficients)
     if law.kind == KNOTS:
         if len(edges) == 0:
             # one law for all pressures; the top is far above any
-            return np.array([1.0, 1e15]), c[:8].reshape(1, 8)
-        return edges, c.reshape(-1, KNOT_STRIDE)[:, :8]
+            return np.array([1.0, 1e15]), c[:16].reshape(1, 16)
+        return edges, c.reshape(-1, KNOT_STRIDE)
     if law.kind != PIECES:
         return None
     parts = [_sampled(law, i) for i in range(len(edges) - 1)]
@@ -127,10 +130,9 @@ def _sampled(law: CompactLaw, piece: int) -> tuple[Array, Array] | None:
     n = 2
     while n <= MOST_CELLS:
         p = np.linspace(law.edges[piece], law.edges[piece + 1], n + 1)
-        values = np.array([peak(law, piece, float(v)) for v in p])
+        values = [np.array([of(law, piece, float(v)) for v in p]) for of in (peak, tail)]
         cells = np.concatenate(
-            [_hermite(p, values[:, 0], values[:, 2]), _hermite(p, values[:, 1], values[:, 3])],
-            axis=1,
+            [_hermite(p, v[:, k], v[:, k + 2]) for v in values for k in (0, 1)], axis=1
         )
         middle = 0.5 * (p[1:] + p[:-1])
         truth = np.array([peak(law, piece, float(v))[:2] for v in middle])

@@ -29,6 +29,7 @@ from wraparc.batch.elementwise import (
     select,
     upper,
 )
+from wraparc.batch.lane_fall import friction_of, lay_tail, rates_of
 from wraparc.batch.lane_look import (
     look_up,
 )
@@ -53,6 +54,7 @@ from wraparc.batch.lane_slots import (
     RADIUS,
     RATIO,
     S_Z,
+    SHARE,
     SHEAR,
     SLIP_AT,
     SLIP_P,
@@ -67,6 +69,9 @@ from wraparc.batch.lane_slots import (
     S,
     X,
 )
+
+#: None for laws that are flat past their peak: code for the others is then not compiled
+Falls = float | None
 
 
 def start(w: Lanes) -> None:
@@ -119,7 +124,7 @@ def find_start(w: Lanes) -> None:
         w[X, i] = upper(x - miss / select(free, mu * stiff, stiff), 0.1 * x)
 
 
-def lay_nodes(w: Lanes, laws: Table, steps: int, stride: int, nodes: Lanes) -> None:
+def lay_nodes(w: Lanes, laws: Table, steps: int, stride: int, nodes: Lanes, falls: Falls) -> None:
     """Numbers of every `stride`-th node of a mesh: what the stages need of the law there.
 
     Nodes are the ends and the middle of every step. Of a node: 1/x_pk, R/mu_pk dq, (T1 - T) C,
@@ -146,6 +151,8 @@ def lay_nodes(w: Lanes, laws: Table, steps: int, stride: int, nodes: Lanes) -> N
             nodes[NODE * k + 2, i] = w[RATIO, i] * (1.0 - fall)
         look_up(w, laws)
         lay_node(w, k, 4.0 / steps * eta * eta * eta, nodes)
+        if falls is not None:
+            lay_tail(w, k, nodes)
 
 
 def lay_node(w: Lanes, k: int, growth: float, nodes: Lanes) -> None:
@@ -165,6 +172,7 @@ def lay_node(w: Lanes, k: int, growth: float, nodes: Lanes) -> None:
         traction = friction * w[PRESSURE, i]
         bend = w[SHEAR, i] * traction
         span = w[END, i] - w[Q0, i]
+        w[SHARE, i] = inside
         nodes[o, i] = 1.0 / slip
         nodes[o + 1, i] = w[RADIUS, i] * growth * span / friction
         nodes[o + 3, i] = bend / w[RADIUS, i]
@@ -240,7 +248,7 @@ def rates_z(
     return dx, ds, dx_x * log_x + part * g_z, ds * fall * log_x
 
 
-def march_z(w: Lanes, nodes: Lanes, steps: int, stride: int) -> None:
+def march_z(w: Lanes, nodes: Lanes, steps: int, stride: int, falls: Falls) -> None:
     """March on every `stride`-th step of the mesh, with the derivatives by z.
 
     X, S and their derivatives end at the exit, SUM_X and SUM_S as the rates there by step of the
@@ -249,12 +257,12 @@ def march_z(w: Lanes, nodes: Lanes, steps: int, stride: int) -> None:
     h = float(stride)
     set_out(w)
     for j in range(0, steps, stride):
-        stage_z(w, nodes, 2 * j, 0.5 * h, 1.0)
-        stage_z(w, nodes, 2 * j + stride, 0.5 * h, 2.0)
-        stage_z(w, nodes, 2 * j + stride, h, 2.0)
-        stage_z(w, nodes, 2 * (j + stride), 0.0, 1.0)
+        stage_z(w, nodes, 2 * j, 0.5 * h, 1.0, falls)
+        stage_z(w, nodes, 2 * j + stride, 0.5 * h, 2.0, falls)
+        stage_z(w, nodes, 2 * j + stride, h, 2.0, falls)
+        stage_z(w, nodes, 2 * (j + stride), 0.0, 1.0, falls)
         arrive(w, h / 6.0)
-    stage_z(w, nodes, 2 * steps, 0.0, 1.0)
+    stage_z(w, nodes, 2 * steps, 0.0, 1.0, falls)
 
 
 def march(w: Lanes, nodes: Lanes, steps: int, trace: Lanes) -> None:
@@ -297,24 +305,51 @@ def arrive(w: Lanes, weight: float) -> None:
         w[SUM_X, i] = w[SUM_S, i] = w[SUM_XZ, i] = w[SUM_SZ, i] = zero
 
 
-def stage_z(w: Lanes, nodes: Lanes, node: int, ahead: float, weight: float) -> None:
+def stage_z(w: Lanes, nodes: Lanes, node: int, ahead: float, weight: float, falls: Falls) -> None:
     """One stage: rates at AT added to the sums with a weight, AT put `ahead` in the step."""
     n = lanes()
     o = NODE * node
     for i in range(n):
-        dx, ds, dxz, dsz = rates_z(
-            w[AT, i],
-            w[AT_Z, i],
-            w[G, i],
-            w[G_Z, i],
-            nodes[o, i],
-            nodes[o + 1, i],
-            nodes[o + 2, i],
-            nodes[o + 3, i],
-            nodes[o + 4, i],
-            nodes[o + 5, i],
-            nodes[o + 6, i],
-        )
+        if falls is None:
+            dx, ds, dxz, dsz = rates_z(
+                w[AT, i],
+                w[AT_Z, i],
+                w[G, i],
+                w[G_Z, i],
+                nodes[o, i],
+                nodes[o + 1, i],
+                nodes[o + 2, i],
+                nodes[o + 3, i],
+                nodes[o + 4, i],
+                nodes[o + 5, i],
+                nodes[o + 6, i],
+            )
+        else:
+            r = w[AT, i] * nodes[o, i]
+            log_r = lower(ln(upper(r, SMALLEST)), 0.0)
+            form, form_r, traction, traction_r = friction_of(
+                r,
+                log_r,
+                nodes[o + 4, i],
+                nodes[o + 5, i],
+                nodes[o + 9, i],
+                nodes[o + 10, i],
+                nodes[o + 11, i],
+                nodes[o + 12, i],
+            )
+            dx, ds, dx_r, ds_r, dx_g = rates_of(
+                form,
+                form_r,
+                traction,
+                traction_r,
+                w[G, i] + nodes[o + 2, i],
+                nodes[o + 1, i],
+                nodes[o + 3, i],
+                nodes[o + 6, i],
+                select(r < 1.0, 1.0 - log_r, 0.0),
+            )
+            r_z = w[AT_Z, i] * nodes[o, i]
+            dxz, dsz = dx_r * r_z + dx_g * w[G_Z, i], ds_r * r_z
         w[SUM_X, i] = w[SUM_X, i] + weight * dx
         w[SUM_S, i] = w[SUM_S, i] + weight * ds
         w[SUM_XZ, i] = w[SUM_XZ, i] + weight * dxz

@@ -6,7 +6,7 @@ from wraparc.batch.lane_law import CELL
 
 MESHES = (32, 96)  # steps of the mesh: at first, and where that is not enough
 MOST_STEPS = 96
-NODE = 9  # numbers of a node, see `lay_node`
+NODE = 13  # numbers of a node, see `lay_nodes` and, where friction falls, `lay_tail`
 TRACE = 5  # numbers recorded at the ends of every step: s, x, ds by step, shear stress, its change
 SMALLEST = 1e-30
 
@@ -51,7 +51,8 @@ SMALLEST = 1e-30
 ) = range(32)
 FETCHED = CELL_AT + CELL
 SLIP_AT, FRICTION_AT, FRICTION_P, SLIP_P = range(FETCHED, FETCHED + 4)
-MARCH_SLOTS = FETCHED + 4
+SHARE = FETCHED + 4  # of a node that lies inside the law's range, see `lay_nodes`
+MARCH_SLOTS = FETCHED + 5
 
 (
     WIDTH,  # B [m]
@@ -109,4 +110,18 @@ SOLVE_SLOTS = MARCH_SLOTS + 34
     S_LOW,
     S_SLIP,
 ) = range(SOLVE_SLOTS, SOLVE_SLOTS + 14)
-SLOTS = SOLVE_SLOTS + 14
+READ_SLOTS = SOLVE_SLOTS + 14
+
+(
+    CENTRE,  # of a scan in ln g
+    BEST,  # largest ln(T1/T2), where, and beside it
+    BEST_AT,
+    LAST,
+    RISEN,
+    FALLEN,
+    CREST,  # second derivative of ln(T1/T2) by z
+    CARRIED,  # ln(T1/T2) of a march
+    S_LAST,  # s and ds at the beginning of a step
+    S_RATE,
+) = range(READ_SLOTS, READ_SLOTS + 10)
+SLOTS = READ_SLOTS + 10

@@ -17,10 +17,12 @@ from wraparc.batch.elementwise import (
     select,
     upper,
 )
+from wraparc.batch.lane_fall import form_of
 from wraparc.batch.lane_guess import (
     end_of_pull,
 )
 from wraparc.batch.lane_march import (
+    Falls,
     lay_nodes,
     march,
     march_z,
@@ -110,11 +112,11 @@ def meet_tensions(w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, steps: int)
     n = lanes()
     set_ratio(w)
     set_origin(w)
-    lay_nodes(w, laws, steps, 1, nodes)
+    lay_nodes(w, laws, steps, 1, nodes, None)
     for stride in (4, 2):
         set_ratio(w)
         start(w)
-        march_z(w, nodes, steps, stride)
+        march_z(w, nodes, steps, stride, None)
         correct(w, 2.0)
     for i in range(n):
         slope = lower(w[S_Z, i] / w[S, i], -SMALLEST)
@@ -138,42 +140,58 @@ def meet_tensions(w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, steps: int)
 
 
 def meet_creep(
-    w: Lanes, laws: Table, nodes: Lanes, steps: int, of_slip: float, least: bool
+    w: Lanes,
+    laws: Table,
+    nodes: Lanes,
+    steps: int,
+    of_slip: float,
+    least: bool,
+    first: int,
+    falls: Falls,
 ) -> None:
     """Find z and END at which the exit creep (the exit slip, if `of_slip` is 1) is GOAL.
 
-    With `least` the pull is given, and the entry tension is found instead of END. MISS is the
-    larger relative miss before the last correction, or the correction if it is larger.
+    Marches are on every fourth, second and single step; `first` tells from which on: 0 from the
+    fourth, -1 twice on the fourth, 2 twice on single steps. With `least` the pull is given, and the
+    entry tension is found instead of END. MISS is the larger relative miss before the last
+    correction, or the correction if it is larger.
     """
-    for stride in (4, 2, 1):
-        place(w, laws, nodes, steps, stride, least)
-        measure(w, nodes, steps, of_slip)
-        if least and stride == 4:
-            vary_tension(w, laws, nodes, steps, of_slip)
+    for k in range(first, max(3, first + 2)):
+        stride = max(4 >> max(k, 0), 1)
+        place(w, laws, nodes, steps, stride, least, falls)
+        measure(w, nodes, steps, of_slip, falls)
+        if least and k == first:
+            vary_tension(w, laws, nodes, steps, stride, of_slip, falls)
         correct_pair(w, least)
 
 
-def place(w: Lanes, laws: Table, nodes: Lanes, steps: int, stride: int, least: bool) -> None:
+def place(
+    w: Lanes, laws: Table, nodes: Lanes, steps: int, stride: int, least: bool, falls: Falls
+) -> None:
     """March the arc of z and END, or of z and TENSION."""
     if least:
         end_of_pull(w, laws)
     set_ratio(w)
     set_origin(w)
-    lay_nodes(w, laws, steps, stride, nodes)
+    lay_nodes(w, laws, steps, stride, nodes, falls)
     start(w)
-    march_z(w, nodes, steps, stride)
+    march_z(w, nodes, steps, stride, falls)
 
 
-def measure(w: Lanes, nodes: Lanes, steps: int, of_slip: float) -> None:
+def measure(w: Lanes, nodes: Lanes, steps: int, of_slip: float, falls: Falls) -> None:
     """Misses of the arc and of the goal after a march, and their derivatives by z and END."""
     n = lanes()
     last = NODE * 2 * steps
     for i in range(n):
         x, c = w[X, i], w[SHEAR, i]
         r = upper(x * nodes[last, i], SMALLEST)
-        log_r = lower(ln(r), 0.0)
-        value = x + (1.0 - of_slip) * c * lower(r, 1.0) * (1.0 - log_r) * nodes[last + 7, i]
-        stiff = 1.0 - (1.0 - of_slip) * nodes[last + 6, i] * log_r
+        if falls is None:
+            log_r = lower(ln(r), 0.0)
+            form, form_r = lower(r, 1.0) * (1.0 - log_r), -log_r
+        else:
+            form, form_r = form_of(r, nodes[last + 9, i], nodes[last + 10, i])
+        value = x + (1.0 - of_slip) * c * form * nodes[last + 7, i]
+        stiff = 1.0 + (1.0 - of_slip) * nodes[last + 6, i] * form_r
         # rates by step of the finest mesh to rates by q
         per_q = steps / (4.0 * (w[END, i] - w[Q0, i]))
         s_q, x_q = w[SUM_S, i] * per_q, w[SUM_X, i] * per_q
@@ -185,15 +203,17 @@ def measure(w: Lanes, nodes: Lanes, steps: int, of_slip: float) -> None:
         w[V_BY_Q, i] = (of_slip * x_q + (1.0 - of_slip) * creep_q) / value
 
 
-def vary_tension(w: Lanes, laws: Table, nodes: Lanes, steps: int, of_slip: float) -> None:
+def vary_tension(
+    w: Lanes, laws: Table, nodes: Lanes, steps: int, stride: int, of_slip: float, falls: Falls
+) -> None:
     """Derivatives of the misses by ln T2 at a given pull, from a second march."""
     n = lanes()
     for i in range(n):
         w[KEPT, i], w[KEPT_GOAL, i] = w[MISS, i], w[GOAL_MISS, i]
         w[KEPT_SZ, i], w[KEPT_VZ, i] = w[S_BY_Z, i], w[V_BY_Z, i]
         w[TENSION, i] = w[TENSION, i] + TENSION_STEP * (w[TENSION, i] - w[PULL, i])
-    place(w, laws, nodes, steps, 4, True)
-    measure(w, nodes, steps, of_slip)
+    place(w, laws, nodes, steps, stride, True, falls)
+    measure(w, nodes, steps, of_slip, falls)
     for i in range(n):
         w[S_BY_T, i] = (w[MISS, i] - w[KEPT, i]) / TENSION_STEP
         w[V_BY_T, i] = (w[GOAL_MISS, i] - w[KEPT_GOAL, i]) / TENSION_STEP

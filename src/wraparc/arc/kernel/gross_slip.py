@@ -214,7 +214,7 @@ def gross_slip(
     return best, creep, entry, z
 
 
-def _peak_of(
+def _peak_of(  # noqa: C901 - one search, in order of effort
     law: CompactLaw,
     par: Parameters,
     near: float,
@@ -255,9 +255,13 @@ def _peak_of(
     # sought on the coarse mesh, told on the fine one; a sharp peak is sought there again
     if len(buffer) > 0:
         open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+    best, shot = carried_ratio(law, par, high, steps, buffer)
     if z < high:
-        low, high = max(low, z - 0.03), min(high, z + 0.03)
-        z, shot = climb(law, par, low, high, 2e-4, steps, buffer)
-        return value_of(par, shot, TENSION), par.side * shot.creep, z
-    value, shot = carried_ratio(law, par, z, steps, buffer)
-    return value, par.side * shot.creep, z
+        end, near_end = best, shot
+        low, top = max(low, z - 0.03), min(high, z + 0.03)
+        z, shot = climb(law, par, low, top, 2e-4, steps, buffer)
+        best = value_of(par, shot, TENSION)
+        # the coarse mesh misjudges a maximum that hardly rises towards the end
+        if end > best:
+            best, shot, z = end, near_end, high
+    return best, par.side * shot.creep, z

@@ -3442,7 +3442,7 @@ export function answer__answer(law, geometry, load, steps) {
 
 /** Largest ln(tight/slack) over effort, the creep there [m] and the effort. */
 export function gross_slip___peak_of(law, par, near, steps, table) {
-  let at, best, high, i, low, parts, shot, span, value, z;
+  let at, best, end, high, i, low, near_end, parts, shot, span, value, z;
   let coarse = min(PEAK_STEPS, steps);
   let top = effort__largest_effort(law, par);
   if (effort__jumps(law)) {
@@ -3489,17 +3489,24 @@ export function gross_slip___peak_of(law, par, near, steps, table) {
   if (buffer.length > 0) {
     tension_table__open_table(law, par, 8.0, effort__mesh_steps(law, par, steps), table);
   }
+  const found5 = search__carried_ratio(law, par, high, steps, buffer);
+  best = found5[0];
+  shot = found5[1];
   if (z < high) {
-    [low, high] = [max(low, z - 0.03), min(high, z + 0.03)];
-    const found5 = search__climb(law, par, low, high, 0.0002, steps, buffer);
-    z = found5[0];
-    shot = found5[1];
-    return [effort__value_of(par, shot, TENSION), par.side * shot.creep, z];
+    end = best;
+    near_end = shot;
+    [low, top] = [max(low, z - 0.03), min(high, z + 0.03)];
+    const found6 = search__climb(law, par, low, top, 0.0002, steps, buffer);
+    z = found6[0];
+    shot = found6[1];
+    best = effort__value_of(par, shot, TENSION);
+    if (end > best) {
+      best = end;
+      shot = near_end;
+      z = high;
+    }
   }
-  const found6 = search__carried_ratio(law, par, z, steps, buffer);
-  value = found6[0];
-  shot = found6[1];
-  return [value, par.side * shot.creep, z];
+  return [best, par.side * shot.creep, z];
 }
 
 /** Largest tension ratio of a held tight side over entry creep ratios below 1. */
