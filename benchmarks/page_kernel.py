@@ -50,7 +50,7 @@ def unsure(arc: WrapArc, capacities: bool) -> dict[str, float]:
         for module in map(importlib.import_module, _MODULES):
             of = [f for f in _INEXACT if hasattr(module, f)]
             moved = {f: last_digit_moved(getattr(math, f), rng) for f in of}
-            patches.append(patch.multiple(module, **moved))
+            patches += [patch.object(module, f, own) for f, own in moved.items()]
         for each in patches:
             each.start()
         for what, miss in apart(here, in_python(arc, capacities)).items():

@@ -17,12 +17,14 @@ from javascript.translate import translate
 from wraparc.arc import profile
 from wraparc.arc.kernel import answer
 from wraparc.saving import save_file
+from wraparc.web import in_page
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
 BIOME = ROOT / "node_modules" / ".bin" / "biome"
 #: What the page calls; whatever these call comes along.
 ENTRIES = (
+    in_page.quick,
     answer.answer,
     answer.at_gross_slip,
     answer.profile_of,

@@ -16,7 +16,7 @@ from batch.batches import columns_of, lagging
 from wraparc.arc import Distributed, Status, WrapArc
 from wraparc.arc.kernel.layers import solve_layers
 from wraparc.arc.kernel.quantities import SOLVED, parameters_at
-from wraparc.arc.wrap_arc import overrun_coefficient
+from wraparc.arc.summary import overrun_coefficient
 from wraparc.batch import solve_arcs
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.laws import LawBank

@@ -43,8 +43,12 @@ def from_the_end(x: Any) -> Any:
     return x[-1]
 
 
-def named_arguments(x: float) -> Pair:
-    return Pair(low=x, high=x)
+def named_arguments(x: float) -> float:
+    return default(x=x)
+
+
+def field_left_out(x: float) -> Pair:
+    return Pair(high=x)  # type: ignore[call-arg]
 
 
 def comprehension(x: Any) -> Any:
@@ -83,8 +87,8 @@ def other_operator(x: int) -> int:
 
 
 REFUSED: tuple[Any, ...] = (
-    slices, from_the_end, named_arguments, comprehension, empty_list_as_condition, text,
-    other_package, loop_with_else, default, other_operator,
+    slices, from_the_end, named_arguments, field_left_out, comprehension, empty_list_as_condition,
+    text, other_package, loop_with_else, default, other_operator,
 )  # fmt: skip
 
 
@@ -105,7 +109,7 @@ def new(x: float, y: float) -> Pair:
         if i % 3 == 2 or not low < high:
             continue
         low += exp(-high) // 1
-    return Pair(log(2.0), low + high)._replace(low=low)
+    return Pair(high=log(2.0), low=low + high)
 
 
 def test_what_a_translation_reads_like() -> None:
@@ -125,7 +129,6 @@ def test_what_a_translation_reads_like() -> None:
         "}",
         "low += Math.floor(Math.exp((-high)) / 1);",
         "}",
-        "return Object.assign(Object.create(Object.getPrototypeOf(new Pair(Math.log(2.0), "
-        "(low + high)))), new Pair(Math.log(2.0), (low + high)), {low: low});",
+        "return new Pair((low + high), Math.log(2.0));",
         "}",
     ]

@@ -67,7 +67,7 @@ def imported(start: str, *how: str) -> set[str]:
 
 
 def test_every_module_and_style_is_used() -> None:
-    scripts = {name(p) for p in FILES if p.suffix == ".js"} - {"kernel.js"}  # no page asks it yet
+    scripts = {name(p) for p in FILES if p.suffix == ".js"}
     assert imported("main.js", STATIC_IMPORT, LATE_IMPORT) == scripts
     styles = {name(p) for p in FILES if p.suffix == ".css"}
     index = (STATIC / "index.html").read_text("utf-8")

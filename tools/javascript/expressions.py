@@ -161,17 +161,27 @@ class Expressions:
     def _call(self, node: ast.Call) -> str:
         if isinstance(node.func, ast.Attribute) and node.func.attr == "_replace":
             return self._replaced(node, node.func)
+        called, args = self.value(node.func), [self.of(arg) for arg in node.args]
+        if is_named_tuple(called):
+            return self._made(node, called, args)
         if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
             return self.refuse(node, "arguments go by their place")
-        called, args = self.value(node.func), [self.of(arg) for arg in node.args]
         if isinstance(called, BuiltinFunctionType):
             return self._of_math(node, called, args)
-        if is_named_tuple(called):
-            name = self.module.named_tuple(called, self.where(node))
-            return f"new {name}({', '.join(args)})"
         if isinstance(called, FunctionType):
             return self._own(node, called, args)
         return self._built_in(node, args)
+
+    def _made(self, node: ast.Call, called: Any, args: list[str]) -> str:
+        """Return a named tuple; fields given by name stand in their place."""
+        named = {k.arg: self.of(k.value) for k in node.keywords}
+        fields = called._fields[len(args) :]
+        while fields and fields[-1] not in named:
+            fields = fields[:-1]  # those have their defaults
+        if set(fields) != set(named):
+            return self.refuse(node, "a field is left out")
+        name = self.module.named_tuple(called, self.where(node))
+        return f"new {name}({', '.join([*args, *(named[field] for field in fields)])})"
 
     def _replaced(self, node: ast.Call, func: ast.Attribute) -> str:
         """Return a copy of a named tuple with other values."""

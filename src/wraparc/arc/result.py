@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc.interval import creep_interval
+from wraparc.arc.summary import spring_rate
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.views import Viewable
 
@@ -235,8 +236,7 @@ class ArcResult(Viewable):
         Equation 7 of B. DeVries, *A model of lagging friction as a function of creep history and
         wrap pressure*; a change of tension dT shrinks that length of belt by dT/k.
         """
-        length = self.arc.radius * self.active_arc
-        return self.arc.axial_stiffness / length if length > 0.0 else nan
+        return spring_rate(self.arc.axial_stiffness, self.arc.radius * self.active_arc)
 
     @cached_property
     def creep_interval(self) -> tuple[float, float]:

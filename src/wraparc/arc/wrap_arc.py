@@ -4,38 +4,19 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
-from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.quantities import Geometry, Load
-from wraparc.arc.kernel.stick import onset_stress
+from wraparc.arc.summary import (
+    Description,
+    geometry_of,
+    held_creep,
+    kicked_loose,
+    recovery_compliance,
+    too_steep,
+)
 from wraparc.drive import CREEP_LIMIT, Drive, Fit, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
-
-_Number = TypeVar("_Number", float, NDArray[np.float64])
-
-#: Overrun by formula over delta sqrt(delta/R) [-].
-OVERRUN = 1.25
-
-
-def overrun_coefficient(compliance: _Number, radius: _Number) -> _Number:
-    """Overrun by formula over the entry pressure to the power 1.5 [m/Pa^1.5].
-
-    x_c = 1.25 delta sqrt(delta/R) with the compression delta = (h/E_c) p1 of the lagging.
-
-    Parameters
-    ----------
-    compliance
-        h/E_c [m/Pa], >= 0.
-    radius
-        R over the unloaded lagging [m], > 0.
-    """
-    found: _Number = OVERRUN * compliance**1.5 / radius**0.5
-    return found
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -136,7 +117,7 @@ class WrapArc:
     def _law_problems(self) -> list[Problem]:
         problems = []
         top = self.wrap_pressure(max(self.entry_tension, self.exit_tension))
-        if self.shear_compliance * top * self.law.steepest_fall() <= -1.0:
+        if too_steep(self.described(), self.law.steepest_fall()):
             fall = -1.0 / (self.shear_compliance * top)
             problems.append(
                 Problem(
@@ -151,23 +132,20 @@ class WrapArc:
                 )
             )
         law = self.law.compact()
-        kick = abs(self.entry_overrun)
-        if kick > 0.0 and jumps(law):
-            compliance = self.shear_compliance + law.onset_compliance
-            held = compliance * onset_stress(law, self.entry_pressure)[0]
-            if kick > held:
-                problems.append(
-                    Problem(
-                        key="overrun",
-                        value=f"{self.entry_overrun:g} m",
-                        message=(
-                            "this friction law holds the belt without slip up to a creep of "
-                            f"{held:g} m; with an overrun beyond that the creep of a belt that "
-                            "comes to rest again is not unique"
-                        ),
-                        remedy='Set overrun = "0 mm" for this law.',
-                    )
+        if kicked_loose(law, self.geometry(), self.entry_pressure):
+            held = held_creep(law, self.shear_compliance, self.entry_pressure)
+            problems.append(
+                Problem(
+                    key="overrun",
+                    value=f"{self.entry_overrun:g} m",
+                    message=(
+                        "this friction law holds the belt without slip up to a creep of "
+                        f"{held:g} m; with an overrun beyond that the creep of a belt that "
+                        "comes to rest again is not unique"
+                    ),
+                    remedy='Set overrun = "0 mm" for this law.',
                 )
+            )
         return problems
 
     @classmethod
@@ -243,9 +221,7 @@ class WrapArc:
     @property
     def recovery_compliance(self) -> float:
         """Extra compliance kappa = 2 h/(B D R E_c), from the recovery of the lagging [1/N]."""
-        if not self.recovery:
-            return 0.0
-        return 2.0 * self.compression_compliance / (self.width * self.diameter * self.radius)
+        return recovery_compliance(self.described())
 
     @property
     def compliance(self) -> float:
@@ -260,31 +236,30 @@ class WrapArc:
     @property
     def entry_overrun(self) -> float:
         """x_c, the slip at the entry nip that is used; negative towards travel [m]."""
-        if self.overrun is not None:
-            return self.overrun
-        pressure = self.entry_pressure
-        return self._overrun_coefficient * pressure * math.sqrt(pressure)
+        found, pressure = self.geometry(), self.entry_pressure
+        return found.kick + found.kick_coefficient * pressure * math.sqrt(pressure)
 
-    @property
-    def _overrun_coefficient(self) -> float:
-        """Overrun over the entry pressure to the power 1.5, 0 where it is given [m/Pa^1.5]."""
-        if self.overrun is not None:
-            return 0.0
-        return overrun_coefficient(self.compression_compliance, self.radius)
+    def described(self) -> Description:
+        """The arc but for its law and its limits, as plain numbers."""
+        return Description(
+            entry_tension=self.entry_tension,
+            exit_tension=self.exit_tension,
+            diameter=self.diameter,
+            wrap_angle=self.wrap_angle,
+            width=self.width,
+            axial_stiffness=self.axial_stiffness,
+            thickness=self.thickness,
+            shear_modulus=self.shear_modulus,
+            compression_modulus=self.compression_modulus,
+            overrun=math.nan if self.overrun is None else self.overrun,
+            recovery=self.recovery,
+            belt_speed=math.nan if self.belt_speed is None else self.belt_speed,
+            wear_coefficient=math.nan if self.wear_coefficient is None else self.wear_coefficient,
+        )
 
     def geometry(self) -> Geometry:
         """Numbers of the arc for the march, but for the entry tension."""
-        return Geometry(
-            self.side,
-            self.radius,
-            self.wrap_angle,
-            self.width,
-            self.compliance,
-            self.shear_compliance,
-            self.overrun or 0.0,
-            self._overrun_coefficient,
-            self.law.compact().onset_compliance,
-        )
+        return geometry_of(self.described(), self.law.compact().onset_compliance)
 
     def load(self) -> Load:
         """Tensions and limits, as the kernel reads them."""

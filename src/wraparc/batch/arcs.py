@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from wraparc.arc import WrapArc
-from wraparc.arc.wrap_arc import overrun_coefficient
+from wraparc.arc.summary import overrun_coefficient
 from wraparc.batch.columns import (
     Column,
     columns_of,

@@ -9,6 +9,18 @@ from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_al
 
 #: Name of the load case made by the tensions of the pulleys themselves.
 DESIGN = "design"
+#: Largest tension that a pulley may have [N].
+MOST_TENSION = 1e9
+
+
+def pull_of_torque(torque: float, diameter: float) -> float:
+    """Effective tension of a torque at the shaft of a pulley, 2 M/D [N]."""
+    return 2.0 * torque / diameter
+
+
+def pull_of_power(power: float, speed: float) -> float:
+    """Effective tension of a power at a belt speed, P/v [N]."""
+    return power / speed
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,8 +40,8 @@ class Tensions:
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
-        "entry": Limit("force", open=True, most=1e9),
-        "exit": Limit("force", open=True, most=1e9),
+        "entry": Limit("force", open=True, most=MOST_TENSION),
+        "exit": Limit("force", open=True, most=MOST_TENSION),
     }
 
     entry: float

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from wraparc.drive import Tensions
+from wraparc.drive.load_case import pull_of_power, pull_of_torque
 from wraparc.errors import InputError
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
@@ -109,8 +110,8 @@ class Given:
             if key == "effective_tension":
                 return value
             if key == "torque":
-                return None if self.diameter is None else 2.0 * value / self.diameter
-            return None if speed is None else value / speed
+                return None if self.diameter is None else pull_of_torque(value, self.diameter)
+            return None if speed is None else pull_of_power(value, speed)
         return None
 
 

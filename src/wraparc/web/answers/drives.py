@@ -29,6 +29,7 @@ from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
 from wraparc.units import System
 from wraparc.web.answers.documents import asked_for, case_only, divided, read
+from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
     Answer,
     Both,
@@ -83,6 +84,7 @@ class FastAnswer(Arc):
     kind: DriveKind
     verdict: Verdict
     remarks: list[Both]
+    prepared: Prepared | None
 
 
 class Paper(Answer):
@@ -181,6 +183,7 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
         verdict=Verdict.both(lambda system: verdict(answered, system)),
         tables=tables(first_tables, TABLES[:2]) if asked.tables and result.status.solved else [],
         remarks=_remarks(answered),
+        prepared=None if drive is not thing else prepared(asked.document, drive, pulley, load),
         **_arc(answered, result),
     )
 

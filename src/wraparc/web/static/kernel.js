@@ -6,6 +6,107 @@ const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(
 const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a % b);
 const zeros = (size) => new Float64Array(size);
 
+export class Description {
+  constructor(
+    entry_tension,
+    exit_tension,
+    diameter,
+    wrap_angle,
+    width,
+    axial_stiffness,
+    thickness,
+    shear_modulus,
+    compression_modulus,
+    overrun,
+    recovery,
+    belt_speed,
+    wear_coefficient,
+  ) {
+    this.entry_tension = entry_tension;
+    this.exit_tension = exit_tension;
+    this.diameter = diameter;
+    this.wrap_angle = wrap_angle;
+    this.width = width;
+    this.axial_stiffness = axial_stiffness;
+    this.thickness = thickness;
+    this.shear_modulus = shear_modulus;
+    this.compression_modulus = compression_modulus;
+    this.overrun = overrun;
+    this.recovery = recovery;
+    this.belt_speed = belt_speed;
+    this.wear_coefficient = wear_coefficient;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry_tension;
+    yield this.exit_tension;
+    yield this.diameter;
+    yield this.wrap_angle;
+    yield this.width;
+    yield this.axial_stiffness;
+    yield this.thickness;
+    yield this.shear_modulus;
+    yield this.compression_modulus;
+    yield this.overrun;
+    yield this.recovery;
+    yield this.belt_speed;
+    yield this.wear_coefficient;
+  }
+}
+
+export class Geometry {
+  constructor(side, radius, wrap_angle, width, compliance, shear, kick, kick_coefficient, onset) {
+    this.side = side;
+    this.radius = radius;
+    this.wrap_angle = wrap_angle;
+    this.width = width;
+    this.compliance = compliance;
+    this.shear = shear;
+    this.kick = kick;
+    this.kick_coefficient = kick_coefficient;
+    this.onset = onset;
+  }
+  *[Symbol.iterator]() {
+    yield this.side;
+    yield this.radius;
+    yield this.wrap_angle;
+    yield this.width;
+    yield this.compliance;
+    yield this.shear;
+    yield this.kick;
+    yield this.kick_coefficient;
+    yield this.onset;
+  }
+}
+
+export class Load {
+  constructor(
+    entry_tension,
+    exit_tension,
+    creep_limit,
+    pressure_min,
+    pressure_max,
+    slip_max,
+    steepest_fall,
+  ) {
+    this.entry_tension = entry_tension;
+    this.exit_tension = exit_tension;
+    this.creep_limit = creep_limit;
+    this.pressure_min = pressure_min;
+    this.pressure_max = pressure_max;
+    this.slip_max = slip_max;
+    this.steepest_fall = steepest_fall;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry_tension;
+    yield this.exit_tension;
+    yield this.creep_limit;
+    yield this.pressure_min;
+    yield this.pressure_max;
+    yield this.slip_max;
+    yield this.steepest_fall;
+  }
+}
+
 export class Parameters {
   constructor(
     entry_tension,
@@ -169,6 +270,150 @@ export class Answer {
   }
 }
 
+export class Columns {
+  constructor(
+    position,
+    tension,
+    wrap_pressure,
+    friction,
+    friction_used,
+    slip,
+    creep,
+    shear_stress,
+    shear_angle,
+    sliding,
+  ) {
+    this.position = position;
+    this.tension = tension;
+    this.wrap_pressure = wrap_pressure;
+    this.friction = friction;
+    this.friction_used = friction_used;
+    this.slip = slip;
+    this.creep = creep;
+    this.shear_stress = shear_stress;
+    this.shear_angle = shear_angle;
+    this.sliding = sliding;
+  }
+  *[Symbol.iterator]() {
+    yield this.position;
+    yield this.tension;
+    yield this.wrap_pressure;
+    yield this.friction;
+    yield this.friction_used;
+    yield this.slip;
+    yield this.creep;
+    yield this.shear_stress;
+    yield this.shear_angle;
+    yield this.sliding;
+  }
+}
+
+export class Summary {
+  constructor(
+    entry_tension,
+    exit_tension,
+    effective_tension,
+    tension_ratio,
+    exit_creep,
+    creep_shrinkage,
+    creep_compression,
+    creep_global,
+    exit_slip,
+    entry_creep_ratio,
+    exit_creep_ratio,
+    peak_shear_stress,
+    peak_shear_angle,
+    peak_shear_position,
+    mean_friction,
+    active_arc,
+    k_factor,
+    outside_tested_share,
+    stuck_arc,
+    transmitted_power,
+    sliding_power,
+    shear_loss,
+    power_loss,
+    efficiency,
+    frictional_energy,
+    wear_rate,
+    identity_error,
+  ) {
+    this.entry_tension = entry_tension;
+    this.exit_tension = exit_tension;
+    this.effective_tension = effective_tension;
+    this.tension_ratio = tension_ratio;
+    this.exit_creep = exit_creep;
+    this.creep_shrinkage = creep_shrinkage;
+    this.creep_compression = creep_compression;
+    this.creep_global = creep_global;
+    this.exit_slip = exit_slip;
+    this.entry_creep_ratio = entry_creep_ratio;
+    this.exit_creep_ratio = exit_creep_ratio;
+    this.peak_shear_stress = peak_shear_stress;
+    this.peak_shear_angle = peak_shear_angle;
+    this.peak_shear_position = peak_shear_position;
+    this.mean_friction = mean_friction;
+    this.active_arc = active_arc;
+    this.k_factor = k_factor;
+    this.outside_tested_share = outside_tested_share;
+    this.stuck_arc = stuck_arc;
+    this.transmitted_power = transmitted_power;
+    this.sliding_power = sliding_power;
+    this.shear_loss = shear_loss;
+    this.power_loss = power_loss;
+    this.efficiency = efficiency;
+    this.frictional_energy = frictional_energy;
+    this.wear_rate = wear_rate;
+    this.identity_error = identity_error;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry_tension;
+    yield this.exit_tension;
+    yield this.effective_tension;
+    yield this.tension_ratio;
+    yield this.exit_creep;
+    yield this.creep_shrinkage;
+    yield this.creep_compression;
+    yield this.creep_global;
+    yield this.exit_slip;
+    yield this.entry_creep_ratio;
+    yield this.exit_creep_ratio;
+    yield this.peak_shear_stress;
+    yield this.peak_shear_angle;
+    yield this.peak_shear_position;
+    yield this.mean_friction;
+    yield this.active_arc;
+    yield this.k_factor;
+    yield this.outside_tested_share;
+    yield this.stuck_arc;
+    yield this.transmitted_power;
+    yield this.sliding_power;
+    yield this.shear_loss;
+    yield this.power_loss;
+    yield this.efficiency;
+    yield this.frictional_energy;
+    yield this.wear_rate;
+    yield this.identity_error;
+  }
+}
+
+export class Quick {
+  constructor(solved, summary, profile, outside, stretches) {
+    this.solved = solved;
+    this.summary = summary;
+    this.profile = profile;
+    this.outside = outside;
+    this.stretches = stretches;
+  }
+  *[Symbol.iterator]() {
+    yield this.solved;
+    yield this.summary;
+    yield this.profile;
+    yield this.outside;
+    yield this.stretches;
+  }
+}
+
 export class Carried {
   constructor(creep_limit, tested_slip, gross_slip, gross_creep, least_slack, most_pull) {
     this.creep_limit = creep_limit;
@@ -188,7 +433,8 @@ export class Carried {
   }
 }
 
-const LEAST_COMPLIANCE = 1e-16;
+const MOST_TENSION = 1000000000.0;
+const OVERRUN = 1.25;
 const LIMIT = 0;
 const TABLE = 3;
 const PLASTIC = 1;
@@ -200,6 +446,8 @@ const PIECES = 2;
 const PIECE_STRIDE = 25;
 const LINE = 1;
 const ELASTIC = 0;
+const STEPS = 24;
+const LEAST_COMPLIANCE = 1e-16;
 const RESIDUAL = 2;
 const FLOOR = 1e-9;
 const KINK_TOLERANCE = 1e-11;
@@ -257,6 +505,7 @@ const LOSS_MISS = 1e-5;
 const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
 const NODES = 400;
+const NEXT_SLIP = 1e-300;
 const FAR_FOR_CAPACITIES = 20.0;
 const GROSS_SLIP = 16;
 const CREEP_LIMIT = 2;
@@ -264,21 +513,86 @@ const LEAST = 8;
 const MEET_STEPS = 12;
 const TESTED_SLIP = 4;
 
-/** Numbers of one arc at an entry tension [N]. */
-export function quantities__parameters_at(entry_tension, geometry) {
-  let pressure = entry_tension / (geometry.width * geometry.radius);
-  return new Parameters(
-    entry_tension,
-    pressure,
-    geometry.radius,
-    geometry.radius * geometry.wrap_angle,
-    max(geometry.compliance, LEAST_COMPLIANCE),
-    geometry.shear,
-    geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure),
-    geometry.width,
-    geometry.side,
-    geometry.onset,
+/** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
+export function load_case__pull_of_torque(torque, diameter) {
+  return (2.0 * torque) / diameter;
+}
+
+/** Effective tension of a power at a belt speed, P/v [N]. */
+export function load_case__pull_of_power(power, speed) {
+  return power / speed;
+}
+
+/** Effective tension that a drive gives, nan where it gives both tensions [N]. */
+export function in_page__pull_of(given) {
+  if (given.torque === given.torque) {
+    return load_case__pull_of_torque(given.torque, given.diameter);
+  }
+  if (given.power === given.power) {
+    return load_case__pull_of_power(given.power, given.speed);
+  }
+  return given.effective_tension;
+}
+
+/** Arc of a drive by its numbers. */
+export function in_page__description_of(given) {
+  let pull = in_page__pull_of(given);
+  let entry = given.entry_tension;
+  let leaving = given.exit_tension;
+  return new Description(
+    entry === entry ? entry : leaving + pull,
+    leaving === leaving ? leaving : entry - pull,
+    given.diameter,
+    given.wrap_angle,
+    given.width,
+    given.modulus * given.width,
+    given.thickness,
+    given.shear_modulus,
+    given.compression_modulus,
+    given.overrun,
+    given.recovery,
+    given.speed,
+    given.wear_coefficient,
   );
+}
+
+/** Overrun by formula over the entry pressure to the power 1.5 [m/Pa^1.5]. */
+export function summary__overrun_coefficient(compliance, radius) {
+  let found = (OVERRUN * compliance ** 1.5) / radius ** 0.5;
+  return found;
+}
+
+/** Extra compliance kappa = 2 h/(B D R E_c), from the recovery of the lagging [1/N]. */
+export function summary__recovery_compliance(arc) {
+  if (!arc.recovery) {
+    return 0.0;
+  }
+  let squeeze = arc.thickness / arc.compression_modulus;
+  return (2.0 * squeeze) / (arc.width * arc.diameter * (0.5 * arc.diameter));
+}
+
+/** Numbers of the arc for the march; `onset` is that of its law [m/Pa]. */
+export function summary__geometry_of(arc, onset) {
+  let radius = 0.5 * arc.diameter;
+  let given = arc.overrun === arc.overrun;
+  let by_formula = summary__overrun_coefficient(arc.thickness / arc.compression_modulus, radius);
+  return new Geometry(
+    arc.entry_tension >= arc.exit_tension ? 1.0 : -1.0,
+    radius,
+    arc.wrap_angle,
+    arc.width,
+    1.0 / arc.axial_stiffness + summary__recovery_compliance(arc),
+    arc.thickness / arc.shear_modulus,
+    given ? arc.overrun : 0.0,
+    given ? 0.0 : by_formula,
+    onset,
+  );
+}
+
+/** Whether friction falls so steeply that slip and shear of the lagging are not unique. */
+export function summary__too_steep(arc, fall) {
+  let top = (2.0 * max(arc.entry_tension, arc.exit_tension)) / (arc.width * arc.diameter);
+  return (arc.thickness / arc.shear_modulus) * top * fall <= -1.0;
 }
 
 /** Whether a law holds the belt without slip. */
@@ -287,11 +601,6 @@ export function effort__jumps(law) {
     (law.kind === LIMIT && law.coefficients[3] === 0.0) ||
     (law.kind === TABLE && law.coefficients[0] > 0.0)
   );
-}
-
-/** Length l = sqrt(c_e EA' / B), over which a stuck belt hands over its tension [m]. */
-export function stick__shear_lag_length(par) {
-  return Math.sqrt((par.shear + par.onset) / (par.width * par.compliance));
 }
 
 /** Segment of a pressure [Pa]: -1 below the first edge, n - 1 from the last edge on. */
@@ -603,6 +912,42 @@ export function stick__onset_stress(law, pressure) {
   let mu = found1[0];
   let mu_p = found1[2];
   return [mu * pressure, mu + pressure * mu_p];
+}
+
+/** Creep up to which a law that jumps holds the belt without slip at a pressure [m]. */
+export function summary__held_creep(law, shear, pressure) {
+  return (shear + law.onset_compliance) * stick__onset_stress(law, pressure)[0];
+}
+
+/** Whether the overrun is more than a law that jumps holds: no creep at rest is unique then. */
+export function summary__kicked_loose(law, geometry, pressure) {
+  if (!effort__jumps(law)) {
+    return false;
+  }
+  let kick = Math.abs(geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure));
+  return kick > 0.0 && kick > summary__held_creep(law, geometry.shear, pressure);
+}
+
+/** Numbers of one arc at an entry tension [N]. */
+export function quantities__parameters_at(entry_tension, geometry) {
+  let pressure = entry_tension / (geometry.width * geometry.radius);
+  return new Parameters(
+    entry_tension,
+    pressure,
+    geometry.radius,
+    geometry.radius * geometry.wrap_angle,
+    max(geometry.compliance, LEAST_COMPLIANCE),
+    geometry.shear,
+    geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure),
+    geometry.width,
+    geometry.side,
+    geometry.onset,
+  );
+}
+
+/** Length l = sqrt(c_e EA' / B), over which a stuck belt hands over its tension [m]. */
+export function stick__shear_lag_length(par) {
+  return Math.sqrt((par.shear + par.onset) / (par.width * par.compliance));
 }
 
 /** Whether the belt sticks over the whole wrap, and its creep at the exit if it does [m]. */
@@ -3558,6 +3903,14 @@ export function answer__at_gross_slip(law, geometry, load, steps) {
   return new Answer(BREAKAWAY, par, z, NO_SHOT, NO_LAYERS, steps);
 }
 
+/** Numbers that the records of `trace` need: points, nodes and kinks. */
+export function answer__profile_size(law, found, points) {
+  if (found.z !== found.z) {
+    return RECORD * (points + 2 * NODES + 10);
+  }
+  return RECORD * (points + 4 * effort__mesh_steps(law, found.par, found.steps) + 600);
+}
+
 /** Write one point of a profile, see wraparc.arc.kernel.march.record. */
 export function layer_profile___record(law, par, rest, g, s, u, w, out, count) {
   let tension = rest - w / par.compliance;
@@ -3768,12 +4121,315 @@ export function answer__profile_of(law, found, exit_tension, points, out) {
   return [found.shot, points + 1];
 }
 
-/** Numbers that the records of `trace` need: points, nodes and kinks. */
-export function answer__profile_size(law, found, points) {
-  if (found.z !== found.z) {
-    return RECORD * (points + 2 * NODES + 10);
+/** Solution of an arc, or its gross slip, with its profile and the number of records. */
+export function summary__operating_point(law, geometry, load, steps, points) {
+  let found = answer__answer(law, geometry, load, steps);
+  if (found.outcome === BREAKAWAY) {
+    found = answer__at_gross_slip(law, geometry, load, steps);
   }
-  return RECORD * (points + 4 * effort__mesh_steps(law, found.par, found.steps) + 600);
+  let out = zeros(answer__profile_size(law, found, points));
+  const found1 = answer__profile_of(law, found, load.exit_tension, points, out);
+  let shot = found1[0];
+  let count = found1[1];
+  return [
+    Object.assign(Object.create(Object.getPrototypeOf(found)), found, { shot: shot }),
+    out,
+    count,
+  ];
+}
+
+/** Friction of a law with the sign of the slip [-]. */
+export function summary__available(law, slip, pressure) {
+  let mu;
+  if (slip === 0.0) {
+    return 0.0;
+  }
+  let segment = compact__segment_of(law, pressure);
+  let size = Math.abs(slip);
+  const found1 = compact__friction_at(
+    law,
+    segment,
+    compact__branch_of(law, segment, size, pressure),
+    size,
+    pressure,
+  );
+  mu = found1[0];
+  return copysign(mu, slip);
+}
+
+/** Profile of an arc that is solved and traced, record by record. */
+export function summary__columns_of(law, arc, found, out, count) {
+  let felt, i, o, pressure, s, slides, slip, tau, tension;
+  let columns = new Columns(
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+    zeros(count),
+  );
+  let zone = found.shot.stuck_length;
+  let side = found.par.side;
+  for (let each1 = 0, end1 = count; each1 < end1; each1++) {
+    i = each1;
+    o = RECORD * i;
+    s = out[o];
+    slip = out[o + 2];
+    tau = out[o + 4];
+    tension = found.par.entry_tension * Math.exp(out[o + 1]);
+    pressure = (2.0 * tension) / (arc.width * arc.diameter);
+    slides = (s > zone || zone === 0.0) && (slip !== 0.0 || tau === 0.0);
+    felt = slides ? slip : copysign(NEXT_SLIP, tau === 0.0 ? side : tau);
+    columns.position[i] = s / found.par.radius;
+    columns.tension[i] = tension;
+    columns.wrap_pressure[i] = pressure;
+    columns.friction[i] = summary__available(law, felt, pressure);
+    columns.friction_used[i] = tau / pressure;
+    columns.slip[i] = slip;
+    columns.creep[i] = out[o + 3];
+    columns.shear_stress[i] = tau;
+    columns.shear_angle[i] = Math.atan(tau / arc.shear_modulus);
+    columns.sliding[i] = slides ? 1.0 : 0.0;
+  }
+  return columns;
+}
+
+/** Where pressure or slip lie outside the tested range: pairs of places [rad], their number. */
+export function summary__stretches_outside(tested, columns, count) {
+  let beyond, i;
+  let found = zeros(2 * count + 2);
+  let pairs = 0;
+  let start = -1;
+  if (tested === null) {
+    return [found, pairs];
+  }
+  let position = columns.position;
+  let pressure = columns.wrap_pressure;
+  let slip = columns.slip;
+  for (let each1 = 0, end1 = count + 1; each1 < end1; each1++) {
+    i = each1;
+    beyond =
+      i < count &&
+      (pressure[i] < tested.pressure_min ||
+        pressure[i] > tested.pressure_max ||
+        Math.abs(slip[i]) > tested.slip_max);
+    if (beyond && start < 0) {
+      start = i;
+    }
+    if (start >= 0 && !beyond) {
+      found[2 * pairs] = position[max(start - 1, 0)];
+      found[2 * pairs + 1] = position[min(i, count - 1)];
+      pairs += 1;
+      start = -1;
+    }
+  }
+  return [found, pairs];
+}
+
+/** Largest magnitude of shear stress [Pa] and where it is, s [m]. */
+export function profile__peak_stress(out, count) {
+  let i, j;
+  let best = 0;
+  for (let each1 = 1, end1 = count; each1 < end1; each1++) {
+    i = each1;
+    if (Math.abs(out[RECORD * i + 4]) > Math.abs(out[RECORD * best + 4])) {
+      best = i;
+    }
+  }
+  let s = out[RECORD * best];
+  let t = Math.abs(out[RECORD * best + 4]);
+  i = best - 1;
+  j = best + 1;
+  let kink = out[RECORD * best + 6] === 1.0;
+  if (best === count - 1) {
+    i = best - 2;
+    j = best - 1;
+    kink = i >= 0 && out[RECORD * j + 6] === 1.0;
+  }
+  if (i < 0 || kink) {
+    return [t, s];
+  }
+  let a = out[RECORD * i] - s;
+  let fa = Math.abs(out[RECORD * i + 4]) - t;
+  let b = out[RECORD * j] - s;
+  let fb = Math.abs(out[RECORD * j + 4]) - t;
+  if (a === 0.0 || b === 0.0 || a === b) {
+    return [t, s];
+  }
+  let k = (fb / b - fa / a) / (b - a);
+  let m = fa / a - k * a;
+  if (k >= 0.0) {
+    return [t, s];
+  }
+  let y = (-0.5 * m) / k;
+  if (a < y && y < max(b, 0.0)) {
+    return [t - (0.25 * m * m) / k, s + y];
+  }
+  return [t, s];
+}
+
+/** Length of the exit part of the arc that takes 99 % of the tension change [m]. */
+export function profile__active_length(out, count) {
+  let end = RECORD * (count - 1);
+  let change = 1.0 - Math.exp(out[end + 1]);
+  if (change === 0.0) {
+    return 0.0;
+  }
+  let i = count - 1;
+  while (i > 0 && (1.0 - Math.exp(out[RECORD * i + 1])) / change > 0.01) {
+    i -= 1;
+  }
+  if (i === count - 1) {
+    return 0.0;
+  }
+  let a = (1.0 - Math.exp(out[RECORD * i + 1])) / change;
+  let b = (1.0 - Math.exp(out[RECORD * (i + 1) + 1])) / change;
+  let w = b !== a ? (0.01 - a) / (b - a) : 1.0;
+  let s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i]);
+  return out[end] - s;
+}
+
+/** Fraction of the arc where pressure or slip lies outside the tested range. */
+export function profile__share_outside(par, out, count, pressure_min, pressure_max, slip_max) {
+  let a, b, f0, f1, high, i, low, p0, p1, x0, x1;
+  let outside = 0.0;
+  for (let each1 = 0, end1 = count - 1; each1 < end1; each1++) {
+    i = each1;
+    a = RECORD * i;
+    b = RECORD * (i + 1);
+    low = 0.0;
+    high = 1.0;
+    p0 = par.entry_pressure * Math.exp(out[a + 1]);
+    p1 = par.entry_pressure * Math.exp(out[b + 1]);
+    x0 = Math.abs(out[a + 2]);
+    x1 = Math.abs(out[b + 2]);
+    for (const each2 of [
+      [pressure_min - p0, pressure_min - p1],
+      [p0 - pressure_max, p1 - pressure_max],
+      [x0 - slip_max, x1 - slip_max],
+    ]) {
+      [f0, f1] = each2;
+      if (f0 > 0.0 && f1 > 0.0) {
+        high = -1.0;
+      } else if (f0 > 0.0) {
+        low = max(low, f0 / (f0 - f1));
+      } else if (f1 > 0.0) {
+        high = min(high, f0 / (f0 - f1));
+      }
+    }
+    outside += (out[b] - out[a]) * (1.0 - max(high - low, 0.0));
+  }
+  return outside / (out[RECORD * (count - 1)] - out[0]);
+}
+
+/** Spring rate of the belt over its active arc, EA/l [N/m]; nan without one. */
+export function summary__spring_rate(axial_stiffness, length) {
+  return length > 0.0 ? axial_stiffness / length : NaN;
+}
+
+/** Reported numbers of an arc that is solved and traced; nan where there is none. */
+export function summary__summary_of(arc, tested, found, out, count) {
+  let par = found.par;
+  let shot = found.shot;
+  let radius = par.radius;
+  let entry = par.entry_tension;
+  let q = shot.log_tension;
+  let g = shot.creep_ratio;
+  let work = shot.work;
+  let leaving = entry * Math.exp(q);
+  let exit_tension = found.outcome === SOLVED ? arc.exit_tension : leaving;
+  let pull = entry - leaving;
+  const found1 = profile__peak_stress(out, count);
+  let peak = found1[0];
+  let where = found1[1];
+  let active = profile__active_length(out, count);
+  let outside = NaN;
+  if (tested !== null) {
+    outside = profile__share_outside(
+      par,
+      out,
+      count,
+      tested.pressure_min,
+      tested.pressure_max,
+      tested.slip_max,
+    );
+  }
+  let kappa = summary__recovery_compliance(arc);
+  let compliance = 1.0 / arc.axial_stiffness + kappa;
+  let recovery = compliance > 0.0 ? kappa / compliance : 0.0;
+  let distributed = shot.creep - par.kick - g * (radius * arc.wrap_angle);
+  let shear = arc.thickness / arc.shear_modulus;
+  let kept = 0.5 * shear * (shot.stress * shot.stress - out[4] * out[4]);
+  let exact = pull * (g + 0.5 * pull * compliance);
+  let lost = work + kept;
+  let speed = g < 1.0 ? arc.belt_speed / (1.0 - g) : NaN;
+  let part = Math.abs(pull) > 1e-6 * arc.entry_tension ? (arc.width * lost) / Math.abs(pull) : NaN;
+  return new Summary(
+    entry,
+    exit_tension,
+    entry - exit_tension,
+    entry / exit_tension,
+    shot.creep,
+    (1.0 - recovery) * distributed,
+    recovery * distributed + par.kick,
+    g * (radius * arc.wrap_angle),
+    shot.slip,
+    g,
+    g + pull * compliance,
+    peak,
+    Math.atan(peak / arc.shear_modulus),
+    where / radius,
+    Math.abs(q) / arc.wrap_angle,
+    active / radius,
+    summary__spring_rate(arc.axial_stiffness, radius * (active / radius)),
+    outside,
+    shot.stuck_length / radius,
+    speed * pull,
+    speed * arc.width * work,
+    speed * arc.width * kept,
+    speed * arc.width * lost,
+    pull > 0.0 ? 1.0 - part : 1.0 / (1.0 + part),
+    work,
+    1000000.0 * arc.wear_coefficient * work,
+    Math.abs(arc.width * lost - exact) /
+      max(max(Math.abs(exact), 1e-6 * arc.entry_tension * Math.abs(g)), 1e-300),
+  );
+}
+
+/** Answer for one arc; None where it is for the server to say what is wrong. */
+export function in_page__quick(law, given, tested, points) {
+  let arc = in_page__description_of(given);
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  if (!(0.0 < entry && entry <= MOST_TENSION && 0.0 < leaving && leaving <= MOST_TENSION)) {
+    return null;
+  }
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let pressure = (2.0 * entry) / (arc.width * arc.diameter);
+  if (
+    summary__too_steep(arc, given.steepest_fall) ||
+    summary__kicked_loose(law, geometry, pressure)
+  ) {
+    return null;
+  }
+  let load = new Load(entry, leaving, given.creep_limit, NaN, NaN, NaN, given.steepest_fall);
+  const found1 = summary__operating_point(law, geometry, load, STEPS, points);
+  let found = found1[0];
+  let out = found1[1];
+  let count = found1[2];
+  if (!(found.outcome === SOLVED || found.outcome === BREAKAWAY)) {
+    return null;
+  }
+  let profile = summary__columns_of(law, arc, found, out, count);
+  const found2 = summary__stretches_outside(tested, profile, count);
+  let outside = found2[0];
+  let stretches = found2[1];
+  let summary = summary__summary_of(arc, tested, found, out, count);
+  return new Quick(found.outcome === SOLVED, summary, profile, outside, stretches);
 }
 
 /** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
@@ -4224,100 +4880,4 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
     }
   }
   return new Carried(by_creep, by_slip, gross, gross_creep, least, most);
-}
-
-/** Largest magnitude of shear stress [Pa] and where it is, s [m]. */
-export function profile__peak_stress(out, count) {
-  let i, j;
-  let best = 0;
-  for (let each1 = 1, end1 = count; each1 < end1; each1++) {
-    i = each1;
-    if (Math.abs(out[RECORD * i + 4]) > Math.abs(out[RECORD * best + 4])) {
-      best = i;
-    }
-  }
-  let s = out[RECORD * best];
-  let t = Math.abs(out[RECORD * best + 4]);
-  i = best - 1;
-  j = best + 1;
-  let kink = out[RECORD * best + 6] === 1.0;
-  if (best === count - 1) {
-    i = best - 2;
-    j = best - 1;
-    kink = i >= 0 && out[RECORD * j + 6] === 1.0;
-  }
-  if (i < 0 || kink) {
-    return [t, s];
-  }
-  let a = out[RECORD * i] - s;
-  let fa = Math.abs(out[RECORD * i + 4]) - t;
-  let b = out[RECORD * j] - s;
-  let fb = Math.abs(out[RECORD * j + 4]) - t;
-  if (a === 0.0 || b === 0.0 || a === b) {
-    return [t, s];
-  }
-  let k = (fb / b - fa / a) / (b - a);
-  let m = fa / a - k * a;
-  if (k >= 0.0) {
-    return [t, s];
-  }
-  let y = (-0.5 * m) / k;
-  if (a < y && y < max(b, 0.0)) {
-    return [t - (0.25 * m * m) / k, s + y];
-  }
-  return [t, s];
-}
-
-/** Length of the exit part of the arc that takes 99 % of the tension change [m]. */
-export function profile__active_length(out, count) {
-  let end = RECORD * (count - 1);
-  let change = 1.0 - Math.exp(out[end + 1]);
-  if (change === 0.0) {
-    return 0.0;
-  }
-  let i = count - 1;
-  while (i > 0 && (1.0 - Math.exp(out[RECORD * i + 1])) / change > 0.01) {
-    i -= 1;
-  }
-  if (i === count - 1) {
-    return 0.0;
-  }
-  let a = (1.0 - Math.exp(out[RECORD * i + 1])) / change;
-  let b = (1.0 - Math.exp(out[RECORD * (i + 1) + 1])) / change;
-  let w = b !== a ? (0.01 - a) / (b - a) : 1.0;
-  let s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i]);
-  return out[end] - s;
-}
-
-/** Fraction of the arc where pressure or slip lies outside the tested range. */
-export function profile__share_outside(par, out, count, pressure_min, pressure_max, slip_max) {
-  let a, b, f0, f1, high, i, low, p0, p1, x0, x1;
-  let outside = 0.0;
-  for (let each1 = 0, end1 = count - 1; each1 < end1; each1++) {
-    i = each1;
-    a = RECORD * i;
-    b = RECORD * (i + 1);
-    low = 0.0;
-    high = 1.0;
-    p0 = par.entry_pressure * Math.exp(out[a + 1]);
-    p1 = par.entry_pressure * Math.exp(out[b + 1]);
-    x0 = Math.abs(out[a + 2]);
-    x1 = Math.abs(out[b + 2]);
-    for (const each2 of [
-      [pressure_min - p0, pressure_min - p1],
-      [p0 - pressure_max, p1 - pressure_max],
-      [x0 - slip_max, x1 - slip_max],
-    ]) {
-      [f0, f1] = each2;
-      if (f0 > 0.0 && f1 > 0.0) {
-        high = -1.0;
-      } else if (f0 > 0.0) {
-        low = max(low, f0 / (f0 - f1));
-      } else if (f1 > 0.0) {
-        high = min(high, f0 / (f0 - f1));
-      }
-    }
-    outside += (out[b] - out[a]) * (1.0 - max(high - low, 0.0));
-  }
-  return outside / (out[RECORD * (count - 1)] - out[0]);
 }

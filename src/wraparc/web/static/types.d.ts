@@ -129,6 +129,24 @@ export interface QuickAnswer extends Arc {
   sequence: number;
   verdict: Verdict;
   remarks: Text[];
+  prepared: Prepared | null;
+  /** Numbers of the page itself, not judged yet; the verdict is that of the drive before. */
+  own?: boolean;
+}
+/** An arc as numbers [SI]; those that JSON has none for are words. */
+export interface Prepared {
+  law: Record<string, number | number[]>;
+  given: Record<string, number | string>;
+  inputs: Input[];
+}
+/** A number of the document that the page may move. */
+export interface Input {
+  path: Path;
+  name: string;
+  dimension: string;
+  least: number | string;
+  most: number | string;
+  open: boolean;
 }
 export interface FullAnswer {
   verdict: Verdict;

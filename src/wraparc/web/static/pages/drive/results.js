@@ -205,7 +205,13 @@ function verdicts(arc) {
   const own = h(
     "div",
     { class: "chosen", key: "chosen" },
-    h("p", {}, h("strong", {}, chosen), " ", badge(arc.level), " ", words(arc.verdict.headline)),
+    h(
+      "p",
+      {},
+      h("strong", {}, chosen),
+      " ",
+      ...(arc.own ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
+    ),
   );
   if (whole() && full)
     return [
@@ -217,13 +223,15 @@ function verdicts(arc) {
         words(full.verdict.headline),
       ),
     ];
-  if (!several) return [h("div", { key: "governing" }, verdict(arc.verdict))];
+  if (!several && !arc.own) return [h("div", { key: "governing" }, verdict(arc.verdict))];
   if (!full || answer.foreign)
     return [h("p", { class: "help", key: "governing" }, "All load cases are being solved."), own];
   const solving = h(
     "p",
     { class: "help" },
-    "All load cases are being solved anew; before the change:",
+    several
+      ? "All load cases are being solved anew; before the change:"
+      : "The checks follow once the hand rests; before the change:",
   );
   return [
     h(

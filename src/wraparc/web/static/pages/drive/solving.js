@@ -1,4 +1,5 @@
-// Asking for answers: one arc at once while the hand moves, everything once it rests.
+// Answers: one arc at once while the hand moves, from the page itself where it can; the server
+// judges it and solves everything once the hand rests.
 import { app, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
 import { si } from "../../base/units.js";
@@ -54,6 +55,23 @@ let sequence = 0;
 let busy = false;
 let wanted = false;
 
+const POINTS = 120;
+/** What the server solved last: the page moves numbers from there.
+ * @type {{doc: Design, answer: QuickAnswer, pulley: number, case: string} | null} */
+let base = null;
+/** The answer of the page itself, where only numbers have moved. */
+function ownNow() {
+  if (!base || base.pulley !== app.pulley || base.case !== app.case) return null;
+  return own?.ownAnswer(base, app.doc, POINTS) ?? null;
+}
+/** The solver of the page, fetched once there is something to look at.
+ * @type {typeof import("./own.js") | null} */
+let own = null;
+const fetchOwn = async () => {
+  own = await import("./own.js");
+};
+document.addEventListener("complete", fetchOwn, { once: true });
+
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
   const key = [app.doc, app.pulley, app.case];
@@ -65,12 +83,19 @@ export function solve() {
     openedAs = app.opened;
     answer.foreign = true;
   }
-  quick();
+  const found = ownNow();
+  if (found) {
+    Object.assign(answer, { quick: found, quickDoc: app.doc, foreign: false });
+    if (answer.problems.length) told([]);
+    judged();
+  } else quick();
   if (documentChanged) {
     document.documentElement.classList.add("stale");
     complete();
   }
 }
+/** The server's word on what the page answered itself, once the hand rests. */
+const judged = later(150, () => answer.quick?.own && quick());
 onReturn(() => {
   asked = [];
   solve();
@@ -101,13 +126,14 @@ async function quick() {
 }
 /** @param {Design} doc */
 async function quickOnce(doc) {
-  const arc = { pulley: doc.pulley[app.pulley]?.name ?? null, load_case: app.case || null };
-  const how = { points: 120, sequence: ++sequence, tables: false };
+  const of = { doc, pulley: app.pulley, case: app.case };
+  const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: of.case || null };
+  const how = { points: POINTS, sequence: ++sequence, tables: false };
   try {
     const found = await ask("solve/fast", { document: doc, ...arc, ...how });
     if (found.sequence === 1) performance.mark("answered");
-    const current = doc === app.doc && !wanted;
-    Object.assign(answer, { quick: found, quickDoc: current ? doc : null, foreign: false });
+    base = { ...of, answer: found };
+    take(found, doc === app.doc && !wanted ? doc : null);
     if (doc === app.doc) told([]);
     settle();
   } catch (x) {
@@ -115,9 +141,22 @@ async function quickOnce(doc) {
     if (doc === app.doc) told(problems);
   }
 }
+/** Take an answer of the server in. Of what the page shows already it is the judgement: the
+ * pictures stay. @param {QuickAnswer} found @param {Design | null} doc if it is the present one */
+function take(found, doc) {
+  const shown = answer.quick;
+  if (own && shown?.own && answer.quickDoc === app.doc) {
+    if (!doc) return; // the page is ahead
+    const other = own.differences(shown, found);
+    const { profile, outside, ...rest } = found;
+    if (!other.length) return Object.assign(shown, rest, { own: false });
+    console.error(`The page and the server differ in ${other.join(", ")}.`);
+  }
+  Object.assign(answer, { quick: found, quickDoc: doc, foreign: false });
+}
 /** Both answers are of the design on the page. */
 function settle() {
-  if (answer.quickDoc === app.doc && answer.fullDoc === app.doc)
+  if (answer.quickDoc === app.doc && answer.fullDoc === app.doc && !answer.quick?.own)
     document.documentElement.classList.remove("stale");
 }
 /** @param {Problem[]} problems */

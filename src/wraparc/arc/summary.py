@@ -1,0 +1,295 @@
+"""One arc from its description to its reported numbers: plain floats and buffers only.
+
+`Distributed` makes its result of them; the page of the calculator runs them translated, while a
+slider moves.
+"""
+
+from __future__ import annotations
+
+from math import atan, copysign, exp, nan, sqrt
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.kernel.answer import Answer, answer, at_gross_slip, profile_of, profile_size
+from wraparc.arc.kernel.effort import jumps
+from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer, Geometry, Load, zeros
+from wraparc.arc.kernel.stick import onset_stress
+from wraparc.arc.profile import active_length, peak_stress, share_outside
+from wraparc.friction import TestedRange
+from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
+
+_Number = TypeVar("_Number", float, NDArray[np.float64])
+
+#: Overrun by formula over delta sqrt(delta/R) [-].
+OVERRUN = 1.25
+#: Slip in the direction of the stress that a stuck belt has in front of it [m].
+NEXT_SLIP = 1e-300
+
+
+class Description(NamedTuple):
+    """What an arc is, as `WrapArc` has it; nan where it has nothing."""
+
+    entry_tension: float  # T1 [N]
+    exit_tension: float  # T2 [N]
+    diameter: float  # D [m]
+    wrap_angle: float  # phi [rad]
+    width: float  # B [m]
+    axial_stiffness: float  # EA [N]
+    thickness: float  # h [m]
+    shear_modulus: float  # G [Pa]
+    compression_modulus: float  # E_c [Pa]
+    overrun: float  # x_c [m], nan by formula
+    recovery: bool
+    belt_speed: float  # [m/s]
+    wear_coefficient: float  # [m3/J]
+
+
+def overrun_coefficient(compliance: _Number, radius: _Number) -> _Number:
+    """Overrun by formula over the entry pressure to the power 1.5 [m/Pa^1.5].
+
+    x_c = 1.25 delta sqrt(delta/R) with the compression delta = (h/E_c) p1 of the lagging.
+
+    Parameters
+    ----------
+    compliance
+        h/E_c [m/Pa], >= 0.
+    radius
+        R over the unloaded lagging [m], > 0.
+    """
+    found: _Number = OVERRUN * compliance**1.5 / radius**0.5
+    return found
+
+
+def recovery_compliance(arc: Description) -> float:
+    """Extra compliance kappa = 2 h/(B D R E_c), from the recovery of the lagging [1/N]."""
+    if not arc.recovery:
+        return 0.0
+    squeeze = arc.thickness / arc.compression_modulus
+    return 2.0 * squeeze / (arc.width * arc.diameter * (0.5 * arc.diameter))
+
+
+def geometry_of(arc: Description, onset: float) -> Geometry:
+    """Numbers of the arc for the march; `onset` is that of its law [m/Pa]."""
+    radius = 0.5 * arc.diameter
+    given = arc.overrun == arc.overrun
+    by_formula = overrun_coefficient(arc.thickness / arc.compression_modulus, radius)
+    return Geometry(
+        1.0 if arc.entry_tension >= arc.exit_tension else -1.0,
+        radius,
+        arc.wrap_angle,
+        arc.width,
+        1.0 / arc.axial_stiffness + recovery_compliance(arc),
+        arc.thickness / arc.shear_modulus,
+        arc.overrun if given else 0.0,
+        0.0 if given else by_formula,
+        onset,
+    )
+
+
+def too_steep(arc: Description, fall: float) -> bool:
+    """Whether friction falls so steeply that slip and shear of the lagging are not unique."""
+    top = 2.0 * max(arc.entry_tension, arc.exit_tension) / (arc.width * arc.diameter)
+    return arc.thickness / arc.shear_modulus * top * fall <= -1.0
+
+
+def held_creep(law: CompactLaw, shear: float, pressure: float) -> float:
+    """Creep up to which a law that jumps holds the belt without slip at a pressure [m]."""
+    return (shear + law.onset_compliance) * onset_stress(law, pressure)[0]
+
+
+def kicked_loose(law: CompactLaw, geometry: Geometry, pressure: float) -> bool:
+    """Whether the overrun is more than a law that jumps holds: no creep at rest is unique then."""
+    if not jumps(law):
+        return False
+    kick = abs(geometry.kick + geometry.kick_coefficient * pressure * sqrt(pressure))
+    return kick > 0.0 and kick > held_creep(law, geometry.shear, pressure)
+
+
+def operating_point(
+    law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int
+) -> tuple[Answer, Buffer, int]:
+    """Solution of an arc, or its gross slip, with its profile and the number of records."""
+    found = answer(law, geometry, load, steps)
+    if found.outcome == BREAKAWAY:
+        found = at_gross_slip(law, geometry, load, steps)
+    out = zeros(profile_size(law, found, points))
+    shot, count = profile_of(law, found, load.exit_tension, points, out)
+    return found._replace(shot=shot), out, count
+
+
+class Summary(NamedTuple):
+    """Every reported number of an arc but its capacities and its interval; see `ArcResult`."""
+
+    entry_tension: float
+    exit_tension: float
+    effective_tension: float
+    tension_ratio: float
+    exit_creep: float
+    creep_shrinkage: float
+    creep_compression: float
+    creep_global: float
+    exit_slip: float
+    entry_creep_ratio: float
+    exit_creep_ratio: float
+    peak_shear_stress: float
+    peak_shear_angle: float
+    peak_shear_position: float
+    mean_friction: float
+    active_arc: float
+    k_factor: float
+    outside_tested_share: float
+    stuck_arc: float
+    transmitted_power: float
+    sliding_power: float
+    shear_loss: float
+    power_loss: float
+    efficiency: float
+    frictional_energy: float
+    wear_rate: float
+    identity_error: float
+
+
+def spring_rate(axial_stiffness: float, length: float) -> float:
+    """Spring rate of the belt over its active arc, EA/l [N/m]; nan without one."""
+    return axial_stiffness / length if length > 0.0 else nan
+
+
+def summary_of(
+    arc: Description, tested: TestedRange | None, found: Answer, out: Buffer, count: int
+) -> Summary:
+    """Reported numbers of an arc that is solved and traced; nan where there is none."""
+    par, shot = found.par, found.shot
+    radius, entry = par.radius, par.entry_tension
+    q, g, work = shot.log_tension, shot.creep_ratio, shot.work
+    # on breakaway of a braking pulley the exit tension is the one held
+    leaving = entry * exp(q)
+    exit_tension = arc.exit_tension if found.outcome == SOLVED else leaving
+    pull = entry - leaving
+    peak, where = peak_stress(out, count)
+    active = active_length(out, count)
+    outside = nan
+    if tested is not None:
+        outside = share_outside(
+            par, out, count, tested.pressure_min, tested.pressure_max, tested.slip_max
+        )
+    kappa = recovery_compliance(arc)
+    compliance = 1.0 / arc.axial_stiffness + kappa
+    recovery = kappa / compliance if compliance > 0.0 else 0.0
+    distributed = shot.creep - par.kick - g * (radius * arc.wrap_angle)
+    shear = arc.thickness / arc.shear_modulus
+    kept = 0.5 * shear * (shot.stress * shot.stress - out[4] * out[4])
+    exact = pull * (g + 0.5 * pull * compliance)
+    lost = work + kept
+    # at a breakaway the surface may run away from the belt altogether
+    speed = arc.belt_speed / (1.0 - g) if g < 1.0 else nan
+    part = arc.width * lost / abs(pull) if abs(pull) > 1e-6 * arc.entry_tension else nan
+    return Summary(
+        entry_tension=entry,
+        exit_tension=exit_tension,
+        effective_tension=entry - exit_tension,
+        tension_ratio=entry / exit_tension,
+        exit_creep=shot.creep,
+        creep_shrinkage=(1.0 - recovery) * distributed,
+        creep_compression=recovery * distributed + par.kick,
+        creep_global=g * (radius * arc.wrap_angle),
+        exit_slip=shot.slip,
+        entry_creep_ratio=g,
+        exit_creep_ratio=g + pull * compliance,
+        peak_shear_stress=peak,
+        peak_shear_angle=atan(peak / arc.shear_modulus),
+        peak_shear_position=where / radius,
+        mean_friction=abs(q) / arc.wrap_angle,
+        active_arc=active / radius,
+        k_factor=spring_rate(arc.axial_stiffness, radius * (active / radius)),
+        outside_tested_share=outside,
+        stuck_arc=shot.stuck_length / radius,
+        transmitted_power=speed * pull,
+        sliding_power=speed * arc.width * work,
+        shear_loss=speed * arc.width * kept,
+        power_loss=speed * arc.width * lost,
+        efficiency=1.0 - part if pull > 0.0 else 1.0 / (1.0 + part),
+        frictional_energy=work,
+        wear_rate=1e6 * arc.wear_coefficient * work,
+        identity_error=abs(arc.width * lost - exact)
+        / max(abs(exact), 1e-6 * arc.entry_tension * abs(g), 1e-300),
+    )
+
+
+class Columns(NamedTuple):
+    """Quantities along the arc; see `Profile`."""
+
+    position: Buffer
+    tension: Buffer
+    wrap_pressure: Buffer
+    friction: Buffer
+    friction_used: Buffer
+    slip: Buffer
+    creep: Buffer
+    shear_stress: Buffer
+    shear_angle: Buffer
+    sliding: Buffer
+
+
+def columns_of(
+    law: CompactLaw, arc: Description, found: Answer, out: Buffer, count: int
+) -> Columns:
+    """Profile of an arc that is solved and traced, record by record."""
+    columns = Columns(
+        zeros(count), zeros(count), zeros(count), zeros(count), zeros(count),
+        zeros(count), zeros(count), zeros(count), zeros(count), zeros(count),
+    )  # fmt: skip
+    zone, side = found.shot.stuck_length, found.par.side
+    for i in range(count):
+        o = RECORD * i
+        s, slip, tau = out[o], out[o + 2], out[o + 4]
+        tension = found.par.entry_tension * exp(out[o + 1])
+        pressure = 2.0 * tension / (arc.width * arc.diameter)
+        # a stuck belt has the friction of vanishing slip available
+        slides = (s > zone or zone == 0.0) and (slip != 0.0 or tau == 0.0)
+        felt = slip if slides else copysign(NEXT_SLIP, side if tau == 0.0 else tau)
+        columns.position[i] = s / found.par.radius
+        columns.tension[i] = tension
+        columns.wrap_pressure[i] = pressure
+        columns.friction[i] = available(law, felt, pressure)
+        columns.friction_used[i] = tau / pressure
+        columns.slip[i] = slip
+        columns.creep[i] = out[o + 3]
+        columns.shear_stress[i] = tau
+        columns.shear_angle[i] = atan(tau / arc.shear_modulus)
+        columns.sliding[i] = 1.0 if slides else 0.0
+    return columns
+
+
+def available(law: CompactLaw, slip: float, pressure: float) -> float:
+    """Friction of a law with the sign of the slip [-]."""
+    if slip == 0.0:
+        return 0.0
+    segment, size = segment_of(law, pressure), abs(slip)
+    mu, _, _ = friction_at(law, segment, branch_of(law, segment, size, pressure), size, pressure)
+    return copysign(mu, slip)
+
+
+def stretches_outside(
+    tested: TestedRange | None, columns: Columns, count: int
+) -> tuple[Buffer, int]:
+    """Where pressure or slip lie outside the tested range: pairs of places [rad], their number."""
+    found, pairs, start = zeros(2 * count + 2), 0, -1
+    if tested is None:
+        return found, pairs
+    position, pressure, slip = columns.position, columns.wrap_pressure, columns.slip
+    for i in range(count + 1):
+        beyond = i < count and (
+            pressure[i] < tested.pressure_min
+            or pressure[i] > tested.pressure_max
+            or abs(slip[i]) > tested.slip_max
+        )
+        if beyond and start < 0:
+            start = i
+        if start >= 0 and not beyond:
+            found[2 * pairs] = position[max(start - 1, 0)]
+            found[2 * pairs + 1] = position[min(i, count - 1)]
+            pairs += 1
+            start = -1
+    return found, pairs

@@ -1,0 +1,154 @@
+"""What the drive page needs to answer a moved slider itself."""
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from pydantic import ConfigDict
+
+from wraparc.arc import WrapArc
+from wraparc.drive import Belt, Drive, LoadCase, Pulley, Tensions
+from wraparc.drive.load_case import DESIGN
+from wraparc.files.tensions import KEYS
+from wraparc.schema.limits import Limit
+from wraparc.schema.source import Document
+from wraparc.units import Dimension, parse_quantity
+from wraparc.web.answers.shown import Answer
+from wraparc.web.in_page import Given
+
+_PULLEY = ("diameter", "wrap_angle")
+_BELT = ("width", "modulus", "speed")
+#: With what a pull is given.
+_WITH = {"torque": "diameter", "power": "speed"}
+#: What makes the tensions of a drive depend on more than the numbers of its pulley and belt.
+_ELSEWHERE = ("conveyor", "train")
+
+
+class Plain(Answer):
+    """Numbers, those that JSON has none for as words: Infinity, NaN."""
+
+    model_config = ConfigDict(ser_json_inf_nan="strings")
+
+
+class Law(Answer):
+    """A friction law as numbers, see `wraparc.friction.CompactLaw`."""
+
+    kind: int
+    edges: list[float]
+    coefficients: list[float]
+    slips: list[float]
+    onset_compliance: float
+
+
+class Input(Plain):
+    """A number of the document that the page may move, with what it may be [SI]."""
+
+    path: list[str | int]
+    name: str
+    dimension: Dimension
+    least: float
+    most: float
+    open: bool
+
+
+class Prepared(Plain):
+    """An arc as numbers."""
+
+    law: Law
+    given: dict[str, float]
+    inputs: list[Input]
+
+
+def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -> Prepared | None:
+    """Return the arc of a drive of one pulley as numbers; None where a document says more."""
+    if len(drive.pulleys) > 1 or any(key in document for key in _ELSEWHERE):
+        return None
+    table = document["pulley"][0]
+    arc = WrapArc.of(drive, pulley, case)
+    compact = arc.law.compact()
+    law = Law(
+        kind=compact.kind,
+        edges=list(compact.edges),
+        coefficients=list(compact.coefficients),
+        slips=list(compact.slips),
+        onset_compliance=compact.onset_compliance,
+    )
+    tensions = _tensions(table, arc, case)
+    given = {
+        **{name: float(value) for name, value in arc.described()._asdict().items()},
+        **dict.fromkeys(KEYS, math.nan),
+        **tensions,
+        "modulus": drive.belt.modulus,
+        "speed": math.nan if drive.belt.speed is None else drive.belt.speed,
+        "creep_limit": arc.creep_limit,
+        "steepest_fall": arc.law.steepest_fall(),
+    }
+    inputs = list(_inputs(document, drive, pulley, case, tensions))
+    return Prepared(law=law, given={name: given[name] for name in Given._fields}, inputs=inputs)
+
+
+def _tensions(table: Mapping[str, Any], arc: WrapArc, case: LoadCase) -> dict[str, float]:
+    """Return what the pulley's table gives in the design case, else both tensions."""
+    if not _of_pulley(case):
+        return {"entry_tension": arc.entry_tension, "exit_tension": arc.exit_tension}
+    dimensions: dict[str, Dimension] = {"torque": "torque", "power": "power"}
+    return {
+        key: _read(table[key], dimensions.get(key, "force"))
+        for key in KEYS
+        if table.get(key) is not None
+    }
+
+
+def _read(value: Any, dimension: Dimension) -> float:
+    return parse_quantity(value, dimension) if isinstance(value, str) else float(value)
+
+
+def _inputs(
+    document: Document, drive: Drive, pulley: Pulley, case: LoadCase, tensions: dict[str, float]
+) -> Iterator[Input]:
+    """Yield the numbers that change the arc in one plain way and nothing else."""
+    limits = {**Belt.LIMITS, **Pulley.LIMITS, **pulley.lagging.LIMITS}
+    at: tuple[str | int, ...] = ("pulley", 0)
+    held = set[str]()
+    if not _of_pulley(case):  # a case may take its pull from the numbers of the pulley
+        held = {with_ for key, with_ in _WITH.items() if _somewhere(document, key)}
+    for name in _BELT:
+        if name not in held:
+            yield _input(("belt", name), name, limits[name])
+    for name in _PULLEY:
+        if name not in held:
+            yield _input((*at, name), name, limits[name])
+    own = pulley.creep_limit is not None
+    yield _input((*at, "creep_limit") if own else ("creep_limit",), "creep_limit", _CREEP)
+    if _of_pulley(case):
+        for name in tensions.keys() - _WITH.keys():
+            yield _input((*at, name), name, _PULL if name == "effective_tension" else _TENSION)
+    if pulley.lagging_in(case.condition).block is None:  # else the modulus follows the thickness
+        yield _input((*at, "lagging", "thickness"), "thickness", limits["thickness"])
+
+
+_CREEP, _TENSION = Drive.LIMITS["creep_limit"], Tensions.LIMITS["entry"]
+_PULL = Limit("force", least=-math.inf)
+
+
+def _input(path: tuple[str | int, ...], name: str, limit: Limit) -> Input:
+    return Input(
+        path=list(path),
+        name=name,
+        dimension=limit.dimension,
+        least=limit.least,
+        most=limit.most,
+        open=limit.open,
+    )
+
+
+def _of_pulley(case: LoadCase) -> bool:
+    """Whether the tensions of a load case are those that the pulley itself gives."""
+    return case.name in (DESIGN, f"{DESIGN}, {case.condition}")
+
+
+def _somewhere(document: Document, key: str) -> bool:
+    """Whether a pulley or a load case gives a key."""
+    cases = document.get("load_case") or []
+    of_cases = [table for case in cases for table in (case.get("pulley") or {}).values()]
+    return any(key in table for table in (*document["pulley"], *of_cases))
