@@ -22,11 +22,17 @@ const own = (() => {
     return "";
   }
 })();
+/** What was read last, and the text it was read of: asked for with every drawing. */
+let read = { text: "[]", list: /** @type {Draft[]} */ ([]) };
 /** @returns {Draft[]} */
 export function drafts() {
   try {
-    const kept = JSON.parse(localStorage.getItem(KEY) || "[]");
-    return Array.isArray(kept) ? kept.filter((d) => isDrive(d?.doc)) : [];
+    const text = localStorage.getItem(KEY) || "[]";
+    if (text !== read.text) {
+      const kept = JSON.parse(text);
+      read = { text, list: Array.isArray(kept) ? kept.filter((d) => isDrive(d?.doc)) : [] };
+    }
+    return read.list;
   } catch {
     return [];
   }
@@ -45,7 +51,16 @@ let untouched = null;
 export const opened = (doc) => {
   untouched = doc;
 };
+/** Keep the design once the hand rests, or as the page goes. */
 export function keepDraft() {
+  waiting ||= setTimeout(keep, 200);
+}
+let waiting = 0;
+addEventListener("pagehide", () => waiting && keep());
+document.addEventListener("visibilitychange", () => waiting && document.hidden && keep());
+function keep() {
+  clearTimeout(waiting);
+  waiting = 0;
   if (app.doc === untouched) return;
   const { doc, units, name, design, origin, pulley } = app;
   const draft = {
