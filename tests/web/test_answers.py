@@ -33,7 +33,7 @@ def beyond() -> dict[str, Any]:
 
 ASKED: list[tuple[str, Any, dict[str, Any]]] = [
     ("/solve/fast", drives.FastAnswer, {"document": document(), "tables": True}),
-    ("/solve/fast", drives.FastAnswer, {"document": idle()}),
+    ("/solve/fast", drives.FastAnswer, {"document": idle(), "prepared": True}),
     ("/solve", drives.SolveAnswer, {"document": document()}),
     ("/solve", drives.SolveAnswer, {"document": beyond()}),
     ("/solve", drives.SolveAnswer, {"document": document("tandem-fabric"), "load_case": "empty"}),

@@ -1,6 +1,7 @@
 """The pages in a real browser: what an engineer does with them, and what comes of it."""
 
 import base64
+import contextlib
 import json
 import re
 import zlib
@@ -8,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Route, expect
+from playwright.sync_api import Error, Page, Route, expect
 
 from cli.running import wraparc
 from web.browser import PAGES, READY, STEPS, STUDY, Calculator, Visitor
@@ -382,3 +383,58 @@ def test_slider_by_keyboard_paints_every_step(
         )
     expect(page.locator("#f-pulley-0-entry_tension")).not_to_have_value("150")
     assert key_figure(visitor, "Creep at exit") != "7.38 mm"
+
+
+def moves_itself(page: Page) -> None:
+    """Wait until the page has fetched its own solver."""
+    page.evaluate("import('/static/pages/drive/own.js').then(() => null)")
+
+
+def test_moved_slider_is_answered_without_the_server(visitor: Visitor) -> None:
+    # expected: the server's own figures, once it is let answer
+    page = visitor.open("drive")
+    moves_itself(page)
+    held: list[Route] = []
+    page.route("**/api/v1/solve**", lambda route: held.append(route))  # noqa: PLW0108
+    page.get_by_label("Entry tension, slider").focus()
+    page.evaluate(STEPS)
+    seen = set()
+    for i in range(8):
+        page.keyboard.press("ArrowRight")
+        wait_for(lambda i=i: page.evaluate("steps.length") > i)
+        seen.add(key_figure(visitor, "Creep at exit"))
+    assert len(seen) == 8
+    assert len([r for r in held if r.request.url.endswith("/fast")]) <= 1  # where the hand rested
+    chosen = page.locator("#verdict .chosen")
+    expect(chosen).to_contain_text("of the limit")
+    assert chosen.locator(".badge").count() == 0  # no verdict of its own
+    expect(page.locator("#verdict")).to_contain_text("before the change")
+    own = page.locator("#drive .figures").inner_text()
+    page.unroute("**/api/v1/solve**")
+    for route in held:
+        with contextlib.suppress(Error):  # what the page has given up meanwhile
+            route.continue_()
+    visitor.solved()
+    expect(chosen.locator(".badge")).to_have_count(1)
+    told = page.locator("#drive .figures").inner_text()
+    assert own.splitlines()[:2] == told.splitlines()[:2]  # creep at exit and what it is made of
+    assert len(page.evaluate("steps")) == 8  # nothing was drawn twice
+
+
+def test_server_that_finds_other_numbers_is_shown_and_told(calculator: Calculator) -> None:
+    visitor = Visitor(calculator[0], calculator[1].address)
+    page = visitor.open("drive")
+    moves_itself(page)
+
+    def other(route: Route) -> None:
+        answer = route.fetch()
+        told = answer.json()
+        told["numbers"]["exit_creep"] = 5.55e-3
+        route.fulfill(response=answer, json=told)
+
+    page.route("**/api/v1/solve/fast", other)
+    page.get_by_label("Entry tension, slider").focus()
+    page.keyboard.press("ArrowRight")
+    expect(page.locator("#drive .figures")).to_contain_text("5.55 mm")
+    assert visitor.wrong == ["The page and the server differ in exit_creep."]
+    visitor.context.close()

@@ -57,6 +57,9 @@ class FastRequest(Request):
     load_case: Line | None = Field(None, description="The first if left out.")
     points: int = Field(120, ge=8, le=1000, description="Parts of the wrap in the profile.")
     tables: bool = Field(False, description="Whether to send tables as well.")
+    prepared: bool = Field(
+        False, description="Whether to send the arc as numbers, of which the page goes on itself."
+    )
     sequence: int = Field(0, ge=0, le=2**53, description="Comes back as it is.")
 
 

@@ -183,7 +183,9 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
         verdict=Verdict.both(lambda system: verdict(answered, system)),
         tables=tables(first_tables, TABLES[:2]) if asked.tables and result.status.solved else [],
         remarks=_remarks(answered),
-        prepared=None if drive is not thing else prepared(asked.document, drive, pulley, load),
+        prepared=prepared(asked.document, drive, pulley, load)
+        if asked.prepared and drive is thing
+        else None,
         **_arc(answered, result),
     )
 

@@ -85,7 +85,7 @@ export function solve() {
   }
   const found = ownNow();
   if (found) {
-    Object.assign(answer, { quick: found, quickDoc: app.doc, foreign: false });
+    Object.assign(answer, { quick: found, quickDoc: app.doc, foreign: false, slow: false });
     if (answer.problems.length) told([]);
     judged();
   } else quick();
@@ -109,7 +109,7 @@ async function quick() {
   while (wanted) {
     wanted = false;
     const slow = setTimeout(() => {
-      answer.slow = true;
+      answer.slow = answer.quickDoc !== app.doc; // the page may have answered itself
       show();
     }, 250);
     try {
@@ -128,7 +128,7 @@ async function quick() {
 async function quickOnce(doc) {
   const of = { doc, pulley: app.pulley, case: app.case };
   const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: of.case || null };
-  const how = { points: POINTS, sequence: ++sequence, tables: false };
+  const how = { points: POINTS, sequence: ++sequence, tables: false, prepared: true };
   try {
     const found = await ask("solve/fast", { document: doc, ...arc, ...how });
     if (found.sequence === 1) performance.mark("answered");
