@@ -127,7 +127,8 @@ def test_every_moved_number_is_answered_as_by_the_server() -> None:
 def test_the_answer_of_the_server_carries_what_the_page_needs() -> None:
     # expected: a number that was moved there and back gives what was answered first
     document = DRIVES["head-drive-fabric"]
-    before = json.loads(solve_fast(FastRequest(document=document, points=POINTS)).model_dump_json())
+    asked = FastRequest(document=document, points=POINTS, prepared=True)
+    before = json.loads(solve_fast(asked).model_dump_json())
     same = deepcopy(document)
     told = in_node([{"base": {"doc": document, "answer": before}, "doc": same, "found": before}])
     assert told[0]["differences"] == []

@@ -22,7 +22,7 @@ const own = (() => {
     return "";
   }
 })();
-/** What was read last, and the text it was read of: asked for with every drawing. */
+/** What was read last: asked for with every drawing. */
 let read = { text: "[]", list: /** @type {Draft[]} */ ([]) };
 /** @returns {Draft[]} */
 export function drafts() {
@@ -56,8 +56,7 @@ export function keepDraft() {
   waiting ||= setTimeout(keep, 200);
 }
 let waiting = 0;
-addEventListener("pagehide", () => waiting && keep());
-document.addEventListener("visibilitychange", () => waiting && document.hidden && keep());
+document.addEventListener("visibilitychange", () => waiting && keep());
 function keep() {
   clearTimeout(waiting);
   waiting = 0;

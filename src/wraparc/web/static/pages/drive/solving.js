@@ -1,5 +1,4 @@
-// Answers: one arc at once while the hand moves, from the page itself where it can; the server
-// judges it and solves everything once the hand rests.
+// Answers: of one arc while the hand moves, from the page itself where it can; of all once it rests.
 import { app, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
 import { si } from "../../base/units.js";
@@ -64,13 +63,10 @@ function ownNow() {
   if (!base || base.pulley !== app.pulley || base.case !== app.case) return null;
   return own?.ownAnswer(base, app.doc, POINTS) ?? null;
 }
-/** The solver of the page, fetched once there is something to look at.
+/** The solver of the page, fetched last.
  * @type {typeof import("./own.js") | null} */
 let own = null;
-const fetchOwn = async () => {
-  own = await import("./own.js");
-};
-document.addEventListener("complete", fetchOwn, { once: true });
+document.addEventListener("complete", async () => (own ??= await import("./own.js")));
 
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
@@ -141,8 +137,8 @@ async function quickOnce(doc) {
     if (doc === app.doc) told(problems);
   }
 }
-/** Take an answer of the server in. Of what the page shows already it is the judgement: the
- * pictures stay. @param {QuickAnswer} found @param {Design | null} doc if it is the present one */
+/** Take an answer of the server in: of what the page shows already it is the judgement.
+ * @param {QuickAnswer} found @param {Design | null} doc if it is the present one */
 function take(found, doc) {
   const shown = answer.quick;
   if (own && shown?.own && answer.quickDoc === app.doc) {
