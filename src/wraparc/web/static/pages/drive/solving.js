@@ -1,4 +1,4 @@
-// Answers: of one arc while the hand moves, from the page itself where it can; of all once it rests.
+// Answers: one arc while the hand moves, by the page itself where it can; all once it rests.
 import { app, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
 import { si } from "../../base/units.js";
