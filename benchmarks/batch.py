@@ -26,7 +26,7 @@ from scipy.optimize import brentq
 from wraparc import load_lagging
 from wraparc.batch import Setting, engineering, lane_slots, row, solve_arcs
 from wraparc.batch.arcs import Arcs, arcs_of_table
-from wraparc.batch.lane_kernel import TENSIONS
+from wraparc.batch.lane_kernel import GUESSED, TENSIONS
 from wraparc.friction.compact import branch_of, friction_at, segment_of
 
 Table = dict[str, NDArray[np.float64]]
@@ -154,9 +154,11 @@ def steps(arcs: Arcs) -> None:
     print("\nmesh steps of the lane kernel, one thread (before anything is handed over)")
     for mesh in (16, 24, 32, 48, 64, 96):
         _, cpu = cost(
-            lambda m=mesh: engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, m, False)  # type: ignore[misc]
+            lambda m=mesh: engineering.run_lanes(
+                rows, batch.laws.numbers, TENSIONS, GUESSED, m, False
+            )  # type: ignore[misc]
         )
-        out = engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, True, mesh, False)
+        out = engineering.run_lanes(rows, batch.laws.numbers, TENSIONS, GUESSED, mesh, False)
         miss = np.abs(out[:, place] / exact["exit_creep"] - 1.0)
         print(f"  {mesh}: {1e6 * cpu / n:.2f} us CPU, creep median {np.median(miss):.0e},"
               f" 99.9 % {np.percentile(miss, 99.9):.0e}, worst {np.max(miss):.0e}")  # fmt: skip

@@ -26,8 +26,12 @@ class Lanes:
     def __init__(self, slots: int) -> None:
         self.slots: list[Number] = [0.0] * slots
 
-    def __getitem__(self, place: tuple[int, int]) -> Number:
-        return self.slots[place[0]]
+    def __getitem__(self, place: tuple[Number, int]) -> Number:
+        slot = place[0]
+        if isinstance(slot, np.ndarray):  # of each lane another one
+            lane = range(len(slot))
+            return np.array([self.slots[k][i] for k, i in zip(slot, lane, strict=True)])
+        return self.slots[slot]
 
     def __setitem__(self, place: tuple[int, int], value: Number) -> None:
         self.slots[place[0]] = value

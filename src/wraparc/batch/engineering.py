@@ -17,7 +17,10 @@ from wraparc.batch.lane_kernel import (
     CREEP,
     FOUND,
     GIVEN,
+    GIVEN_FIRST,
+    GIVEN_NEAR,
     GROSS,
+    GUESSED,
     LEAST,
     NODES,
     SLIP,
@@ -159,10 +162,10 @@ class _Batch:
         flat = np.flatnonzero(~falls)
         out[flat], good[flat] = self._solve_flat(rows[flat], what, fine)
         falling = np.flatnonzero(falls)
-        out[falling] = self._run(rows[falling], what, True, MESH, True)
+        out[falling] = self._run(rows[falling], what, GUESSED, MESH, True)
         good[falling] = _near(out[falling], what)
         again = falling[~good[falling] & (what != GROSS)]
-        out[again] = self._again(rows[again], out[again], what, True)
+        out[again] = self._again(rows[again], out[again], what, GIVEN_NEAR, True)
         good[again] = _near(out[again], what)
         good &= ~self.softens[which] | falls | (out[:, _FOUND[slot.STEEPEST]] <= 1.0)
         return out, good
@@ -173,22 +176,24 @@ class _Batch:
         Those are the ones that were not near enough, and those whose law has kinks that the
         pressure passes: within its range, or at an end of it; all of them, if `fine`.
         """
-        out = self._run(rows, what, True, slot.MESHES[0], False)
+        out = self._run(rows, what, GUESSED, slot.MESHES[0], False)
         good = _near(out, what)
-        anew = self._kinked(rows, out) | ~good | fine
-        again = np.flatnonzero(anew & np.isfinite(out[:, _FOUND[slot.Z]]))
-        out[again] = self._again(rows[again], out[again], what, False)
+        near = np.flatnonzero((self._kinked(rows, out) | fine) & good)
+        out[near] = self._again(rows[near], out[near], what, GIVEN_NEAR, False)
+        far = np.flatnonzero(~good & np.isfinite(out[:, _FOUND[slot.Z]]))
+        out[far] = self._again(rows[far], out[far], what, GIVEN_FIRST, False)
+        again = np.concatenate([near, far])
         good[again] = _near(out[again], what)
         return out, good
 
-    def _again(self, rows: Array, out: Array, what: int, falls: bool) -> Array:
+    def _again(self, rows: Array, out: Array, what: int, begin: int, falls: bool) -> Array:
         """Solve rows once more, from what has been found, on the finer mesh."""
         for name in (slot.Z, slot.END, slot.TENSION):
             rows[:, GIVEN.index(name)] = out[:, _FOUND[name]]
-        return self._run(rows, what, False, MESH, falls)
+        return self._run(rows, what, begin, MESH, falls)
 
-    def _run(self, rows: Array, what: int, fresh: bool, steps: int, falls: bool) -> Array:
-        return run_lanes(rows, self.laws.numbers, what, fresh, steps, falls)
+    def _run(self, rows: Array, what: int, begin: int, steps: int, falls: bool) -> Array:
+        return run_lanes(rows, self.laws.numbers, what, begin, steps, falls)
 
     def _kinked(self, rows: Array, out: Array) -> Flags:
         """Whether the law has kinks, or the pressure passes its first or last edge."""
@@ -337,7 +342,7 @@ def _near(out: Array, what: int) -> Flags:
     return np.asarray(near)
 
 
-def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int, falls: bool) -> Array:
+def run_lanes(rows: Array, laws: Array, what: int, begin: int, steps: int, falls: bool) -> Array:
     """Rows of `FOUND` numbers from rows of `GIVEN` numbers; in the interpreter without numba."""
     out = np.empty((len(rows), len(FOUND)))
     if not len(rows):
@@ -346,16 +351,16 @@ def run_lanes(rows: Array, laws: Array, what: int, fresh: bool, steps: int, fall
         scratch = (np.zeros(k * LANES) for k in (slot.SLOTS, NODES, TRACES))
         entry = solve_rows if what == TENSIONS else solve_goal_rows
         entry = solve_falling_rows if falls else entry
-        compiled(entry, contract=True)(rows, laws, what, fresh, steps, *scratch, out)
+        compiled(entry, contract=True)(rows, laws, what, begin, steps, *scratch, out)
         return out
     w, nodes, trace = Lanes(slot.SLOTS), Lanes(NODES), Lanes(TRACES)
     for k, name in enumerate(GIVEN):
         w[name, 0] = rows[:, k]
     with np.errstate(all="ignore"):
         if what == TENSIONS:
-            solve_tensions(w, laws, nodes, trace, what, fresh, steps)
+            solve_tensions(w, laws, nodes, trace, what, begin, steps)
         else:
-            solve_goals(w, laws, nodes, what, fresh, steps, 1.0 if falls else None)
+            solve_goals(w, laws, nodes, what, begin, steps, 1.0 if falls else None)
     for k, name in enumerate(FOUND):
         out[:, k] = w[name, 0]
     return out

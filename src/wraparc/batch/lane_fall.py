@@ -46,7 +46,7 @@ def lay_tail(w: Lanes, k: int, nodes: Lanes) -> None:
         part = w[SHARE, i] * friction
         line, rho = fall * slip / peak, residual / peak
         falls = (rho < 1.0) & (fall < 0.0)
-        by_pressure = slip * fall_p / peak + line * (w[SLIP_P, i] - w[FRICTION_P, i] / peak)
+        by_pressure = slip * fall_p / peak + line * (w[SLIP_P, i] / slip - w[FRICTION_P, i] / peak)
         nodes[o + 9, i] = select(falls, line, 0.0)
         nodes[o + 10, i] = select(falls, rho, 1.0)
         nodes[o + 11, i] = select(falls, part * by_pressure, 0.0)

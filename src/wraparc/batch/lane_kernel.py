@@ -108,15 +108,17 @@ NODES = NODE * (2 * MOST_STEPS + 1)
 TRACES = TRACE * (MOST_STEPS + 1)
 
 TENSIONS, CREEP, SLIP, LEAST, GROSS = range(5)  # what is to be met
+#: how a search begins: with a guess; with what is given; with what is given, good but for the mesh
+GUESSED, GIVEN_FIRST, GIVEN_NEAR = range(3)
 
 
 def solve_tensions(
-    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, what: int, fresh: bool, steps: int
+    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, what: int, begin: int, steps: int
 ) -> None:
-    """Solve a block for its tensions. Not `fresh`, the search begins at the z given."""
+    """Solve a block for its tensions, beginning with a guess of z or with the one given."""
     read_head(w, laws)
     load(w, laws)
-    if fresh:
+    if begin == GUESSED:
         guess(w, laws)
     meet_tensions(w, laws, nodes, trace, steps)
     read(w, nodes, trace, steps)
@@ -128,13 +130,13 @@ def solve_goals(
     laws: Table,
     nodes: Lanes,
     what: int,
-    fresh: bool,
+    begin: int,
     steps: int,
     falls: Falls,
 ) -> None:
     """Solve a block for the creep or slip at the exit, or for the creep at a given pull.
 
-    Not `fresh`, the search begins at the z and the END or TENSION given. Of laws that fall past
+    If not with a guess, it begins with the z and the END or TENSION given. Of laws that fall past
     their peak also for gross slip; END is to be what the plateau would carry.
     """
     n = lanes()
@@ -144,15 +146,18 @@ def solve_goals(
     if falls is not None and what == GROSS:
         meet_gross(w, laws, nodes, steps)
         return
-    if fresh and what == LEAST:
+    if begin == GUESSED and what == LEAST:
         guess_least(w, laws)
-    elif fresh:
+    elif begin == GUESSED:
         guess_carried(w, laws, of_slip)
-    first = 0
-    if falls is not None:
-        # the guesses know no fall; and kinks are felt by a change of mesh
-        first = -1 if fresh else 2
-    meet_creep(w, laws, nodes, steps, of_slip, what == LEAST, first, falls)
+    first, last = 0, 3
+    if falls is not None and begin == GUESSED:
+        first = -1  # the guesses know no fall
+    elif falls is not None:
+        first, last = 2, 4  # kinks are felt by a change of mesh
+    elif begin == GIVEN_NEAR and what != LEAST:
+        first = 2
+    meet_creep(w, laws, nodes, steps, of_slip, what == LEAST, first, last, falls)
     last = NODE * 2 * steps
     for i in range(n):
         w[STEEPEST, i] = w[X, i] * nodes[last, i]
@@ -163,7 +168,7 @@ def solve_rows(
     rows: Any,
     laws_: Any,
     what: int,
-    fresh: bool,
+    begin: int,
     steps: int,
     w_: Any,
     nodes_: Any,
@@ -176,7 +181,7 @@ def solve_rows(
     n, count = lanes(), len(rows)
     for first in range(0, count, n):
         take(rows, first, count, w)
-        solve_tensions(w, laws, nodes, trace, what, fresh, steps)
+        solve_tensions(w, laws, nodes, trace, what, begin, steps)
         give(w, first, count, out)
 
 
@@ -184,7 +189,7 @@ def solve_goal_rows(
     rows: Any,
     laws_: Any,
     what: int,
-    fresh: bool,
+    begin: int,
     steps: int,
     w_: Any,
     nodes_: Any,
@@ -196,7 +201,7 @@ def solve_goal_rows(
     n, count = lanes(), len(rows)
     for first in range(0, count, n):
         take(rows, first, count, w)
-        solve_goals(w, laws, nodes, what, fresh, steps, None)
+        solve_goals(w, laws, nodes, what, begin, steps, None)
         give(w, first, count, out)
 
 
@@ -204,7 +209,7 @@ def solve_falling_rows(
     rows: Any,
     laws_: Any,
     what: int,
-    fresh: bool,
+    begin: int,
     steps: int,
     w_: Any,
     nodes_: Any,
@@ -216,7 +221,7 @@ def solve_falling_rows(
     n, count = lanes(), len(rows)
     for first in range(0, count, n):
         take(rows, first, count, w)
-        solve_goals(w, laws, nodes, what, fresh, steps, 1.0)
+        solve_goals(w, laws, nodes, what, begin, steps, 1.0)
         give(w, first, count, out)
 
 

@@ -48,7 +48,7 @@ def read_head(w: Lanes, laws: Table) -> None:
 def look_up(w: Lanes, laws: Table) -> None:
     """The law at PRESSURE: peak slip [m], peak friction [-], and p times their slopes.
 
-    SLIP_AT, FRICTION_AT, FRICTION_P = p dmu_pk/dp, SLIP_P = (p/x_pk) dx_pk/dp. Below the law's
+    SLIP_AT, FRICTION_AT, FRICTION_P = p dmu_pk/dp, SLIP_P = p dx_pk/dp. Below the law's
     range friction is held, above it the traction; the slopes are those at the end of the range
     then.
     """
@@ -68,16 +68,23 @@ def look_up(w: Lanes, laws: Table) -> None:
         friction = w[CELL_AT + 6, i] + t * (m1 + t * (m2 + t * m3))
         held = w[HIGH, i] / upper(w[PRESSURE, i], w[HIGH, i])
         w[SLIP_AT, i], w[FRICTION_AT, i] = slip, friction * held
-        w[SLIP_P, i] = inside * (x1 + t * (2.0 * x2 + 3.0 * t * x3)) / slip
+        w[SLIP_P, i] = inside * (x1 + t * (2.0 * x2 + 3.0 * t * x3))
         w[FRICTION_P, i] = inside * (m1 + t * (2.0 * m2 + 3.0 * t * m3))
 
 
 def fetch(w: Lanes, laws: Table) -> None:
     """The cell of the law that INSIDE lies in, if it is not the one that is there.
 
-    One lane after the other: gathering is slow.
+    One lane after the other, where there is one to be fetched: gathering is slow.
     """
     n = lanes()
+    missing = 0
+    for i in range(n):
+        inside = w[INSIDE, i]
+        gone = (inside < w[CELL_AT, i]) | (inside > w[CELL_AT + 1, i])
+        missing = missing + select(gone, 1, 0)
+    if not anywhere(missing > 0):
+        return
     for i in range(n):
         inside = w[INSIDE, i]
         if anywhere((inside < w[CELL_AT, i]) | (inside > w[CELL_AT + 1, i])):

@@ -36,6 +36,7 @@ from wraparc.batch.lane_look import (
 from wraparc.batch.lane_slots import (
     AT,
     AT_Z,
+    BEND,
     END,
     FRICTION_AT,
     FRICTION_P,
@@ -63,7 +64,6 @@ from wraparc.batch.lane_slots import (
     SUM_SZ,
     SUM_X,
     SUM_XZ,
-    TRACE,
     X_Z,
     G,
     S,
@@ -137,6 +137,7 @@ def lay_nodes(w: Lanes, laws: Table, steps: int, stride: int, nodes: Lanes, fall
     n = lanes()
     for i in range(n):
         span = w[END, i] - w[Q0, i]
+        w[BEND, i] = w[SHEAR, i] / w[RADIUS, i]
         high = (ln(w[P1, i] / w[HIGH, i]) - w[Q0, i]) / span
         low = (ln(w[P1, i] / w[LOW, i]) - w[Q0, i]) / span
         # negative: passed before the entry
@@ -170,17 +171,17 @@ def lay_node(w: Lanes, k: int, growth: float, nodes: Lanes) -> None:
         inside = not_above - below
         friction_p = inside * w[FRICTION_P, i] - (1.0 - not_above) * friction
         traction = friction * w[PRESSURE, i]
-        bend = w[SHEAR, i] * traction
-        span = w[END, i] - w[Q0, i]
+        span = growth * (w[END, i] - w[Q0, i])
+        inverse = 1.0 / slip
         w[SHARE, i] = inside
-        nodes[o, i] = 1.0 / slip
-        nodes[o + 1, i] = w[RADIUS, i] * growth * span / friction
-        nodes[o + 3, i] = bend / w[RADIUS, i]
+        nodes[o, i] = inverse
+        nodes[o + 1, i] = w[RADIUS, i] * span / friction
+        nodes[o + 3, i] = w[BEND, i] * traction
         nodes[o + 4, i] = friction + friction_p
-        nodes[o + 5, i] = inside * friction * w[SLIP_P, i]
-        nodes[o + 6, i] = bend / slip
+        nodes[o + 5, i] = inside * friction * w[SLIP_P, i] * inverse
+        nodes[o + 6, i] = w[SHEAR, i] * traction * inverse
         nodes[o + 7, i] = traction
-        nodes[o + 8, i] = w[PRESSURE, i] * growth * span
+        nodes[o + 8, i] = w[PRESSURE, i] * span
 
 
 def past(ahead: Number, constant: float, slope: float) -> Number:
@@ -191,28 +192,6 @@ def past(ahead: Number, constant: float, slope: float) -> Number:
     """
     within = select(ahead < -1.0, 0.0, constant + slope * ahead)
     return select(ahead >= 0.0, 1.0, within)
-
-
-def rates(
-    x: Number,
-    g: Number,
-    inverse: Number,
-    weight: Number,
-    shrinkage: Number,
-    bend: Number,
-    part_1: Number,
-    part_2: Number,
-    steep: Number,
-) -> tuple[Number, Number]:
-    """Rates of slip and arc by step at one node; arguments as `lay_nodes` says."""
-    r = x * inverse
-    log_r = lower(ln(upper(r, SMALLEST)), 0.0)
-    t = 1.0 - log_r
-    form = lower(r, 1.0) * t
-    stiff = 1.0 - steep * log_r
-    part = weight / (form * stiff)
-    creep = g + shrinkage + bend * form * lower(r, 1.0) * (part_1 * t + part_2 * log_r)
-    return creep * part, stiff * part
 
 
 def rates_z(
@@ -263,25 +242,6 @@ def march_z(w: Lanes, nodes: Lanes, steps: int, stride: int, falls: Falls) -> No
         stage_z(w, nodes, 2 * (j + stride), 0.0, 1.0, falls)
         arrive(w, h / 6.0)
     stage_z(w, nodes, 2 * steps, 0.0, 1.0, falls)
-
-
-def march(w: Lanes, nodes: Lanes, steps: int, trace: Lanes) -> None:
-    """March on every step of the mesh and record where the steps begin, and the exit.
-
-    X and S end at the exit.
-    """
-    set_out(w)
-    for j in range(steps):
-        note(w, trace, j)
-        stage(w, nodes, 2 * j, 0.5, 1.0)
-        note_rates(w, nodes, trace, j, 2 * j)
-        stage(w, nodes, 2 * j + 1, 0.5, 2.0)
-        stage(w, nodes, 2 * j + 1, 1.0, 2.0)
-        stage(w, nodes, 2 * j + 2, 0.0, 1.0)
-        arrive(w, 1.0 / 6.0)
-    note(w, trace, steps)
-    stage(w, nodes, 2 * steps, 0.0, 1.0)
-    note_rates(w, nodes, trace, steps, 2 * steps)
 
 
 def set_out(w: Lanes) -> None:
@@ -356,49 +316,3 @@ def stage_z(w: Lanes, nodes: Lanes, node: int, ahead: float, weight: float, fall
         w[SUM_SZ, i] = w[SUM_SZ, i] + weight * dsz
         w[AT, i] = w[X, i] + ahead * dx
         w[AT_Z, i] = w[X_Z, i] + ahead * dxz
-
-
-def stage(w: Lanes, nodes: Lanes, node: int, ahead: float, weight: float) -> None:
-    """The same without derivatives."""
-    n = lanes()
-    o = NODE * node
-    for i in range(n):
-        dx, ds = rates(
-            w[AT, i],
-            w[G, i],
-            nodes[o, i],
-            nodes[o + 1, i],
-            nodes[o + 2, i],
-            nodes[o + 3, i],
-            nodes[o + 4, i],
-            nodes[o + 5, i],
-            nodes[o + 6, i],
-        )
-        w[SUM_X, i] = w[SUM_X, i] + weight * dx
-        w[SUM_S, i] = w[SUM_S, i] + weight * ds
-        w[AT, i] = w[X, i] + ahead * dx
-
-
-def note(w: Lanes, trace: Lanes, place: int) -> None:
-    """Record s and x."""
-    n = lanes()
-    o = TRACE * place
-    for i in range(n):
-        trace[o, i], trace[o + 1, i] = w[S, i], w[X, i]
-
-
-def note_rates(w: Lanes, nodes: Lanes, trace: Lanes, place: int, node: int) -> None:
-    """Record ds, the shear stress and its change by step, after the first stage of the step."""
-    n = lanes()
-    o, k = TRACE * place, NODE * node
-    for i in range(n):
-        r = upper(w[X, i] * nodes[k, i], SMALLEST)
-        log_r = lower(ln(r), 0.0)
-        y = lower(r, 1.0)
-        t = 1.0 - log_r
-        traction = nodes[k + 7, i]
-        by_slip = -traction * log_r * nodes[k, i] * w[SUM_X, i]
-        by_pressure = y * (nodes[k + 4, i] * t + nodes[k + 5, i] * log_r) * nodes[k + 8, i]
-        trace[o + 2, i] = w[SUM_S, i]
-        trace[o + 3, i] = y * t * traction
-        trace[o + 4, i] = by_slip - by_pressure

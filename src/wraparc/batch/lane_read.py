@@ -6,6 +6,7 @@ from wraparc.batch.elementwise import (
     Lanes,
     Number,
     ex,
+    index,
     lanes,
     ln,
     lower,
@@ -15,7 +16,6 @@ from wraparc.batch.elementwise import (
 )
 from wraparc.batch.lane_slots import (
     ACTIVE,
-    ACTIVE_PLACE,
     END,
     ENTRY_STRESS,
     EXIT_CREEP,
@@ -28,16 +28,13 @@ from wraparc.batch.lane_slots import (
     PASS_HIGH,
     PASS_LOW,
     PEAK_AT,
+    PEAK_NODE,
     PEAK_STRESS,
     Q0,
-    S_ACTIVE,
-    S_HIGH,
-    S_LOW,
-    S_SLIP,
     SHEAR,
     SLIP_MAX,
+    SLIP_STEPS,
     SMALLEST,
-    STEEPEST,
     TRACE,
     S,
 )
@@ -56,52 +53,71 @@ def read(w: Lanes, nodes: Lanes, trace: Lanes, steps: int) -> None:
         w[EXIT_STRESS, i] = trace[TRACE * steps + 3, i] = stress
         w[EXIT_CREEP, i] = w[EXIT_X, i] + w[SHEAR, i] * stress
         w[ENTRY_STRESS, i] = select(w[KICK, i] > 0.0, trace[3, i], 0.0)
-        zero = 0.0 * r
-        w[PEAK_STRESS, i], w[PEAK_AT, i], w[STEEPEST, i] = trace[3, i], zero, zero
-        w[S_ACTIVE, i] = w[S_HIGH, i] = w[S_LOW, i] = zero
-        w[S_SLIP, i] = w[S, i]
+    for i in range(n):
         # where 1 % of the tension change has taken place
         q = -ln(1.0 - ACTIVE_SHARE * (1.0 - ex(-w[END, i])))
         part = upper(q - w[Q0, i], 0.0) / (w[END, i] - w[Q0, i])
-        w[ACTIVE_PLACE, i] = steps * root(root(part))
-    for j in range(steps):
-        find_places(w, nodes, trace, j)
-    for i in range(n):
-        scale = w[LENGTH, i] / w[S, i]
-        w[ACTIVE, i] = w[LENGTH, i] - scale * w[S_ACTIVE, i]
-        # outside: before s_high, and past the first of s_low and s_slip
-        high = select(w[PASS_HIGH, i] >= steps, w[S, i], w[S_HIGH, i])
-        low = select(
-            w[PASS_LOW, i] < 0.0, 0.0, select(w[PASS_LOW, i] >= steps, w[S, i], w[S_LOW, i])
-        )
-        inside = upper(lower(low, w[S_SLIP, i]) - high, 0.0)
-        w[OUTSIDE, i] = 1.0 - inside / w[S, i]
-        w[PEAK_AT, i] = scale * w[PEAK_AT, i]
+        at = arc_at(trace, i, steps, steps * root(root(part)))
+        w[ACTIVE, i] = w[LENGTH, i] * (1.0 - at / w[S, i])
+    find_outside(w, trace, steps)
+    find_peak(w, trace, steps)
 
 
-def find_places(w: Lanes, nodes: Lanes, trace: Lanes, j: int) -> None:
-    """Look into step j for the places sought, and at its end for the largest stress so far."""
+def find_outside(w: Lanes, trace: Lanes, steps: int) -> None:
+    """Share of the arc outside the tested range.
+
+    That is before the pressure passes HIGH, and past the first of LOW and SLIP_MAX. Slip grows all
+    along, and is taken as straight in a step.
+    """
     n = lanes()
-    a, b = TRACE * j, TRACE * (j + 1)
-    place = float(j)
     for i in range(n):
-        s0, s1, d0, d1 = trace[a, i], trace[b, i], trace[a + 2, i], trace[b + 2, i]
-        w[S_ACTIVE, i] = within(w[ACTIVE_PLACE, i] - place, s0, s1, d0, d1, w[S_ACTIVE, i])
-        w[S_HIGH, i] = within(w[PASS_HIGH, i] - place, s0, s1, d0, d1, w[S_HIGH, i])
-        w[S_LOW, i] = within(w[PASS_LOW, i] - place, s0, s1, d0, d1, w[S_LOW, i])
-    for i in range(n):
-        x0, x1, s0, s1 = trace[a + 1, i], trace[b + 1, i], trace[a, i], trace[b, i]
+        high = place_of(trace, i, steps, w[PASS_HIGH, i], w[S, i])
+        low = place_of(trace, i, steps, w[PASS_LOW, i], w[S, i])
+        o = TRACE * step_of(w[SLIP_STEPS, i] - 0.5, steps)
+        s0, x0, s1, x1 = trace[o, i], trace[o + 1, i], trace[o + TRACE, i], trace[o + TRACE + 1, i]
         limit = w[SLIP_MAX, i]
-        crossing = s0 + (s1 - s0) * (limit - x0) / upper(x1 - x0, SMALLEST)
-        first = (x0 <= limit) & (x1 > limit) & (w[S_SLIP, i] >= w[S, i])
-        w[S_SLIP, i] = select(first, crossing, select((x0 > limit) & (j == 0), 0.0, w[S_SLIP, i]))
-        w[STEEPEST, i] = upper(w[STEEPEST, i], x1 * nodes[NODE * 2 * (j + 1), i])
+        crossing = s0 + (s1 - s0) * lower((limit - x0) / upper(x1 - x0, SMALLEST), 1.0)
+        crossing = select(w[SLIP_STEPS, i] > 0.0, select(x1 > limit, crossing, w[S, i]), 0.0)
+        inside = upper(lower(low, crossing) - high, 0.0)
+        w[OUTSIDE, i] = 1.0 - inside / w[S, i]
+
+
+def find_peak(w: Lanes, trace: Lanes, steps: int) -> None:
+    """Largest shear stress and where: beside the node where it is largest, on the side it rises."""
+    n = lanes()
     for i in range(n):
-        s0, s1, d0, d1 = trace[a, i], trace[b, i], trace[a + 2, i], trace[b + 2, i]
-        f, stress = crown(trace[a + 3, i], trace[b + 3, i], trace[a + 4, i], trace[b + 4, i])
-        new = stress > w[PEAK_STRESS, i]
-        w[PEAK_AT, i] = select(new, cubic(f, s0, s1, d0, d1), w[PEAK_AT, i])
-        w[PEAK_STRESS, i] = select(new, stress, w[PEAK_STRESS, i])
+        at = select(w[EXIT_STRESS, i] > w[PEAK_STRESS, i], 1.0 * steps, w[PEAK_NODE, i])
+        k = TRACE * index(at)
+        rises = trace[k + 4, i] > 0.0
+        o = TRACE * step_of(select(rises, at + 0.5, at - 0.5), steps)
+        s0, s1, d0, d1 = trace[o, i], trace[o + TRACE, i], trace[o + 2, i], trace[o + TRACE + 2, i]
+        f, stress = crown(
+            trace[o + 3, i], trace[o + TRACE + 3, i], trace[o + 4, i], trace[o + TRACE + 4, i]
+        )
+        inside = (f < 1.0) & (stress > trace[k + 3, i])
+        where = select(inside, cubic(f, s0, s1, d0, d1), trace[k, i])
+        w[PEAK_AT, i] = where * w[LENGTH, i] / w[S, i]
+        w[PEAK_STRESS, i] = select(inside, stress, trace[k + 3, i])
+
+
+def step_of(place: Number, steps: int) -> Number:
+    """Number of the step that a place on the mesh lies in."""
+    return index(lower(upper(place, 0.5), steps - 0.5) - 0.5)
+
+
+def arc_at(trace: Lanes, i: int, steps: int, place: Number) -> Number:
+    """S at a place on the mesh [m]."""
+    j = step_of(place, steps)
+    o = TRACE * j
+    return cubic(
+        place - j, trace[o, i], trace[o + TRACE, i], trace[o + 2, i], trace[o + TRACE + 2, i]
+    )
+
+
+def place_of(trace: Lanes, i: int, steps: int, place: Number, end: Number) -> Number:
+    """S at a place that may lie before the entry or beyond the exit, which is at `end` [m]."""
+    within = arc_at(trace, i, steps, lower(upper(place, 0.0), 1.0 * steps))
+    return select(place < 0.0, 0.0, select(place >= steps, end, within))
 
 
 def crown(t0: Number, t1: Number, d0: Number, d1: Number) -> tuple[Number, Number]:
@@ -116,11 +132,6 @@ def crown(t0: Number, t1: Number, d0: Number, d1: Number) -> tuple[Number, Numbe
     inside = (d0 > 0.0) & (d1 < 0.0) & (f > 0.0) & (f < 1.0)
     f = select(inside, f, 1.0)
     return f, cubic(f, t0, t1, d0, d1)
-
-
-def within(f: Number, s0: Number, s1: Number, d0: Number, d1: Number, other: Number) -> Number:
-    """The cubic at the fraction f of a step, else `other`."""
-    return select((f >= 0.0) & (f < 1.0), cubic(f, s0, s1, d0, d1), other)
 
 
 def cubic(f: Number, s0: Number, s1: Number, d0: Number, d1: Number) -> Number:

@@ -47,8 +47,9 @@ SMALLEST = 1e-30
     PRESSURE,
     INSIDE,
     BUCKET,
+    BEND,  # h/(G R) [1/Pa]
     CELL_AT,
-) = range(32)
+) = range(33)
 FETCHED = CELL_AT + CELL
 SLIP_AT, FRICTION_AT, FRICTION_P, SLIP_P = range(FETCHED, FETCHED + 4)
 SHARE = FETCHED + 4  # of a node that lies inside the law's range, see `lay_nodes`
@@ -103,14 +104,10 @@ SOLVE_SLOTS = MARCH_SLOTS + 34
     ACTIVE,  # length of the active arc [m]
     OUTSIDE,  # share of the arc outside the tested range
     STEEPEST,  # largest x/x_pk along the arc
-    # of the searches below: places on the mesh, and the step that each is in
-    ACTIVE_PLACE,
-    S_ACTIVE,
-    S_HIGH,
-    S_LOW,
-    S_SLIP,
-) = range(SOLVE_SLOTS, SOLVE_SLOTS + 14)
-READ_SLOTS = SOLVE_SLOTS + 14
+    PEAK_NODE,  # number of the step at whose beginning the stress is largest
+    SLIP_STEPS,  # number of steps that begin within the largest tested slip
+) = range(SOLVE_SLOTS, SOLVE_SLOTS + 11)
+READ_SLOTS = SOLVE_SLOTS + 11
 
 (
     CENTRE,  # of a scan in ln g

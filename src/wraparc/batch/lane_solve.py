@@ -24,7 +24,6 @@ from wraparc.batch.lane_guess import (
 from wraparc.batch.lane_march import (
     Falls,
     lay_nodes,
-    march,
     march_z,
     start,
 )
@@ -69,6 +68,7 @@ from wraparc.batch.lane_slots import (
     X,
     Z,
 )
+from wraparc.batch.lane_trace import march
 
 TENSION_STEP = 1e-3
 START_SHARE, START_GROWTH = 1e-6, 3e-4  # Q0 in Q, and of g in the creep ratio at Q0
@@ -147,16 +147,17 @@ def meet_creep(
     of_slip: float,
     least: bool,
     first: int,
+    last: int,
     falls: Falls,
 ) -> None:
     """Find z and END at which the exit creep (the exit slip, if `of_slip` is 1) is GOAL.
 
-    Marches are on every fourth, second and single step; `first` tells from which on: 0 from the
-    fourth, -1 twice on the fourth, 2 twice on single steps. With `least` the pull is given, and the
+    Marches are those from `first` to before `last` of: -1 and 0 on every fourth step, 1 on every
+    second, 2 and 3 on single ones. With `least` the pull is given, and the
     entry tension is found instead of END. MISS is the larger relative miss before the last
     correction, or the correction if it is larger.
     """
-    for k in range(first, max(3, first + 2)):
+    for k in range(first, last):
         stride = max(4 >> max(k, 0), 1)
         place(w, laws, nodes, steps, stride, least, falls)
         measure(w, nodes, steps, of_slip, falls)
