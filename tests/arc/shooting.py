@@ -1,7 +1,7 @@
 """The twin's own solution of an arc, by multiple shooting from the points of a profile.
 
-What tests/arc/wide.py asks piece by piece is asked here of the whole arc: cast over thousands of
-random drives by benchmarks/wide_net.py.
+A search of its own would ask the twin (tests/arc/twin.py: creep as the state, laws written out
+again) for numbers that no march from one end can tell apart on a long arc.
 """
 
 from __future__ import annotations
@@ -16,11 +16,19 @@ from scipy.sparse import csc_matrix
 from scipy.sparse.linalg import MatrixRankWarning, spsolve
 
 from arc.twin import Twin
-from wraparc.arc import ArcResult, Distributed, WrapArc
+from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.batch.compiled import Compiled
 
-ACCURACY = 1e-5  # of creep and slip at the exit
+ACCURACY = 1e-5  # of creep and slip at the exit and of the largest shear stress
 ALONG = 1e-4  # of creep and tension on the way: of nearly idle belts an end is the better known
 REST = 1e-8  # of the largest creep
+FINER = (180, 400, 1500)  # points of profiles, where pieces are too long for the twin
+INTERPRETED = Distributed(capacities=False, points=60)
+COMPILED = Compiled(capacities=False, points=60)
+
+
+class StiffError(Exception):
+    """A piece is too long for an explicit method."""
 
 
 def exponential(a: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -40,6 +48,7 @@ class Shooting:
 
     def __init__(self, twin: Twin, g: float, creep: float) -> None:
         self.twin, self.g, self.creep = twin, g, creep
+        self.path: list[tuple[float, float, float, float]] = []  # stress, s, q, u
 
     def carry(self, s: float, to: float, start: tuple[float, float]) -> NDArray[np.float64]:
         """ln(T/T1) and creep at the other end of a piece."""
@@ -58,6 +67,21 @@ class Shooting:
                 linear[:2, k] += 0.5 * (np.array(self.rates(*at)) - here) / small[k]
         return exponential(linear * length)[:2]
 
+    def peak(self) -> float:
+        """Largest shear stress: a finer piece around the largest of all steps."""
+        path = sorted(self.path, key=lambda at: at[1])
+        k = max(range(len(path)), key=lambda i: path[i][0])
+        low, high = path[max(k - 1, 0)], path[min(k + 1, len(path) - 1)]
+        best = path[k][0]
+        if low is not path[k] and high is not path[k]:
+            self.path = []
+            fine = abs(high[1] - low[1]) / 100.0
+            if abs(high[3]) < abs(low[3]):
+                low, high = high, low
+            self._run(high[1], low[1], high[2:], fine)
+            best = max(best, *(at[0] for at in self.path))
+        return best
+
     def rates(self, q: float, u: float) -> tuple[float, float]:
         """Rates of ln T and creep along the arc [1/m, -]."""
         twin, arc = self.twin, self.twin.arc
@@ -70,14 +94,23 @@ class Shooting:
     def _run(
         self, s: float, to: float, start: tuple[float, float], longest: float
     ) -> NDArray[np.float64]:
+        twin, arc = self.twin, self.twin.arc
+
+        def keep(at: float, y: NDArray[np.float64]) -> None:
+            tension = arc.entry_tension * math.exp(y[0])
+            tau, _ = twin.stress(float(y[1]), twin.pressure(tension))
+            self.path.append((abs(tau), at, float(y[0]), float(y[1])))
+
         # Hairer's own code: several times as fast as `solve_ivp`
         run = ode(lambda _, y: self.rates(float(y[0]), float(y[1])))
         run.set_integrator(
             "dop853", rtol=1e-9, atol=1e-12 * self.creep, nsteps=100000, max_step=longest
         )
+        run.set_solout(keep)
         run.set_initial_value(start, s)
         there = run.integrate(to)
-        assert run.successful()
+        if not run.successful():
+            raise StiffError
         return np.array(there)
 
 
@@ -125,6 +158,7 @@ def misses(arc: WrapArc, result: ArcResult) -> float:
         max(
             abs(u_end - result.exit_creep) / creep / ACCURACY,
             abs(slip - result.exit_slip) / max(slips, 1e-3 * creep) / ACCURACY,
+            abs(shooting.peak() / result.peak_shear_stress - 1.0) / ACCURACY,
             abs(result.exit_tension / arc.exit_tension - 1.0) / 1e-8,
             np.max(np.abs(step[1:-1:2])) / creep / ALONG,
             np.max(np.abs(step[:-1:2])) / np.max(np.abs(q)) / ALONG,
@@ -134,14 +168,26 @@ def misses(arc: WrapArc, result: ArcResult) -> float:
 
 def judged(arc: WrapArc, result: ArcResult) -> float:
     """`misses`; where pieces are long against the shear-lag length, the same of shorter ones."""
+    miss = _missed(arc, result)
+    for points in FINER:
+        if miss <= 1.0:
+            break
+        finer = Distributed(capacities=False, points=points).solve(arc)
+        assert abs(finer.exit_creep - result.exit_creep) <= 1e-9 * abs(result.exit_creep)
+        miss = _missed(arc, finer)
+    return miss
+
+
+def _missed(arc: WrapArc, result: ArcResult) -> float:
+    """`misses`, infinite where the twin cannot tell: its pieces are too long."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", MatrixRankWarning)
-        miss = misses(arc, result)
-        if miss <= 1.0:
-            return miss
-        finer = Distributed(capacities=False).solve(arc)  # the points of a usual profile
-        assert abs(finer.exit_creep - result.exit_creep) <= 1e-9 * abs(result.exit_creep)
-        return misses(arc, finer)
+        warnings.filterwarnings("ignore", ".*problem is probably stiff")
+        try:
+            miss = misses(arc, result)
+        except StiffError:
+            return math.inf
+    return miss if miss == miss else math.inf
 
 
 def breaks_away(arc: WrapArc) -> float:
@@ -154,3 +200,11 @@ def breaks_away(arc: WrapArc) -> float:
     ratios = np.append(np.geomspace(1e-5, 0.5, 20), 0.999)
     carried = [-arc.side * twin.integrate(arc.side * float(g)).log_tension for g in ratios]
     return max(carried) / goal / (1.0 + 1e-6)
+
+
+def verdict(arc: WrapArc, solver: Distributed | Compiled = INTERPRETED) -> tuple[str, float]:
+    """How a drive ends, and the largest miss of its solution."""
+    result = solver.solve(arc)
+    if result.status is not Status.SOLVED:
+        return result.status.name.lower(), 0.0
+    return "solved", judged(arc, result)

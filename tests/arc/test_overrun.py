@@ -14,6 +14,8 @@ from arc.test_twin import ACCURACY, energy_miss, misses
 from arc.twin import Twin
 from batch.batches import columns_of, lagging
 from wraparc.arc import Distributed, Status, WrapArc
+from wraparc.arc.kernel.effort import CREEP, TENSION, Aim
+from wraparc.arc.kernel.layer_march import STEP_TOLERANCE
 from wraparc.arc.kernel.layers import solve_layers
 from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.arc.summary import overrun_coefficient
@@ -110,9 +112,16 @@ def test_layers_and_marches_agree_on_it(arc: WrapArc) -> None:
     """Other code: what solves long arcs, on one that is not."""
     arc = replace(arc, overrun=-SIZE)
     law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
-    outcome, layers = solve_layers(law, par, arc.exit_tension)
+    goal = abs(math.log(arc.entry_tension / arc.exit_tension))
+    outcome, layers = solve_layers(law, par, Aim(TENSION, goal), STEP_TOLERANCE)
     assert outcome == SOLVED
-    assert layers.exit_creep == pytest.approx(QUICK.solve(arc).exit_creep, rel=1e-6)
+    creep = QUICK.solve(arc).exit_creep
+    assert layers.exit_creep == pytest.approx(creep, rel=1e-6)
+    # and the other way round: the creep is aimed at, and the tension found
+    outcome, layers = solve_layers(law, par, Aim(CREEP, abs(creep)), STEP_TOLERANCE)
+    assert outcome == SOLVED
+    ratio = par.compliance * (layers.rest_tension - arc.exit_tension)
+    assert layers.exit_ratio == pytest.approx(ratio, rel=1e-6)
 
 
 @pytest.mark.parametrize("arc", [ARC, BRAKING], ids=lambda arc: arc.duty)

@@ -1,10 +1,10 @@
 """Solved, breakaway or refused with a reason: every law over all that the readers accept.
 
-Expected values: the equations themselves, integrated between the points of each profile by the twin
-(tests/arc/wide.py), and for a breakaway the twin again, which carries no more at any creep.
+Expected values: the twin's own solution, by multiple shooting from the points of each profile
+(tests/arc/shooting.py), and for a breakaway the twin again, which carries no more at any creep.
 
 The solver answers interpreted in the first drives of each law and in those that once failed, and
-compiled, many times as fast, in the others: both are held to the same equations.
+compiled, many times as fast, in the others: both are held to the same twin.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from arc.wide import COMPILED, INTERPRETED, NAMES, carries_more, verdict, wide_arc
+from arc.shooting import COMPILED, INTERPRETED, breaks_away, verdict
+from arc.wide import NAMES, wide_arc
 from wraparc.arc import Distributed
 from wraparc.batch.compiled import Compiled
 from wraparc.errors import InputError
@@ -30,6 +31,8 @@ FAILED = [
     ("power", [2, 105]),
     ("constant", [1, 122]),  # an overrun takes tension down: the belt slips amid the wrap
     ("rubber", [1, 405]),  # braking, slip passes through zero amid the mesh
+    ("softening", [1, 37]),  # the largest shear stress beside a kink
+    ("table", [1, 75]),  # the same between the nodes of a layer
 ]
 
 
@@ -41,8 +44,8 @@ def ends_well(name: str, seed: list[int], solver: Distributed | Compiled = INTER
     end, miss = verdict(arc, solver)
     assert end in ("solved", "breakaway"), (name, seed)
     assert miss <= 1.0, (name, seed, miss)
-    if end == "breakaway" and name != "any table":
-        assert carries_more(arc) <= 1.0 + 1e-6, (name, seed)
+    if end == "breakaway":
+        assert breaks_away(arc) <= 1.0, (name, seed)
     return end
 
 

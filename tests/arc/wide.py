@@ -1,32 +1,16 @@
-"""Random drives over all that the readers accept, and an independent judgement of their solutions.
-
-Cast over thousands by benchmarks/wide_net.py.
-
-A solution is held against the equations themselves, not against another search: between the points
-of its profile the twin of tests/arc/twin.py (creep as the state, laws written out again) integrates
-from one to the next and must arrive there; the ends must have the overrun and both tensions. A
-search of its own would ask the twin for numbers that no march from one end can tell apart on a long
-arc.
-"""
+"""Random drives over all that the readers accept; cast over thousands by benchmarks/wide_net.py."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.integrate import ode
 
 from arc.drives import LAWS
-from arc.twin import Twin
-from wraparc.arc import ArcResult, Distributed, Status, WrapArc
-from wraparc.batch.compiled import Compiled
+from wraparc.arc import WrapArc
 from wraparc.friction import FrictionLaw, MeasuredTable
 
 NAMES = (*LAWS, "any table")
-ACCURACY = 1e-5
-INTERPRETED = Distributed(capacities=False, points=400)
-COMPILED = Compiled(capacities=False, points=400)
 
 
 def log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
@@ -79,55 +63,3 @@ def wide_arc(name: str, rng: np.random.Generator) -> WrapArc:
         overrun=[None, 0.0, 2e-5][int(rng.integers(3))],
         recovery=bool(rng.random() < 0.7),
     )
-
-
-def misses(arc: WrapArc, result: ArcResult, most: int = 40) -> float:
-    """Largest miss of the equations along a solution, in units of what is allowed."""
-    twin, p = Twin(arc), result.profile
-    s, u, q = p.position * arc.radius, p.creep, np.log(p.tension / arc.entry_tension)
-    creep, change = float(np.max(np.abs(u))), float(np.max(np.abs(q)))
-    worst = [
-        abs(u[0] - arc.entry_overrun) / creep / ACCURACY,
-        abs(q[0]) / change / ACCURACY,
-        abs(result.exit_tension / arc.exit_tension - 1.0) / 1e-8,
-    ]
-
-    def rates(_: float, y: NDArray[np.float64]) -> list[float]:
-        tension = arc.entry_tension * math.exp(y[0])
-        pressure = twin.pressure(tension)
-        tau, _ = twin.stress(float(y[1]), pressure)
-        growth = result.entry_creep_ratio + (arc.entry_tension - tension) * twin.compliance
-        return [-tau / (pressure * twin.radius), growth]
-
-    moving = np.flatnonzero(np.maximum(np.abs(u[1:]), np.abs(u[:-1])) > 1e-6 * creep)
-    for i in moving[:: max(1, len(moving) // most)]:
-        if s[i + 1] - s[i] < 1e-9 * arc.length:
-            continue
-
-        # the way on which creep falls: on the other one any rounding grows like e^(s/l)
-        a, b = (i, i + 1) if abs(u[i + 1]) < abs(u[i]) else (i + 1, i)
-        part = (s[i + 1] - s[i]) / 4.0
-        run = ode(rates)  # Hairer's own code: several times as fast as `solve_ivp`
-        run.set_integrator("dop853", rtol=1e-9, atol=1e-12 * creep, nsteps=100000, max_step=part)
-        run.set_initial_value([q[a], u[a]], s[a])
-        there = run.integrate(s[b])
-        assert run.successful()
-        worst.append(abs(there[1] - u[b]) / creep / ACCURACY)
-        worst.append(abs(there[0] - q[b]) / change / ACCURACY)
-    return float(max(worst))
-
-
-def carries_more(arc: WrapArc) -> float:
-    """Largest ln(tight/slack) of the twin over what is asked, for entry creep ratios up to 1."""
-    twin = Twin(arc)
-    goal = abs(math.log(arc.entry_tension / arc.exit_tension))
-    ratios = [twin.integrate(arc.side * g) for g in (1e-3, 1e-2, 0.1, 0.999)]
-    return max(-arc.side * e.log_tension for e in ratios) / goal
-
-
-def verdict(arc: WrapArc, solver: Distributed | Compiled = INTERPRETED) -> tuple[str, float]:
-    """How a drive ends, and the largest miss of its solution."""
-    result = solver.solve(arc)
-    if result.status is not Status.SOLVED:
-        return result.status.name.lower(), 0.0
-    return "solved", misses(arc, result)

@@ -133,23 +133,23 @@ def between(low: str, high: str) -> str:
         (
             '"3 m/s"',
             '"0 m/s"',
-            'belt.speed = "0 m/s": must be more than 0 m/s.',
+            'belt.speed = "0 m/s": must be more than 0 m/s and at most 1000 m/s.',
         ),
         (
             '"60 kN"',
             '"0 kN"',
-            'pulley.head.exit_tension = "0 kN": must be more than 0 kN and at most 1000000 kN.',
+            'pulley.head.exit_tension = "0 kN": must be between 0.0001 kN and 1000000 kN.',
         ),
         (
             '"60 kN"',
             '"-60 kN"',
-            'pulley.head.exit_tension = "-60 kN": must be more than 0 kN and at most 1000000 kN.',
+            'pulley.head.exit_tension = "-60 kN": must be between 0.0001 kN and 1000000 kN.',
         ),
         *(
             (
                 '"180 deg"',
                 f'"{angle}"',
-                f'pulley.head.wrap_angle = "{angle}": must be more than 0 deg and at most 720 deg.',
+                f'pulley.head.wrap_angle = "{angle}": must be between 1 deg and 720 deg.',
             )
             for angle in ("0 deg", "720.1 deg", "-180 deg", "2.1 turn")
         ),
@@ -265,17 +265,17 @@ def test_one_fault_of_a_drive_file(old: str, new: str, expected: str) -> None:
         (
             "peak_friction = 0.4",
             "peak_friction = -0.4",
-            "law.knots[2].peak_friction = -0.4: must be more than 0.",
+            "law.knots[2].peak_friction = -0.4: must be more than 0 and at most 5.",
         ),
         (
             '"26 mm"',
             '"0 mm"',
-            'law.knots[2].peak_slip = "0 mm": must be more than 0 mm.',
+            'law.knots[2].peak_slip = "0 mm": must be more than 0 mm and at most 1000 mm.',
         ),
         (
             'peak_slip = "26 mm"',
             'peak_slip = "26 mm", post_peak_slope = "0.01 1/mm"',
-            'law.knots[2].post_peak_slope = "0.01 1/mm": must be at most 0 1/mm.',
+            'law.knots[2].post_peak_slope = "0.01 1/mm": must be between -1000 1/mm and 0 1/mm.',
         ),
         (
             '"integral-log"',

@@ -1,14 +1,19 @@
 """Numbers read off a marched profile: order, peak stress, active arc, slip, share outside tests.
 
 Plain numbers and buffers only, like the march: compiled for batches. A profile is `count` records
-of (s, q, slip, creep, shear stress, friction work, kink), see :mod:`wraparc.arc.kernel.march`.
+of (s, q, slip, creep, shear stress, friction work), see :mod:`wraparc.arc.kernel.march`.
 """
 
 from __future__ import annotations
 
-from math import exp, nan
+from math import exp, nan, sqrt
 
+from wraparc.arc.kernel.layer_march import friction_of_creep
 from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters
+from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
+
+GOLDEN = 0.6180339887498949
+PEAK_TOLERANCE = 1e-6  # relative, of a cubic's vertex
 
 
 def sort(out: Buffer, count: int) -> None:
@@ -22,37 +27,104 @@ def sort(out: Buffer, count: int) -> None:
             j -= 1
 
 
-def peak_stress(out: Buffer, count: int) -> tuple[float, float]:
+def peak_stress(
+    law: CompactLaw, par: Parameters, g: float, out: Buffer, count: int
+) -> tuple[float, float]:
     """Largest magnitude of shear stress [Pa] and where it is, s [m].
 
-    The vertex of the parabola through the largest record and its neighbours, or through the last
-    three if the largest is the last; kinks of the law are records themselves.
+    Between the largest record and its neighbours, where stress rises and falls again; kinks of the
+    law are records themselves.
     """
     best = 0
     for i in range(1, count):
         if abs(out[RECORD * i + 4]) > abs(out[RECORD * best + 4]):
             best = i
-    s, t = out[RECORD * best], abs(out[RECORD * best + 4])
-    i, j = best - 1, best + 1
-    kink = out[RECORD * best + 6] == 1.0
-    if best == count - 1:
-        i, j = best - 2, best - 1
-        kink = i >= 0 and out[RECORD * j + 6] == 1.0
-    if i < 0 or kink:
-        return t, s
-    a, fa = out[RECORD * i] - s, abs(out[RECORD * i + 4]) - t
-    b, fb = out[RECORD * j] - s, abs(out[RECORD * j + 4]) - t
-    if a == 0.0 or b == 0.0 or a == b:
-        return t, s
-    # t + m y + k y^2 through both
-    k = (fb / b - fa / a) / (b - a)
-    m = fa / a - k * a
-    if k >= 0.0:
-        return t, s
-    y = -0.5 * m / k
-    if a < y < max(b, 0.0):
-        return t - 0.25 * m * m / k, s + y
-    return t, s
+    most, where = abs(out[RECORD * best + 4]), out[RECORD * best]
+    for i in (best - 1, best):
+        if i < 0 or i + 1 >= count:
+            continue
+        a, b = RECORD * i, RECORD * (i + 1)
+        f, there = _peak_between(law, par, g, out, a, b)
+        if there > most:
+            most, where = there, out[a] + f * (out[b] - out[a])
+    return most, where
+
+
+def _peak_between(
+    law: CompactLaw, par: Parameters, g: float, out: Buffer, a: int, b: int
+) -> tuple[float, float]:
+    """Fraction of the way between two records at which stress is largest, and the stress [Pa].
+
+    The vertex of the cubic with the slopes at both ends, if the stress there is that of the cubic;
+    else, in a steep cell of a table, golden section.
+    """
+    h, sign = out[b] - out[a], 1.0 if out[a + 4] + out[b + 4] > 0.0 else -1.0
+    if h <= 0.0 or sign * out[a + 4] <= 0.0 or sign * out[b + 4] <= 0.0:
+        return 0.0, 0.0
+    start = h * sign * _stress_slope(law, par, g, out, a, b, a)
+    end = h * sign * _stress_slope(law, par, g, out, a, b, b)
+    if not start > 0.0 or not end < 0.0:
+        return 0.0, 0.0
+    # slope start + m f + k f^2 at the fraction f of the way
+    rise = sign * (out[b + 4] - out[a + 4])
+    m, k = 6.0 * rise - 4.0 * start - 2.0 * end, 3.0 * (start + end) - 6.0 * rise
+    f = 2.0 * start / (-m + sqrt(max(m * m - 4.0 * k * start, 0.0)))
+    vertex = sign * out[a + 4] + f * (start + f * (0.5 * m + f * k / 3.0))
+    there = _stress_between(law, par, g, out, a, b, f)
+    if abs(there - vertex) <= PEAK_TOLERANCE * vertex:
+        return f, there
+    low, high = 0.0, 1.0
+    c, d = 1.0 - GOLDEN, GOLDEN
+    at_c = _stress_between(law, par, g, out, a, b, c)
+    at_d = _stress_between(law, par, g, out, a, b, d)
+    for _ in range(40):
+        if at_c >= at_d:
+            high, d, at_d = d, c, at_c
+            c = high - GOLDEN * (high - low)
+            at_c = _stress_between(law, par, g, out, a, b, c)
+        else:
+            low, c, at_c = c, d, at_d
+            d = low + GOLDEN * (high - low)
+            at_d = _stress_between(law, par, g, out, a, b, d)
+    return (c, at_c) if at_c >= at_d else (d, at_d)
+
+
+def _stress_between(
+    law: CompactLaw, par: Parameters, g: float, out: Buffer, a: int, b: int, f: float
+) -> float:
+    """Magnitude of shear stress at a fraction of the way between two records [Pa].
+
+    Of the creep and the tension there, which are smooth whatever the law is: cubics with slopes.
+    """
+    e, h = 1.0 - f, out[b] - out[a]
+    near, far = e * e * (1.0 + 2.0 * f), f * f * (3.0 - 2.0 * f)
+    to_a, to_b = e * e * f * h, -f * f * e * h
+    q, u = near * out[a + 1] + far * out[b + 1], near * out[a + 3] + far * out[b + 3]
+    for at, part in ((a, to_a), (b, to_b)):
+        tension = par.entry_tension * exp(out[at + 1])
+        q -= part * out[at + 4] * par.width / tension
+        u += part * (g + (par.entry_tension - tension) * par.compliance)
+    tau, _ = friction_of_creep(law, par, par.entry_tension * exp(q), u)
+    return abs(tau)
+
+
+def _stress_slope(
+    law: CompactLaw, par: Parameters, g: float, out: Buffer, a: int, b: int, at: int
+) -> float:
+    """D tau/ds [Pa/m] at one end of the way between two records, in the piece of law between."""
+    q, tau, slip = out[at + 1], out[at + 4], 0.5 * (out[a + 2] + out[b + 2])
+    w = g + par.entry_tension * (1.0 - exp(q)) * par.compliance
+    if slip == 0.0:
+        return w / par.shear if par.shear > 0.0 else 0.0
+    sign = 1.0 if slip > 0.0 else -1.0
+    between = par.entry_pressure * exp(0.5 * (out[a + 1] + out[b + 1]))
+    segment = segment_of(law, between)
+    branch = branch_of(law, segment, sign * slip, between)
+    p = par.entry_pressure * exp(q)
+    mu, mu_x, mu_p = friction_at(law, segment, branch, sign * out[at + 2], p)
+    # tau = mu(x, p) p with x = u - c tau and p' = -tau/R
+    turn = -sign * (mu + p * mu_p) * tau / par.radius
+    return (p * mu_x * w + turn) / (1.0 + par.shear * p * mu_x)
 
 
 def active_length(out: Buffer, count: int) -> float:

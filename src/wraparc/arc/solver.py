@@ -88,7 +88,9 @@ def result_of(
     capacities: Capacities,
 ) -> ArcResult:
     """Return the result of an arc that the kernel has solved and traced."""
-    told = summary_of(arc.described(), arc.law.tested, found, out, count)._asdict()
+    told = summary_of(
+        arc.law.compact(), arc.described(), arc.law.tested, found, out, count
+    )._asdict()
     energy = Energy(**{f.name: told.pop(f.name) for f in fields(Energy)})
     for name in DERIVED:
         del told[name]

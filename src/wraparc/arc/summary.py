@@ -157,7 +157,12 @@ def spring_rate(axial_stiffness: float, length: float) -> float:
 
 
 def summary_of(
-    arc: Description, tested: TestedRange | None, found: Answer, out: Buffer, count: int
+    law: CompactLaw,
+    arc: Description,
+    tested: TestedRange | None,
+    found: Answer,
+    out: Buffer,
+    count: int,
 ) -> Summary:
     """Reported numbers of an arc that is solved and traced; nan where there is none."""
     par, shot = found.par, found.shot
@@ -167,7 +172,7 @@ def summary_of(
     leaving = entry * exp(q)
     exit_tension = arc.exit_tension if found.outcome == SOLVED else leaving
     pull = entry - leaving
-    peak, where = peak_stress(out, count)
+    peak, where = peak_stress(law, par, g, out, count)
     active = active_length(out, count)
     outside = nan
     if tested is not None:

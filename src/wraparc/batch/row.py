@@ -179,7 +179,7 @@ def find_tensions(
     found[LOG_RATIO], found[EXIT_SLIP], found[EXIT_CREEP] = shot.log_tension, shot.slip, shot.creep
     found[EXIT_STRESS], found[WORK], found[CREEP_RATIO] = shot.stress, shot.work, shot.creep_ratio
     found[STUCK_LENGTH], found[ENTRY_STRESS] = shot.stuck_length, out[4]
-    found[PEAK_STRESS], found[PEAK_AT] = peak_stress(out, count)
+    found[PEAK_STRESS], found[PEAK_AT] = peak_stress(law, par, shot.creep_ratio, out, count)
     found[ACTIVE] = active_length(out, count)
     found[LARGEST_SLIP] = largest_slip(out, count)
     found[STEEPEST_SLIP] = steepest_slip(out, count, par.length)

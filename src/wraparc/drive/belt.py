@@ -49,9 +49,9 @@ class Belt:
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
         "width": Limit("length", least=1e-3, most=1e3),
-        "modulus": Limit("force_per_width", least=1.0, rigid=True),
+        "modulus": Limit("force_per_width", least=1e3, rigid=True),
         "rating": Limit("force_per_width", open=True),
-        "speed": Limit("speed", open=True),
+        "speed": Limit("speed", open=True, most=1e3),
         "momentary_factor": Limit("number", least=1.0, most=10.0),
         "least_pulley_diameter": Limit("length", open=True),
         "largest_wrap_pressure": Limit("pressure", open=True),

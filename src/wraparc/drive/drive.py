@@ -51,7 +51,7 @@ class Drive(Viewable):
         With all names that repeat, tensions that are missing and limits that are broken.
     """
 
-    LIMITS: ClassVar[Mapping[str, Limit]] = {"creep_limit": Limit("length", open=True)}
+    LIMITS: ClassVar[Mapping[str, Limit]] = {"creep_limit": Limit("length", open=True, most=1.0)}
 
     title: str = ""
     belt: Belt

@@ -119,10 +119,10 @@ class Lagging(Viewable):
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
         "thickness": Limit("length", most=1.0),
-        "shear_modulus": Limit("pressure", least=1.0, rigid=True),
-        "compression_modulus": Limit("pressure", least=1.0, rigid=True),
-        "elastic_modulus": Limit("pressure", least=1.0),
-        "wear_coefficient": Limit("wear_coefficient"),
+        "shear_modulus": Limit("pressure", least=1e3, rigid=True),
+        "compression_modulus": Limit("pressure", least=1e3, rigid=True),
+        "elastic_modulus": Limit("pressure", least=1e3),
+        "wear_coefficient": Limit("wear_coefficient", most=1.0),
         "belt_energy_share": Limit("number", most=1.0),
         "bond_strength": Limit("pressure", open=True),
         "fatigue_limit": Limit("pressure", open=True),

@@ -9,8 +9,8 @@ from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_al
 
 #: Name of the load case made by the tensions of the pulleys themselves.
 DESIGN = "design"
-#: Largest tension that a pulley may have [N].
-MOST_TENSION = 1e9
+#: Least and largest tension that a pulley may have [N].
+LEAST_TENSION, MOST_TENSION = 0.1, 1e9
 
 
 def pull_of_torque(torque: float, diameter: float) -> float:
@@ -40,8 +40,8 @@ class Tensions:
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
-        "entry": Limit("force", open=True, most=MOST_TENSION),
-        "exit": Limit("force", open=True, most=MOST_TENSION),
+        "entry": Limit("force", least=LEAST_TENSION, most=MOST_TENSION),
+        "exit": Limit("force", least=LEAST_TENSION, most=MOST_TENSION),
     }
 
     entry: float

@@ -52,9 +52,9 @@ class Pulley:
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
         "diameter": Limit("length", least=1e-3, most=1e3),
-        "wrap_angle": Limit("angle", open=True, most=4.0 * math.pi),
+        "wrap_angle": Limit("angle", least=math.radians(1.0), most=4.0 * math.pi),
         "overrun": Limit("length", least=-1.0, most=1.0),
-        "creep_limit": Limit("length", open=True),
+        "creep_limit": Limit("length", open=True, most=1.0),
     }
 
     name: str

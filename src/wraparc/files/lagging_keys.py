@@ -1,7 +1,5 @@
 """The keys of a lagging file, and of a lagging inside a drive file."""
 
-import math
-
 from wraparc.drive import (
     SHAPES,
     SURFACES,
@@ -26,11 +24,14 @@ from wraparc.schema.tables import Entry, Table, Variant, need
 
 _NUMBER = Quantity("number")
 _NOT_NEGATIVE = Quantity("number", Limit("number"))
-_FRICTION = Quantity("number", Limit("number", open=True))
-_PRESSURE = Quantity("pressure", Limit("pressure", open=True))
-_SLIP = Quantity("length", Limit("length", open=True))
-_SLOPE = Quantity("per_length", Limit("per_length", -math.inf, 0.0))
-_STIFFNESS = Quantity("pressure_per_length", Limit("pressure_per_length", open=True))
+# beyond what any surface does, so that a wrong unit is told
+_FRICTION = Quantity("number", Limit("number", open=True, most=5.0))
+_FACTOR = Quantity("number", Limit("number", open=True, most=10.0))
+_TABLE_FRICTION = Quantity("number", Limit("number", most=5.0))
+_PRESSURE = Quantity("pressure", Limit("pressure", open=True, most=1e9))
+_SLIP = Quantity("length", Limit("length", open=True, most=1.0))
+_SLOPE = Quantity("per_length", Limit("per_length", -1e6, 0.0))
+_STIFFNESS = Quantity("pressure_per_length", Limit("pressure_per_length", open=True, most=1e15))
 _EQUATION = Text(300)
 _NOTES = Rows(Text(2000, lines=True), most=50)
 
@@ -113,12 +114,14 @@ PIECE = Table(
 TABLE_ROW = Table(
     "Row",
     need("pressure", "Pressure of the row.", _PRESSURE, title="Wrap pressure"),
-    need("friction", "Friction at each of the slips.", Rows(_NOT_NEGATIVE, 2), attribute="values"),
+    need(
+        "friction", "Friction at each of the slips.", Rows(_TABLE_FRICTION, 2), attribute="values"
+    ),
     on_one_line=True,
 )
 
 
-_FACTORS = need("factor", "Friction over that of the tested law.", Rows(_FRICTION, 2, 100))
+_FACTORS = need("factor", "Friction over that of the tested law.", Rows(_FACTOR, 2, 100))
 _SOURCE = need("provenance", "Where the factors came from.", PROVENANCE)
 SPEED_FACTOR = Table(
     "Factor of slip speed",
@@ -147,7 +150,7 @@ TEMPERATURE_FACTOR = Table(
 CONDITION_FACTOR = Table(
     "Factor of a condition",
     need("condition", "State of the surface: wet, dirty ...", Name()),
-    need("factor", "Friction over that of the tested law.", _FRICTION),
+    need("factor", "Friction over that of the tested law.", _FACTOR),
     _SOURCE,
     of=ConditionFactor,
     on_one_line=True,
@@ -230,7 +233,7 @@ LAW = Variant(
         need(
             "slip",
             "Rising from 0.",
-            Rows(Quantity("length", Limit("length")), 2),
+            Rows(Quantity("length", Limit("length", most=1.0)), 2),
             title="Slips",
         ),
         need("rows", "Friction at rising pressures.", Rows(TABLE_ROW, 1, 200)),

@@ -286,19 +286,26 @@ def _cell(slips: Floats, slip: float) -> int:
 def _table(
     law: CompactLaw, segment: int, branch: int, slip: float, pressure: float
 ) -> tuple[float, float, float]:
-    """A measured table: a cubic in slip for each pressure, blended linearly in pressure."""
+    """A measured table: a cubic in slip for each pressure, blended linearly in pressure.
+
+    Outside its cell a cubic goes on along its tangent: its own course knows no bounds.
+    """
     edges, c, slips = law.edges, law.coefficients, law.slips
     last = len(edges) - 1
     cells = len(slips)  # the last cell is the constant past the last slip
     t = slip - slips[branch]
+    at = max(t, 0.0)
+    if branch < cells - 1:
+        at = min(at, slips[branch + 1] - slips[branch])
     if last <= 0 or segment < 0:
-        mu, mu_x = _cubic(c, 4 * branch, t)
-        return mu, mu_x, 0.0
+        mu, mu_x = _cubic(c, 4 * branch, at)
+        return mu + mu_x * (t - at), mu_x, 0.0
     if segment >= last:
-        mu, mu_x = _cubic(c, 4 * (last * cells + branch), t)
-        return mu, mu_x, 0.0
-    low, low_x = _cubic(c, 4 * (segment * cells + branch), t)
-    high, high_x = _cubic(c, 4 * ((segment + 1) * cells + branch), t)
+        mu, mu_x = _cubic(c, 4 * (last * cells + branch), at)
+        return mu + mu_x * (t - at), mu_x, 0.0
+    low, low_x = _cubic(c, 4 * (segment * cells + branch), at)
+    high, high_x = _cubic(c, 4 * ((segment + 1) * cells + branch), at)
+    low, high = low + low_x * (t - at), high + high_x * (t - at)
     width = edges[segment + 1] - edges[segment]
     w = (pressure - edges[segment]) / width
     return low + w * (high - low), low_x + w * (high_x - low_x), (high - low) / width

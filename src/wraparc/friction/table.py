@@ -57,6 +57,12 @@ class MeasuredTable(FrictionLaw):
             ),
             (_ascending(self.slip), "slip", "", "the slips must be in ascending order"),
             (
+                all(b - a >= 1e-9 for a, b in pairwise(self.slip)) or not _ascending(self.slip),
+                "slip",
+                "",
+                "the slips must be at least 1 nm apart",
+            ),
+            (
                 bool(self.pressure)
                 and _ascending(self.pressure)
                 and all(p > 0 for p in self.pressure),
@@ -127,15 +133,17 @@ class MeasuredTable(FrictionLaw):
     def steepest_fall(self) -> float:
         """Return the steepest fall of the interpolant, <= 0 [1/m]."""
         width = np.diff(np.array(self.slip))
-        falls = [0.0]
+        slopes = []
         for _, c1, c2, c3 in (c.T for c in self._cubics()):
             with np.errstate(divide="ignore", invalid="ignore"):
                 vertex = np.nan_to_num(-c2 / (3.0 * c3), posinf=0.0, neginf=0.0)
-            falls += [
-                float(np.min(c1 + t * (2.0 * c2 + 3.0 * c3 * t)))
+            slopes += [
+                c1 + t * (2.0 * c2 + 3.0 * c3 * t)
                 for t in (0.0 * width, np.clip(vertex, 0.0, width), width)
             ]
-        return min(falls)
+        fall = min(float(np.min(slopes)), 0.0)
+        # a rising row whose interpolant is level at a node falls there by rounding alone
+        return fall if fall < -1e-12 * float(np.max(np.abs(slopes))) else 0.0
 
     def _scaled(self, friction: float, slip: float) -> Self:
         rows = tuple(tuple(mu * friction for mu in row) for row in self.values)

@@ -22,7 +22,7 @@ from wraparc.arc.summary import (
     summary_of,
     too_steep,
 )
-from wraparc.drive.load_case import MOST_TENSION, pull_of_power, pull_of_torque
+from wraparc.drive.load_case import LEAST_TENSION, MOST_TENSION, pull_of_power, pull_of_torque
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 
@@ -95,7 +95,7 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     """Answer for one arc; None where it is for the server to say what is wrong."""
     arc = description_of(given)
     entry, leaving = arc.entry_tension, arc.exit_tension
-    if not (0.0 < entry <= MOST_TENSION and 0.0 < leaving <= MOST_TENSION):
+    if not (LEAST_TENSION <= min(entry, leaving) and max(entry, leaving) <= MOST_TENSION):
         return None
     geometry = geometry_of(arc, law.onset_compliance)
     pressure = 2.0 * entry / (arc.width * arc.diameter)
@@ -107,5 +107,5 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
         return None
     profile = columns_of(law, arc, found, out, count)
     outside, stretches = stretches_outside(tested, profile, count)
-    summary = summary_of(arc, tested, found, out, count)
+    summary = summary_of(law, arc, tested, found, out, count)
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)

@@ -16,16 +16,16 @@ from wraparc.arc.kernel.effort import (
     TENSION,
     Aim,
     first_guess,
+    is_far,
     jumps,
-    lags,
     largest_effort,
     mesh_steps,
     ratio_of,
     shoot_from,
 )
 from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_capacity
-from wraparc.arc.kernel.layer_march import friction_of_creep
-from wraparc.arc.kernel.layer_profile import NODES, trace_layers
+from wraparc.arc.kernel.layer_march import STEP_TOLERANCE, friction_of_creep
+from wraparc.arc.kernel.layer_profile import KINKS, NODES, trace_layers
 from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
 from wraparc.arc.kernel.quantities import (
     BREAKAWAY,
@@ -48,10 +48,6 @@ from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.arc.profile import sort
 from wraparc.friction.compact import CompactLaw
 
-#: shear-lag lengths beyond which an arc is solved by its layers: fabric and steel cord on rubber
-#: have up to 12
-FAR = 13.0
-FAR_FOR_CAPACITIES = 20.0  # the same, beyond which capacities at a creep or slip are not found
 #: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
 #: not resolved the law
 LOSS_MISS = 1e-5
@@ -99,7 +95,7 @@ def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the othe
     if jumps(law):
         held, creep = held_exit(law, par, exit_tension)
         if held and not holds(law, par, par.length, creep):
-            return by_layers(law, par, exit_tension)
+            return by_layers(law, par, goal)
         if held:
             end = zone_end(law, par, par.length)[1]
             z = creep / end - 1.0 if end != 0.0 else 0.0
@@ -108,8 +104,8 @@ def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the othe
     if abs(goal) < NO_PULL and par.kick == 0.0:
         still = Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         return Found(SOLVED, -inf, still, NO_LAYERS, steps)
-    if not jumps(law) and lags(law, par) > FAR:
-        far = by_layers(law, par, exit_tension)
+    if is_far(law, par):
+        far = by_layers(law, par, goal)
         if far.outcome != UNSOLVED:
             return far
     tight = max(par.entry_tension, exit_tension) / (par.width * par.radius)
@@ -118,7 +114,7 @@ def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the othe
         if found.outcome != BREAKAWAY:
             if _resolved(law, par, found):
                 return found
-            other = by_layers(law, par, exit_tension)
+            other = by_layers(law, par, goal)
             if other.outcome == SOLVED:
                 return other
             outcome = UNSOLVED if jumps(law) else found.outcome
@@ -145,12 +141,14 @@ def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Fo
 
 def _resolved(law: CompactLaw, par: Parameters, found: Found) -> bool:
     """Whether a march has met its aim on a mesh fine enough for the law."""
-    if jumps(law):
-        if found.outcome != SOLVED or par.shear == 0.0:
-            return found.outcome == SOLVED or par.shear == 0.0
-        zone = found.shot.stuck_length
-        return holds(law, par, zone, zone_end(law, par, zone)[1])
-    return found.outcome == SOLVED and loss_miss(law, par, found.shot) < LOSS_MISS
+    if found.outcome != SOLVED:
+        return jumps(law) and par.shear == 0.0
+    if loss_miss(law, par, found.shot) >= LOSS_MISS:
+        return False
+    if not jumps(law) or par.shear == 0.0:
+        return True
+    zone = found.shot.stuck_length
+    return holds(law, par, zone, zone_end(law, par, zone)[1])
 
 
 def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
@@ -164,9 +162,9 @@ def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
     return abs(loss - exact) / size if size > 0.0 else 0.0
 
 
-def by_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> Found:
+def by_layers(law: CompactLaw, par: Parameters, goal: float) -> Found:
     """`solve_tension` by layers, where no effort at the entry tells what happens at the exit."""
-    outcome, layers = solve_layers(law, par, exit_tension)
+    outcome, layers = solve_layers(law, par, Aim(TENSION, goal), STEP_TOLERANCE)
     return Found(outcome, nan, shot_of_layers(law, par, layers), layers, 0)
 
 
@@ -226,7 +224,7 @@ def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -
 def profile_size(law: CompactLaw, found: Answer, points: int) -> int:
     """Numbers that the records of `trace` need: points, nodes and kinks."""
     if found.z != found.z:
-        return RECORD * (points + 2 * NODES + 10)
+        return RECORD * (points + 2 * (NODES + KINKS) + 10)
     return RECORD * (points + 4 * mesh_steps(law, found.par, found.steps) + 600)
 
 
@@ -282,15 +280,13 @@ class Carried(NamedTuple):
     most_pull: float  # where no tension carries the pull [N]
 
 
-def find_capacities(  # noqa: C901 - one part after the other
+def find_capacities(
     law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int
 ) -> Carried:
     """Capacities that are asked for by `parts`."""
     tight = max(load.entry_tension, load.exit_tension)
     pull = abs(load.entry_tension - load.exit_tension)
     by_creep = by_slip = gross = gross_creep = least = most = nan
-    if lags(law, parameters_at(tight, geometry)) > FAR_FOR_CAPACITIES:
-        return _without_marches(law, geometry, load, parts, steps)
     if parts & (CREEP_LIMIT + LEAST):
         outcome, z, entry, shot = carry(
             law, geometry, tight, Aim(CREEP, load.creep_limit), nan, steps
@@ -317,14 +313,3 @@ def find_capacities(  # noqa: C901 - one part after the other
         if gross_creep <= load.slip_max:
             by_slip = gross
     return Carried(by_creep, by_slip, gross, gross_creep, least, most)
-
-
-def _without_marches(
-    law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int
-) -> Carried:
-    """Capacities of a long arc, where no march from the entry meets a creep at the exit."""
-    gross = gross_creep = nan
-    if parts & GROSS_SLIP and load.steepest_fall == 0.0:
-        tight = max(load.entry_tension, load.exit_tension)
-        gross, gross_creep = largest_ratio(law, geometry, tight, False, steps)
-    return Carried(nan, nan, gross, gross_creep, nan, nan)

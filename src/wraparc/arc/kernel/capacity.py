@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from math import exp, inf, log, nan
 
-from wraparc.arc.kernel.effort import CREEP, Aim, first_guess, jumps, mesh_steps
+from wraparc.arc.kernel.effort import CREEP, Aim, first_guess, is_far, jumps, mesh_steps
 from wraparc.arc.kernel.gross_slip import plateau_capacity
+from wraparc.arc.kernel.layer_march import COARSE_TOLERANCE, STEP_TOLERANCE
+from wraparc.arc.kernel.layers import shot_of_layers, solve_layers
 from wraparc.arc.kernel.quantities import (
     SOLVED,
     UNSOLVED,
@@ -24,6 +26,10 @@ from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw
 
 MEET_STEPS = 12  # mesh steps of a first search; decides speed only
+PULL_TOLERANCE = 2e-9  # relative: what the steps of layers leave
+GOLDEN = 0.6180339887498949
+NEAR_TOP = 0.3  # of ln(tension): so near its top the pull is a parabola
+MOST_ROUNDS = 30  # of Newton's method: 8 to 15 are usual
 
 
 def carry(
@@ -49,19 +55,18 @@ def carry(
     -------
     outcome, z, entry tension [N], shot
     """
-    side = geometry.side
-    if side > 0.0:
-        par = parameters_at(tight, geometry)
-        guess = z if z == z else first_guess(law, par, aim)
-        outcome, z, shot = refine(law, par, aim, guess, steps)
+    if geometry.side > 0.0:
+        outcome, z, shot = _at_entry(law, geometry, tight, aim, z, steps)
         return outcome, z, tight, shot
     # braking: the entry tension follows from the ratio found, and the ratio depends on it
     par = parameters_at(0.6 * tight, geometry)
+    if is_far(law, par):
+        return _carry_bracketed(law, geometry, tight, aim, steps)
     guess = z if z == z else first_guess(law, par, aim)
     met, z_met, entry, shot, _ = meet(
-        law, geometry, aim, False, tight, 0.6 * tight, guess, inf, steps
+        law, geometry, aim, False, tight, 0.6 * tight, guess, 4.0 * tight, steps
     )
-    if met:
+    if met and entry <= tight:
         return SOLVED, z_met, entry, shot
     return _carry_bracketed(law, geometry, tight, aim, steps)
 
@@ -69,29 +74,43 @@ def carry(
 def _carry_bracketed(
     law: CompactLaw, geometry: Geometry, tight: float, aim: Aim, steps: int
 ) -> tuple[int, float, float, Shot]:
-    """`carry` of a braking pulley where Newton's method fails: false position in ln T1."""
+    """`carry` of a braking pulley where Newton's method fails: secants in ln T1, in a bracket."""
     radius, wrap, width = geometry.radius, geometry.wrap_angle, geometry.width
-    high = log(tight)
-    low = high - plateau_capacity(law, tight / (width * radius), wrap) - 1.0
-    f_low, f_high, z = -1.0, 0.0, nan
-    for i in range(80):
-        if i == 0:
-            t = high - 1e-3
-        else:
-            t = (low * f_high - high * f_low) / (f_high - f_low) if i > 3 else 0.5 * (low + high)
-        par = parameters_at(exp(t), geometry)
-        guess = z if z == z else first_guess(law, par, aim)
-        outcome, z, shot = refine(law, par, aim, guess, steps)
+    goal = log(tight)
+    t, t_last, f_last, z, slope, mesh = goal, goal, 0.0, nan, 1.0, MEET_STEPS
+    bottom = goal - plateau_capacity(law, tight / (width * radius), wrap) - 1.0
+    low, high = bottom, goal
+    for _ in range(80):
+        outcome, z, shot = _at_entry(law, geometry, exp(t), aim, z, mesh)
         if outcome != SOLVED:
             return outcome, z, exp(t), shot
-        f = t + shot.log_tension - log(tight)
-        if abs(f) < 1e-10 or high - low < 1e-13:
-            return SOLVED, z, exp(t), shot
-        if f > 0.0:
-            high, f_high, f_low = t, f, (0.5 * f_low if i > 3 else f_low)
-        else:
-            low, f_low, f_high = t, f, (0.5 * f_high if i > 3 else max(f_high, 1e-3))
+        f = t + shot.log_tension - goal
+        if mesh == steps and (abs(f) < 1e-9 or high - low < 1e-13):
+            return (SOLVED if abs(f) < 1e-8 else UNSOLVED), z, exp(t), shot
+        if t != t_last:
+            slope = (f - f_last) / (t - t_last)
+        if mesh != steps and abs(f) < 1e-4:
+            # good on the coarse mesh: on with the fine one, which moves it a little
+            mesh, low, high, t_last = steps, bottom, goal, t
+            continue
+        low, high = (low, t) if f > 0.0 else (t, high)
+        t_last, f_last = t, f
+        t = t - f / slope if slope > 0.0 else nan
+        if not low < t < high:
+            t = 0.5 * (low + high)
     return UNSOLVED, z, exp(t), shot
+
+
+def _at_entry(
+    law: CompactLaw, geometry: Geometry, entry: float, aim: Aim, z: float, steps: int
+) -> tuple[int, float, Shot]:
+    """Meet a target of creep or slip with the entry tension held [N]; z may be nan."""
+    par = parameters_at(entry, geometry)
+    if is_far(law, par):
+        tolerance = COARSE_TOLERANCE if steps == MEET_STEPS else STEP_TOLERANCE
+        outcome, layers = solve_layers(law, par, aim, tolerance)
+        return outcome, nan, shot_of_layers(law, par, layers)
+    return refine(law, par, aim, z if z == z else first_guess(law, par, aim), steps)
 
 
 def meet(
@@ -133,7 +152,7 @@ def meet(
     mesh, fresh = MEET_STEPS, True
     case = (aim, of_pull, tension)
     r1, r2, shot = _misses(law, geometry, case, t, z, mesh, table)
-    for _ in range(60):
+    for _ in range(MOST_ROUNDS):
         size = max(abs(r1), abs(r2))
         if mesh == steps and size < TOLERANCE * 10.0:
             det = j11 * j22 - j12 * j21
@@ -197,7 +216,7 @@ def _misses(
     return miss, log(max(pull, 1e-9 * tension) / tension), shot
 
 
-def least_slack(  # noqa: C901 - one search, in order of effort
+def least_slack(
     law: CompactLaw,
     geometry: Geometry,
     pull: float,
@@ -227,6 +246,8 @@ def least_slack(  # noqa: C901 - one search, in order of effort
     least, most
         The smallest root [N] and nan; without a root nan and the largest pull there is [N].
     """
+    if z != z:  # a long arc
+        return _least_bracketed(law, geometry, pull, limit, tight_max, steps)
     met, _, entry_met, shot, growth = meet(
         law, geometry, Aim(CREEP, limit), True, pull, entry, z, 1.5 * tight_max, steps
     )
@@ -234,84 +255,126 @@ def least_slack(  # noqa: C901 - one search, in order of effort
         found = max(entry_met, entry_met * exp(shot.log_tension))
         if found <= tight_max:
             return found - pull, nan
-    # off the easy road: does the pull still rise with tension at the top of the range?
-    low, high = log(pull) + 1e-4, log(tight_max)
-    if low >= high:
-        return nan, _pull(law, geometry, tight_max, limit, z, steps)[0]
-    p_top, z_top = _pull(law, geometry, exp(high), limit, nan, MEET_STEPS)
-    step = min(0.02 * (high - low), 0.05)
-    p_in, _ = _pull(law, geometry, exp(high - step), limit, z_top, MEET_STEPS)
-    if p_in > p_top:
-        bottom = max(low, high - 3.0)
-        high, p_top = _most(law, geometry, limit, bottom, high, MEET_STEPS)
-    if p_top < pull:
-        return nan, _pull(law, geometry, exp(high), limit, z_top, steps)[0]
-    z_last = nan
-    for _ in range(60):
-        t = 0.5 * (low + high)
-        p, z_last = _pull(law, geometry, exp(t), limit, z_last, MEET_STEPS)
-        if p < pull:
-            low = t
-        else:
-            high = t
-        if high - low < 0.02:
-            break
-    entry = exp(high) if geometry.side > 0.0 else exp(high) - pull
-    met, _, entry_met, shot, _ = meet(
-        law, geometry, Aim(CREEP, limit), True, pull, entry, z_last, inf, steps
-    )
-    found = max(entry_met, entry_met * exp(shot.log_tension))
-    if met and found <= tight_max * (1.0 + 1e-9):
-        return found - pull, nan
-    # a flat road (friction that knows no slip): false position on the fine mesh (Illinois)
-    low, high = low - 0.02, high + 0.02
-    p_low, z_last = _pull(law, geometry, exp(low), limit, z_last, steps)
-    p_high, z_last = _pull(law, geometry, exp(high), limit, z_last, steps)
+    return _least_bracketed(law, geometry, pull, limit, tight_max, steps)
+
+
+def _least_bracketed(
+    law: CompactLaw, geometry: Geometry, pull: float, limit: float, tight_max: float, steps: int
+) -> tuple[float, float]:
+    """`least_slack` where Newton's method fails: the pull rises with tension to a largest one.
+
+    In t, the logarithm of the entry tension, which a search of one unknown meets the limit at.
+    """
+    aim = Aim(CREEP, limit)
+    _, z, entry, shot = carry(law, geometry, tight_max, aim, nan, MEET_STEPS)
+    high, p_high = log(entry), entry * abs(1.0 - exp(shot.log_tension))
+    if p_high < pull:
+        high, p_high, z = _most(law, geometry, limit, pull, high, p_high, z)
+    if p_high < pull:
+        if high < log(entry):
+            return nan, _pull(law, geometry, exp(high), limit, z, steps)[0]
+        shot = carry(law, geometry, tight_max, aim, z, steps)[3]
+        return nan, tight_max * (1.0 - exp(-abs(shot.log_tension)))
+    low, step, p_low = high, 1.5 * log(p_high / pull) + 0.02, p_high
+    while p_low >= pull:
+        high, p_high, low = low, p_low, low - step
+        p_low, z = _pull(law, geometry, exp(low), limit, z, MEET_STEPS)
+        step *= 2.0
     f_low, f_high = log(p_low / pull), log(p_high / pull)
-    for _ in range(60):
-        if f_low >= 0.0 or f_high <= 0.0:
-            return nan, nan
+    side, t, slope = 0, low, (f_high - f_low) / (high - low)
+    for _ in range(40):
         t = (low * f_high - high * f_low) / (f_high - f_low)
-        p, z_last = _pull(law, geometry, exp(t), limit, z_last, steps)
-        f = log(p / pull)
-        if abs(f) < 1e-9 or high - low < 1e-12:
-            return exp(t) - pull, nan
+        p, z = _pull(law, geometry, exp(t), limit, z, MEET_STEPS)
+        f = log(max(p, 1e-9 * pull) / pull)
+        if abs(f) < 1e-3:
+            break
+        # false position keeps one end: halve its weight when it does (Illinois)
         if f > 0.0:
-            high, f_high, f_low = t, f, 0.5 * f_low
+            slope = (f - f_low) / (t - low)
+            f_low *= 0.5 if side > 0 else 1.0
+            high, f_high, side = t, f, 1
         else:
-            low, f_low, f_high = t, f, 0.5 * f_high
-    return nan, nan
+            slope = (f_high - f) / (high - t)
+            f_high *= 0.5 if side < 0 else 1.0
+            low, f_low, side = t, f, -1
+    t = _pull_closed(law, geometry, pull, limit, (t, slope), z, steps)
+    return (exp(t) - pull if geometry.side > 0.0 else exp(t)), nan
+
+
+def _pull_closed(
+    law: CompactLaw,
+    geometry: Geometry,
+    pull: float,
+    limit: float,
+    near: tuple[float, float],
+    z: float,
+    steps: int,
+) -> float:
+    """ln(entry tension) at which a pull is carried, by secants on the fine mesh; nan if not met.
+
+    `near` is one close to it, and the slope of ln(pull) there, as the coarse mesh has them.
+    """
+    t, slope = near
+    t_last = f_last = 0.0
+    for i in range(12):
+        p, z = _pull(law, geometry, exp(t), limit, z, steps)
+        f = log(max(p, 1e-9 * pull) / pull)
+        if abs(f) < PULL_TOLERANCE:
+            return t
+        if i > 0 and t != t_last:
+            slope = (f - f_last) / (t - t_last)
+        if slope <= 0.0:
+            break
+        t_last, f_last, t = t, f, t - f / slope
+    return nan
 
 
 def _pull(
-    law: CompactLaw,
-    geometry: Geometry,
-    tight: float,
-    limit: float,
-    z: float,
-    steps: int,
+    law: CompactLaw, geometry: Geometry, entry: float, limit: float, z: float, steps: int
 ) -> tuple[float, float]:
-    """Pull carried at a creep limit with a held tight side [N], and the effort for it."""
-    _, z, _, shot = carry(law, geometry, tight, Aim(CREEP, limit), z, steps)
-    return tight * (1.0 - exp(-abs(shot.log_tension))), z
+    """Pull carried at a creep limit with a held entry tension [N], and the effort for it."""
+    _, z, shot = _at_entry(law, geometry, entry, Aim(CREEP, limit), z, steps)
+    return entry * abs(1.0 - exp(shot.log_tension)), z
 
 
 def _most(
-    law: CompactLaw, geometry: Geometry, limit: float, a: float, b: float, steps: int
-) -> tuple[float, float]:
-    """ln(tight side) in [a, b] of the largest pull at a creep limit, and the pull [N]."""
-    ratio = 0.6180339887498949
-    z = nan
-    c, d = b - ratio * (b - a), a + ratio * (b - a)
-    p_c, z = _pull(law, geometry, exp(c), limit, z, steps)
-    p_d, z = _pull(law, geometry, exp(d), limit, z, steps)
-    while b - a > 1e-2:
+    law: CompactLaw,
+    geometry: Geometry,
+    limit: float,
+    enough: float,
+    top: float,
+    p_top: float,
+    z: float,
+) -> tuple[float, float, float]:
+    """ln(entry tension) up to `top` of the largest pull at a creep limit, the pull [N], the effort.
+
+    Golden section on the coarse mesh and a parabola; a pull of `enough` ends it. `p_top` and z
+    belong to the top.
+    """
+    p_in, z_in = _pull(law, geometry, exp(top - 0.02), limit, z, MEET_STEPS)
+    if p_in <= p_top:
+        return top, p_top, z
+    low, high, p_low, p_high = top - 3.0, top, -inf, p_top
+    d = low + GOLDEN * (high - low)
+    p_d, z = _pull(law, geometry, exp(d), limit, z_in, MEET_STEPS)
+    c = high - GOLDEN * (high - low)
+    p_c, z = _pull(law, geometry, exp(c), limit, z, MEET_STEPS)
+    while high - low > NEAR_TOP and max(p_c, p_d) < enough:
         if p_c >= p_d:
-            b, d, p_d = d, c, p_c
-            c = b - ratio * (b - a)
-            p_c, z = _pull(law, geometry, exp(c), limit, z, steps)
+            high, p_high, d, p_d = d, p_d, c, p_c
+            c = high - GOLDEN * (high - low)
+            p_c, z = _pull(law, geometry, exp(c), limit, z, MEET_STEPS)
         else:
-            a, c, p_c = c, d, p_d
-            d = a + ratio * (b - a)
-            p_d, z = _pull(law, geometry, exp(d), limit, z, steps)
-    return (c, p_c) if p_c >= p_d else (d, p_d)
+            low, p_low, c, p_c = c, p_c, d, p_d
+            d = low + GOLDEN * (high - low)
+            p_d, z = _pull(law, geometry, exp(d), limit, z, MEET_STEPS)
+    t, p_t = (c, p_c) if p_c >= p_d else (d, p_d)
+    if p_t >= enough or p_low == -inf:
+        return t, p_t, z
+    # the top of the parabola through the best and its neighbours
+    left, right = (low, d) if t == c else (c, high)
+    p_left, p_right = (p_low, p_d) if t == c else (p_c, p_high)
+    rise, fall = (p_t - p_left) / (t - left), (p_right - p_t) / (right - t)
+    v = 0.5 * (left + t) + 0.5 * (right - left) * rise / (rise - fall)
+    p_v, z_v = _pull(law, geometry, exp(v), limit, z, MEET_STEPS)
+    return (v, p_v, z_v) if p_v > p_t else (t, p_t, z)

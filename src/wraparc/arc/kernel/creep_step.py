@@ -151,7 +151,7 @@ def cell_step(
     change = friction_at(law, segment, branch, high, p)[0]
     change -= friction_at(law, segment, branch, low, p)[0]
     shear = par.shear * p * abs(change) / (high - low)
-    if shear < STEEP or law.coefficients[0] > 0.0:
+    if shear < STEEP:
         return nan
     first = low + par.shear * p * friction_at(law, segment, branch, low, p)[0]
     last = high + par.shear * p * friction_at(law, segment, branch, high, p)[0]

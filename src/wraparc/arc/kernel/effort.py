@@ -42,6 +42,9 @@ SLIP = 2  # slip at the exit towards the slack side [m]
 SMALL_RATIO = 1e-7
 LARGEST_RATIO = 1.0
 MOST_LAGS = 100.0  # that a mesh resolves: beyond, layers solve what is not gross slip
+#: shear-lag lengths beyond which an arc is solved by its layers: fabric and steel cord on rubber
+#: have up to 12
+FAR = 13.0
 LAGS_PER_MESH = 2.0  # shear-lag lengths that the given number of mesh steps resolves, fitted
 #: creep over the arc that a unit of effort stands for once a rest arc has vanished [m]; the creep
 #: limit of the paper, decides speed only
@@ -122,6 +125,11 @@ def lags(law: CompactLaw, par: Parameters) -> float:
         slip, mu = 0.18 * slip_pk, mu_pk
     lag = sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance))
     return par.length / lag
+
+
+def is_far(law: CompactLaw, par: Parameters) -> bool:
+    """Whether no march from the entry tells what happens at the exit, and layers do."""
+    return not jumps(law) and lags(law, par) > FAR
 
 
 def value_of(par: Parameters, shot: Shot, of: int) -> float:

@@ -37,8 +37,14 @@ from wraparc.friction.compact import (
 )
 
 STEP_TOLERANCE = 1e-9  # relative error of a step
-KINK_TOLERANCE = 1e-11  # the same of laws that hold and let go: what a kink leaves is no noise
+COARSE_TOLERANCE = 1e-6  # the same of a first search
+KINK_TOLERANCE = 0.01  # times that for laws that hold and let go: what a kink leaves is no noise
 MOST_STEPS = 800  # of a layer: some 100 are usual
+
+
+# what a layer is marched to, in the order of aims (wraparc.arc.kernel.effort): a tension is met at
+# a creep ratio
+TO_RATIO, TO_CREEP, TO_SLIP = range(3)
 
 
 class Arrival(NamedTuple):
@@ -142,11 +148,12 @@ def march_layer(
     rest: float,
     start: tuple[float, float],
     towards: float,
-    to_creep: bool,
+    to: int,
     goal: float,
+    tolerance: float,
     path: Buffer,
 ) -> Arrival:
-    """March from the point of least creep until the creep, or the creep ratio, reaches a goal.
+    """March from the point of least creep until a goal is reached.
 
     Parameters
     ----------
@@ -156,19 +163,20 @@ def march_layer(
         Creep [m] and creep ratio [-].
     towards
         +1 to the exit, -1 to the entry.
-    to_creep, goal
-        Whether the goal is a creep [m] or a creep ratio [-]; it lies ahead.
+    to, goal
+        TO_RATIO [-], TO_CREEP [m] or TO_SLIP [m], and its value, which lies ahead.
+    tolerance
+        Relative error of a step.
     path
         Takes s, u, w of every step [m, m, -], its first number how many; empty for none.
     """
     u, w = start
-    s, h = 0.0, 0.02 * lag_at(law, par, rest, max(abs(u), abs(goal) if to_creep else abs(u)))
-    ahead = goal - (u if to_creep else w)
-    tolerance = KINK_TOLERANCE if law.kind == LIMIT else STEP_TOLERANCE
+    s, h = 0.0, 0.02 * lag_at(law, par, rest, max(abs(u), abs(goal) if to != TO_RATIO else abs(u)))
+    ahead = goal - value_at(law, par, rest, to, u, w)
+    if law.kind == LIMIT:
+        tolerance *= KINK_TOLERANCE
+    _note(path, s, u, w)
     for _ in range(MOST_STEPS):
-        if len(path) > 0:
-            n = int(path[0])
-            path[0], path[3 * n + 1], path[3 * n + 2], path[3 * n + 3] = n + 1.0, s, u, w
         u1, w1 = layer_step(law, par, rest, u, w, towards * h)
         um, wm = layer_step(law, par, rest, u, w, 0.5 * towards * h)
         u2, w2 = layer_step(law, par, rest, um, wm, 0.5 * towards * h)
@@ -180,19 +188,34 @@ def march_layer(
         if error > tolerance and h > 1e-12 * par.length:
             h *= max(min(factor, 0.7), 0.1)
             continue
-        left = goal - (u2 if to_creep else w2)
+        left = goal - value_at(law, par, rest, to, u2, w2)
         if left * ahead <= 0.0:
-            part, u2, w2 = _landing(law, par, rest, (u, w), towards * h, to_creep, goal)
+            part, u2, w2 = _landing(law, par, rest, (u, w), towards * h, to, goal)
             s += part * h
-            if len(path) > 0:
-                n = int(path[0])
-                path[0], path[3 * n + 1], path[3 * n + 2], path[3 * n + 3] = n + 1.0, s, u2, w2
+            _note(path, s, u2, w2)
             return Arrival(True, s, u2, w2)
         s, u, w = s + h, u2, w2
+        _note(path, s, u, w)
         if s > 4.0 * par.length:
             break
         h *= min(max(factor, 0.3), 4.0)
     return Arrival(False, s, u, w)
+
+
+def value_at(law: CompactLaw, par: Parameters, rest: float, to: int, u: float, w: float) -> float:
+    """Of a state, what a goal is compared with."""
+    if to == TO_RATIO:
+        return w
+    if to == TO_CREEP:
+        return u
+    return friction_of_creep(law, par, rest - w / par.compliance, u)[1]
+
+
+def _note(path: Buffer, s: float, u: float, w: float) -> None:
+    """Write one step of a path that has room."""
+    if len(path) > 0:
+        n = int(path[0])
+        path[0], path[3 * n + 1], path[3 * n + 2], path[3 * n + 3] = n + 1.0, s, u, w
 
 
 def _landing(
@@ -201,14 +224,14 @@ def _landing(
     rest: float,
     start: tuple[float, float],
     h: float,
-    to_creep: bool,
+    to: int,
     goal: float,
 ) -> tuple[float, float, float]:
     """The part of a step after which the goal is met, and creep and creep ratio there."""
     low, high = 0.0, 1.0
-    f_low = (start[0] if to_creep else start[1]) - goal
+    f_low = value_at(law, par, rest, to, start[0], start[1]) - goal
     u, w = layer_step(law, par, rest, start[0], start[1], h)
-    f_high = (u if to_creep else w) - goal
+    f_high = value_at(law, par, rest, to, u, w) - goal
     size = max(abs(goal), 1e-300)
     part = 1.0
     for _ in range(60):
@@ -216,7 +239,7 @@ def _landing(
             break
         part = (low * f_high - high * f_low) / (f_high - f_low)
         u, w = layer_step(law, par, rest, start[0], start[1], part * h)
-        f = (u if to_creep else w) - goal
+        f = value_at(law, par, rest, to, u, w) - goal
         if abs(f) <= 1e-14 * size or high - low < 1e-15:
             break
         # false position keeps one end: halve its weight (Illinois)

@@ -4,12 +4,23 @@ from __future__ import annotations
 
 from math import log
 
-from wraparc.arc.kernel.layer_march import MOST_STEPS, friction_of_creep, layer_step, march_layer
+from wraparc.arc.kernel.layer_march import (
+    MOST_STEPS,
+    STEP_TOLERANCE,
+    TO_CREEP,
+    TO_RATIO,
+    friction_of_creep,
+    layer_step,
+    march_layer,
+)
 from wraparc.arc.kernel.layers import Layers, shot_of_layers
 from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, Shot, zeros
-from wraparc.friction.compact import CompactLaw
+from wraparc.arc.profile import sort
+from wraparc.friction.compact import CompactLaw, branch_of, segment_of
 
 NODES = 400  # of a layer that a profile records at most
+KINKS = 200  # of a layer, the same
+HALVINGS = 50  # of a step, to where the law changes its piece
 
 
 def trace_layers(
@@ -22,8 +33,11 @@ def trace_layers(
     begin = min(found.entry_length, par.length)
     out_length = max(found.length - found.entry_length, 0.0)
     if begin > 0.0:
-        march_layer(law, par, found.rest_tension, part, -1.0, True, par.kick, path)
+        march_layer(
+            law, par, found.rest_tension, part, -1.0, TO_CREEP, par.kick, STEP_TOLERANCE, path
+        )
         count = _record_path(law, par, found.rest_tension, g, path, begin, -1.0, points, out, 0)
+        count = _record_kinks(law, par, found.rest_tension, g, path, begin, -1.0, out, count)
     elif par.kick == 0.0:
         _record(law, par, found.rest_tension, g, 0.0, 0.0, found.ratio, out, 0)
         count = 1
@@ -36,11 +50,23 @@ def trace_layers(
         j += 1
     path[0] = 0.0
     if out_length > 0.0:
-        march_layer(law, par, found.rest_tension, part, 1.0, False, found.exit_ratio, path)
+        march_layer(
+            law,
+            par,
+            found.rest_tension,
+            part,
+            1.0,
+            TO_RATIO,
+            found.exit_ratio,
+            STEP_TOLERANCE,
+            path,
+        )
     else:
         path[0], path[1], path[2], path[3] = 1.0, 0.0, found.exit_creep, found.exit_ratio
     count = _record_path(law, par, found.rest_tension, g, path, end, 1.0, points, out, count)
     out[RECORD * (count - 1)] = par.length
+    count = _record_kinks(law, par, found.rest_tension, g, path, end, 1.0, out, count)
+    sort(out, count)
     return shot_of_layers(law, par, found), count
 
 
@@ -83,6 +109,48 @@ def _record_path(
     return count
 
 
+def _record_kinks(
+    law: CompactLaw,
+    par: Parameters,
+    rest: float,
+    g: float,
+    path: Buffer,
+    origin: float,
+    towards: float,
+    out: Buffer,
+    count: int,
+) -> int:
+    """Record where the law changes its piece between two steps of a layer."""
+    most = count + KINKS
+    for i in range(int(path[0]) - 1):
+        s, u, w = path[3 * i + 1], path[3 * i + 2], path[3 * i + 3]
+        piece = _piece(law, par, rest, u, w)
+        h = towards * (path[3 * i + 4] - s)
+        if count == most or piece == _piece(law, par, rest, path[3 * i + 5], path[3 * i + 6]):
+            continue
+        low, high = 0.0, 1.0
+        for _ in range(HALVINGS):
+            part = 0.5 * (low + high)
+            v, y = layer_step(law, par, rest, u, w, part * h)
+            if _piece(law, par, rest, v, y) == piece:
+                low = part
+            else:
+                high = part
+        v, y = layer_step(law, par, rest, u, w, high * h)
+        _record(law, par, rest, g, max(origin + towards * s + high * h, 0.0), v, y, out, count)
+        count += 1
+    return count
+
+
+def _piece(law: CompactLaw, par: Parameters, rest: float, u: float, w: float) -> tuple[int, int]:
+    """Segment and branch of the law at a creep and a creep ratio; -1 where the belt is held."""
+    tension = rest - w / par.compliance
+    _, x = friction_of_creep(law, par, tension, u)
+    pressure = par.entry_pressure * max(tension / par.entry_tension, 1e-9)
+    segment = segment_of(law, pressure)
+    return segment, branch_of(law, segment, abs(x), pressure) if x != 0.0 else -1
+
+
 def _record(
     law: CompactLaw,
     par: Parameters,
@@ -102,4 +170,4 @@ def _record(
     work -= 0.5 * par.shear * (tau * tau - entry_tau * entry_tau)
     i = RECORD * count
     out[i], out[i + 1], out[i + 2] = s, log(tension / par.entry_tension), x
-    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = u, tau, work, 0.0
+    out[i + 3], out[i + 4], out[i + 5] = u, tau, work

@@ -16,11 +16,19 @@ from __future__ import annotations
 from math import exp, inf, log, nan
 from typing import NamedTuple
 
-from wraparc.arc.kernel.layer_march import friction_of_creep, lag_at, march_layer
+from wraparc.arc.kernel.effort import TENSION, Aim
+from wraparc.arc.kernel.layer_march import (
+    TO_CREEP,
+    friction_of_creep,
+    lag_at,
+    march_layer,
+    value_at,
+)
 from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED, UNSOLVED, Parameters, Shot, zeros
 from wraparc.friction.compact import CompactLaw
 
 FLOOR = 1e-9  # of creep near rest in the creep of the layers: what it changes is its square
+FILLED = 3.0  # relative miss of the arc's length, in tolerances of a step: what steps leave
 LARGEST_RATIO = 1.0  # of creep at the entry
 
 
@@ -43,11 +51,12 @@ NO_LAYERS = Layers(False, nan, nan, nan, nan, nan, nan, nan)
 def _layers_of(
     law: CompactLaw,
     par: Parameters,
-    exit_tension: float,
+    aim: Aim,
     crossing: bool,
     floors: tuple[float, float],
     z: float,
     rest: float,
+    tolerance: float,
 ) -> Layers:
     """Both layers at one lambda, `z`; `rest` is a first guess of T_r."""
     c, kick = par.compliance, par.kick
@@ -66,22 +75,25 @@ def _layers_of(
     else:
         if crossing:
             rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0)
-        inward = _entry_layer(law, par, rest, (creep, ratio))
+        inward = _entry_layer(law, par, rest, (creep, ratio), tolerance)
         rest, length = inward.rest_tension, inward.entry_length
         if not inward.solved:
             return inward
-    goal = c * (rest - exit_tension)
-    if (goal - ratio) * (1.0 if creep > 0.0 or ratio > 0.0 else -1.0) <= 0.0:
-        # the tension is met before the layer has begun: what is left is of the size of the floor
+    goal = par.side * aim.value
+    if aim.of == TENSION:
+        goal = c * (rest - par.entry_tension * exp(-goal))
+    ahead = goal - value_at(law, par, rest, aim.of, creep, ratio)
+    if ahead * (1.0 if creep > 0.0 or ratio > 0.0 else -1.0) <= 0.0:
+        # the aim is met before the layer has begun: what is left is of the size of the floor
         near = z == 0.0
         return Layers(near, rest, creep, ratio, length, length if near else 0.0, creep, ratio)
-    out = march_layer(law, par, rest, (creep, ratio), 1.0, False, goal, zeros(0))
+    out = march_layer(law, par, rest, (creep, ratio), 1.0, aim.of, goal, tolerance, zeros(0))
     both = length + out.length if out.arrived else inf
     return Layers(out.arrived, rest, creep, ratio, length, both, out.creep, out.ratio)
 
 
 def _entry_layer(
-    law: CompactLaw, par: Parameters, rest: float, part: tuple[float, float]
+    law: CompactLaw, par: Parameters, rest: float, part: tuple[float, float], tolerance: float
 ) -> Layers:
     """T_r and length of the layer at the entry: from where the layers part to kick and T1.
 
@@ -90,7 +102,7 @@ def _entry_layer(
     c, miss, rest_last, miss_last = par.compliance, inf, 0.0, 0.0
     length = 0.0
     for i in range(40):
-        there = march_layer(law, par, rest, part, -1.0, True, par.kick, zeros(0))
+        there = march_layer(law, par, rest, part, -1.0, TO_CREEP, par.kick, tolerance, zeros(0))
         if not there.arrived:
             break
         miss, length = rest - there.ratio / c - par.entry_tension, there.length
@@ -104,24 +116,35 @@ def _entry_layer(
     return Layers(good, rest, part[0], part[1], length, length if good else inf, 0.0, 0.0)
 
 
-def solve_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> tuple[int, Layers]:
-    """Layers that meet both tensions of an arc, whatever holds the belt at rest.
+def solve_layers(
+    law: CompactLaw, par: Parameters, aim: Aim, tolerance: float
+) -> tuple[int, Layers]:
+    """Layers that meet the entry tension and an aim at the exit, whatever holds the belt at rest.
+
+    Parameters
+    ----------
+    law, par
+        See `wraparc.arc.kernel.march`.
+    aim
+        ln(tight/slack), or a creep or slip at the exit towards the slack side [m].
+    tolerance
+        Relative error of a step.
 
     Returns
     -------
     outcome, layers
-        SOLVED; BREAKAWAY: with no creep up to a ratio of 1 at the entry the tensions are met within
-        the arc; UNSOLVED.
+        SOLVED; BREAKAWAY: with no creep up to a ratio of 1 at the entry the aim is met within the
+        arc; UNSOLVED.
     """
-    first, rest, crossing, floors = _at_rest(law, par, exit_tension)
+    first, rest, crossing, floors = _at_rest(law, par, aim, tolerance)
     if first.solved and first.length <= par.length:
         return SOLVED, first
-    outcome, found = _less_rest(law, par, exit_tension, crossing, floors, first)
+    outcome, found = _less_rest(law, par, aim, crossing, floors, first, tolerance)
     if outcome != SOLVED and not first.solved and par.kick != 0.0:
         # at rest the overrun takes more than all tension: creep may pass through zero all the same
         rest = par.entry_tension
-        first = _layers_of(law, par, exit_tension, not crossing, floors, 0.0, rest)
-        other, layers = _less_rest(law, par, exit_tension, not crossing, floors, first)
+        first = _layers_of(law, par, aim, not crossing, floors, 0.0, rest, tolerance)
+        other, layers = _less_rest(law, par, aim, not crossing, floors, first, tolerance)
         if other == SOLVED:
             return other, layers
     return outcome, found
@@ -130,10 +153,11 @@ def solve_layers(law: CompactLaw, par: Parameters, exit_tension: float) -> tuple
 def _less_rest(
     law: CompactLaw,
     par: Parameters,
-    exit_tension: float,
+    aim: Aim,
     crossing: bool,
     floors: tuple[float, float],
     first: Layers,
+    tolerance: float,
 ) -> tuple[int, Layers]:
     """Layers that just fill the arc, from those at the floor that are longer."""
     rest = first.rest_tension
@@ -145,7 +169,7 @@ def _less_rest(
         if high >= top:
             return BREAKAWAY, best
         high = min(high + reach, top)
-        best = _layers_of(law, par, exit_tension, crossing, floors, high, rest)
+        best = _layers_of(law, par, aim, crossing, floors, high, rest, tolerance)
         f_high = best.length / par.length - 1.0
         if f_high <= 0.0:
             break
@@ -160,9 +184,9 @@ def _less_rest(
             z = (low * f_high - high * f_low) / (f_high - f_low)
         if not low < z < high:
             z = 0.5 * (low + high)
-        best = _layers_of(law, par, exit_tension, crossing, floors, z, best.rest_tension)
+        best = _layers_of(law, par, aim, crossing, floors, z, best.rest_tension, tolerance)
         f = best.length / par.length - 1.0
-        if abs(f) < 1e-11 or z in (low, high):
+        if abs(f) < FILLED * tolerance or high - low < 1e-13 * high:
             break
         # false position keeps one end: halve its weight when it does (Illinois)
         if f > 0.0:
@@ -171,25 +195,30 @@ def _less_rest(
         else:
             f_low *= 0.5 if side < 0 else 1.0
             high, f_high, side = z, f, -1
-    good = best.solved and abs(best.length / par.length - 1.0) < 1e-8
+    good = best.solved and abs(best.length / par.length - 1.0) < 10.0 * tolerance
     return (SOLVED if good else UNSOLVED), best
 
 
 def _at_rest(
-    law: CompactLaw, par: Parameters, exit_tension: float
+    law: CompactLaw, par: Parameters, aim: Aim, tolerance: float
 ) -> tuple[Layers, float, bool, tuple[float, float]]:
     """Layers at the floor, T_r there, whether creep passes through zero, and the floors."""
-    pull = par.compliance * abs(par.entry_tension - exit_tension)
-    creep = max(abs(par.kick), 1e-6)
-    for _ in range(8):  # the creep that this pull makes, by w = u/l
-        creep = max(abs(par.kick), pull * lag_at(law, par, par.entry_tension, creep), 1e-200)
+    exit_tension = par.entry_tension * exp(-par.side * aim.value)
+    creep = max(abs(par.kick), aim.value)
+    if aim.of == TENSION:
+        pull = par.compliance * abs(par.entry_tension - exit_tension)
+        creep = max(abs(par.kick), 1e-6)
+        for _ in range(8):  # the creep that this pull makes, by w = u/l
+            creep = max(abs(par.kick), pull * lag_at(law, par, par.entry_tension, creep), 1e-200)
     floor = FLOOR * creep
     floors = (floor, floor / lag_at(law, par, par.entry_tension, floor))
-    first = _layers_of(law, par, exit_tension, False, floors, 0.0, par.entry_tension)
+    first = _layers_of(law, par, aim, False, floors, 0.0, par.entry_tension, tolerance)
     rest = first.rest_tension
-    crossing = par.kick * (exit_tension - rest) > 0.0
+    crossing = par.kick * par.side < 0.0
+    if aim.of == TENSION:
+        crossing = par.kick * (exit_tension - rest) > 0.0
     if crossing:
-        first = _layers_of(law, par, exit_tension, True, floors, 0.0, rest)
+        first = _layers_of(law, par, aim, True, floors, 0.0, rest, tolerance)
         rest = first.rest_tension
     return first, rest, crossing, floors
 

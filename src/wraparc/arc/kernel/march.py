@@ -42,6 +42,7 @@ FEWEST_CUT_STEPS = 16  # a coarser march takes the piece of the law where each s
 LANDINGS = 40  # attempts to land on a boundary
 MOST_CUTS = 200  # of a mesh step
 WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is like this
+FARTHEST_SLIP = 1e3  # [m]
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
 NEAREST = 1e-7  # of the arc, to a point of no slip: nearer the slope of friction does not count
 
@@ -98,8 +99,8 @@ def advance(  # noqa: C901 - one loop over steps and cuts
     q, x, work, segment, branch, sign = state
     switches = 0
     while xi < xi_end:
-        if not -LARGEST_LOG < q < LARGEST_LOG:
-            break  # tension has vanished, or grown beyond all bounds: no solution is near
+        if not (-LARGEST_LOG < q < LARGEST_LOG and abs(x) < FARTHEST_SLIP):
+            break  # tension or slip have grown beyond all bounds: no solution is near
         h = xi_end - xi
         k = rates(law, par, g, segment, branch, sign, q, x)
         jacobian = MESH_POWER * span * xi * xi * xi
@@ -189,7 +190,6 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             if len(out) > 0 and xi < xi_end and f > 0.0:
                 there = State(q, x, work, segment, branch, sign)
                 record(law, par, out, count, origin + span * xi**MESH_POWER, there)
-                out[RECORD * count + 6] = 1.0
                 count += 1
             continue
         q, x, work = q1, x1, work + w1
@@ -204,7 +204,7 @@ def record(
     tau, creep = stress_and_creep(law, par, state)
     i = RECORD * count
     out[i], out[i + 1], out[i + 2] = s, state.log_tension, state.slip
-    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = creep, tau, state.work, 0.0
+    out[i + 3], out[i + 4], out[i + 5] = creep, tau, state.work
 
 
 def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[float, float]:

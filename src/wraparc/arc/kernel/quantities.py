@@ -15,9 +15,8 @@ Buffer = MutableSequence[float]
 #: the march in tension does not apply, another must be tried.
 SOLVED, BREAKAWAY, UNSOLVED, REFUSED, STUCK, LOST = range(6)
 
-#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work, and
-#: 1 where the law has a kink
-RECORD = 7
+#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work
+RECORD = 6
 
 LEAST_COMPLIANCE = 1e-16  # of belt and lagging [1/N]: a rigid belt has a strain of 1e-10 at 1 MN
 

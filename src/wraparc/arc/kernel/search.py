@@ -35,13 +35,14 @@ COARSE_STEPS = 8  # of the first search in position; decides speed only
 COARSE_TOLERANCE = 1e-4  # relative
 TOLERANCE = 1e-10
 NO_PULL = 1e-11  # ln(tight/slack) that counts as none: of the size of rounding in a march
+NEARLY_IDLE = 1e-4  # ln(tight/slack) below which a miss counts as one of this
 
 
 def refine(
     law: CompactLaw, par: Parameters, aim: Aim, z: float, steps: int
 ) -> tuple[int, float, Shot]:
     """Meet an aim: by marches in tension where they apply, else in position, coarse then fine."""
-    size = max(abs(aim.value), 1e-2) if aim.of == TENSION else abs(aim.value)
+    size = max(abs(aim.value), NEARLY_IDLE) if aim.of == TENSION else abs(aim.value)
     if applies(law, par) and aim.value > NO_PULL:
         fine = mesh_steps(law, par, steps)
         end = aim.value if aim.of == TENSION else LARGEST_LOG

@@ -153,7 +153,6 @@ def stick_slip(
             count += 1
         if zone > 0.0:
             _record_stuck(par, out, count, zone, zone, end_creep)
-            out[RECORD * count + 6] = 1.0
             count += 1
     tension, creep = (
         zone_point(par, zone, zone, end_creep) if zone > 0.0 else (par.entry_tension, 0.0)
@@ -183,4 +182,3 @@ def _record_stuck(
     out[i], out[i + 1], out[i + 2] = s, log(tension / par.entry_tension), par.onset * tau
     out[i + 3], out[i + 4] = creep, tau
     out[i + 5] = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau)
-    out[i + 6] = 0.0

@@ -240,7 +240,6 @@ def march(  # noqa: C901 - one loop over steps and cuts
                 start = middle
             count = _between(law, par, gamma, segment, branch, start, end, points, out, count)
             _record(law, par, q1, s1, a1, work1, out, count)
-            out[RECORD * count + 6] = 1.0 if kink else 0.0
             count += 1
         q, s, a, work = q1, s1, a1, work1
         if done:
@@ -268,7 +267,7 @@ def _record(
     tau, creep = exit_state(law, par, q, a)
     i = RECORD * count
     out[i], out[i + 1], out[i + 2] = s, -side * q, side * a
-    out[i + 3], out[i + 4], out[i + 5], out[i + 6] = side * creep, side * tau, work, 0.0
+    out[i + 3], out[i + 4], out[i + 5] = side * creep, side * tau, work
 
 
 def _divided(par: Parameters, points: int, s: float, s_end: float) -> bool:
