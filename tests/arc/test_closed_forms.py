@@ -66,6 +66,11 @@ def test_constant_friction_without_shear(braking: bool) -> None:
     assert result.exit_creep == pytest.approx(creep, rel=EXACT)
     assert result.exit_slip == pytest.approx(creep, rel=EXACT)
     assert abs(result.entry_creep_ratio) < 1e-12
+    # stress sets in at once where the belt begins to slip, at the entry tension if it drives
+    peak = mu * max(t1, t2) / (arc.radius * arc.width)
+    assert result.peak_shear_stress == pytest.approx(peak, rel=1e-12)
+    begins = math.pi if braking else math.pi - slipping
+    assert result.peak_shear_position == pytest.approx(begins, rel=EXACT)
     rest = result.profile.position < result.stuck_arc * (1 - 1e-9)
     assert np.all(result.profile.tension[rest] == t1)
     assert np.all(result.profile.sliding[rest] == 0.0)

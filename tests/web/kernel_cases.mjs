@@ -20,8 +20,8 @@ function solved({ law, geometry, load, steps, points, parts }) {
     outcome: found.outcome,
     count,
     shot: [...shot],
-    records: [...out.slice(0, 7 * count)],
-    peak: kernel.profile__peak_stress(out, count),
+    records: [...out.slice(0, 6 * count)],
+    peak: kernel.profile__peak_stress(law, found.par, shot.creep_ratio, out, count),
     active: kernel.profile__active_length(out, count),
     outside: kernel.profile__share_outside(
       found.par, out, count, pressure_min, pressure_max, slip_max,

@@ -64,7 +64,7 @@ def in_python(arc: WrapArc, capacities: bool) -> Data:
         "count": count,
         "shot": list(shot),
         "records": list(out[: RECORD * count]),
-        "peak": list(peak_stress(out, count)),
+        "peak": list(peak_stress(law, found.par, shot.creep_ratio, out, count)),
         "active": active_length(out, count),
         "outside": share_outside(found.par, out, count, *tested),
         "capacities": list(carried),

@@ -28,7 +28,7 @@ from wraparc.friction.compact import CompactLaw
 MEET_STEPS = 12  # mesh steps of a first search; decides speed only
 PULL_TOLERANCE = 2e-9  # relative: what the steps of layers leave
 GOLDEN = 0.6180339887498949
-NEAR_TOP = 0.3  # of ln(tension): so near its top the pull is a parabola
+NEAR_TOP = 0.08  # of ln(tension): so near its top the pull is a parabola
 MOST_ROUNDS = 30  # of Newton's method: 8 to 15 are usual
 
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from math import exp, expm1, log, sqrt, tanh
 
-from wraparc.arc.kernel.march import carry_to_exit
+from wraparc.arc.kernel.march import carry_to_exit, record
 from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, State
 from wraparc.friction.compact import (
     LIMIT,
@@ -168,6 +168,9 @@ def stick_slip(
     state = State(q, x, work, segment, branch, par.side)
     if zone >= length:
         return state, count
+    if len(out) > 0 and compliance == 0.0:
+        record(law, par, out, count, zone, state)  # nothing gives way: stress sets in at once
+        count += 1
     return carry_to_exit(law, par, g, state, zone, 0, steps, points, out, count)
 
 

@@ -146,6 +146,17 @@ export class Parameters {
   }
 }
 
+export class Aim {
+  constructor(of, value) {
+    this.of = of;
+    this.value = value;
+  }
+  *[Symbol.iterator]() {
+    yield this.of;
+    yield this.value;
+  }
+}
+
 export class Arrival {
   constructor(arrived, length, creep, ratio) {
     this.arrived = arrived;
@@ -238,17 +249,6 @@ export class State {
     yield this.segment;
     yield this.branch;
     yield this.sign;
-  }
-}
-
-export class Aim {
-  constructor(of, value) {
-    this.of = of;
-    this.value = value;
-  }
-  *[Symbol.iterator]() {
-    yield this.of;
-    yield this.value;
   }
 }
 
@@ -434,6 +434,7 @@ export class Carried {
   }
 }
 
+const LEAST_TENSION = 0.1;
 const MOST_TENSION = 1000000000.0;
 const OVERRUN = 1.25;
 const LIMIT = 0;
@@ -449,19 +450,24 @@ const LINE = 1;
 const ELASTIC = 0;
 const STEPS = 24;
 const LEAST_COMPLIANCE = 1e-16;
+const TENSION = 0;
+const STEP_TOLERANCE = 1e-9;
 const RESIDUAL = 2;
 const FLOOR = 1e-9;
-const KINK_TOLERANCE = 1e-11;
-const STEP_TOLERANCE = 1e-9;
+const TO_CREEP = 1;
+const TO_RATIO = 0;
+const KINK_TOLERANCE = 0.01;
 const MOST_STEPS = 800;
 const SOLVED = 0;
 const LARGEST_RATIO = 1.0;
 const BREAKAWAY = 1;
+const FILLED = 3.0;
 const UNSOLVED = 2;
-const RECORD = 7;
+const RECORD = 6;
+const LARGEST_LOG = 50.0;
 const FEWEST_CUT_STEPS = 16;
 const MESH_POWER = 4;
-const LARGEST_LOG = 50.0;
+const FARTHEST_SLIP = 1000.0;
 const LARGEST_LOG_STEP = 0.12;
 const NEAREST = 1e-7;
 const STEEP = 0.5;
@@ -482,10 +488,10 @@ const STUCK = 4;
 const NO_LAYERS = new Layers(false, NaN, NaN, NaN, NaN, NaN, NaN, NaN);
 const NO_PULL = 1e-11;
 const FAR = 13.0;
-const TENSION = 0;
 const SMALL_RATIO = 1e-7;
 const NO_SHOT = new Shot(NaN, NaN, NaN, NaN, NaN, NaN, NaN);
 const FINER = [1, 2, 4];
+const NEARLY_IDLE = 0.0001;
 const MOST_LAGS = 100.0;
 const LAGS_PER_MESH = 2.0;
 const FIRST = 64;
@@ -506,13 +512,19 @@ const LOSS_MISS = 1e-5;
 const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
 const NODES = 400;
+const KINKS = 200;
+const HALVINGS = 50;
 const NEXT_SLIP = 1e-300;
-const FAR_FOR_CAPACITIES = 20.0;
-const GROSS_SLIP = 16;
+const PEAK_TOLERANCE = 1e-6;
+const GOLDEN = 0.6180339887498949;
 const CREEP_LIMIT = 2;
 const LEAST = 8;
 const MEET_STEPS = 12;
+const MOST_ROUNDS = 30;
+const NEAR_TOP = 0.08;
+const PULL_TOLERANCE = 2e-9;
 const TESTED_SLIP = 4;
+const GROSS_SLIP = 16;
 
 /** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
 export function load_case__pull_of_torque(torque, diameter) {
@@ -762,24 +774,29 @@ export function compact___table(law, segment, branch, slip, pressure) {
   let last = edges.length - 1;
   let cells = slips.length;
   let t = slip - slips[branch];
+  let at = max(t, 0.0);
+  if (branch < cells - 1) {
+    at = min(at, slips[branch + 1] - slips[branch]);
+  }
   if (last <= 0 || segment < 0) {
-    const found1 = compact___cubic(c, 4 * branch, t);
+    const found1 = compact___cubic(c, 4 * branch, at);
     mu = found1[0];
     mu_x = found1[1];
-    return [mu, mu_x, 0.0];
+    return [mu + mu_x * (t - at), mu_x, 0.0];
   }
   if (segment >= last) {
-    const found2 = compact___cubic(c, 4 * (last * cells + branch), t);
+    const found2 = compact___cubic(c, 4 * (last * cells + branch), at);
     mu = found2[0];
     mu_x = found2[1];
-    return [mu, mu_x, 0.0];
+    return [mu + mu_x * (t - at), mu_x, 0.0];
   }
-  const found3 = compact___cubic(c, 4 * (segment * cells + branch), t);
+  const found3 = compact___cubic(c, 4 * (segment * cells + branch), at);
   let low = found3[0];
   let low_x = found3[1];
-  const found4 = compact___cubic(c, 4 * ((segment + 1) * cells + branch), t);
+  const found4 = compact___cubic(c, 4 * ((segment + 1) * cells + branch), at);
   let high = found4[0];
   let high_x = found4[1];
+  [low, high] = [low + low_x * (t - at), high + high_x * (t - at)];
   let width = edges[segment + 1] - edges[segment];
   let w = (pressure - edges[segment]) / width;
   return [low + w * (high - low), low_x + w * (high_x - low_x), (high - low) / width];
@@ -1164,6 +1181,26 @@ export function layer_march__lag_at(law, par, tension, creep) {
   return min(Math.sqrt(creep / stiffness), par.length);
 }
 
+/** Of a state, what a goal is compared with. */
+export function layer_march__value_at(law, par, rest, to, u, w) {
+  if (to === TO_RATIO) {
+    return w;
+  }
+  if (to === TO_CREEP) {
+    return u;
+  }
+  return layer_march__friction_of_creep(law, par, rest - w / par.compliance, u)[1];
+}
+
+/** Write one step of a path that has room. */
+export function layer_march___note(path, s, u, w) {
+  let n;
+  if (path.length > 0) {
+    n = Math.trunc(path[0]);
+    [path[0], path[3 * n + 1], path[3 * n + 2], path[3 * n + 3]] = [n + 1.0, s, u, w];
+  }
+}
+
 /** dw/ds = C B tau [1/m]. */
 export function layer_march___growth(law, par, rest, u, w) {
   const found1 = layer_march__friction_of_creep(law, par, rest - w / par.compliance, u);
@@ -1232,15 +1269,15 @@ export function layer_march__layer_step(law, par, rest, u, w, h) {
 }
 
 /** The part of a step after which the goal is met, and creep and creep ratio there. */
-export function layer_march___landing(law, par, rest, start, h, to_creep, goal) {
+export function layer_march___landing(law, par, rest, start, h, to, goal) {
   let f;
   let low = 0.0;
   let high = 1.0;
-  let f_low = (to_creep ? start[0] : start[1]) - goal;
+  let f_low = layer_march__value_at(law, par, rest, to, start[0], start[1]) - goal;
   const found1 = layer_march__layer_step(law, par, rest, start[0], start[1], h);
   let u = found1[0];
   let w = found1[1];
-  let f_high = (to_creep ? u : w) - goal;
+  let f_high = layer_march__value_at(law, par, rest, to, u, w) - goal;
   let size = max(Math.abs(goal), 1e-300);
   let part = 1.0;
   for (let each2 = 0, end2 = 60; each2 < end2; each2++) {
@@ -1251,7 +1288,7 @@ export function layer_march___landing(law, par, rest, start, h, to_creep, goal) 
     const found3 = layer_march__layer_step(law, par, rest, start[0], start[1], part * h);
     u = found3[0];
     w = found3[1];
-    f = (to_creep ? u : w) - goal;
+    f = layer_march__value_at(law, par, rest, to, u, w) - goal;
     if (Math.abs(f) <= 1e-14 * size || high - low < 1e-15) {
       break;
     }
@@ -1264,21 +1301,35 @@ export function layer_march___landing(law, par, rest, start, h, to_creep, goal) 
   return [part, u, w];
 }
 
-/** March from the point of least creep until the creep, or the creep ratio, reaches a goal. */
-export function layer_march__march_layer(law, par, rest, start, towards, to_creep, goal, path) {
-  let error, factor, left, n, part, size_u, size_w, u1, u2, um, w1, w2, wm;
+/** March from the point of least creep until a goal is reached. */
+export function layer_march__march_layer(
+  law,
+  par,
+  rest,
+  start,
+  towards,
+  to,
+  goal,
+  tolerance,
+  path,
+) {
+  let error, factor, left, part, size_u, size_w, u1, u2, um, w1, w2, wm;
   let [u, w] = start;
   let s = 0.0;
   let h =
     0.02 *
-    layer_march__lag_at(law, par, rest, max(Math.abs(u), to_creep ? Math.abs(goal) : Math.abs(u)));
-  let ahead = goal - (to_creep ? u : w);
-  let tolerance = law.kind === LIMIT ? KINK_TOLERANCE : STEP_TOLERANCE;
+    layer_march__lag_at(
+      law,
+      par,
+      rest,
+      max(Math.abs(u), to !== TO_RATIO ? Math.abs(goal) : Math.abs(u)),
+    );
+  let ahead = goal - layer_march__value_at(law, par, rest, to, u, w);
+  if (law.kind === LIMIT) {
+    tolerance *= KINK_TOLERANCE;
+  }
+  layer_march___note(path, s, u, w);
   for (let each1 = 0, end1 = MOST_STEPS; each1 < end1; each1++) {
-    if (path.length > 0) {
-      n = Math.trunc(path[0]);
-      [path[0], path[3 * n + 1], path[3 * n + 2], path[3 * n + 3]] = [n + 1.0, s, u, w];
-    }
     const found2 = layer_march__layer_step(law, par, rest, u, w, towards * h);
     u1 = found2[0];
     w1 = found2[1];
@@ -1299,20 +1350,18 @@ export function layer_march__march_layer(law, par, rest, start, towards, to_cree
       h *= max(min(factor, 0.7), 0.1);
       continue;
     }
-    left = goal - (to_creep ? u2 : w2);
+    left = goal - layer_march__value_at(law, par, rest, to, u2, w2);
     if (left * ahead <= 0.0) {
-      const found5 = layer_march___landing(law, par, rest, [u, w], towards * h, to_creep, goal);
+      const found5 = layer_march___landing(law, par, rest, [u, w], towards * h, to, goal);
       part = found5[0];
       u2 = found5[1];
       w2 = found5[2];
       s += part * h;
-      if (path.length > 0) {
-        n = Math.trunc(path[0]);
-        [path[0], path[3 * n + 1], path[3 * n + 2], path[3 * n + 3]] = [n + 1.0, s, u2, w2];
-      }
+      layer_march___note(path, s, u2, w2);
       return new Arrival(true, s, u2, w2);
     }
     [s, u, w] = [s + h, u2, w2];
+    layer_march___note(path, s, u, w);
     if (s > 4.0 * par.length) {
       break;
     }
@@ -1322,7 +1371,7 @@ export function layer_march__march_layer(law, par, rest, start, towards, to_cree
 }
 
 /** T_r and length of the layer at the entry: from where the layers part to kick and T1. */
-export function layers___entry_layer(law, par, rest, part) {
+export function layers___entry_layer(law, par, rest, part, tolerance) {
   let i, new_, there;
   let c = par.compliance;
   let miss = Infinity;
@@ -1331,7 +1380,17 @@ export function layers___entry_layer(law, par, rest, part) {
   let length = 0.0;
   for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
     i = each1;
-    there = layer_march__march_layer(law, par, rest, part, -1.0, true, par.kick, zeros(0));
+    there = layer_march__march_layer(
+      law,
+      par,
+      rest,
+      part,
+      -1.0,
+      TO_CREEP,
+      par.kick,
+      tolerance,
+      zeros(0),
+    );
     if (!there.arrived) {
       break;
     }
@@ -1351,7 +1410,7 @@ export function layers___entry_layer(law, par, rest, part) {
 }
 
 /** Both layers at one lambda, `z`; `rest` is a first guess of T_r. */
-export function layers___layers_of(law, par, exit_tension, crossing, floors, z, rest) {
+export function layers___layers_of(law, par, aim, crossing, floors, z, rest, tolerance) {
   let inward, near, spare;
   let c = par.compliance;
   let kick = par.kick;
@@ -1378,47 +1437,69 @@ export function layers___layers_of(law, par, exit_tension, crossing, floors, z, 
     if (crossing) {
       rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0);
     }
-    inward = layers___entry_layer(law, par, rest, [creep, ratio]);
+    inward = layers___entry_layer(law, par, rest, [creep, ratio], tolerance);
     rest = inward.rest_tension;
     length = inward.entry_length;
     if (!inward.solved) {
       return inward;
     }
   }
-  let goal = c * (rest - exit_tension);
-  if ((goal - ratio) * (creep > 0.0 || ratio > 0.0 ? 1.0 : -1.0) <= 0.0) {
+  let goal = par.side * aim.value;
+  if (aim.of === TENSION) {
+    goal = c * (rest - par.entry_tension * Math.exp(-goal));
+  }
+  let ahead = goal - layer_march__value_at(law, par, rest, aim.of, creep, ratio);
+  if (ahead * (creep > 0.0 || ratio > 0.0 ? 1.0 : -1.0) <= 0.0) {
     near = z === 0.0;
     return new Layers(near, rest, creep, ratio, length, near ? length : 0.0, creep, ratio);
   }
-  let out = layer_march__march_layer(law, par, rest, [creep, ratio], 1.0, false, goal, zeros(0));
+  let out = layer_march__march_layer(
+    law,
+    par,
+    rest,
+    [creep, ratio],
+    1.0,
+    aim.of,
+    goal,
+    tolerance,
+    zeros(0),
+  );
   let both = out.arrived ? length + out.length : Infinity;
   return new Layers(out.arrived, rest, creep, ratio, length, both, out.creep, out.ratio);
 }
 
 /** Layers at the floor, T_r there, whether creep passes through zero, and the floors. */
-export function layers___at_rest(law, par, exit_tension) {
-  let pull = par.compliance * Math.abs(par.entry_tension - exit_tension);
-  let creep = max(Math.abs(par.kick), 1e-6);
-  for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
-    creep = max(
-      max(Math.abs(par.kick), pull * layer_march__lag_at(law, par, par.entry_tension, creep)),
-      1e-200,
-    );
+export function layers___at_rest(law, par, aim, tolerance) {
+  let pull;
+  let exit_tension = par.entry_tension * Math.exp(-par.side * aim.value);
+  let creep = max(Math.abs(par.kick), aim.value);
+  if (aim.of === TENSION) {
+    pull = par.compliance * Math.abs(par.entry_tension - exit_tension);
+    creep = max(Math.abs(par.kick), 1e-6);
+    for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
+      creep = max(
+        max(Math.abs(par.kick), pull * layer_march__lag_at(law, par, par.entry_tension, creep)),
+        1e-200,
+      );
+    }
   }
   let floor = FLOOR * creep;
   let floors = [floor, floor / layer_march__lag_at(law, par, par.entry_tension, floor)];
-  let first = layers___layers_of(law, par, exit_tension, false, floors, 0.0, par.entry_tension);
+  let first = layers___layers_of(law, par, aim, false, floors, 0.0, par.entry_tension, tolerance);
   let rest = first.rest_tension;
-  let crossing = par.kick * (exit_tension - rest) > 0.0;
+  let crossing = par.kick * par.side < 0.0;
+  if (aim.of === TENSION) {
+    crossing = par.kick * (exit_tension - rest) > 0.0;
+  }
   if (crossing) {
-    first = layers___layers_of(law, par, exit_tension, true, floors, 0.0, rest);
+    first = layers___layers_of(law, par, aim, true, floors, 0.0, rest, tolerance);
     rest = first.rest_tension;
   }
   return [first, rest, crossing, floors];
 }
 
 /** Layers that just fill the arc, from those at the floor that are longer. */
-export function layers___less_rest(law, par, exit_tension, crossing, floors, first) {
+export function layers___less_rest(law, par, aim, crossing, floors, first, tolerance) {
   let f, fall, i, z;
   let rest = first.rest_tension;
   let low = 0.0;
@@ -1433,7 +1514,7 @@ export function layers___less_rest(law, par, exit_tension, crossing, floors, fir
       return [BREAKAWAY, best];
     }
     high = min(high + reach, top);
-    best = layers___layers_of(law, par, exit_tension, crossing, floors, high, rest);
+    best = layers___layers_of(law, par, aim, crossing, floors, high, rest, tolerance);
     f_high = best.length / par.length - 1.0;
     if (f_high <= 0.0) {
       break;
@@ -1454,9 +1535,9 @@ export function layers___less_rest(law, par, exit_tension, crossing, floors, fir
     if (!(low < z && z < high)) {
       z = 0.5 * (low + high);
     }
-    best = layers___layers_of(law, par, exit_tension, crossing, floors, z, best.rest_tension);
+    best = layers___layers_of(law, par, aim, crossing, floors, z, best.rest_tension, tolerance);
     f = best.length / par.length - 1.0;
-    if (Math.abs(f) < 1e-11 || z === low || z === high) {
+    if (Math.abs(f) < FILLED * tolerance || high - low < 1e-13 * high) {
       break;
     }
     if (f > 0.0) {
@@ -1471,14 +1552,14 @@ export function layers___less_rest(law, par, exit_tension, crossing, floors, fir
       side = -1;
     }
   }
-  let good = best.solved && Math.abs(best.length / par.length - 1.0) < 1e-8;
+  let good = best.solved && Math.abs(best.length / par.length - 1.0) < 10.0 * tolerance;
   return [good ? SOLVED : UNSOLVED, best];
 }
 
-/** Layers that meet both tensions of an arc, whatever holds the belt at rest. */
-export function layers__solve_layers(law, par, exit_tension) {
+/** Layers that meet the entry tension and an aim at the exit, whatever holds the belt at rest. */
+export function layers__solve_layers(law, par, aim, tolerance) {
   let layers, other;
-  const found1 = layers___at_rest(law, par, exit_tension);
+  const found1 = layers___at_rest(law, par, aim, tolerance);
   let first = found1[0];
   let rest = found1[1];
   let crossing = found1[2];
@@ -1486,13 +1567,13 @@ export function layers__solve_layers(law, par, exit_tension) {
   if (first.solved && first.length <= par.length) {
     return [SOLVED, first];
   }
-  const found2 = layers___less_rest(law, par, exit_tension, crossing, floors, first);
+  const found2 = layers___less_rest(law, par, aim, crossing, floors, first, tolerance);
   let outcome = found2[0];
   let found = found2[1];
   if (outcome !== SOLVED && !first.solved && par.kick !== 0.0) {
     rest = par.entry_tension;
-    first = layers___layers_of(law, par, exit_tension, !crossing, floors, 0.0, rest);
-    const found3 = layers___less_rest(law, par, exit_tension, !crossing, floors, first);
+    first = layers___layers_of(law, par, aim, !crossing, floors, 0.0, rest, tolerance);
+    const found3 = layers___less_rest(law, par, aim, !crossing, floors, first, tolerance);
     other = found3[0];
     layers = found3[1];
     if (other === SOLVED) {
@@ -1518,8 +1599,8 @@ export function layers__shot_of_layers(law, par, found) {
 }
 
 /** `solve_tension` by layers, where no effort at the entry tells what happens at the exit. */
-export function answer__by_layers(law, par, exit_tension) {
-  const found1 = layers__solve_layers(law, par, exit_tension);
+export function answer__by_layers(law, par, goal) {
+  const found1 = layers__solve_layers(law, par, new Aim(TENSION, goal), STEP_TOLERANCE);
   let outcome = found1[0];
   let layers = found1[1];
   return new Found(outcome, NaN, layers__shot_of_layers(law, par, layers), layers, 0);
@@ -1588,7 +1669,6 @@ export function stick___record_stuck(par, out, count, s, zone, end_creep) {
   [out[i], out[i + 1], out[i + 2]] = [s, Math.log(tension / par.entry_tension), par.onset * tau];
   [out[i + 3], out[i + 4]] = [creep, tau];
   out[i + 5] = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau);
-  out[i + 6] = 0.0;
 }
 
 /** Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any. */
@@ -1617,7 +1697,7 @@ export function march__record(law, par, out, count, s, state) {
   let creep = found1[1];
   let i = RECORD * count;
   [out[i], out[i + 1], out[i + 2]] = [s, state.log_tension, state.slip];
-  [out[i + 3], out[i + 4], out[i + 5], out[i + 6]] = [creep, tau, state.work, 0.0];
+  [out[i + 3], out[i + 4], out[i + 5]] = [creep, tau, state.work];
 }
 
 /** dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law. */
@@ -1659,7 +1739,7 @@ export function creep_step__cell_step(law, par, g, segment, branch, sign, q, x) 
   let change = compact__friction_at(law, segment, branch, high, p)[0];
   change -= compact__friction_at(law, segment, branch, low, p)[0];
   let shear = (par.shear * p * Math.abs(change)) / (high - low);
-  if (shear < STEEP || law.coefficients[0] > 0.0) {
+  if (shear < STEEP) {
     return NaN;
   }
   let first = low + par.shear * p * compact__friction_at(law, segment, branch, low, p)[0];
@@ -2068,7 +2148,7 @@ export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut
   let [q, x, work, segment, branch, sign] = state;
   let switches = 0;
   while (xi < xi_end) {
-    if (!(-LARGEST_LOG < q && q < LARGEST_LOG)) {
+    if (!(-LARGEST_LOG < q && q < LARGEST_LOG && Math.abs(x) < FARTHEST_SLIP)) {
       break;
     }
     h = xi_end - xi;
@@ -2212,7 +2292,6 @@ export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut
       if (out.length > 0 && xi < xi_end && f > 0.0) {
         there = new State(q, x, work, segment, branch, sign);
         march__record(law, par, out, count, origin + span * xi ** MESH_POWER, there);
-        out[RECORD * count + 6] = 1.0;
         count += 1;
       }
       continue;
@@ -2283,7 +2362,6 @@ export function stick__stick_slip(law, par, zone, end_creep, g, steps, points, o
     }
     if (zone > 0.0) {
       stick___record_stuck(par, out, count, zone, zone, end_creep);
-      out[RECORD * count + 6] = 1.0;
       count += 1;
     }
   }
@@ -2300,6 +2378,10 @@ export function stick__stick_slip(law, par, zone, end_creep, g, steps, points, o
   let state = new State(q, x, work, segment, branch, par.side);
   if (zone >= length) {
     return [state, count];
+  }
+  if (out.length > 0 && compliance === 0.0) {
+    march__record(law, par, out, count, zone, state);
+    count += 1;
   }
   return march__carry_to_exit(law, par, g, state, zone, 0, steps, points, out, count);
 }
@@ -2341,6 +2423,11 @@ export function effort__lags(law, par) {
   }
   let lag = Math.sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance));
   return par.length / lag;
+}
+
+/** Whether no march from the entry tells what happens at the exit, and layers do. */
+export function effort__is_far(law, par) {
+  return !effort__jumps(law) && effort__lags(law, par) > FAR;
 }
 
 /** Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece. */
@@ -2968,7 +3055,7 @@ export function tension_march___record(law, par, q, s, a, work, out, count) {
   let creep = found1[1];
   let i = RECORD * count;
   [out[i], out[i + 1], out[i + 2]] = [s, -side * q, side * a];
-  [out[i + 3], out[i + 4], out[i + 5], out[i + 6]] = [side * creep, side * tau, work, 0.0];
+  [out[i + 3], out[i + 4], out[i + 5]] = [side * creep, side * tau, work];
 }
 
 /** Weight dQ times ds/dQ [m], da/dQ [m] and d(friction work)/dQ [J/m2] at a node. */
@@ -3382,7 +3469,6 @@ export function tension_march__march(law, par, gamma, to_exit, table, points, ou
         count,
       );
       tension_march___record(law, par, q1, s1, a1, work1, out, count);
-      out[RECORD * count + 6] = kink ? 1.0 : 0.0;
       count += 1;
     }
     q = q1;
@@ -3624,7 +3710,7 @@ export function search__search(law, par, aim, z, slope, steps, tolerance, table)
 /** Meet an aim: by marches in tension where they apply, else in position, coarse then fine. */
 export function search__refine(law, par, aim, z, steps) {
   let end, fine, outcome, shot, slope, table, z_met;
-  let size = aim.of === TENSION ? max(Math.abs(aim.value), 0.01) : Math.abs(aim.value);
+  let size = aim.of === TENSION ? max(Math.abs(aim.value), NEARLY_IDLE) : Math.abs(aim.value);
   if (tension_table__applies(law, par) && aim.value > NO_PULL) {
     fine = effort__mesh_steps(law, par, steps);
     end = aim.of === TENSION ? aim.value : 8.0;
@@ -3684,15 +3770,17 @@ export function answer__loss_miss(law, par, shot) {
 
 /** Whether a march has met its aim on a mesh fine enough for the law. */
 export function answer___resolved(law, par, found) {
-  let zone;
-  if (effort__jumps(law)) {
-    if (found.outcome !== SOLVED || par.shear === 0.0) {
-      return found.outcome === SOLVED || par.shear === 0.0;
-    }
-    zone = found.shot.stuck_length;
-    return stick__holds(law, par, zone, stick__zone_end(law, par, zone)[1]);
+  if (found.outcome !== SOLVED) {
+    return effort__jumps(law) && par.shear === 0.0;
   }
-  return found.outcome === SOLVED && answer__loss_miss(law, par, found.shot) < LOSS_MISS;
+  if (answer__loss_miss(law, par, found.shot) >= LOSS_MISS) {
+    return false;
+  }
+  if (!effort__jumps(law) || par.shear === 0.0) {
+    return true;
+  }
+  let zone = found.shot.stuck_length;
+  return stick__holds(law, par, zone, stick__zone_end(law, par, zone)[1]);
 }
 
 /** Meet ln(tight/slack) by marches from the entry, on a finer mesh while it is not resolved. */
@@ -3727,7 +3815,7 @@ export function answer__solve_tension(law, par, exit_tension, steps) {
     held = found1[0];
     creep = found1[1];
     if (held && !stick__holds(law, par, par.length, creep)) {
-      return answer__by_layers(law, par, exit_tension);
+      return answer__by_layers(law, par, goal);
     }
     if (held) {
       end = stick__zone_end(law, par, par.length)[1];
@@ -3741,8 +3829,8 @@ export function answer__solve_tension(law, par, exit_tension, steps) {
     still = new Shot(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     return new Found(SOLVED, -Infinity, still, NO_LAYERS, steps);
   }
-  if (!effort__jumps(law) && effort__lags(law, par) > FAR) {
-    far = answer__by_layers(law, par, exit_tension);
+  if (effort__is_far(law, par)) {
+    far = answer__by_layers(law, par, goal);
     if (far.outcome !== UNSOLVED) {
       return far;
     }
@@ -3754,7 +3842,7 @@ export function answer__solve_tension(law, par, exit_tension, steps) {
       if (answer___resolved(law, par, found)) {
         return found;
       }
-      other = answer__by_layers(law, par, exit_tension);
+      other = answer__by_layers(law, par, goal);
       if (other.outcome === SOLVED) {
         return other;
       }
@@ -3907,7 +3995,7 @@ export function answer__at_gross_slip(law, geometry, load, steps) {
 /** Numbers that the records of `trace` need: points, nodes and kinks. */
 export function answer__profile_size(law, found, points) {
   if (found.z !== found.z) {
-    return RECORD * (points + 2 * NODES + 10);
+    return RECORD * (points + 2 * (NODES + KINKS) + 10);
   }
   return RECORD * (points + 4 * effort__mesh_steps(law, found.par, found.steps) + 600);
 }
@@ -3924,7 +4012,7 @@ export function layer_profile___record(law, par, rest, g, s, u, w, out, count) {
   work -= 0.5 * par.shear * (tau * tau - entry_tau * entry_tau);
   let i = RECORD * count;
   [out[i], out[i + 1], out[i + 2]] = [s, Math.log(tension / par.entry_tension), x];
-  [out[i + 3], out[i + 4], out[i + 5], out[i + 6]] = [u, tau, work, 0.0];
+  [out[i + 3], out[i + 4], out[i + 5]] = [u, tau, work];
 }
 
 /** Record a layer in order of position, with the points of the equal division inside it. */
@@ -3975,6 +4063,83 @@ export function layer_profile___record_path(
   return count;
 }
 
+/** Segment and branch of the law at a creep and a creep ratio; -1 where the belt is held. */
+export function layer_profile___piece(law, par, rest, u, w) {
+  let tension = rest - w / par.compliance;
+  const found1 = layer_march__friction_of_creep(law, par, tension, u);
+  let x = found1[1];
+  let pressure = par.entry_pressure * max(tension / par.entry_tension, 1e-9);
+  let segment = compact__segment_of(law, pressure);
+  return [segment, x !== 0.0 ? compact__branch_of(law, segment, Math.abs(x), pressure) : -1];
+}
+
+/** Record where the law changes its piece between two steps of a layer. */
+export function layer_profile___record_kinks(law, par, rest, g, path, origin, towards, out, count) {
+  let h, high, i, low, part, piece, s, u, v, w, y;
+  let most = count + KINKS;
+  for (let each1 = 0, end1 = Math.trunc(path[0]) - 1; each1 < end1; each1++) {
+    i = each1;
+    s = path[3 * i + 1];
+    u = path[3 * i + 2];
+    w = path[3 * i + 3];
+    piece = layer_profile___piece(law, par, rest, u, w);
+    h = towards * (path[3 * i + 4] - s);
+    if (
+      count === most ||
+      piece === layer_profile___piece(law, par, rest, path[3 * i + 5], path[3 * i + 6])
+    ) {
+      continue;
+    }
+    low = 0.0;
+    high = 1.0;
+    for (let each2 = 0, end2 = HALVINGS; each2 < end2; each2++) {
+      part = 0.5 * (low + high);
+      const found3 = layer_march__layer_step(law, par, rest, u, w, part * h);
+      v = found3[0];
+      y = found3[1];
+      if (layer_profile___piece(law, par, rest, v, y) === piece) {
+        low = part;
+      } else {
+        high = part;
+      }
+    }
+    const found4 = layer_march__layer_step(law, par, rest, u, w, high * h);
+    v = found4[0];
+    y = found4[1];
+    layer_profile___record(
+      law,
+      par,
+      rest,
+      g,
+      max(origin + towards * s + high * h, 0.0),
+      v,
+      y,
+      out,
+      count,
+    );
+    count += 1;
+  }
+  return count;
+}
+
+/** Put records in order of s (insertion sort: they are nearly in order). */
+export function profile__sort(out, count) {
+  let a, b, i, j, k;
+  for (let each1 = 1, end1 = count; each1 < end1; each1++) {
+    i = each1;
+    j = i;
+    while (j > 0 && out[RECORD * j] < out[RECORD * (j - 1)]) {
+      a = RECORD * j;
+      b = RECORD * (j - 1);
+      for (let each2 = 0, end2 = RECORD; each2 < end2; each2++) {
+        k = each2;
+        [out[a + k], out[b + k]] = [out[b + k], out[a + k]];
+      }
+      j -= 1;
+    }
+  }
+}
+
 /** Profile of solved layers: exit quantities and the number of records. */
 export function layer_profile__trace_layers(law, par, found, points, out) {
   let path = zeros(3 * MOST_STEPS + 10);
@@ -3984,7 +4149,17 @@ export function layer_profile__trace_layers(law, par, found, points, out) {
   let begin = min(found.entry_length, par.length);
   let out_length = max(found.length - found.entry_length, 0.0);
   if (begin > 0.0) {
-    layer_march__march_layer(law, par, found.rest_tension, part, -1.0, true, par.kick, path);
+    layer_march__march_layer(
+      law,
+      par,
+      found.rest_tension,
+      part,
+      -1.0,
+      TO_CREEP,
+      par.kick,
+      STEP_TOLERANCE,
+      path,
+    );
     count = layer_profile___record_path(
       law,
       par,
@@ -3996,6 +4171,17 @@ export function layer_profile__trace_layers(law, par, found, points, out) {
       points,
       out,
       0,
+    );
+    count = layer_profile___record_kinks(
+      law,
+      par,
+      found.rest_tension,
+      g,
+      path,
+      begin,
+      -1.0,
+      out,
+      count,
     );
   } else if (par.kick === 0.0) {
     layer_profile___record(law, par, found.rest_tension, g, 0.0, 0.0, found.ratio, out, 0);
@@ -4026,8 +4212,9 @@ export function layer_profile__trace_layers(law, par, found, points, out) {
       found.rest_tension,
       part,
       1.0,
-      false,
+      TO_RATIO,
       found.exit_ratio,
+      STEP_TOLERANCE,
       path,
     );
   } else {
@@ -4046,25 +4233,9 @@ export function layer_profile__trace_layers(law, par, found, points, out) {
     count,
   );
   out[RECORD * (count - 1)] = par.length;
+  count = layer_profile___record_kinks(law, par, found.rest_tension, g, path, end, 1.0, out, count);
+  profile__sort(out, count);
   return [layers__shot_of_layers(law, par, found), count];
-}
-
-/** Put records in order of s (insertion sort: they are nearly in order). */
-export function profile__sort(out, count) {
-  let a, b, i, j, k;
-  for (let each1 = 1, end1 = count; each1 < end1; each1++) {
-    i = each1;
-    j = i;
-    while (j > 0 && out[RECORD * j] < out[RECORD * (j - 1)]) {
-      a = RECORD * j;
-      b = RECORD * (j - 1);
-      for (let each2 = 0, end2 = RECORD; each2 < end2; each2++) {
-        k = each2;
-        [out[a + k], out[b + k]] = [out[b + k], out[a + k]];
-      }
-      j -= 1;
-    }
-  }
 }
 
 /** Profile of an arc solved by `solve_tension`: exit quantities and the number of records. */
@@ -4231,9 +4402,97 @@ export function summary__stretches_outside(tested, columns, count) {
   return [found, pairs];
 }
 
+/** D tau/ds [Pa/m] at one end of the way between two records, in the piece of law between. */
+export function profile___stress_slope(law, par, g, out, a, b, at) {
+  let q = out[at + 1];
+  let tau = out[at + 4];
+  let slip = 0.5 * (out[a + 2] + out[b + 2]);
+  let w = g + par.entry_tension * (1.0 - Math.exp(q)) * par.compliance;
+  if (slip === 0.0) {
+    return par.shear > 0.0 ? w / par.shear : 0.0;
+  }
+  let sign = slip > 0.0 ? 1.0 : -1.0;
+  let between = par.entry_pressure * Math.exp(0.5 * (out[a + 1] + out[b + 1]));
+  let segment = compact__segment_of(law, between);
+  let branch = compact__branch_of(law, segment, sign * slip, between);
+  let p = par.entry_pressure * Math.exp(q);
+  const found1 = compact__friction_at(law, segment, branch, sign * out[at + 2], p);
+  let mu = found1[0];
+  let mu_x = found1[1];
+  let mu_p = found1[2];
+  let turn = (-sign * (mu + p * mu_p) * tau) / par.radius;
+  return (p * mu_x * w + turn) / (1.0 + par.shear * p * mu_x);
+}
+
+/** Magnitude of shear stress at a fraction of the way between two records [Pa]. */
+export function profile___stress_between(law, par, g, out, a, b, f) {
+  let at, part, tension;
+  let e = 1.0 - f;
+  let h = out[b] - out[a];
+  let near = e * e * (1.0 + 2.0 * f);
+  let far = f * f * (3.0 - 2.0 * f);
+  let to_a = e * e * f * h;
+  let to_b = -f * f * e * h;
+  let q = near * out[a + 1] + far * out[b + 1];
+  let u = near * out[a + 3] + far * out[b + 3];
+  for (const each1 of [
+    [a, to_a],
+    [b, to_b],
+  ]) {
+    [at, part] = each1;
+    tension = par.entry_tension * Math.exp(out[at + 1]);
+    q -= (part * out[at + 4] * par.width) / tension;
+    u += part * (g + (par.entry_tension - tension) * par.compliance);
+  }
+  const found2 = layer_march__friction_of_creep(law, par, par.entry_tension * Math.exp(q), u);
+  let tau = found2[0];
+  return Math.abs(tau);
+}
+
+/** Fraction of the way between two records at which stress is largest, and the stress [Pa]. */
+export function profile___peak_between(law, par, g, out, a, b) {
+  let h = out[b] - out[a];
+  let sign = out[a + 4] + out[b + 4] > 0.0 ? 1.0 : -1.0;
+  if (h <= 0.0 || sign * out[a + 4] <= 0.0 || sign * out[b + 4] <= 0.0) {
+    return [0.0, 0.0];
+  }
+  let start = h * sign * profile___stress_slope(law, par, g, out, a, b, a);
+  let end = h * sign * profile___stress_slope(law, par, g, out, a, b, b);
+  if (!(start > 0.0) || !(end < 0.0)) {
+    return [0.0, 0.0];
+  }
+  let rise = sign * (out[b + 4] - out[a + 4]);
+  let m = 6.0 * rise - 4.0 * start - 2.0 * end;
+  let k = 3.0 * (start + end) - 6.0 * rise;
+  let f = (2.0 * start) / (-m + Math.sqrt(max(m * m - 4.0 * k * start, 0.0)));
+  let vertex = sign * out[a + 4] + f * (start + f * (0.5 * m + (f * k) / 3.0));
+  let there = profile___stress_between(law, par, g, out, a, b, f);
+  if (Math.abs(there - vertex) <= PEAK_TOLERANCE * vertex) {
+    return [f, there];
+  }
+  let low = 0.0;
+  let high = 1.0;
+  let c = 1.0 - GOLDEN;
+  let d = GOLDEN;
+  let at_c = profile___stress_between(law, par, g, out, a, b, c);
+  let at_d = profile___stress_between(law, par, g, out, a, b, d);
+  for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
+    if (at_c >= at_d) {
+      [high, d, at_d] = [d, c, at_c];
+      c = high - GOLDEN * (high - low);
+      at_c = profile___stress_between(law, par, g, out, a, b, c);
+    } else {
+      [low, c, at_c] = [c, d, at_d];
+      d = low + GOLDEN * (high - low);
+      at_d = profile___stress_between(law, par, g, out, a, b, d);
+    }
+  }
+  return at_c >= at_d ? [c, at_c] : [d, at_d];
+}
+
 /** Largest magnitude of shear stress [Pa] and where it is, s [m]. */
-export function profile__peak_stress(out, count) {
-  let i, j;
+export function profile__peak_stress(law, par, g, out, count) {
+  let a, b, f, i, there;
   let best = 0;
   for (let each1 = 1, end1 = count; each1 < end1; each1++) {
     i = each1;
@@ -4241,36 +4500,24 @@ export function profile__peak_stress(out, count) {
       best = i;
     }
   }
-  let s = out[RECORD * best];
-  let t = Math.abs(out[RECORD * best + 4]);
-  i = best - 1;
-  j = best + 1;
-  let kink = out[RECORD * best + 6] === 1.0;
-  if (best === count - 1) {
-    i = best - 2;
-    j = best - 1;
-    kink = i >= 0 && out[RECORD * j + 6] === 1.0;
+  let most = Math.abs(out[RECORD * best + 4]);
+  let where = out[RECORD * best];
+  for (const each2 of [best - 1, best]) {
+    i = each2;
+    if (i < 0 || i + 1 >= count) {
+      continue;
+    }
+    a = RECORD * i;
+    b = RECORD * (i + 1);
+    const found3 = profile___peak_between(law, par, g, out, a, b);
+    f = found3[0];
+    there = found3[1];
+    if (there > most) {
+      most = there;
+      where = out[a] + f * (out[b] - out[a]);
+    }
   }
-  if (i < 0 || kink) {
-    return [t, s];
-  }
-  let a = out[RECORD * i] - s;
-  let fa = Math.abs(out[RECORD * i + 4]) - t;
-  let b = out[RECORD * j] - s;
-  let fb = Math.abs(out[RECORD * j + 4]) - t;
-  if (a === 0.0 || b === 0.0 || a === b) {
-    return [t, s];
-  }
-  let k = (fb / b - fa / a) / (b - a);
-  let m = fa / a - k * a;
-  if (k >= 0.0) {
-    return [t, s];
-  }
-  let y = (-0.5 * m) / k;
-  if (a < y && y < max(b, 0.0)) {
-    return [t - (0.25 * m * m) / k, s + y];
-  }
-  return [t, s];
+  return [most, where];
 }
 
 /** Length of the exit part of the arc that takes 99 % of the tension change [m]. */
@@ -4333,7 +4580,7 @@ export function summary__spring_rate(axial_stiffness, length) {
 }
 
 /** Reported numbers of an arc that is solved and traced; nan where there is none. */
-export function summary__summary_of(arc, tested, found, out, count) {
+export function summary__summary_of(law, arc, tested, found, out, count) {
   let par = found.par;
   let shot = found.shot;
   let radius = par.radius;
@@ -4344,7 +4591,7 @@ export function summary__summary_of(arc, tested, found, out, count) {
   let leaving = entry * Math.exp(q);
   let exit_tension = found.outcome === SOLVED ? arc.exit_tension : leaving;
   let pull = entry - leaving;
-  const found1 = profile__peak_stress(out, count);
+  const found1 = profile__peak_stress(law, par, g, out, count);
   let peak = found1[0];
   let where = found1[1];
   let active = profile__active_length(out, count);
@@ -4406,7 +4653,7 @@ export function in_page__quick(law, given, tested, points) {
   let arc = in_page__description_of(given);
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
-  if (!(0.0 < entry && entry <= MOST_TENSION && 0.0 < leaving && leaving <= MOST_TENSION)) {
+  if (!(LEAST_TENSION <= min(entry, leaving) && max(entry, leaving) <= MOST_TENSION)) {
     return null;
   }
   let geometry = summary__geometry_of(arc, law.onset_compliance);
@@ -4429,37 +4676,71 @@ export function in_page__quick(law, given, tested, points) {
   const found2 = summary__stretches_outside(tested, profile, count);
   let outside = found2[0];
   let stretches = found2[1];
-  let summary = summary__summary_of(arc, tested, found, out, count);
+  let summary = summary__summary_of(law, arc, tested, found, out, count);
   return new Quick(found.outcome === SOLVED, summary, profile, outside, stretches);
 }
 
-/** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
-export function gross_slip__largest_ratio(law, geometry, tight, softening, steps) {
-  let best, creep;
+/** Meet a target of creep or slip with the entry tension held [N]; z may be nan. */
+export function capacity___at_entry(law, geometry, entry, aim, z, steps) {
+  let layers, outcome, tolerance;
+  let par = quantities__parameters_at(entry, geometry);
+  if (effort__is_far(law, par)) {
+    tolerance = steps === MEET_STEPS ? 1e-6 : STEP_TOLERANCE;
+    const found1 = layers__solve_layers(law, par, aim, tolerance);
+    outcome = found1[0];
+    layers = found1[1];
+    return [outcome, NaN, layers__shot_of_layers(law, par, layers)];
+  }
+  return search__refine(law, par, aim, z === z ? z : effort__first_guess(law, par, aim), steps);
+}
+
+/** `carry` of a braking pulley where Newton's method fails: secants in ln T1, in a bracket. */
+export function capacity___carry_bracketed(law, geometry, tight, aim, steps) {
+  let f, outcome, shot;
   let radius = geometry.radius;
   let wrap = geometry.wrap_angle;
   let width = geometry.width;
-  let supremum = gross_slip__plateau_capacity(law, tight / (width * radius), wrap);
-  if (!softening) {
-    return [supremum, Infinity];
+  let goal = Math.log(tight);
+  let t = goal;
+  let t_last = goal;
+  let f_last = 0.0;
+  let z = NaN;
+  let slope = 1.0;
+  let mesh = MEET_STEPS;
+  let bottom = goal - gross_slip__plateau_capacity(law, tight / (width * radius), wrap) - 1.0;
+  let low = bottom;
+  let high = goal;
+  for (let each1 = 0, end1 = 80; each1 < end1; each1++) {
+    const found2 = capacity___at_entry(law, geometry, Math.exp(t), aim, z, mesh);
+    outcome = found2[0];
+    z = found2[1];
+    shot = found2[2];
+    if (outcome !== SOLVED) {
+      return [outcome, z, Math.exp(t), shot];
+    }
+    f = t + shot.log_tension - goal;
+    if (mesh === steps && (Math.abs(f) < 1e-9 || high - low < 1e-13)) {
+      return [Math.abs(f) < 1e-8 ? SOLVED : UNSOLVED, z, Math.exp(t), shot];
+    }
+    if (t !== t_last) {
+      slope = (f - f_last) / (t - t_last);
+    }
+    if (mesh !== steps && Math.abs(f) < 0.0001) {
+      mesh = steps;
+      low = bottom;
+      high = goal;
+      t_last = t;
+      continue;
+    }
+    [low, high] = f > 0.0 ? [low, t] : [t, high];
+    t_last = t;
+    f_last = f;
+    t = slope > 0.0 ? t - f / slope : NaN;
+    if (!(low < t && t < high)) {
+      t = 0.5 * (low + high);
+    }
   }
-  const found1 = gross_slip__gross_slip(law, geometry, tight, supremum, steps);
-  best = found1[0];
-  creep = found1[1];
-  return [best, creep];
-}
-
-/** Capacities of a long arc, where no march from the entry meets a creep at the exit. */
-export function answer___without_marches(law, geometry, load, parts, steps) {
-  let gross, gross_creep, tight;
-  gross = gross_creep = NaN;
-  if (parts & GROSS_SLIP && load.steepest_fall === 0.0) {
-    tight = max(load.entry_tension, load.exit_tension);
-    const found1 = gross_slip__largest_ratio(law, geometry, tight, false, steps);
-    gross = found1[0];
-    gross_creep = found1[1];
-  }
-  return new Carried(NaN, NaN, gross, gross_creep, NaN, NaN);
+  return [UNSOLVED, z, Math.exp(t), shot];
 }
 
 /** Relative misses of the target and of the tension, for ln T1 = t and effort z. */
@@ -4521,7 +4802,7 @@ export function capacity__meet(law, geometry, aim, of_pull, tension, entry, z, m
   let r1 = found1[0];
   let r2 = found1[1];
   let shot = found1[2];
-  for (let each2 = 0, end2 = 60; each2 < end2; each2++) {
+  for (let each2 = 0, end2 = MOST_ROUNDS; each2 < end2; each2++) {
     size = max(Math.abs(r1), Math.abs(r2));
     if (mesh === steps && size < TOLERANCE * 10.0) {
       det = j11 * j22 - j12 * j21;
@@ -4581,61 +4862,21 @@ export function capacity__meet(law, geometry, aim, of_pull, tension, entry, z, m
   return [false, z, Math.exp(t), shot, 0.0];
 }
 
-/** `carry` of a braking pulley where Newton's method fails: false position in ln T1. */
-export function capacity___carry_bracketed(law, geometry, tight, aim, steps) {
-  let f, guess, i, outcome, par, shot, t;
-  let radius = geometry.radius;
-  let wrap = geometry.wrap_angle;
-  let width = geometry.width;
-  let high = Math.log(tight);
-  let low = high - gross_slip__plateau_capacity(law, tight / (width * radius), wrap) - 1.0;
-  let f_low = -1.0;
-  let f_high = 0.0;
-  let z = NaN;
-  for (let each1 = 0, end1 = 80; each1 < end1; each1++) {
-    i = each1;
-    if (i === 0) {
-      t = high - 0.001;
-    } else {
-      t = i > 3 ? (low * f_high - high * f_low) / (f_high - f_low) : 0.5 * (low + high);
-    }
-    par = quantities__parameters_at(Math.exp(t), geometry);
-    guess = z === z ? z : effort__first_guess(law, par, aim);
-    const found2 = search__refine(law, par, aim, guess, steps);
-    outcome = found2[0];
-    z = found2[1];
-    shot = found2[2];
-    if (outcome !== SOLVED) {
-      return [outcome, z, Math.exp(t), shot];
-    }
-    f = t + shot.log_tension - Math.log(tight);
-    if (Math.abs(f) < 1e-10 || high - low < 1e-13) {
-      return [SOLVED, z, Math.exp(t), shot];
-    }
-    if (f > 0.0) {
-      [high, f_high, f_low] = [t, f, i > 3 ? 0.5 * f_low : f_low];
-    } else {
-      [low, f_low, f_high] = [t, f, i > 3 ? 0.5 * f_high : max(f_high, 0.001)];
-    }
-  }
-  return [UNSOLVED, z, Math.exp(t), shot];
-}
-
 /** Largest tension ratio of a held tight side at which a target of creep or slip is met. */
 export function capacity__carry(law, geometry, tight, aim, z, steps) {
-  let entry, guess, met, outcome, par, shot, z_met;
-  let side = geometry.side;
-  if (side > 0.0) {
-    par = quantities__parameters_at(tight, geometry);
-    guess = z === z ? z : effort__first_guess(law, par, aim);
-    const found1 = search__refine(law, par, aim, guess, steps);
+  let entry, met, outcome, shot, z_met;
+  if (geometry.side > 0.0) {
+    const found1 = capacity___at_entry(law, geometry, tight, aim, z, steps);
     outcome = found1[0];
     z = found1[1];
     shot = found1[2];
     return [outcome, z, tight, shot];
   }
-  par = quantities__parameters_at(0.6 * tight, geometry);
-  guess = z === z ? z : effort__first_guess(law, par, aim);
+  let par = quantities__parameters_at(0.6 * tight, geometry);
+  if (effort__is_far(law, par)) {
+    return capacity___carry_bracketed(law, geometry, tight, aim, steps);
+  }
+  let guess = z === z ? z : effort__first_guess(law, par, aim);
   const found2 = capacity__meet(
     law,
     geometry,
@@ -4644,57 +4885,167 @@ export function capacity__carry(law, geometry, tight, aim, z, steps) {
     tight,
     0.6 * tight,
     guess,
-    Infinity,
+    4.0 * tight,
     steps,
   );
   met = found2[0];
   z_met = found2[1];
   entry = found2[2];
   shot = found2[3];
-  if (met) {
+  if (met && entry <= tight) {
     return [SOLVED, z_met, entry, shot];
   }
   return capacity___carry_bracketed(law, geometry, tight, aim, steps);
 }
 
-/** Pull carried at a creep limit with a held tight side [N], and the effort for it. */
-export function capacity___pull(law, geometry, tight, limit, z, steps) {
+/** Pull carried at a creep limit with a held entry tension [N], and the effort for it. */
+export function capacity___pull(law, geometry, entry, limit, z, steps) {
   let shot;
-  const found1 = capacity__carry(law, geometry, tight, new Aim(CREEP, limit), z, steps);
+  const found1 = capacity___at_entry(law, geometry, entry, new Aim(CREEP, limit), z, steps);
   z = found1[1];
-  shot = found1[3];
-  return [tight * (1.0 - Math.exp(-Math.abs(shot.log_tension))), z];
+  shot = found1[2];
+  return [entry * Math.abs(1.0 - Math.exp(shot.log_tension)), z];
 }
 
-/** ln(tight side) in [a, b] of the largest pull at a creep limit, and the pull [N]. */
-export function capacity___most(law, geometry, limit, a, b, steps) {
+/** ln(entry tension) up to `top` of the largest pull at a creep limit, the pull [N], the effort. */
+export function capacity___most(law, geometry, limit, enough, top, p_top, z) {
   let p_c, p_d;
-  let ratio = 0.6180339887498949;
-  let z = NaN;
-  let c = b - ratio * (b - a);
-  let d = a + ratio * (b - a);
-  const found1 = capacity___pull(law, geometry, Math.exp(c), limit, z, steps);
-  p_c = found1[0];
-  z = found1[1];
-  const found2 = capacity___pull(law, geometry, Math.exp(d), limit, z, steps);
+  const found1 = capacity___pull(law, geometry, Math.exp(top - 0.02), limit, z, MEET_STEPS);
+  let p_in = found1[0];
+  let z_in = found1[1];
+  if (p_in <= p_top) {
+    return [top, p_top, z];
+  }
+  let low = top - 3.0;
+  let high = top;
+  let p_low = -Infinity;
+  let p_high = p_top;
+  let d = low + GOLDEN * (high - low);
+  const found2 = capacity___pull(law, geometry, Math.exp(d), limit, z_in, MEET_STEPS);
   p_d = found2[0];
   z = found2[1];
-  while (b - a > 0.01) {
+  let c = high - GOLDEN * (high - low);
+  const found3 = capacity___pull(law, geometry, Math.exp(c), limit, z, MEET_STEPS);
+  p_c = found3[0];
+  z = found3[1];
+  while (high - low > NEAR_TOP && max(p_c, p_d) < enough) {
     if (p_c >= p_d) {
-      [b, d, p_d] = [d, c, p_c];
-      c = b - ratio * (b - a);
-      const found3 = capacity___pull(law, geometry, Math.exp(c), limit, z, steps);
-      p_c = found3[0];
-      z = found3[1];
-    } else {
-      [a, c, p_c] = [c, d, p_d];
-      d = a + ratio * (b - a);
-      const found4 = capacity___pull(law, geometry, Math.exp(d), limit, z, steps);
-      p_d = found4[0];
+      [high, p_high, d, p_d] = [d, p_d, c, p_c];
+      c = high - GOLDEN * (high - low);
+      const found4 = capacity___pull(law, geometry, Math.exp(c), limit, z, MEET_STEPS);
+      p_c = found4[0];
       z = found4[1];
+    } else {
+      [low, p_low, c, p_c] = [c, p_c, d, p_d];
+      d = low + GOLDEN * (high - low);
+      const found5 = capacity___pull(law, geometry, Math.exp(d), limit, z, MEET_STEPS);
+      p_d = found5[0];
+      z = found5[1];
     }
   }
-  return p_c >= p_d ? [c, p_c] : [d, p_d];
+  let [t, p_t] = p_c >= p_d ? [c, p_c] : [d, p_d];
+  if (p_t >= enough || p_low === -Infinity) {
+    return [t, p_t, z];
+  }
+  let [left, right] = t === c ? [low, d] : [c, high];
+  let [p_left, p_right] = t === c ? [p_low, p_d] : [p_c, p_high];
+  let rise = (p_t - p_left) / (t - left);
+  let fall = (p_right - p_t) / (right - t);
+  let v = 0.5 * (left + t) + (0.5 * (right - left) * rise) / (rise - fall);
+  const found6 = capacity___pull(law, geometry, Math.exp(v), limit, z, MEET_STEPS);
+  let p_v = found6[0];
+  let z_v = found6[1];
+  return p_v > p_t ? [v, p_v, z_v] : [t, p_t, z];
+}
+
+/** ln(entry tension) at which a pull is carried, by secants on the fine mesh; nan if not met. */
+export function capacity___pull_closed(law, geometry, pull, limit, near, z, steps) {
+  let f, f_last, i, p, t_last;
+  let [t, slope] = near;
+  t_last = f_last = 0.0;
+  for (let each1 = 0, end1 = 12; each1 < end1; each1++) {
+    i = each1;
+    const found2 = capacity___pull(law, geometry, Math.exp(t), limit, z, steps);
+    p = found2[0];
+    z = found2[1];
+    f = Math.log(max(p, 1e-9 * pull) / pull);
+    if (Math.abs(f) < PULL_TOLERANCE) {
+      return t;
+    }
+    if (i > 0 && t !== t_last) {
+      slope = (f - f_last) / (t - t_last);
+    }
+    if (slope <= 0.0) {
+      break;
+    }
+    [t_last, f_last, t] = [t, f, t - f / slope];
+  }
+  return NaN;
+}
+
+/** `least_slack` where Newton's method fails: the pull rises with tension to a largest one. */
+export function capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps) {
+  let f, p;
+  let aim = new Aim(CREEP, limit);
+  const found1 = capacity__carry(law, geometry, tight_max, aim, NaN, MEET_STEPS);
+  let z = found1[1];
+  let entry = found1[2];
+  let shot = found1[3];
+  let high = Math.log(entry);
+  let p_high = entry * Math.abs(1.0 - Math.exp(shot.log_tension));
+  if (p_high < pull) {
+    const found2 = capacity___most(law, geometry, limit, pull, high, p_high, z);
+    high = found2[0];
+    p_high = found2[1];
+    z = found2[2];
+  }
+  if (p_high < pull) {
+    if (high < Math.log(entry)) {
+      return [NaN, capacity___pull(law, geometry, Math.exp(high), limit, z, steps)[0]];
+    }
+    shot = capacity__carry(law, geometry, tight_max, aim, z, steps)[3];
+    return [NaN, tight_max * (1.0 - Math.exp(-Math.abs(shot.log_tension)))];
+  }
+  let low = high;
+  let step = 1.5 * Math.log(p_high / pull) + 0.02;
+  let p_low = p_high;
+  while (p_low >= pull) {
+    [high, p_high, low] = [low, p_low, low - step];
+    const found3 = capacity___pull(law, geometry, Math.exp(low), limit, z, MEET_STEPS);
+    p_low = found3[0];
+    z = found3[1];
+    step *= 2.0;
+  }
+  let f_low = Math.log(p_low / pull);
+  let f_high = Math.log(p_high / pull);
+  let side = 0;
+  let t = low;
+  let slope = (f_high - f_low) / (high - low);
+  for (let each4 = 0, end4 = 40; each4 < end4; each4++) {
+    t = (low * f_high - high * f_low) / (f_high - f_low);
+    const found5 = capacity___pull(law, geometry, Math.exp(t), limit, z, MEET_STEPS);
+    p = found5[0];
+    z = found5[1];
+    f = Math.log(max(p, 1e-9 * pull) / pull);
+    if (Math.abs(f) < 0.001) {
+      break;
+    }
+    if (f > 0.0) {
+      slope = (f - f_low) / (t - low);
+      f_low *= side > 0 ? 0.5 : 1.0;
+      high = t;
+      f_high = f;
+      side = 1;
+    } else {
+      slope = (f_high - f) / (high - t);
+      f_high *= side < 0 ? 0.5 : 1.0;
+      low = t;
+      f_low = f;
+      side = -1;
+    }
+  }
+  t = capacity___pull_closed(law, geometry, pull, limit, [t, slope], z, steps);
+  return [geometry.side > 0.0 ? Math.exp(t) - pull : Math.exp(t), NaN];
 }
 
 /** Least slack-side tension that carries a pull within a creep limit. */
@@ -4709,7 +5060,10 @@ export function capacity__least_slack(
   tight_max,
   steps,
 ) {
-  let bottom, f, found, p, p_high, p_low, t;
+  let found;
+  if (z !== z) {
+    return capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps);
+  }
   const found1 = capacity__meet(
     law,
     geometry,
@@ -4731,88 +5085,23 @@ export function capacity__least_slack(
       return [found - pull, NaN];
     }
   }
-  let low = Math.log(pull) + 0.0001;
-  let high = Math.log(tight_max);
-  if (low >= high) {
-    return [NaN, capacity___pull(law, geometry, tight_max, limit, z, steps)[0]];
+  return capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps);
+}
+
+/** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
+export function gross_slip__largest_ratio(law, geometry, tight, softening, steps) {
+  let best, creep;
+  let radius = geometry.radius;
+  let wrap = geometry.wrap_angle;
+  let width = geometry.width;
+  let supremum = gross_slip__plateau_capacity(law, tight / (width * radius), wrap);
+  if (!softening) {
+    return [supremum, Infinity];
   }
-  const found2 = capacity___pull(law, geometry, Math.exp(high), limit, NaN, MEET_STEPS);
-  let p_top = found2[0];
-  let z_top = found2[1];
-  let step = min(0.02 * (high - low), 0.05);
-  const found3 = capacity___pull(law, geometry, Math.exp(high - step), limit, z_top, MEET_STEPS);
-  let p_in = found3[0];
-  if (p_in > p_top) {
-    bottom = max(low, high - 3.0);
-    const found4 = capacity___most(law, geometry, limit, bottom, high, MEET_STEPS);
-    high = found4[0];
-    p_top = found4[1];
-  }
-  if (p_top < pull) {
-    return [NaN, capacity___pull(law, geometry, Math.exp(high), limit, z_top, steps)[0]];
-  }
-  let z_last = NaN;
-  for (let each5 = 0, end5 = 60; each5 < end5; each5++) {
-    t = 0.5 * (low + high);
-    const found6 = capacity___pull(law, geometry, Math.exp(t), limit, z_last, MEET_STEPS);
-    p = found6[0];
-    z_last = found6[1];
-    if (p < pull) {
-      low = t;
-    } else {
-      high = t;
-    }
-    if (high - low < 0.02) {
-      break;
-    }
-  }
-  entry = geometry.side > 0.0 ? Math.exp(high) : Math.exp(high) - pull;
-  const found7 = capacity__meet(
-    law,
-    geometry,
-    new Aim(CREEP, limit),
-    true,
-    pull,
-    entry,
-    z_last,
-    Infinity,
-    steps,
-  );
-  met = found7[0];
-  entry_met = found7[2];
-  shot = found7[3];
-  found = max(entry_met, entry_met * Math.exp(shot.log_tension));
-  if (met && found <= tight_max * (1.0 + 1e-9)) {
-    return [found - pull, NaN];
-  }
-  [low, high] = [low - 0.02, high + 0.02];
-  const found8 = capacity___pull(law, geometry, Math.exp(low), limit, z_last, steps);
-  p_low = found8[0];
-  z_last = found8[1];
-  const found9 = capacity___pull(law, geometry, Math.exp(high), limit, z_last, steps);
-  p_high = found9[0];
-  z_last = found9[1];
-  let f_low = Math.log(p_low / pull);
-  let f_high = Math.log(p_high / pull);
-  for (let each10 = 0, end10 = 60; each10 < end10; each10++) {
-    if (f_low >= 0.0 || f_high <= 0.0) {
-      return [NaN, NaN];
-    }
-    t = (low * f_high - high * f_low) / (f_high - f_low);
-    const found11 = capacity___pull(law, geometry, Math.exp(t), limit, z_last, steps);
-    p = found11[0];
-    z_last = found11[1];
-    f = Math.log(p / pull);
-    if (Math.abs(f) < 1e-9 || high - low < 1e-12) {
-      return [Math.exp(t) - pull, NaN];
-    }
-    if (f > 0.0) {
-      [high, f_high, f_low] = [t, f, 0.5 * f_low];
-    } else {
-      [low, f_low, f_high] = [t, f, 0.5 * f_high];
-    }
-  }
-  return [NaN, NaN];
+  const found1 = gross_slip__gross_slip(law, geometry, tight, supremum, steps);
+  best = found1[0];
+  creep = found1[1];
+  return [best, creep];
 }
 
 /** Capacities that are asked for by `parts`. */
@@ -4821,9 +5110,6 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
   let tight = max(load.entry_tension, load.exit_tension);
   let pull = Math.abs(load.entry_tension - load.exit_tension);
   by_creep = by_slip = gross = gross_creep = least = most = NaN;
-  if (effort__lags(law, quantities__parameters_at(tight, geometry)) > FAR_FOR_CAPACITIES) {
-    return answer___without_marches(law, geometry, load, parts, steps);
-  }
   if (parts & (CREEP_LIMIT + LEAST)) {
     const found1 = capacity__carry(
       law,
