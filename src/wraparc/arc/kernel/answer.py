@@ -29,6 +29,7 @@ from wraparc.arc.kernel.layer_profile import KINKS, NODES, trace_layers
 from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
 from wraparc.arc.kernel.quantities import (
     BREAKAWAY,
+    NO_SHOT,
     RECORD,
     SOLVED,
     STUCK,
@@ -57,9 +58,6 @@ BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
 # capacities that may be asked for, to be added up
 CREEP_LIMIT, TESTED_SLIP, LEAST, GROSS_SLIP = 2, 4, 8, 16
 CAPACITIES = CREEP_LIMIT + TESTED_SLIP + LEAST + GROSS_SLIP
-
-
-NO_SHOT = Shot(nan, nan, nan, nan, nan, nan, nan)
 
 
 class Found(NamedTuple):

@@ -13,6 +13,7 @@ from wraparc.arc.kernel.gross_slip import plateau_capacity
 from wraparc.arc.kernel.layer_march import COARSE_TOLERANCE, STEP_TOLERANCE
 from wraparc.arc.kernel.layers import shot_of_layers, solve_layers
 from wraparc.arc.kernel.quantities import (
+    NO_SHOT,
     SOLVED,
     UNSOLVED,
     Buffer,
@@ -29,7 +30,7 @@ MEET_STEPS = 12  # mesh steps of a first search; decides speed only
 PULL_TOLERANCE = 2e-9  # relative: what the steps of layers leave
 GOLDEN = 0.6180339887498949
 NEAR_TOP = 0.08  # of ln(tension): so near its top the pull is a parabola
-MOST_ROUNDS = 30  # of Newton's method: 8 to 15 are usual
+MOST_ROUNDS, SLOW_ROUNDS = 30, 8  # of Newton's method: 8 to 15 in all are usual
 
 
 def carry(
@@ -109,7 +110,7 @@ def _at_entry(
     if is_far(law, par):
         tolerance = COARSE_TOLERANCE if steps == MEET_STEPS else STEP_TOLERANCE
         outcome, layers = solve_layers(law, par, aim, tolerance)
-        return outcome, nan, shot_of_layers(law, par, layers)
+        return outcome, nan, shot_of_layers(law, par, layers) if outcome == SOLVED else NO_SHOT
     return refine(law, par, aim, z if z == z else first_guess(law, par, aim), steps)
 
 
@@ -152,8 +153,10 @@ def meet(
     mesh, fresh = MEET_STEPS, True
     case = (aim, of_pull, tension)
     r1, r2, shot = _misses(law, geometry, case, t, z, mesh, table)
-    for _ in range(MOST_ROUNDS):
+    for i in range(MOST_ROUNDS):
         size = max(abs(r1), abs(r2))
+        if i > SLOW_ROUNDS and size > 0.3:
+            break  # it goes astray
         if mesh == steps and size < TOLERANCE * 10.0:
             det = j11 * j22 - j12 * j21
             return True, z, exp(t), shot, det * (1.0 if j11 > 0.0 else -1.0)
@@ -275,28 +278,32 @@ def _least_bracketed(
             return nan, _pull(law, geometry, exp(high), limit, z, steps)[0]
         shot = carry(law, geometry, tight_max, aim, z, steps)[3]
         return nan, tight_max * (1.0 - exp(-abs(shot.log_tension)))
+    floor = log(pull) if geometry.side > 0.0 else -inf  # no belt pulls more than its tight side
     low, step, p_low = high, 1.5 * log(p_high / pull) + 0.02, p_high
     while p_low >= pull:
-        high, p_high, low = low, p_low, low - step
+        high, p_high, low, step = low, p_low, low - step, 2.0 * step
+        if low <= floor:
+            low, p_low = floor, 0.5 * pull
+            break
         p_low, z = _pull(law, geometry, exp(low), limit, z, MEET_STEPS)
-        step *= 2.0
-    f_low, f_high = log(p_low / pull), log(p_high / pull)
-    side, t, slope = 0, low, (f_high - f_low) / (high - low)
+    f_low, f_high = log(max(p_low, 1e-9 * pull) / pull), log(p_high / pull)
+    side, slope, t_last, f_last = 0, 1.0, high, f_high
     for _ in range(40):
         t = (low * f_high - high * f_low) / (f_high - f_low)
         p, z = _pull(law, geometry, exp(t), limit, z, MEET_STEPS)
         f = log(max(p, 1e-9 * pull) / pull)
+        if t != t_last:
+            slope = (f - f_last) / (t - t_last)
         if abs(f) < 1e-3:
             break
         # false position keeps one end: halve its weight when it does (Illinois)
         if f > 0.0:
-            slope = (f - f_low) / (t - low)
             f_low *= 0.5 if side > 0 else 1.0
             high, f_high, side = t, f, 1
         else:
-            slope = (f_high - f) / (high - t)
             f_high *= 0.5 if side < 0 else 1.0
             low, f_low, side = t, f, -1
+        t_last, f_last = t, f
     t = _pull_closed(law, geometry, pull, limit, (t, slope), z, steps)
     return (exp(t) - pull if geometry.side > 0.0 else exp(t)), nan
 

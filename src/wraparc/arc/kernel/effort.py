@@ -144,10 +144,13 @@ def value_of(par: Parameters, shot: Shot, of: int) -> float:
 def first_guess(law: CompactLaw, par: Parameters, aim: Aim) -> float:
     """Effort from the creep that a rigid belt of uniform pressure would need."""
     if jumps(law):
-        if aim.of != TENSION:
-            return 1.0
         tau, _ = onset_stress(law, par.entry_pressure)
         share = min(aim.value * par.radius * par.entry_pressure / (tau * par.length), 0.98)
+        if aim.of != TENSION:
+            # creep grows with the square of the way that the belt slips
+            spare = max(aim.value - (par.shear * tau if aim.of == CREEP else 0.0), 0.05 * aim.value)
+            way = sqrt(2.0 * spare / (par.compliance * par.width * tau))
+            share = min(way / par.length, 0.9)
         return share if par.shear + par.onset == 0.0 else share / (1.0 - share)
     length = par.length
     if aim.of == TENSION:

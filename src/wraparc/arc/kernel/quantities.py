@@ -6,7 +6,7 @@ One source runs in the interpreter and compiled: nothing here is more than a tup
 from __future__ import annotations
 
 from collections.abc import MutableSequence
-from math import sqrt
+from math import nan, sqrt
 from typing import NamedTuple
 
 Buffer = MutableSequence[float]
@@ -111,6 +111,9 @@ class Shot(NamedTuple):
     work: float  # of friction [J/m2]
     creep_ratio: float  # g at the entry [-]
     stuck_length: float  # of the arc [m]
+
+
+NO_SHOT = Shot(nan, nan, nan, nan, nan, nan, nan)
 
 
 def zeros(size: int) -> Buffer:

@@ -488,6 +488,7 @@ const STUCK = 4;
 const NO_LAYERS = new Layers(false, NaN, NaN, NaN, NaN, NaN, NaN, NaN);
 const NO_PULL = 1e-11;
 const FAR = 13.0;
+const CREEP = 1;
 const SMALL_RATIO = 1e-7;
 const NO_SHOT = new Shot(NaN, NaN, NaN, NaN, NaN, NaN, NaN);
 const FINER = [1, 2, 4];
@@ -498,7 +499,6 @@ const FIRST = 64;
 const STEP = 57;
 const TOLERANCE = 1e-10;
 const CREEP_SCALE = 0.00635;
-const CREEP = 1;
 const GRADED_END = 0.1;
 const NODE = 11;
 const GRADED_POWER = 10;
@@ -521,6 +521,7 @@ const CREEP_LIMIT = 2;
 const LEAST = 8;
 const MEET_STEPS = 12;
 const MOST_ROUNDS = 30;
+const SLOW_ROUNDS = 8;
 const NEAR_TOP = 0.08;
 const PULL_TOLERANCE = 2e-9;
 const TESTED_SLIP = 4;
@@ -2529,14 +2530,16 @@ export function effort__effort_of(par, g) {
 
 /** Effort from the creep that a rigid belt of uniform pressure would need. */
 export function effort__first_guess(law, par, aim) {
-  let creep, mean, pressure, pull, share, slip, tau;
+  let creep, mean, pressure, pull, share, slip, spare, tau, way;
   if (effort__jumps(law)) {
-    if (aim.of !== TENSION) {
-      return 1.0;
-    }
     const found1 = stick__onset_stress(law, par.entry_pressure);
     tau = found1[0];
     share = min((aim.value * par.radius * par.entry_pressure) / (tau * par.length), 0.98);
+    if (aim.of !== TENSION) {
+      spare = max(aim.value - (aim.of === CREEP ? par.shear * tau : 0.0), 0.05 * aim.value);
+      way = Math.sqrt((2.0 * spare) / (par.compliance * par.width * tau));
+      share = min(way / par.length, 0.9);
+    }
     return par.shear + par.onset === 0.0 ? share : share / (1.0 - share);
   }
   let length = par.length;
@@ -2551,7 +2554,7 @@ export function effort__first_guess(law, par, aim) {
     pull = 0.5 * par.entry_tension;
   }
   let shrinkage = 0.35 * par.compliance * pull * length;
-  let spare = creep - shrinkage - par.side * par.kick;
+  spare = creep - shrinkage - par.side * par.kick;
   spare = max(spare, par.kick === 0.0 ? 0.05 * creep : -0.25 * Math.abs(par.kick));
   return effort__effort_of(par, (par.side * spare) / length);
 }
@@ -4689,7 +4692,7 @@ export function capacity___at_entry(law, geometry, entry, aim, z, steps) {
     const found1 = layers__solve_layers(law, par, aim, tolerance);
     outcome = found1[0];
     layers = found1[1];
-    return [outcome, NaN, layers__shot_of_layers(law, par, layers)];
+    return [outcome, NaN, outcome === SOLVED ? layers__shot_of_layers(law, par, layers) : NO_SHOT];
   }
   return search__refine(law, par, aim, z === z ? z : effort__first_guess(law, par, aim), steps);
 }
@@ -4781,6 +4784,7 @@ export function capacity__meet(law, geometry, aim, of_pull, tension, entry, z, m
     e1,
     e2,
     far,
+    i,
     j11,
     j12,
     j21,
@@ -4803,7 +4807,11 @@ export function capacity__meet(law, geometry, aim, of_pull, tension, entry, z, m
   let r2 = found1[1];
   let shot = found1[2];
   for (let each2 = 0, end2 = MOST_ROUNDS; each2 < end2; each2++) {
+    i = each2;
     size = max(Math.abs(r1), Math.abs(r2));
+    if (i > SLOW_ROUNDS && size > 0.3) {
+      break;
+    }
     if (mesh === steps && size < TOLERANCE * 10.0) {
       det = j11 * j22 - j12 * j21;
       return [true, z, Math.exp(t), shot, det * (j11 > 0.0 ? 1.0 : -1.0)];
@@ -4985,7 +4993,7 @@ export function capacity___pull_closed(law, geometry, pull, limit, near, z, step
 
 /** `least_slack` where Newton's method fails: the pull rises with tension to a largest one. */
 export function capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps) {
-  let f, p;
+  let f, p, t;
   let aim = new Aim(CREEP, limit);
   const found1 = capacity__carry(law, geometry, tight_max, aim, NaN, MEET_STEPS);
   let z = found1[1];
@@ -5006,43 +5014,52 @@ export function capacity___least_bracketed(law, geometry, pull, limit, tight_max
     shot = capacity__carry(law, geometry, tight_max, aim, z, steps)[3];
     return [NaN, tight_max * (1.0 - Math.exp(-Math.abs(shot.log_tension)))];
   }
+  let floor = geometry.side > 0.0 ? Math.log(pull) : -Infinity;
   let low = high;
   let step = 1.5 * Math.log(p_high / pull) + 0.02;
   let p_low = p_high;
   while (p_low >= pull) {
-    [high, p_high, low] = [low, p_low, low - step];
+    [high, p_high, low, step] = [low, p_low, low - step, 2.0 * step];
+    if (low <= floor) {
+      low = floor;
+      p_low = 0.5 * pull;
+      break;
+    }
     const found3 = capacity___pull(law, geometry, Math.exp(low), limit, z, MEET_STEPS);
     p_low = found3[0];
     z = found3[1];
-    step *= 2.0;
   }
-  let f_low = Math.log(p_low / pull);
+  let f_low = Math.log(max(p_low, 1e-9 * pull) / pull);
   let f_high = Math.log(p_high / pull);
   let side = 0;
-  let t = low;
-  let slope = (f_high - f_low) / (high - low);
+  let slope = 1.0;
+  let t_last = high;
+  let f_last = f_high;
   for (let each4 = 0, end4 = 40; each4 < end4; each4++) {
     t = (low * f_high - high * f_low) / (f_high - f_low);
     const found5 = capacity___pull(law, geometry, Math.exp(t), limit, z, MEET_STEPS);
     p = found5[0];
     z = found5[1];
     f = Math.log(max(p, 1e-9 * pull) / pull);
+    if (t !== t_last) {
+      slope = (f - f_last) / (t - t_last);
+    }
     if (Math.abs(f) < 0.001) {
       break;
     }
     if (f > 0.0) {
-      slope = (f - f_low) / (t - low);
       f_low *= side > 0 ? 0.5 : 1.0;
       high = t;
       f_high = f;
       side = 1;
     } else {
-      slope = (f_high - f) / (high - t);
       f_high *= side < 0 ? 0.5 : 1.0;
       low = t;
       f_low = f;
       side = -1;
     }
+    t_last = t;
+    f_last = f;
   }
   t = capacity___pull_closed(law, geometry, pull, limit, [t, slope], z, steps);
   return [geometry.side > 0.0 ? Math.exp(t) - pull : Math.exp(t), NaN];
