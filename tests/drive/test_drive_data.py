@@ -104,8 +104,8 @@ def test_a_drive_survives_pickling() -> None:
         ),
         (
             lambda: Tensions(entry=math.inf, exit=-5.0),
-            ["entry = inf kN: must be finite.", "exit = -0.005 kN: must be more than 0 kN and "
-             "at most 1000000 kN."],
+            ["entry = inf kN: must be finite.", "exit = -0.005 kN: must be between "
+             "0.0001 kN and 1000000 kN."],
         ),
         (
             lambda: Cost(

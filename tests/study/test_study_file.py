@@ -68,7 +68,7 @@ BAD: list[tuple[list[dict[str, Any]], dict[str, Any], str]] = [
     ([TAKE_UP], {"condition": [{"name": "wet"}, {"name": "wet"}]}, "have the same name"),
     ([TAKE_UP], {"condition": [{"name": "wet", "friction_factor": -1}]}, "must be more than 0"),
     ([TAKE_UP], {"set": ["belt.widht=1 m"]}, "Did you mean \"width\"?"),
-    ([{**TAKE_UP, "from": "-40 kN"}], {}, "must be more than 0 kN"),
+    ([{**TAKE_UP, "from": "-40 kN"}], {}, "must be between 0.0001 kN"),
     ([], {}, "must have 1 to 200 entries"),
 ]  # fmt: skip
 

@@ -234,13 +234,13 @@ FAULTS: dict[str, tuple[Any, str]] = {
                 "and 1000 mm."),
     "p1.diameter": (["0.8 m", 0.8, None], 'column "p1.diameter", row 0 = "0.8 m": must be a number '
                     "[m] (2 rows are like this: 0, 2)."),
-    "entry_tension": ([0.0, -1.0, 1e5], 'column "entry_tension", row 0 = 0 kN: must be more than '
-                      "0 kN and at most 1000000 kN (2 rows are like this: 0, 1)."),
+    "entry_tension": ([0.0, -1.0, 1e5], 'column "entry_tension", row 0 = 0 kN: must be between '
+                      "0.0001 kN and 1000000 kN (2 rows are like this: 0, 1)."),
     "effective_tension": (
         [1e4, -60e3, 1e4], 'column "effective_tension", row 1 = -10 kN: makes the entry tension so '
-        "much, and it must be more than 0 kN and at most 1000000 kN."),
+        "much, and it must be between 0.0001 kN and 1000000 kN."),
     "belt_modulus": (np.array([1e6, np.inf, -np.inf], np.float32), 'column "belt_modulus", row 2 = '
-                     "-inf: must be at least 0.001 kN/m."),
+                     "-inf: must be at least 1 kN/m."),
     "p1.share": ([2.0, 0.5, math.inf], 'column "p1.share", row 2 = inf: must be between -100 and '
                  "100."),
     "p3.wear": (1.0, 'column "p3.wear": no such column. Did you mean "p2.wear" or "p1.wear"?'),

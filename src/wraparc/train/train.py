@@ -20,6 +20,7 @@ from wraparc.drive import (
     Limit,
     LoadCase,
     Pulley,
+    Tensions,
     condition_problems,
     laggings_of,
     repeated,
@@ -115,8 +116,8 @@ class TrainCase:
     """
 
     LIMITS: ClassVar[dict[str, Limit]] = {
-        "entry_tension": Limit("force", open=True, most=1e9),
-        "exit_tension": Limit("force", open=True, most=1e9),
+        "entry_tension": Tensions.LIMITS["entry"],
+        "exit_tension": Tensions.LIMITS["exit"],
     }
 
     name: str
