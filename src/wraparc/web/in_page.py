@@ -95,7 +95,7 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     """Answer for one arc; None where it is for the server to say what is wrong."""
     arc = description_of(given)
     entry, leaving = arc.entry_tension, arc.exit_tension
-    if not (LEAST_TENSION <= min(entry, leaving) and max(entry, leaving) <= MOST_TENSION):
+    if not (min(entry, leaving) >= LEAST_TENSION and max(entry, leaving) <= MOST_TENSION):
         return None
     geometry = geometry_of(arc, law.onset_compliance)
     pressure = 2.0 * entry / (arc.width * arc.diameter)

@@ -4656,7 +4656,7 @@ export function in_page__quick(law, given, tested, points) {
   let arc = in_page__description_of(given);
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
-  if (!(LEAST_TENSION <= min(entry, leaving) && max(entry, leaving) <= MOST_TENSION)) {
+  if (!(min(entry, leaving) >= LEAST_TENSION && max(entry, leaving) <= MOST_TENSION)) {
     return null;
   }
   let geometry = summary__geometry_of(arc, law.onset_compliance);
