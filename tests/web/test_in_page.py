@@ -160,6 +160,20 @@ def test_drives_that_depend_on_more_are_not_prepared() -> None:
     assert answered(document, None)["prepared"] is None
 
 
+@pytest.mark.parametrize(("load", "with_"), [("by torque", "diameter"), ("by power", "speed")])
+def test_a_pull_that_another_case_takes_over_holds_what_makes_it(load: str, with_: str) -> None:
+    # the pull of the pulley is a torque or a power: what the page moves must not leave it behind
+    plain = DRIVES["head-drive-fabric"]
+    kept = {k: v for k, v in plain["pulley"][0].items() if k not in TENSIONS}
+    tension = next(key for key in MORE[load] if key.endswith("_tension"))
+    start = {"name": "start", "pulley": {"head": {tension: "145 kN"}}}
+    document = {**plain, "pulley": [{**kept, **MORE[load]}], "load_case": [start]}
+    of = {entry["name"] for entry in answered(document, "start")["prepared"]["inputs"]}
+    assert with_ not in of
+    assert {"wrap_angle", "width", "modulus"} < of
+    assert not of & {"entry_tension", "exit_tension", "effective_tension"}
+
+
 def _misses(told: Any, found: Data) -> list[str]:
     if told is None:
         return ["not answered"]
