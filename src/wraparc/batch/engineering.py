@@ -97,7 +97,7 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
 
 
 @lru_cache(maxsize=8)
-def _tables(laws: LawBank) -> tuple[LaneLaws, Plateaus]:
+def tables_of(laws: LawBank) -> tuple[LaneLaws, Plateaus]:
     """Tables of a bank, shared by the chunks of a batch."""
     table = LaneLaws.of(laws)
     return table, Plateaus(table)
@@ -108,7 +108,7 @@ class _Batch:
 
     def __init__(self, arcs: Arcs) -> None:
         self.arcs, self.given = arcs, arcs.inputs()
-        self.laws, self.plateaus = _tables(arcs.laws)
+        self.laws, self.plateaus = tables_of(arcs.laws)
         self.found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
         self.left = np.zeros(len(arcs), dtype=np.int64)  # parts for the scalar kernel
         self.log_ratio = np.log(self.of("entry_tension") / self.of("exit_tension"))

@@ -55,8 +55,8 @@ class Plateaus:
         wrap_angle
             phi [rad].
         """
-        result = np.empty(len(law))
-        for i in np.unique(law):
+        result = np.full(len(law), np.nan)
+        for i in np.unique(law[self.table.row[law] >= 0]):
             which = law == i
             result[which] = self._of_law(int(i), np.log(pressure[which]), wrap_angle[which])
         return result
