@@ -9,6 +9,7 @@ code of an edited kernel is never served: numba itself looks at the file of the 
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import os
 import platform
@@ -82,7 +83,7 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
         nonlocal ready
         if not ready and not dispatcher.nopython_signatures:
             own_way = nullcontext() if _as_it_is() else underlay.optimised_once(entry.__qualname__)
-            with _alone(name), own_way:
+            with _alone(name), own_way, _uncollected():
                 if not dispatcher.nopython_signatures:  # another thread may have been first
                     with suppress(OSError):  # a full disk: it is compiled, and not kept
                         dispatcher.compile(tuple(map(numba.typeof, arguments)))
@@ -108,6 +109,21 @@ def _alone(name: str) -> Iterator[None]:
                 lock = stack.enter_context(open(folder / "lock", "ab"))
                 fcntl.flock(lock, fcntl.LOCK_EX)
         yield
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Without the collector of cycles: it looks in vain through all that a compiler holds.
+
+    A sixth of the time of compiling, for 150 MB more meanwhile.
+    """
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
 
 
 def _as_it_is() -> bool:

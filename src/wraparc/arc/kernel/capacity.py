@@ -278,14 +278,9 @@ def _least_bracketed(
             return nan, _pull(law, geometry, exp(high), limit, z, steps)[0]
         shot = carry(law, geometry, tight_max, aim, z, steps)[3]
         return nan, tight_max * (1.0 - exp(-abs(shot.log_tension)))
-    floor = log(pull) if geometry.side > 0.0 else -inf  # no belt pulls more than its tight side
-    low, step, p_low = high, 1.5 * log(p_high / pull) + 0.02, p_high
-    while p_low >= pull:
-        high, p_high, low, step = low, p_low, low - step, 2.0 * step
-        if low <= floor:
-            low, p_low = floor, 0.5 * pull
-            break
-        p_low, z = _pull(law, geometry, exp(low), limit, z, MEET_STEPS)
+    low, p_low, high, p_high, z = _down(law, geometry, pull, limit, high, p_high, z)
+    if p_low != p_low:
+        return nan, nan
     f_low, f_high = log(max(p_low, 1e-9 * pull) / pull), log(p_high / pull)
     side, slope, t_last, f_last = 0, 1.0, high, f_high
     for _ in range(40):
@@ -306,6 +301,30 @@ def _least_bracketed(
         t_last, f_last = t, f
     t = _pull_closed(law, geometry, pull, limit, (t, slope), z, steps)
     return (exp(t) - pull if geometry.side > 0.0 else exp(t)), nan
+
+
+def _down(
+    law: CompactLaw,
+    geometry: Geometry,
+    pull: float,
+    limit: float,
+    high: float,
+    p_high: float,
+    z: float,
+) -> tuple[float, float, float, float, float]:
+    """Bracket of ln(entry tension) around a pull, from where more is carried downwards.
+
+    Both ends with the pulls there, the lower one first, and the effort.
+    """
+    floor = log(pull) if geometry.side > 0.0 else -inf  # no belt pulls more than its tight side
+    low, p_low = high, p_high
+    while p_low >= pull:
+        # where little tension is left, the pull goes with it
+        high, p_high, low = low, p_low, low - 1.2 * log(p_low / pull) - 0.02
+        if low <= floor:
+            return floor, 0.5 * pull, high, p_high, z
+        p_low, z = _pull(law, geometry, exp(low), limit, z, MEET_STEPS)
+    return low, p_low, high, p_high, z
 
 
 def _pull_closed(

@@ -88,8 +88,9 @@ def _layers_of(
         near = z == 0.0
         return Layers(near, rest, creep, ratio, length, length if near else 0.0, creep, ratio)
     out = march_layer(law, par, rest, (creep, ratio), 1.0, aim.of, goal, tolerance, zeros(0))
-    both = length + out.length if out.arrived else inf
-    return Layers(out.arrived, rest, creep, ratio, length, both, out.creep, out.ratio)
+    arrived = out.arrived and out.ratio < c * rest  # no creep is met where no tension is left
+    both = length + out.length if arrived else inf
+    return Layers(arrived, rest, creep, ratio, length, both, out.creep, out.ratio)
 
 
 def _entry_layer(

@@ -1465,8 +1465,9 @@ export function layers___layers_of(law, par, aim, crossing, floors, z, rest, tol
     tolerance,
     zeros(0),
   );
-  let both = out.arrived ? length + out.length : Infinity;
-  return new Layers(out.arrived, rest, creep, ratio, length, both, out.creep, out.ratio);
+  let arrived = out.arrived && out.ratio < c * rest;
+  let both = arrived ? length + out.length : Infinity;
+  return new Layers(arrived, rest, creep, ratio, length, both, out.creep, out.ratio);
 }
 
 /** Layers at the floor, T_r there, whether creep passes through zero, and the floors. */
@@ -4966,6 +4967,23 @@ export function capacity___most(law, geometry, limit, enough, top, p_top, z) {
   return p_v > p_t ? [v, p_v, z_v] : [t, p_t, z];
 }
 
+/** Bracket of ln(entry tension) around a pull, from where more is carried downwards. */
+export function capacity___down(law, geometry, pull, limit, high, p_high, z) {
+  let floor = geometry.side > 0.0 ? Math.log(pull) : -Infinity;
+  let low = high;
+  let p_low = p_high;
+  while (p_low >= pull) {
+    [high, p_high, low] = [low, p_low, low - 1.2 * Math.log(p_low / pull) - 0.02];
+    if (low <= floor) {
+      return [floor, 0.5 * pull, high, p_high, z];
+    }
+    const found1 = capacity___pull(law, geometry, Math.exp(low), limit, z, MEET_STEPS);
+    p_low = found1[0];
+    z = found1[1];
+  }
+  return [low, p_low, high, p_high, z];
+}
+
 /** ln(entry tension) at which a pull is carried, by secants on the fine mesh; nan if not met. */
 export function capacity___pull_closed(law, geometry, pull, limit, near, z, steps) {
   let f, f_last, i, p, t_last;
@@ -4993,7 +5011,7 @@ export function capacity___pull_closed(law, geometry, pull, limit, near, z, step
 
 /** `least_slack` where Newton's method fails: the pull rises with tension to a largest one. */
 export function capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps) {
-  let f, p, t;
+  let f, low, p, p_low, t;
   let aim = new Aim(CREEP, limit);
   const found1 = capacity__carry(law, geometry, tight_max, aim, NaN, MEET_STEPS);
   let z = found1[1];
@@ -5014,20 +5032,14 @@ export function capacity___least_bracketed(law, geometry, pull, limit, tight_max
     shot = capacity__carry(law, geometry, tight_max, aim, z, steps)[3];
     return [NaN, tight_max * (1.0 - Math.exp(-Math.abs(shot.log_tension)))];
   }
-  let floor = geometry.side > 0.0 ? Math.log(pull) : -Infinity;
-  let low = high;
-  let step = 1.5 * Math.log(p_high / pull) + 0.02;
-  let p_low = p_high;
-  while (p_low >= pull) {
-    [high, p_high, low, step] = [low, p_low, low - step, 2.0 * step];
-    if (low <= floor) {
-      low = floor;
-      p_low = 0.5 * pull;
-      break;
-    }
-    const found3 = capacity___pull(law, geometry, Math.exp(low), limit, z, MEET_STEPS);
-    p_low = found3[0];
-    z = found3[1];
+  const found3 = capacity___down(law, geometry, pull, limit, high, p_high, z);
+  low = found3[0];
+  p_low = found3[1];
+  high = found3[2];
+  p_high = found3[3];
+  z = found3[4];
+  if (p_low !== p_low) {
+    return [NaN, NaN];
   }
   let f_low = Math.log(max(p_low, 1e-9 * pull) / pull);
   let f_high = Math.log(p_high / pull);
