@@ -2,11 +2,12 @@
 
     python benchmarks/killed.py [--kills 20] [--seed 1] [--only server]
 
-A study, a study over an event and a run with a saved state are killed again and again and go on
-each time, until each has been killed that often; then they go on to their end. After every kill
-the file is to be the whole one, bit for bit, or not there. A server is killed while three clients
-save designs, and started again on the same file; every design whose save it has acknowledged is
-to be there, and the file sound. POSIX only: work is forked, so that nothing is imported anew.
+A study, a study over an event, a run with a saved state, a choice and a fit are killed again and
+again and go on, or begin anew, each time, until each has been killed that often; then they go on to
+their end. After every kill the file is to be the whole one, bit for bit, or not there. A server is
+killed while three clients save designs, and started again on the same file; every design whose save
+it has acknowledged is to be there, and the file sound. POSIX only: work is forked, so that nothing
+is imported anew.
 """
 
 import argparse
@@ -35,6 +36,8 @@ from wraparc.motion.checkpoint import Checkpoint
 
 ROOT = Path(__file__).parents[1]
 TANDEM = ROOT / "examples" / "tandem-fabric.toml"
+CANDIDATES = ROOT / "examples" / "wet-season" / "choose.toml"
+TESTS = ROOT / "examples" / "shear_tests" / "plan.toml"
 STUDY = f"""
 format = 1
 drive = "{ROOT}/examples/studies/head-drive.toml"
@@ -59,18 +62,22 @@ count = 6
 SAVERS = 3
 
 
-def works(folder: Path) -> dict[str, tuple[list[str], list[str]]]:
-    """Commands by what they are, each with what makes it go on."""
+def works(folder: Path) -> dict[str, tuple[list[str], list[str], str]]:
+    """Commands by what they are, each with what makes it go on and the ending of its file."""
     study, over = folder / "study.toml", folder / "over-event.toml"
     study.write_text(STUDY, "utf-8")
     over.write_text(OVER_EVENT, "utf-8")
     long = ["--quiet", "--points", "40", "--set", "motion.event.start.duration=10 s"]
     return {
-        "study": (["study", str(study), "--part", "100", "-o"], ["--resume"]),
-        "study over an event": (["study", str(over), "-o"], ["--resume"]),
+        "study": (["study", str(study), "--part", "100", "-o"], ["--resume"], "parquet"),
+        "study over an event": (["study", str(over), "-o"], ["--resume"], "csv"),
         "run with a saved state": (
-            ["run", str(TANDEM), *long, "--checkpoint", str(folder / "run.npz"), "--csv"], [],
+            ["run", str(TANDEM), *long, "--checkpoint", str(folder / "run.npz"), "--csv"],
+            [],
+            "csv",
         ),
+        "choose": (["choose", str(CANDIDATES), "--csv"], [], "csv"),
+        "fit": (["fit", str(TESTS), "-o"], [], "toml"),
     }  # fmt: skip
 
 
@@ -101,10 +108,14 @@ def killed(number: int, after: float) -> bool:
 
 
 def one_work(
-    folder: Path, name: str, command: list[str], go_on: list[str], kills: int, draw: random.Random
+    folder: Path,
+    name: str,
+    work: tuple[list[str], list[str], str],
+    kills: int,
+    draw: random.Random,
 ) -> None:
     """Kill a command again and again; print what was found."""
-    ending = "parquet" if name == "study" else "csv"
+    command, go_on, ending = work
     whole, file = folder / f"whole.{ending}", folder / f"file.{ending}"
     silent = io.StringIO()
     with redirect_stdout(silent), redirect_stderr(silent):
@@ -198,9 +209,9 @@ def main() -> None:
     setattr(Checkpoint, "due", Checkpoint.save)  # noqa: B010 - as often as can be
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
-        for name, (command, go_on) in works(folder).items():
+        for name, work in works(folder).items():
             if name.startswith(told.only):
-                one_work(folder, name, command, go_on, told.kills, draw)
+                one_work(folder, name, work, told.kills, draw)
         if "server".startswith(told.only):
             a_server(folder, told.kills, draw)
 

@@ -17,9 +17,11 @@ from pathlib import Path
 import pytest
 
 from cli.running import DRIVE, drive_file, wraparc
+from wraparc import saving
 from wraparc.cli.pipe import has_left
 from wraparc.errors import InputError
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 TITLED = DRIVE.replace("Head drive", "ırmak İstif Förderband Ω")
 #: Every kind of output that does not need a compiler or long to make.
 COMMANDS = [
@@ -239,3 +241,28 @@ def test_paths_of_databases(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     assert database_url("C://a b/ü.sqlite").endswith("/C:/a b/ü.sqlite")
     with pytest.raises(InputError, match=r"begins the options of a database\. Name another file"):
         database_url("what?.sqlite")
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["choose", str(EXAMPLES / "wet-season" / "choose.toml"), "--csv"],
+        ["fit", str(EXAMPLES / "shear_tests" / "plan.toml"), "-o"],
+    ],
+    ids=("choose", "fit"),
+)
+def test_a_full_disk_leaves_what_was_there(
+    command: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / ("designs.csv" if command[0] == "choose" else "lagging.toml")
+    target.write_text("of before", "utf-8")
+
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(saving, "put_in_place", full)
+    ended = wraparc(*command, str(target))
+    assert ended.code == 2
+    assert f'"{target}": cannot be written: No space left on device.' in ended.err
+    assert target.read_text("utf-8") == "of before"
+    assert list(tmp_path.iterdir()) == [target]
