@@ -35,6 +35,10 @@ KNOT_STRIDE = 16
 PIECE_STRIDE = 25
 
 
+#: of a cell of a table, how far a cubic goes on beyond it: no kink is to fall inside a step
+BEYOND_CELL = 0.1
+
+
 class CompactLaw(NamedTuple):
     """A friction law as numbers.
 
@@ -288,15 +292,16 @@ def _table(
 ) -> tuple[float, float, float]:
     """A measured table: a cubic in slip for each pressure, blended linearly in pressure.
 
-    Outside its cell a cubic goes on along its tangent: its own course knows no bounds.
+    Well outside its cell a cubic goes on along its tangent: its own course knows no bounds.
     """
     edges, c, slips = law.edges, law.coefficients, law.slips
     last = len(edges) - 1
     cells = len(slips)  # the last cell is the constant past the last slip
     t = slip - slips[branch]
-    at = max(t, 0.0)
+    at = t
     if branch < cells - 1:
-        at = min(at, slips[branch + 1] - slips[branch])
+        cell = slips[branch + 1] - slips[branch]
+        at = min(max(t, -BEYOND_CELL * cell), (1.0 + BEYOND_CELL) * cell)
     if last <= 0 or segment < 0:
         mu, mu_x = _cubic(c, 4 * branch, at)
         return mu + mu_x * (t - at), mu_x, 0.0

@@ -448,6 +448,7 @@ const PIECES = 2;
 const PIECE_STRIDE = 25;
 const LINE = 1;
 const ELASTIC = 0;
+const BEYOND_CELL = 0.1;
 const STEPS = 24;
 const LEAST_COMPLIANCE = 1e-16;
 const TENSION = 0;
@@ -768,16 +769,17 @@ export function compact___limit(c, pressure) {
 
 /** A measured table: a cubic in slip for each pressure, blended linearly in pressure. */
 export function compact___table(law, segment, branch, slip, pressure) {
-  let mu, mu_x;
+  let cell, mu, mu_x;
   let edges = law.edges;
   let c = law.coefficients;
   let slips = law.slips;
   let last = edges.length - 1;
   let cells = slips.length;
   let t = slip - slips[branch];
-  let at = max(t, 0.0);
+  let at = t;
   if (branch < cells - 1) {
-    at = min(at, slips[branch + 1] - slips[branch]);
+    cell = slips[branch + 1] - slips[branch];
+    at = min(max(t, -BEYOND_CELL * cell), (1.0 + BEYOND_CELL) * cell);
   }
   if (last <= 0 || segment < 0) {
     const found1 = compact___cubic(c, 4 * branch, at);

@@ -47,8 +47,10 @@ const past = [];
 const future = [];
 let lastKey = "";
 let lastTime = 0;
+addEventListener("focusout", () => (lastKey = ""));
 /**
- * Put a document in the place of the present one; changes of one field within a second undo as one.
+ * Put a document in the place of the present one; changes of one field within a second undo as one,
+ * unless it was left between them.
  * @param {Design} doc @param {string} [key]
  */
 export function change(doc, key = "") {

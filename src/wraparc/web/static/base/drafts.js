@@ -1,4 +1,4 @@
-// Drafts: the design is kept in this browser after every change, one for each window.
+// Drafts: the design is kept in this browser, one for each window.
 import { app, isDrive } from "./design.js";
 import { timeOf } from "./units.js";
 
@@ -42,40 +42,34 @@ function store(list) {
   try {
     localStorage.setItem(KEY, JSON.stringify(list.slice(0, MOST)));
   } catch {
-    /* no room, or a browser that keeps nothing: the page works without */
+    /* no room: the page works without */
   }
 }
 /** @type {Design | null} */
 let untouched = null;
-/** What has not been changed since it was opened is no draft. @param {Design} doc */
+/** What was not changed since it was opened is no draft. @param {Design} doc */
 export const opened = (doc) => {
   untouched = doc;
 };
-/** Keep the design once the hand rests, or as the page goes. */
-export function keepDraft() {
-  waiting ||= setTimeout(keep, 200);
-}
+/** @type {Draft | null} */
+let pending = null;
 let waiting = 0;
-document.addEventListener("visibilitychange", () => waiting && keep());
+document.addEventListener("visibilitychange", () => keep());
+/** Keep the design; while a slider moves, once the hand rests. */
+export function keepDraft() {
+  if (app.doc === untouched) return;
+  const { doc, units, name, design, origin, pulley } = app;
+  const when = Date.now();
+  pending = { window: own, when, doc, units, name, design, origin, pulley, case: app.case };
+  if (document.activeElement?.matches("[type=range]")) waiting ||= setTimeout(keep, 200);
+  else keep();
+}
 function keep() {
   clearTimeout(waiting);
   waiting = 0;
-  if (app.doc === untouched) return;
-  const { doc, units, name, design, origin, pulley } = app;
-  const draft = {
-    window: own,
-    when: Date.now(),
-    doc,
-    units,
-    name,
-    design,
-    origin,
-    pulley,
-    case: app.case,
-  };
-  store([draft, ...drafts().filter((d) => d.window !== own)]);
+  if (pending) store([pending, ...drafts().filter((d) => d.window !== own)]);
+  pending = null;
 }
-/** The draft of this window, from before a reload. */
 export const ownDraft = () => drafts().find((d) => d.window === own);
 /** Drafts of windows before this one, the newest first. */
 export const otherDrafts = () => drafts().filter((d) => d.window !== own);
