@@ -51,7 +51,7 @@ from wraparc.friction.compact import CompactLaw
 
 #: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
 #: not resolved the law
-LOSS_MISS = 1e-5
+LOSS_MISS = 1e-6
 FINER = (1, 2, 4)  # times the mesh, until the loss of energy is met; cheaper than layers
 BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
 
@@ -115,7 +115,7 @@ def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the othe
             other = by_layers(law, par, goal)
             if other.outcome == SOLVED:
                 return other
-            outcome = UNSOLVED if jumps(law) else found.outcome
+            outcome = found.outcome if _held_throughout(law, par, found) else UNSOLVED
             return Found(outcome, found.z, found.shot, found.layers, found.steps)
     z = largest_effort(law, par)
     shot, _ = shoot_from(law, par, z, steps, 0, zeros(0))
@@ -143,7 +143,12 @@ def _resolved(law: CompactLaw, par: Parameters, found: Found) -> bool:
         return jumps(law) and par.shear == 0.0
     if loss_miss(law, par, found.shot) >= LOSS_MISS:
         return False
-    if not jumps(law) or par.shear == 0.0:
+    return _held_throughout(law, par, found)
+
+
+def _held_throughout(law: CompactLaw, par: Parameters, found: Found) -> bool:
+    """Whether friction holds the belt all along the stuck zone of a march."""
+    if not jumps(law) or par.shear == 0.0 or found.outcome != SOLVED:
         return True
     zone = found.shot.stuck_length
     return holds(law, par, zone, zone_end(law, par, zone)[1])

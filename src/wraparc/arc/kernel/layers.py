@@ -75,7 +75,11 @@ def _layers_of(
     else:
         if crossing:
             rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0)
-        inward = _entry_layer(law, par, rest, (creep, ratio), tolerance)
+        close = 1e-12 * par.entry_tension
+        if aim.of == TENSION:  # of nearly no pull more digits count
+            pull = par.entry_tension * abs(1.0 - exp(-par.side * aim.value))
+            close = max(min(close, 1e-8 * pull), 1e-15 * par.entry_tension)
+        inward = _entry_layer(law, par, rest, (creep, ratio), close, tolerance)
         rest, length = inward.rest_tension, inward.entry_length
         if not inward.solved:
             return inward
@@ -94,10 +98,16 @@ def _layers_of(
 
 
 def _entry_layer(
-    law: CompactLaw, par: Parameters, rest: float, part: tuple[float, float], tolerance: float
+    law: CompactLaw,
+    par: Parameters,
+    rest: float,
+    part: tuple[float, float],
+    close: float,
+    tolerance: float,
 ) -> Layers:
     """T_r and length of the layer at the entry: from where the layers part to kick and T1.
 
+    T1 is met to `close` [N].
     T_r is no tension of the belt where creep passes through zero fast: it may be negative.
     """
     c, miss, rest_last, miss_last = par.compliance, inf, 0.0, 0.0
@@ -107,13 +117,13 @@ def _entry_layer(
         if not there.arrived:
             break
         miss, length = rest - there.ratio / c - par.entry_tension, there.length
-        if abs(miss) <= 1e-12 * par.entry_tension:
+        if abs(miss) <= close:
             break
         new = rest - miss
         if i > 0 and miss != miss_last:
             new = rest - miss * (rest - rest_last) / (miss - miss_last)
         rest_last, miss_last, rest = rest, miss, new
-    good = abs(miss) <= 1e-10 * par.entry_tension
+    good = abs(miss) <= 100.0 * close
     return Layers(good, rest, part[0], part[1], length, length if good else inf, 0.0, 0.0)
 
 

@@ -509,7 +509,7 @@ const LANDING = 1e-12;
 const SLIP = 2;
 const COARSE_STEPS = 8;
 const COARSE_TOLERANCE = 0.0001;
-const LOSS_MISS = 1e-5;
+const LOSS_MISS = 1e-6;
 const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
 const NODES = 400;
@@ -1374,7 +1374,7 @@ export function layer_march__march_layer(
 }
 
 /** T_r and length of the layer at the entry: from where the layers part to kick and T1. */
-export function layers___entry_layer(law, par, rest, part, tolerance) {
+export function layers___entry_layer(law, par, rest, part, close, tolerance) {
   let i, new_, there;
   let c = par.compliance;
   let miss = Infinity;
@@ -1399,7 +1399,7 @@ export function layers___entry_layer(law, par, rest, part, tolerance) {
     }
     miss = rest - there.ratio / c - par.entry_tension;
     length = there.length;
-    if (Math.abs(miss) <= 1e-12 * par.entry_tension) {
+    if (Math.abs(miss) <= close) {
       break;
     }
     new_ = rest - miss;
@@ -1408,13 +1408,13 @@ export function layers___entry_layer(law, par, rest, part, tolerance) {
     }
     [rest_last, miss_last, rest] = [rest, miss, new_];
   }
-  let good = Math.abs(miss) <= 1e-10 * par.entry_tension;
+  let good = Math.abs(miss) <= 100.0 * close;
   return new Layers(good, rest, part[0], part[1], length, good ? length : Infinity, 0.0, 0.0);
 }
 
 /** Both layers at one lambda, `z`; `rest` is a first guess of T_r. */
 export function layers___layers_of(law, par, aim, crossing, floors, z, rest, tolerance) {
-  let inward, near, spare;
+  let close, inward, near, pull, spare;
   let c = par.compliance;
   let kick = par.kick;
   let way = kick > 0.0 ? 1.0 : -1.0;
@@ -1440,7 +1440,12 @@ export function layers___layers_of(law, par, aim, crossing, floors, z, rest, tol
     if (crossing) {
       rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0);
     }
-    inward = layers___entry_layer(law, par, rest, [creep, ratio], tolerance);
+    close = 1e-12 * par.entry_tension;
+    if (aim.of === TENSION) {
+      pull = par.entry_tension * Math.abs(1.0 - Math.exp(-par.side * aim.value));
+      close = max(min(close, 1e-8 * pull), 1e-15 * par.entry_tension);
+    }
+    inward = layers___entry_layer(law, par, rest, [creep, ratio], close, tolerance);
     rest = inward.rest_tension;
     length = inward.entry_length;
     if (!inward.solved) {
@@ -3774,6 +3779,15 @@ export function answer__loss_miss(law, par, shot) {
   return size > 0.0 ? Math.abs(loss - exact) / size : 0.0;
 }
 
+/** Whether friction holds the belt all along the stuck zone of a march. */
+export function answer___held_throughout(law, par, found) {
+  if (!effort__jumps(law) || par.shear === 0.0 || found.outcome !== SOLVED) {
+    return true;
+  }
+  let zone = found.shot.stuck_length;
+  return stick__holds(law, par, zone, stick__zone_end(law, par, zone)[1]);
+}
+
 /** Whether a march has met its aim on a mesh fine enough for the law. */
 export function answer___resolved(law, par, found) {
   if (found.outcome !== SOLVED) {
@@ -3782,11 +3796,7 @@ export function answer___resolved(law, par, found) {
   if (answer__loss_miss(law, par, found.shot) >= LOSS_MISS) {
     return false;
   }
-  if (!effort__jumps(law) || par.shear === 0.0) {
-    return true;
-  }
-  let zone = found.shot.stuck_length;
-  return stick__holds(law, par, zone, stick__zone_end(law, par, zone)[1]);
+  return answer___held_throughout(law, par, found);
 }
 
 /** Meet ln(tight/slack) by marches from the entry, on a finer mesh while it is not resolved. */
@@ -3852,7 +3862,7 @@ export function answer__solve_tension(law, par, exit_tension, steps) {
       if (other.outcome === SOLVED) {
         return other;
       }
-      outcome = effort__jumps(law) ? UNSOLVED : found.outcome;
+      outcome = answer___held_throughout(law, par, found) ? found.outcome : UNSOLVED;
       return new Found(outcome, found.z, found.shot, found.layers, found.steps);
     }
   }
