@@ -331,7 +331,8 @@ def test_every_problem_of_a_file_is_told_in_full_sentences(tmp_path: Path) -> No
          'mean "empty"? It has "design", "empty".'),
         (["--creep-limit", "10"], '--creep-limit = "10": no unit, where a length is needed. Write '
          'the unit too, for example "1200 mm".'),
-        (["--creep-limit", "-1 mm"], '--creep-limit = "-1 mm": must be more than 0 mm and at most 1000 mm.'),
+        (["--creep-limit", "-1 mm"], '--creep-limit = "-1 mm": must be more than 0 mm and at most '
+         "1000 mm."),
         (["--set", "belt.with=1 m"], 'belt.with = "1 m": unknown key. Did you mean "width"?'),
     ],
 )  # fmt: skip
