@@ -47,7 +47,7 @@ const past = [];
 const future = [];
 let lastKey = "";
 let lastTime = 0;
-addEventListener("focusout", () => (lastKey = ""));
+globalThis.addEventListener?.("focusout", () => (lastKey = ""));
 /**
  * Put a document in the place of the present one; changes of one field within a second undo as one,
  * unless it was left between them.
