@@ -24,7 +24,10 @@ html_static_path = ["_static"]
 html_css_files = ["start.css"]
 nitpicky = True
 # The classes of other libraries are not documented here, nor those of the kernel.
-nitpick_ignore_regex = [("py:.*", r"(?!wraparc).*"), ("py:.*", r"wraparc\.arc\.(kernel|summary)\..*")]
+nitpick_ignore_regex = [
+    ("py:.*", r"(?!wraparc).*"),
+    ("py:.*", r"wraparc\.arc\.(kernel|summary)\..*"),
+]
 nitpick_ignore_regex += [("py:.*", r"wraparc\.across\.(march|stresses|compiled)\..*")]
 
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]
