@@ -8,7 +8,8 @@ how the batch was cut.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ from wraparc.batch import (
     solve_batch,
 )
 from wraparc.batch.arcs import arcs_of_table
-from wraparc.batch.native import available
+from wraparc.batch.native import available, compiled
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
@@ -196,12 +197,41 @@ def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         yield
 
 
-def test_interpreted_precise_is_compiled_precise(request: pytest.FixtureRequest) -> None:
+def test_interpreted_precise_is_compiled_precise(
+    request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
+) -> None:
     arcs = columns_of(random_arcs(1, 13), LAGGINGS)
+    monkeypatch.setattr(precise, "loaded", lambda entry: True)
     compiled = solve_arcs(arcs, setting=Setting.PRECISE)
     request.getfixturevalue("interpreted")
     plain = solve_arcs(arcs, setting=Setting.PRECISE)
     np.testing.assert_allclose(plain.found, compiled.found, rtol=1e-12, atol=1e-15)
+
+
+def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Until so many have come that compiling is worth it; then the scalar kernel is compiled."""
+    asked: list[str] = []
+
+    def watched(entry: Callable[..., Any]) -> Callable[..., Any]:
+        asked.append(entry.__name__)
+        return compiled(entry)
+
+    monkeypatch.setattr(precise, "compiled", watched)
+    monkeypatch.setattr(precise, "loaded", lambda entry: False)
+    monkeypatch.setattr(precise, "kept", lambda entry: False)
+    monkeypatch.setattr(precise, "_interpreted", Counter())
+    patience = {precise.tension_rows: (0, 5), precise.capacity_rows: (0, 1)}
+    monkeypatch.setattr(precise, "PATIENCE", patience)
+    braking = [arc for arc in random_arcs(3, 21) if arc.side < 0.0][:3]
+    arcs = columns_of(braking, LAGGINGS)
+    first = solve_arcs(arcs, capacities=False).found
+    assert asked == []
+    second = solve_arcs(arcs, capacities=False).found
+    assert asked == ["tension_rows"]
+    np.testing.assert_allclose(first, second, rtol=1e-9)
+    monkeypatch.setattr(precise, "kept", lambda entry: True)
+    solve_arcs(arcs.rows(slice(0, 1)), setting=Setting.PRECISE)
+    assert asked[1:] == ["tension_rows", "capacity_rows"]  # from disk, sooner
 
 
 def test_interpreted_lanes_are_compiled_lanes(request: pytest.FixtureRequest) -> None:

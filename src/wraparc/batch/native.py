@@ -29,6 +29,7 @@ _PLAIN = (int, float, str, bool, type(None))
 #: The one switch of what reaches into numba's private parts (`underlay.optimised_once`): set this
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
 AS_IT_IS = "WRAPARC_NUMBA_AS_IT_IS"
+_LOADED: set[Callable[..., Any]] = set()
 
 
 def available() -> bool:
@@ -65,10 +66,7 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
 
     from wraparc.batch import underlay
 
-    options: dict[str, Any] = {
-        "error_model": "numpy",
-        "fastmath": {"contract"} if contract else False,
-    }
+    options = _options(contract)
     functions = tuple(called(entry))
     replaced = set(map(id, underlay.REPLACED))
     for function in functions[1:]:
@@ -88,9 +86,27 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
                     with suppress(OSError):  # a full disk: it is compiled, and not kept
                         dispatcher.compile(tuple(map(numba.typeof, arguments)))
         ready = True  # to ask the dispatcher takes longer than a short kernel
+        _LOADED.add(entry)
         return dispatcher(*arguments)
 
     return run
+
+
+def _options(contract: bool) -> dict[str, Any]:
+    return {"error_model": "numpy", "fastmath": {"contract"} if contract else False}
+
+
+def loaded(entry: Callable[..., Any]) -> bool:
+    """Whether the compiled code of an entry is in this process."""
+    return entry in _LOADED
+
+
+@cache
+def kept(entry: Callable[..., Any], *, contract: bool = False) -> bool:
+    """Whether the compiled code of an entry was on disk when this process first asked."""
+    name = fingerprint(tuple(called(entry)), _options(contract))
+    folder = _folder(name)
+    return folder is not None and any(folder.glob("*/*.nbi"))
 
 
 @contextmanager

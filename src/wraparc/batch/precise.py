@@ -1,7 +1,9 @@
-"""The precise setting: the scalar kernel for every arc, compiled where numba is there."""
+"""The scalar kernel for rows of arcs: compiled where numba is there and the rows are worth it."""
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -9,7 +11,7 @@ import numpy as np
 from wraparc.arc.kernel.answer import CAPACITIES
 from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.elementwise import memory
-from wraparc.batch.native import available, compiled
+from wraparc.batch.native import available, compiled, kept, loaded
 from wraparc.batch.row import (
     EVERYTHING,
     FOUND_NUMBERS,
@@ -17,6 +19,8 @@ from wraparc.batch.row import (
     tensions_of_row,
 )
 from wraparc.friction.compact import CompactLaw
+
+Entry = Callable[..., Any]
 
 STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
@@ -55,8 +59,28 @@ def law_of(bank: Any, which: int) -> CompactLaw:
     )
 
 
+#: rows that a process leaves to the interpreter: while the code is on disk, and where it has to be
+#: compiled. A row takes it some 5 ms, or 50 ms with capacities; to load takes 1 s, to compile 10 s
+PATIENCE: Mapping[Entry, tuple[int, int]] = {tension_rows: (20, 200), capacity_rows: (4, 40)}
+_interpreted: Counter[Entry] = Counter()
+
+
+def _pays(entry: Entry, rows: int) -> bool:
+    """Whether rows are worth the compiled code; those that are not are counted."""
+    if not available():
+        return False
+    if loaded(entry):
+        return True
+    if _interpreted[entry] + rows > PATIENCE[entry][0 if kept(entry) else 1]:
+        return True
+    _interpreted[entry] += rows
+    return False
+
+
 def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
     """Rows of results (see :mod:`wraparc.batch.row`) of every arc, shape (n, 21).
+
+    Few rows are left to the interpreter: the same functions, with the same numbers to 1e-12.
 
     Parameters
     ----------
@@ -68,17 +92,29 @@ def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
     given, n = arcs.inputs(), len(arcs)
     wanted = np.broadcast_to(np.asarray(parts, dtype=np.int64), (n,)).copy()
     found = np.empty((n, FOUND_NUMBERS))
-    if available():
-        bank = arcs.laws.arrays
+    bank, which = arcs.laws.arrays, np.flatnonzero(wanted & CAPACITIES)
+    if _pays(tension_rows, n):
         mesh = (STEPS, POINTS)
         compiled(tension_rows)(given, bank, arcs.law, wanted, mesh, found, np.empty(0))
-        if np.any(wanted & CAPACITIES):
-            compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found)
+    else:
+        _interpret(arcs, given, wanted, found)
+    if not len(which):
         return found
-    for i in range(n):
-        law, numbers, part = arcs.laws.compact(int(arcs.law[i])), given[i].tolist(), int(wanted[i])
-        row: list[float] = [0.0] * FOUND_NUMBERS
-        tensions_of_row(law, numbers, part, STEPS, POINTS, row, [])
-        capacities_of_row(law, numbers, part, STEPS, row)
-        found[i] = row
+    if _pays(capacity_rows, len(which)):
+        compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found)
+    else:
+        for i in which.tolist():
+            row = found[i].tolist()
+            law = arcs.laws.compact(int(arcs.law[i]))
+            capacities_of_row(law, given[i].tolist(), int(wanted[i]), STEPS, row)
+            found[i] = row
     return found
+
+
+def _interpret(arcs: Arcs, given: Array, wanted: Integers, found: Array) -> None:
+    """Begin rows and find operating points, in the interpreter."""
+    for i in range(len(given)):
+        row: list[float] = [0.0] * FOUND_NUMBERS
+        law = arcs.laws.compact(int(arcs.law[i]))
+        tensions_of_row(law, given[i].tolist(), int(wanted[i]), STEPS, POINTS, row, [])
+        found[i] = row
