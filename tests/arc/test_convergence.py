@@ -15,8 +15,10 @@ import pytest
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
 from arc.twin import Twin
 from wraparc.arc import Distributed, WrapArc
+from wraparc.arc.kernel.effort import TENSION, Aim, first_guess
 from wraparc.arc.kernel.march import sweep
 from wraparc.arc.kernel.quantities import parameters_at
+from wraparc.arc.kernel.search import refine
 from wraparc.friction import FrictionLaw
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))
@@ -82,3 +84,17 @@ def test_the_default_mesh_leaves_1e_6(
     scale = max(abs(fine.exit_creep), kick)
     assert coarse.exit_creep == pytest.approx(fine.exit_creep, abs=1e-6 * scale)
     assert coarse.exit_slip == pytest.approx(fine.exit_slip, abs=1e-6 * scale)
+
+
+def test_a_step_ends_at_the_peak_of_a_flat_law() -> None:
+    """Only the curvature of friction jumps there; expected: the same march on a mesh 32 times as
+    fine. A step across the peak leaves 2e-4.
+    """
+    arc = replace(ARC, law=integral_log(0.6, 3e-4), overrun=1e-4)
+    law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
+    aim = Aim(TENSION, 1.6 * math.log(arc.entry_tension / arc.exit_tension))
+    coarse, fine = (
+        refine(law, par, aim, first_guess(law, par, aim), steps)[2] for steps in (24, 768)
+    )
+    assert coarse.slip > 3e-4
+    assert coarse.creep == pytest.approx(fine.creep, rel=1e-6)

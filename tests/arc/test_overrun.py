@@ -16,7 +16,7 @@ from batch.batches import columns_of, lagging
 from wraparc.arc import Distributed, Status, WrapArc
 from wraparc.arc.kernel.effort import CREEP, TENSION, Aim
 from wraparc.arc.kernel.layer_march import STEP_TOLERANCE
-from wraparc.arc.kernel.layers import solve_layers
+from wraparc.arc.kernel.layers import NO_LAYERS, solve_layers
 from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.arc.summary import overrun_coefficient
 from wraparc.batch import solve_arcs
@@ -113,12 +113,16 @@ def test_layers_and_marches_agree_on_it(arc: WrapArc) -> None:
     arc = replace(arc, overrun=-SIZE)
     law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
     goal = abs(math.log(arc.entry_tension / arc.exit_tension))
-    outcome, layers = solve_layers(law, par, Aim(TENSION, goal), STEP_TOLERANCE)
+    outcome, layers = solve_layers(
+        law, par, Aim(TENSION, goal), math.nan, STEP_TOLERANCE, NO_LAYERS
+    )
     assert outcome == SOLVED
     creep = QUICK.solve(arc).exit_creep
     assert layers.exit_creep == pytest.approx(creep, rel=1e-6)
     # and the other way round: the creep is aimed at, and the tension found
-    outcome, layers = solve_layers(law, par, Aim(CREEP, abs(creep)), STEP_TOLERANCE)
+    outcome, layers = solve_layers(
+        law, par, Aim(CREEP, abs(creep)), math.nan, STEP_TOLERANCE, NO_LAYERS
+    )
     assert outcome == SOLVED
     ratio = par.compliance * (layers.rest_tension - arc.exit_tension)
     assert layers.exit_ratio == pytest.approx(ratio, rel=1e-6)

@@ -18,7 +18,11 @@ import pytest
 from arc.shooting import ACCURACY, COMPILED, INTERPRETED, breaks_away, verdict
 from arc.wide import NAMES, wide_arc
 from wraparc.arc import Distributed, Status, WrapArc
+from wraparc.arc.kernel.capacity import Guess, carry, carry_from
+from wraparc.arc.kernel.effort import CREEP, Aim
 from wraparc.arc.kernel.gross_slip import plateau_capacity
+from wraparc.arc.kernel.layers import NO_LAYERS
+from wraparc.arc.kernel.quantities import SOLVED
 from wraparc.batch.compiled import Compiled
 from wraparc.drive.load_case import LEAST_TENSION
 from wraparc.errors import InputError
@@ -97,6 +101,20 @@ def test_capacities_that_once_failed(name: str, seed: list[int]) -> None:
     if slack >= LEAST_TENSION:  # a little less does not do, a little more does, of 1e-5
         assert creep_with(arc, slack * (1.0 - ACCURACY)) > arc.creep_limit
         assert creep_with(arc, slack * (1.0 + ACCURACY)) < arc.creep_limit
+
+
+@pytest.mark.parametrize(
+    ("name", "seed"), [("pieces", [1, 1244]), ("softening", [1, 1270]), ("softening", [1, 1297])]
+)
+def test_a_long_braking_pulley_hands_on_what_it_carries(name: str, seed: list[int]) -> None:
+    """Other code: with the entry tension held that was found, the same tight side, in a search."""
+    arc = wide_arc(name, np.random.default_rng(seed))
+    law, geometry, aim = arc.law.compact(), arc.geometry(), Aim(CREEP, arc.creep_limit)
+    outcome, _, entry, shot = carry(law, geometry, arc.exit_tension, aim, math.nan, 24)
+    assert outcome == SOLVED
+    assert entry * math.exp(shot.log_tension) == pytest.approx(arc.exit_tension, rel=1e-8)
+    _, _, again = carry_from(law, geometry, entry, aim, Guess(math.nan, NO_LAYERS), 24)
+    assert again.log_tension == pytest.approx(shot.log_tension, rel=1e-7)
 
 
 def creep_with(arc: WrapArc, slack: float) -> float:

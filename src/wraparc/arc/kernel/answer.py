@@ -6,10 +6,10 @@
 
 from __future__ import annotations
 
-from math import exp, inf, log, nan
+from math import ceil, exp, inf, log, nan, sqrt
 from typing import NamedTuple
 
-from wraparc.arc.kernel.capacity import carry, least_slack
+from wraparc.arc.kernel.capacity import carry
 from wraparc.arc.kernel.effort import (
     CREEP,
     SLIP,
@@ -27,6 +27,7 @@ from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_cap
 from wraparc.arc.kernel.layer_march import STEP_TOLERANCE, friction_of_creep
 from wraparc.arc.kernel.layer_profile import KINKS, NODES, trace_layers
 from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
+from wraparc.arc.kernel.least_slack import least_slack
 from wraparc.arc.kernel.quantities import (
     BREAKAWAY,
     NO_SHOT,
@@ -52,7 +53,7 @@ from wraparc.friction.compact import CompactLaw
 #: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
 #: not resolved the law
 LOSS_MISS = 1e-6
-FINER = (1, 2, 4)  # times the mesh, until the loss of energy is met; cheaper than layers
+FINEST, FINER = 32, 8  # times the mesh until the loss of energy is met, in all and at once
 BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
 
 # capacities that may be asked for, to be added up
@@ -127,13 +128,17 @@ def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Fo
     aim = Aim(TENSION, goal)
     guess = first_guess(law, par, aim)
     found = Found(BREAKAWAY, nan, NO_SHOT, NO_LAYERS, steps)
-    for finer in FINER:
+    finer = 1
+    while finer <= FINEST:
         outcome, z, shot = refine(law, par, aim, guess, finer * steps)
         if outcome == BREAKAWAY:
             break
         found = Found(outcome, z, shot, NO_LAYERS, finer * steps)
         if _resolved(law, par, found):
             break
+        # a kink of the law inside a step leaves a miss of about its square
+        miss = loss_miss(law, par, shot) if outcome == SOLVED else 0.0
+        finer *= int(min(max(ceil(sqrt(miss / LOSS_MISS)), 2), FINER))
     return found
 
 
@@ -167,7 +172,7 @@ def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
 
 def by_layers(law: CompactLaw, par: Parameters, goal: float) -> Found:
     """`solve_tension` by layers, where no effort at the entry tells what happens at the exit."""
-    outcome, layers = solve_layers(law, par, Aim(TENSION, goal), STEP_TOLERANCE)
+    outcome, layers = solve_layers(law, par, Aim(TENSION, goal), nan, STEP_TOLERANCE, NO_LAYERS)
     return Found(outcome, nan, shot_of_layers(law, par, layers), layers, 0)
 
 

@@ -1,4 +1,4 @@
-"""What an arc could carry within a limit of creep or slip, and the least slack-side tension.
+"""What an arc could carry within a limit of creep or slip.
 
 The tight side is held (T1 driving, T2 braking) and the slack side falls. On a braking pulley the
 held tension is at the exit, so that the entry tension is an unknown too.
@@ -6,12 +6,13 @@ held tension is at the exit, so that the entry tension is an unknown too.
 
 from __future__ import annotations
 
-from math import exp, inf, log, nan
+from math import exp, log, nan
+from typing import NamedTuple
 
-from wraparc.arc.kernel.effort import CREEP, Aim, first_guess, is_far, jumps, mesh_steps
+from wraparc.arc.kernel.effort import Aim, first_guess, is_far, jumps, mesh_steps
 from wraparc.arc.kernel.gross_slip import plateau_capacity
 from wraparc.arc.kernel.layer_march import COARSE_TOLERANCE, STEP_TOLERANCE
-from wraparc.arc.kernel.layers import shot_of_layers, solve_layers
+from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
 from wraparc.arc.kernel.quantities import (
     NO_SHOT,
     SOLVED,
@@ -26,11 +27,16 @@ from wraparc.arc.kernel.search import LARGEST_LOG, TOLERANCE, attempt, refine
 from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw
 
+ALIKE = 1e-9  # relative, of an entry tension: what it leaves in the kick
 MEET_STEPS = 12  # mesh steps of a first search; decides speed only
-PULL_TOLERANCE = 2e-9  # relative: what the steps of layers leave
-GOLDEN = 0.6180339887498949
-NEAR_TOP = 0.08  # of ln(tension): so near its top the pull is a parabola
 MOST_ROUNDS, SLOW_ROUNDS = 30, 8  # of Newton's method: 8 to 15 in all are usual
+
+
+class Guess(NamedTuple):
+    """What a search of an arc begins with: another of nearly the same."""
+
+    z: float  # effort, or nan
+    layers: Layers  # of a long arc, or NO_LAYERS
 
 
 def carry(
@@ -57,19 +63,46 @@ def carry(
     outcome, z, entry tension [N], shot
     """
     if geometry.side > 0.0:
-        outcome, z, shot = _at_entry(law, geometry, tight, aim, z, steps)
-        return outcome, z, tight, shot
+        outcome, guess, shot = carry_from(law, geometry, tight, aim, Guess(z, NO_LAYERS), steps)
+        return outcome, guess.z, tight, shot
     # braking: the entry tension follows from the ratio found, and the ratio depends on it
     par = parameters_at(0.6 * tight, geometry)
     if is_far(law, par):
+        outcome, entry, shot = _carry_far(law, geometry, tight, aim, steps)
+        if outcome == SOLVED:
+            return outcome, nan, entry, shot
         return _carry_bracketed(law, geometry, tight, aim, steps)
-    guess = z if z == z else first_guess(law, par, aim)
+    first = z if z == z else first_guess(law, par, aim)
     met, z_met, entry, shot, _ = meet(
-        law, geometry, aim, False, tight, 0.6 * tight, guess, 4.0 * tight, steps
+        law, geometry, aim, False, tight, 0.6 * tight, first, 4.0 * tight, steps
     )
     if met and entry <= tight:
         return SOLVED, z_met, entry, shot
     return _carry_bracketed(law, geometry, tight, aim, steps)
+
+
+def _carry_far(
+    law: CompactLaw, geometry: Geometry, tight: float, aim: Aim, steps: int
+) -> tuple[int, float, Shot]:
+    """`carry` of a long braking pulley: T1 is what its layers hand on, and sets only the kick."""
+    t, mesh, t_last, miss_last = 0.6 * tight, MEET_STEPS, 0.0, 0.0
+    layers = NO_LAYERS
+    for _ in range(MOST_ROUNDS):
+        par = parameters_at(t, geometry)
+        outcome, layers = solve_layers(law, par, aim, tight, _tolerance(mesh), layers)
+        if outcome != SOLVED:
+            break
+        miss = layers.entry_tension - t
+        if mesh == steps and (geometry.kick_coefficient == 0.0 or abs(miss) < ALIKE * t):
+            return SOLVED, t, shot_of_layers(law, par, layers)
+        if mesh != steps and (geometry.kick_coefficient == 0.0 or abs(miss) < 1e-4 * t):
+            mesh, t_last = steps, 0.0
+        new = t + miss
+        if t_last > 0.0 and miss != miss_last:
+            new = t - miss * (t - t_last) / (miss - miss_last)
+        t_last, miss_last = t, miss
+        t = new if 0.0 < new <= tight else t + miss
+    return UNSOLVED, t, NO_SHOT
 
 
 def _carry_bracketed(
@@ -78,16 +111,17 @@ def _carry_bracketed(
     """`carry` of a braking pulley where Newton's method fails: secants in ln T1, in a bracket."""
     radius, wrap, width = geometry.radius, geometry.wrap_angle, geometry.width
     goal = log(tight)
-    t, t_last, f_last, z, slope, mesh = goal, goal, 0.0, nan, 1.0, MEET_STEPS
+    t, t_last, f_last, slope, mesh = goal, goal, 0.0, 1.0, MEET_STEPS
+    guess = Guess(nan, NO_LAYERS)
     bottom = goal - plateau_capacity(law, tight / (width * radius), wrap) - 1.0
     low, high = bottom, goal
     for _ in range(80):
-        outcome, z, shot = _at_entry(law, geometry, exp(t), aim, z, mesh)
+        outcome, guess, shot = carry_from(law, geometry, exp(t), aim, guess, mesh)
         if outcome != SOLVED:
-            return outcome, z, exp(t), shot
+            return outcome, guess.z, exp(t), shot
         f = t + shot.log_tension - goal
         if mesh == steps and (abs(f) < 1e-9 or high - low < 1e-13):
-            return (SOLVED if abs(f) < 1e-8 else UNSOLVED), z, exp(t), shot
+            return (SOLVED if abs(f) < 1e-8 else UNSOLVED), guess.z, exp(t), shot
         if t != t_last:
             slope = (f - f_last) / (t - t_last)
         if mesh != steps and abs(f) < 1e-4:
@@ -99,19 +133,26 @@ def _carry_bracketed(
         t = t - f / slope if slope > 0.0 else nan
         if not low < t < high:
             t = 0.5 * (low + high)
-    return UNSOLVED, z, exp(t), shot
+    return UNSOLVED, guess.z, exp(t), shot
 
 
-def _at_entry(
-    law: CompactLaw, geometry: Geometry, entry: float, aim: Aim, z: float, steps: int
-) -> tuple[int, float, Shot]:
-    """Meet a target of creep or slip with the entry tension held [N]; z may be nan."""
+def _tolerance(steps: int) -> float:
+    """Relative error of a step of layers, for the fineness of a mesh."""
+    return COARSE_TOLERANCE if steps == MEET_STEPS else STEP_TOLERANCE
+
+
+def carry_from(
+    law: CompactLaw, geometry: Geometry, entry: float, aim: Aim, guess: Guess, steps: int
+) -> tuple[int, Guess, Shot]:
+    """Meet a target of creep or slip with the entry tension held [N]."""
     par = parameters_at(entry, geometry)
     if is_far(law, par):
-        tolerance = COARSE_TOLERANCE if steps == MEET_STEPS else STEP_TOLERANCE
-        outcome, layers = solve_layers(law, par, aim, tolerance)
-        return outcome, nan, shot_of_layers(law, par, layers) if outcome == SOLVED else NO_SHOT
-    return refine(law, par, aim, z if z == z else first_guess(law, par, aim), steps)
+        outcome, layers = solve_layers(law, par, aim, nan, _tolerance(steps), guess.layers)
+        shot = shot_of_layers(law, par, layers) if outcome == SOLVED else NO_SHOT
+        return outcome, Guess(nan, layers), shot
+    z = guess.z if guess.z == guess.z else first_guess(law, par, aim)
+    outcome, z, shot = refine(law, par, aim, z, steps)
+    return outcome, Guess(z, guess.layers), shot
 
 
 def meet(
@@ -217,190 +258,3 @@ def _misses(
         return miss, t + shot.log_tension - log(tension), shot
     pull = par.entry_tension * abs(1.0 - exp(shot.log_tension))
     return miss, log(max(pull, 1e-9 * tension) / tension), shot
-
-
-def least_slack(
-    law: CompactLaw,
-    geometry: Geometry,
-    pull: float,
-    limit: float,
-    tight: float,
-    entry: float,
-    z: float,
-    tight_max: float,
-    steps: int,
-) -> tuple[float, float]:
-    """Least slack-side tension that carries a pull within a creep limit.
-
-    Parameters
-    ----------
-    pull
-        |T1 - T2| to be carried [N].
-    limit
-        Exit creep towards the slack side [m].
-    tight, entry, z
-        A tight-side tension, and the entry tension and effort at its creep limit, to begin with
-        [N, N, -].
-    tight_max
-        Largest tight-side tension to consider [N]: the top of the tested pressures.
-
-    Returns
-    -------
-    least, most
-        The smallest root [N] and nan; without a root nan and the largest pull there is [N].
-    """
-    if z != z:  # a long arc
-        return _least_bracketed(law, geometry, pull, limit, tight_max, steps)
-    met, _, entry_met, shot, growth = meet(
-        law, geometry, Aim(CREEP, limit), True, pull, entry, z, 1.5 * tight_max, steps
-    )
-    if met and growth > 0.0:
-        found = max(entry_met, entry_met * exp(shot.log_tension))
-        if found <= tight_max:
-            return found - pull, nan
-    return _least_bracketed(law, geometry, pull, limit, tight_max, steps)
-
-
-def _least_bracketed(
-    law: CompactLaw, geometry: Geometry, pull: float, limit: float, tight_max: float, steps: int
-) -> tuple[float, float]:
-    """`least_slack` where Newton's method fails: the pull rises with tension to a largest one.
-
-    In t, the logarithm of the entry tension, which a search of one unknown meets the limit at.
-    """
-    aim = Aim(CREEP, limit)
-    _, z, entry, shot = carry(law, geometry, tight_max, aim, nan, MEET_STEPS)
-    high, p_high = log(entry), entry * abs(1.0 - exp(shot.log_tension))
-    if p_high < pull:
-        high, p_high, z = _most(law, geometry, limit, pull, high, p_high, z)
-    if p_high < pull:
-        if high < log(entry):
-            return nan, _pull(law, geometry, exp(high), limit, z, steps)[0]
-        shot = carry(law, geometry, tight_max, aim, z, steps)[3]
-        return nan, tight_max * (1.0 - exp(-abs(shot.log_tension)))
-    low, p_low, high, p_high, z = _down(law, geometry, pull, limit, high, p_high, z)
-    if p_low != p_low:
-        return nan, nan
-    f_low, f_high = log(max(p_low, 1e-9 * pull) / pull), log(p_high / pull)
-    side, slope, t_last, f_last = 0, 1.0, high, f_high
-    for _ in range(40):
-        t = (low * f_high - high * f_low) / (f_high - f_low)
-        p, z = _pull(law, geometry, exp(t), limit, z, MEET_STEPS)
-        f = log(max(p, 1e-9 * pull) / pull)
-        if t != t_last:
-            slope = (f - f_last) / (t - t_last)
-        if abs(f) < 1e-3:
-            break
-        # false position keeps one end: halve its weight when it does (Illinois)
-        if f > 0.0:
-            f_low *= 0.5 if side > 0 else 1.0
-            high, f_high, side = t, f, 1
-        else:
-            f_high *= 0.5 if side < 0 else 1.0
-            low, f_low, side = t, f, -1
-        t_last, f_last = t, f
-    t = _pull_closed(law, geometry, pull, limit, (t, slope), z, steps)
-    return (exp(t) - pull if geometry.side > 0.0 else exp(t)), nan
-
-
-def _down(
-    law: CompactLaw,
-    geometry: Geometry,
-    pull: float,
-    limit: float,
-    high: float,
-    p_high: float,
-    z: float,
-) -> tuple[float, float, float, float, float]:
-    """Bracket of ln(entry tension) around a pull, from where more is carried downwards.
-
-    Both ends with the pulls there, the lower one first, and the effort.
-    """
-    floor = log(pull) if geometry.side > 0.0 else -inf  # no belt pulls more than its tight side
-    low, p_low = high, p_high
-    while p_low >= pull:
-        # where little tension is left, the pull goes with it
-        high, p_high, low = low, p_low, low - 1.2 * log(p_low / pull) - 0.02
-        if low <= floor:
-            return floor, 0.5 * pull, high, p_high, z
-        p_low, z = _pull(law, geometry, exp(low), limit, z, MEET_STEPS)
-    return low, p_low, high, p_high, z
-
-
-def _pull_closed(
-    law: CompactLaw,
-    geometry: Geometry,
-    pull: float,
-    limit: float,
-    near: tuple[float, float],
-    z: float,
-    steps: int,
-) -> float:
-    """ln(entry tension) at which a pull is carried, by secants on the fine mesh; nan if not met.
-
-    `near` is one close to it, and the slope of ln(pull) there, as the coarse mesh has them.
-    """
-    t, slope = near
-    t_last = f_last = 0.0
-    for i in range(12):
-        p, z = _pull(law, geometry, exp(t), limit, z, steps)
-        f = log(max(p, 1e-9 * pull) / pull)
-        if abs(f) < PULL_TOLERANCE:
-            return t
-        if i > 0 and t != t_last:
-            slope = (f - f_last) / (t - t_last)
-        if slope <= 0.0:
-            break
-        t_last, f_last, t = t, f, t - f / slope
-    return nan
-
-
-def _pull(
-    law: CompactLaw, geometry: Geometry, entry: float, limit: float, z: float, steps: int
-) -> tuple[float, float]:
-    """Pull carried at a creep limit with a held entry tension [N], and the effort for it."""
-    _, z, shot = _at_entry(law, geometry, entry, Aim(CREEP, limit), z, steps)
-    return entry * abs(1.0 - exp(shot.log_tension)), z
-
-
-def _most(
-    law: CompactLaw,
-    geometry: Geometry,
-    limit: float,
-    enough: float,
-    top: float,
-    p_top: float,
-    z: float,
-) -> tuple[float, float, float]:
-    """ln(entry tension) up to `top` of the largest pull at a creep limit, the pull [N], the effort.
-
-    Golden section on the coarse mesh and a parabola; a pull of `enough` ends it. `p_top` and z
-    belong to the top.
-    """
-    p_in, z_in = _pull(law, geometry, exp(top - 0.02), limit, z, MEET_STEPS)
-    if p_in <= p_top:
-        return top, p_top, z
-    low, high, p_low, p_high = top - 3.0, top, -inf, p_top
-    d = low + GOLDEN * (high - low)
-    p_d, z = _pull(law, geometry, exp(d), limit, z_in, MEET_STEPS)
-    c = high - GOLDEN * (high - low)
-    p_c, z = _pull(law, geometry, exp(c), limit, z, MEET_STEPS)
-    while high - low > NEAR_TOP and max(p_c, p_d) < enough:
-        if p_c >= p_d:
-            high, p_high, d, p_d = d, p_d, c, p_c
-            c = high - GOLDEN * (high - low)
-            p_c, z = _pull(law, geometry, exp(c), limit, z, MEET_STEPS)
-        else:
-            low, p_low, c, p_c = c, p_c, d, p_d
-            d = low + GOLDEN * (high - low)
-            p_d, z = _pull(law, geometry, exp(d), limit, z, MEET_STEPS)
-    t, p_t = (c, p_c) if p_c >= p_d else (d, p_d)
-    if p_t >= enough or p_low == -inf:
-        return t, p_t, z
-    # the top of the parabola through the best and its neighbours
-    left, right = (low, d) if t == c else (c, high)
-    p_left, p_right = (p_low, p_d) if t == c else (p_c, p_high)
-    rise, fall = (p_t - p_left) / (t - left), (p_right - p_t) / (right - t)
-    v = 0.5 * (left + t) + 0.5 * (right - left) * rise / (rise - fall)
-    p_v, z_v = _pull(law, geometry, exp(v), limit, z, MEET_STEPS)
-    return (v, p_v, z_v) if p_v > p_t else (t, p_t, z)

@@ -19,6 +19,7 @@ from typing import NamedTuple
 from wraparc.arc.kernel.effort import TENSION, Aim
 from wraparc.arc.kernel.layer_march import (
     TO_CREEP,
+    Arrival,
     friction_of_creep,
     lag_at,
     march_layer,
@@ -29,6 +30,7 @@ from wraparc.friction.compact import CompactLaw
 
 FLOOR = 1e-9  # of creep near rest in the creep of the layers: what it changes is its square
 FILLED = 3.0  # relative miss of the arc's length, in tolerances of a step: what steps leave
+NEARBY = 8  # secants from the layers of nearly the same arc
 LARGEST_RATIO = 1.0  # of creep at the entry
 
 
@@ -36,6 +38,8 @@ class Layers(NamedTuple):
     """An arc of two layers."""
 
     solved: bool
+    z: float  # lambda [-]
+    entry_tension: float  # T1 [N]
     rest_tension: float  # T_r [N]
     creep: float  # where the layers part [m]
     ratio: float  # w there [-]
@@ -45,92 +49,124 @@ class Layers(NamedTuple):
     exit_ratio: float  # [-]
 
 
-NO_LAYERS = Layers(False, nan, nan, nan, nan, nan, nan, nan)
+NO_LAYERS = Layers(False, nan, nan, nan, nan, nan, nan, nan, nan, nan)
 
 
-def _layers_of(
-    law: CompactLaw,
-    par: Parameters,
-    aim: Aim,
-    crossing: bool,
-    floors: tuple[float, float],
-    z: float,
-    rest: float,
-    tolerance: float,
-) -> Layers:
+class Case(NamedTuple):
+    """What the layers of an arc meet."""
+
+    aim: Aim
+    exit_tension: float  # T2 held instead of T1 [N], of aims of creep or slip; nan: T1 is held
+    crossing: bool  # whether creep passes through zero
+    floors: tuple[float, float]  # of the least creep [m], and of the creep ratio where creep is 0
+    close: float  # how near the held tension is met [N]
+    tolerance: float  # relative error of a step
+
+
+def _layers_of(law: CompactLaw, par: Parameters, case: Case, z: float, rest: float) -> Layers:
     """Both layers at one lambda, `z`; `rest` is a first guess of T_r."""
-    c, kick = par.compliance, par.kick
-    way = 1.0 if kick > 0.0 else -1.0
-    creep, ratio, length = 0.0, par.side * floors[1] * exp(z), 0.0
-    free = kick == 0.0  # the belt enters at rest or nearly so: there is no layer at the entry
-    if not free and not crossing:
-        creep, ratio = way * floors[0] * exp(z), 0.0
-        if abs(creep) >= abs(kick):  # creep grows from the entry on
-            spare = exp(z) - abs(kick) / floors[0]
-            creep, ratio, free = kick, way * floors[1] * spare, True
-    elif not free:
-        ratio = -way * floors[1] * exp(z)
-    if free:
-        rest = par.entry_tension + ratio / c
-    else:
-        if crossing:
-            rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0)
-        close = 1e-12 * par.entry_tension
-        if aim.of == TENSION:  # of nearly no pull more digits count
-            pull = par.entry_tension * abs(1.0 - exp(-par.side * aim.value))
-            close = max(min(close, 1e-8 * pull), 1e-15 * par.entry_tension)
-        inward = _entry_layer(law, par, rest, (creep, ratio), close, tolerance)
-        rest, length = inward.rest_tension, inward.entry_length
-        if not inward.solved:
-            return inward
-    goal = par.side * aim.value
-    if aim.of == TENSION:
-        goal = c * (rest - par.entry_tension * exp(-goal))
-    ahead = goal - value_at(law, par, rest, aim.of, creep, ratio)
-    if ahead * (1.0 if creep > 0.0 or ratio > 0.0 else -1.0) <= 0.0:
+    creep, ratio, free = _parting(par, case, z)
+    held_exit = case.exit_tension == case.exit_tension
+    length, entry = 0.0, par.entry_tension
+    if not held_exit:
+        if free:
+            rest = entry + ratio / par.compliance
+        else:
+            if case.crossing:
+                way = 1.0 if par.kick > 0.0 else -1.0
+                rest += way * min(way * (ratio / par.compliance - (rest - entry)), 0.0)
+            _, met, rest, there = _layer(law, par, case, rest, (creep, ratio), -1.0)
+            if not met:
+                return Layers(False, z, entry, rest, creep, ratio, there.length, inf, 0.0, 0.0)
+            length = there.length
+    begun, met, rest, out = _layer(law, par, case, rest, (creep, ratio), 1.0)
+    if not begun:
         # the aim is met before the layer has begun: what is left is of the size of the floor
         near = z == 0.0
-        return Layers(near, rest, creep, ratio, length, length if near else 0.0, creep, ratio)
-    out = march_layer(law, par, rest, (creep, ratio), 1.0, aim.of, goal, tolerance, zeros(0))
-    arrived = out.arrived and out.ratio < c * rest  # no creep is met where no tension is left
-    both = length + out.length if arrived else inf
-    return Layers(arrived, rest, creep, ratio, length, both, out.creep, out.ratio)
+        both = length if near else 0.0
+        return Layers(near, z, entry, rest, creep, ratio, both, both, creep, ratio)
+    met = met and out.ratio < par.compliance * rest  # no creep is met where no tension is left
+    if held_exit:
+        entry = rest - ratio / par.compliance
+        if met and not free:
+            there = march_layer(
+                law, par, rest, (creep, ratio), -1.0, TO_CREEP, par.kick, case.tolerance, zeros(0)
+            )
+            met, length = there.arrived, there.length
+            entry = rest - there.ratio / par.compliance
+        met = met and entry > 0.0
+    both = length + out.length if met else inf
+    return Layers(met, z, entry, rest, creep, ratio, length, both, out.creep, out.ratio)
 
 
-def _entry_layer(
+def _parting(par: Parameters, case: Case, z: float) -> tuple[float, float, bool]:
+    """Creep and creep ratio where the layers part, and whether there is none at the entry."""
+    kick, floors = par.kick, case.floors
+    way = 1.0 if kick > 0.0 else -1.0
+    if kick == 0.0:  # the belt enters at rest or nearly so
+        return 0.0, par.side * floors[1] * exp(z), True
+    if case.crossing:
+        return 0.0, -way * floors[1] * exp(z), False
+    creep = way * floors[0] * exp(z)
+    if abs(creep) < abs(kick):
+        return creep, 0.0, False
+    spare = exp(z) - abs(kick) / floors[0]
+    return kick, way * floors[1] * spare, True  # creep grows from the entry on
+
+
+def _layer(
     law: CompactLaw,
     par: Parameters,
+    case: Case,
     rest: float,
     part: tuple[float, float],
-    close: float,
-    tolerance: float,
-) -> Layers:
-    """T_r and length of the layer at the entry: from where the layers part to kick and T1.
+    towards: float,
+) -> tuple[bool, bool, float, Arrival]:
+    """A layer from where the layers part to its nip, and the T_r at which a held tension is met.
 
-    T1 is met to `close` [N].
     T_r is no tension of the belt where creep passes through zero fast: it may be negative.
+
+    Returns
+    -------
+    begun, met, T_r, arrival
+        Whether its end lies ahead, and whether it is reached with the held tension.
     """
-    c, miss, rest_last, miss_last = par.compliance, inf, 0.0, 0.0
-    length = 0.0
+    c, aim = par.compliance, case.aim
+    held = par.entry_tension if towards < 0.0 else case.exit_tension
+    free = towards > 0.0 and held != held
+    miss, rest_last, miss_last = 0.0, 0.0, 0.0
+    there = Arrival(False, 0.0, part[0], part[1])
     for i in range(40):
-        there = march_layer(law, par, rest, part, -1.0, TO_CREEP, par.kick, tolerance, zeros(0))
-        if not there.arrived:
-            break
-        miss, length = rest - there.ratio / c - par.entry_tension, there.length
-        if abs(miss) <= close:
+        to, goal = TO_CREEP, par.kick
+        if towards > 0.0:
+            to, goal = aim.of, par.side * aim.value
+            if to == TENSION:
+                goal = c * (rest - par.entry_tension * exp(-goal))
+            ahead = goal - value_at(law, par, rest, to, part[0], part[1])
+            if ahead * (1.0 if part[0] > 0.0 or part[1] > 0.0 else -1.0) <= 0.0:
+                return False, False, rest, there
+        there = march_layer(law, par, rest, part, towards, to, goal, case.tolerance, zeros(0))
+        if free or not there.arrived:
+            return True, there.arrived, rest, there
+        miss = rest - there.ratio / c - held
+        if abs(miss) <= case.close:
             break
         new = rest - miss
         if i > 0 and miss != miss_last:
             new = rest - miss * (rest - rest_last) / (miss - miss_last)
         rest_last, miss_last, rest = rest, miss, new
-    good = abs(miss) <= 100.0 * close
-    return Layers(good, rest, part[0], part[1], length, length if good else inf, 0.0, 0.0)
+    return True, abs(miss) <= 100.0 * case.close, rest, there
 
 
 def solve_layers(
-    law: CompactLaw, par: Parameters, aim: Aim, tolerance: float
+    law: CompactLaw,
+    par: Parameters,
+    aim: Aim,
+    exit_tension: float,
+    tolerance: float,
+    before: Layers,
 ) -> tuple[int, Layers]:
-    """Layers that meet the entry tension and an aim at the exit, whatever holds the belt at rest.
+    """Layers that meet a held tension and an aim at the exit, whatever holds the belt at rest.
 
     Parameters
     ----------
@@ -138,8 +174,12 @@ def solve_layers(
         See `wraparc.arc.kernel.march`.
     aim
         ln(tight/slack), or a creep or slip at the exit towards the slack side [m].
+    exit_tension
+        Held instead of that of `par`, which is a guess then [N]; nan: T1 is held.
     tolerance
         Relative error of a step.
+    before
+        Layers of nearly the same arc to begin with, or `NO_LAYERS`.
 
     Returns
     -------
@@ -147,40 +187,37 @@ def solve_layers(
         SOLVED; BREAKAWAY: with no creep up to a ratio of 1 at the entry the aim is met within the
         arc; UNSOLVED.
     """
-    first, rest, crossing, floors = _at_rest(law, par, aim, tolerance)
+    case = _case(law, par, aim, exit_tension, tolerance)
+    if before.solved and before.z > 0.0:
+        near = _nearby(law, par, case, before)
+        if near.solved:
+            return SOLVED, near
+    case, first = _at_rest(law, par, case)
     if first.solved and first.length <= par.length:
         return SOLVED, first
-    outcome, found = _less_rest(law, par, aim, crossing, floors, first, tolerance)
+    outcome, found = _less_rest(law, par, case, first)
     if outcome != SOLVED and not first.solved and par.kick != 0.0:
         # at rest the overrun takes more than all tension: creep may pass through zero all the same
-        rest = par.entry_tension
-        first = _layers_of(law, par, aim, not crossing, floors, 0.0, rest, tolerance)
-        other, layers = _less_rest(law, par, aim, not crossing, floors, first, tolerance)
+        case = _crossed(case, not case.crossing)
+        first = _layers_of(law, par, case, 0.0, par.entry_tension)
+        other, layers = _less_rest(law, par, case, first)
         if other == SOLVED:
             return other, layers
     return outcome, found
 
 
-def _less_rest(
-    law: CompactLaw,
-    par: Parameters,
-    aim: Aim,
-    crossing: bool,
-    floors: tuple[float, float],
-    first: Layers,
-    tolerance: float,
-) -> tuple[int, Layers]:
+def _less_rest(law: CompactLaw, par: Parameters, case: Case, first: Layers) -> tuple[int, Layers]:
     """Layers that just fill the arc, from those at the floor that are longer."""
-    rest = first.rest_tension
+    rest, tolerance = first.rest_tension, case.tolerance
     # lambda grows until they do
     low, high, f_low, f_high = 0.0, 0.0, first.length / par.length - 1.0, inf
-    best, top = first, log(LARGEST_RATIO / floors[1])
+    best, top = first, log(LARGEST_RATIO / case.floors[1])
     reach = 2.0
     for _ in range(60):
         if high >= top:
             return BREAKAWAY, best
         high = min(high + reach, top)
-        best = _layers_of(law, par, aim, crossing, floors, high, rest, tolerance)
+        best = _layers_of(law, par, case, high, rest)
         f_high = best.length / par.length - 1.0
         if f_high <= 0.0:
             break
@@ -195,7 +232,7 @@ def _less_rest(
             z = (low * f_high - high * f_low) / (f_high - f_low)
         if not low < z < high:
             z = 0.5 * (low + high)
-        best = _layers_of(law, par, aim, crossing, floors, z, best.rest_tension, tolerance)
+        best = _layers_of(law, par, case, z, best.rest_tension)
         f = best.length / par.length - 1.0
         if abs(f) < FILLED * tolerance or high - low < 1e-13 * high:
             break
@@ -210,28 +247,62 @@ def _less_rest(
     return (SOLVED if good else UNSOLVED), best
 
 
-def _at_rest(
-    law: CompactLaw, par: Parameters, aim: Aim, tolerance: float
-) -> tuple[Layers, float, bool, tuple[float, float]]:
-    """Layers at the floor, T_r there, whether creep passes through zero, and the floors."""
-    exit_tension = par.entry_tension * exp(-par.side * aim.value)
+def _nearby(law: CompactLaw, par: Parameters, case: Case, before: Layers) -> Layers:
+    """Layers that just fill the arc, by secants from those of nearly the same arc."""
+    case = _crossed(case, par.kick != 0.0 and before.creep == 0.0)
+    z, rest, z_last, f_last = before.z, before.rest_tension, 0.0, 0.0
+    slope = -case.floors[0] / (case.floors[1] * par.length)  # a shear-lag length a unit of lambda
+    for i in range(NEARBY):
+        best = _layers_of(law, par, case, z, rest)
+        f = best.length / par.length - 1.0
+        if not best.solved or abs(f) < FILLED * case.tolerance:
+            return best
+        if i > 0 and z != z_last:
+            slope = (f - f_last) / (z - z_last)
+        if slope >= 0.0:
+            break
+        z_last, f_last, rest = z, f, best.rest_tension
+        z -= f / slope
+        if z <= 0.0:
+            break
+    return NO_LAYERS
+
+
+def _case(
+    law: CompactLaw, par: Parameters, aim: Aim, exit_tension: float, tolerance: float
+) -> Case:
+    """What is to be met, with its floors."""
+    close = 1e-12 * par.entry_tension
     creep = max(abs(par.kick), aim.value)
     if aim.of == TENSION:
-        pull = par.compliance * abs(par.entry_tension - exit_tension)
+        pull = par.entry_tension * abs(1.0 - exp(-par.side * aim.value))
+        close = max(min(close, 1e-8 * pull), 1e-15 * par.entry_tension)  # no pull: more digits
         creep = max(abs(par.kick), 1e-6)
         for _ in range(8):  # the creep that this pull makes, by w = u/l
-            creep = max(abs(par.kick), pull * lag_at(law, par, par.entry_tension, creep), 1e-200)
+            lag = lag_at(law, par, par.entry_tension, creep)
+            creep = max(abs(par.kick), par.compliance * pull * lag, 1e-200)
     floor = FLOOR * creep
     floors = (floor, floor / lag_at(law, par, par.entry_tension, floor))
-    first = _layers_of(law, par, aim, False, floors, 0.0, par.entry_tension, tolerance)
-    rest = first.rest_tension
+    return Case(aim, exit_tension, False, floors, close, tolerance)
+
+
+def _at_rest(law: CompactLaw, par: Parameters, case: Case) -> tuple[Case, Layers]:
+    """The layers at the floor, and the case, in which creep may pass through zero."""
+    aim = case.aim
+    first = _layers_of(law, par, case, 0.0, par.entry_tension)
     crossing = par.kick * par.side < 0.0
     if aim.of == TENSION:
-        crossing = par.kick * (exit_tension - rest) > 0.0
+        last = par.entry_tension * exp(-par.side * aim.value)
+        crossing = par.kick * (last - first.rest_tension) > 0.0
     if crossing:
-        first = _layers_of(law, par, aim, True, floors, 0.0, rest, tolerance)
-        rest = first.rest_tension
-    return first, rest, crossing, floors
+        case = _crossed(case, True)
+        first = _layers_of(law, par, case, 0.0, first.rest_tension)
+    return case, first
+
+
+def _crossed(case: Case, crossing: bool) -> Case:
+    """The same with or without creep that passes through zero."""
+    return Case(case.aim, case.exit_tension, crossing, case.floors, case.close, case.tolerance)
 
 
 def shot_of_layers(law: CompactLaw, par: Parameters, found: Layers) -> Shot:

@@ -124,11 +124,11 @@ def _start(
 def _next_branch(t: Buffer, o: int, branch: int, a: float) -> int:
     """Branch of a state at a node, among the neighbours of the branch it comes from."""
     z = t[o + 7]
-    if z == 0.0:
-        return branch
     r = a * t[o]
     if branch == RISE:
         return LINE if r > 1.0 else RISE
+    if z == 0.0:
+        return branch if r >= 1.0 else RISE
     over = 1.0 + z * (r - 1.0) >= t[o + 9]
     if branch == RESIDUAL:
         return LINE if over and t[o + 9] < 1.0 else RESIDUAL

@@ -157,6 +157,63 @@ export class Aim {
   }
 }
 
+export class Layers {
+  constructor(
+    solved,
+    z,
+    entry_tension,
+    rest_tension,
+    creep,
+    ratio,
+    entry_length,
+    length,
+    exit_creep,
+    exit_ratio,
+  ) {
+    this.solved = solved;
+    this.z = z;
+    this.entry_tension = entry_tension;
+    this.rest_tension = rest_tension;
+    this.creep = creep;
+    this.ratio = ratio;
+    this.entry_length = entry_length;
+    this.length = length;
+    this.exit_creep = exit_creep;
+    this.exit_ratio = exit_ratio;
+  }
+  *[Symbol.iterator]() {
+    yield this.solved;
+    yield this.z;
+    yield this.entry_tension;
+    yield this.rest_tension;
+    yield this.creep;
+    yield this.ratio;
+    yield this.entry_length;
+    yield this.length;
+    yield this.exit_creep;
+    yield this.exit_ratio;
+  }
+}
+
+export class Case {
+  constructor(aim, exit_tension, crossing, floors, close, tolerance) {
+    this.aim = aim;
+    this.exit_tension = exit_tension;
+    this.crossing = crossing;
+    this.floors = floors;
+    this.close = close;
+    this.tolerance = tolerance;
+  }
+  *[Symbol.iterator]() {
+    yield this.aim;
+    yield this.exit_tension;
+    yield this.crossing;
+    yield this.floors;
+    yield this.close;
+    yield this.tolerance;
+  }
+}
+
 export class Arrival {
   constructor(arrived, length, creep, ratio) {
     this.arrived = arrived;
@@ -169,29 +226,6 @@ export class Arrival {
     yield this.length;
     yield this.creep;
     yield this.ratio;
-  }
-}
-
-export class Layers {
-  constructor(solved, rest_tension, creep, ratio, entry_length, length, exit_creep, exit_ratio) {
-    this.solved = solved;
-    this.rest_tension = rest_tension;
-    this.creep = creep;
-    this.ratio = ratio;
-    this.entry_length = entry_length;
-    this.length = length;
-    this.exit_creep = exit_creep;
-    this.exit_ratio = exit_ratio;
-  }
-  *[Symbol.iterator]() {
-    yield this.solved;
-    yield this.rest_tension;
-    yield this.creep;
-    yield this.ratio;
-    yield this.entry_length;
-    yield this.length;
-    yield this.exit_creep;
-    yield this.exit_ratio;
   }
 }
 
@@ -415,6 +449,17 @@ export class Quick {
   }
 }
 
+export class Guess {
+  constructor(z, layers) {
+    this.z = z;
+    this.layers = layers;
+  }
+  *[Symbol.iterator]() {
+    yield this.z;
+    yield this.layers;
+  }
+}
+
 export class Carried {
   constructor(creep_limit, tested_slip, gross_slip, gross_creep, least_slack, most_pull) {
     this.creep_limit = creep_limit;
@@ -453,16 +498,18 @@ const STEPS = 24;
 const LEAST_COMPLIANCE = 1e-16;
 const TENSION = 0;
 const STEP_TOLERANCE = 1e-9;
+const NO_LAYERS = new Layers(false, NaN, NaN, NaN, NaN, NaN, NaN, NaN, NaN, NaN);
 const RESIDUAL = 2;
 const FLOOR = 1e-9;
+const NEARBY = 8;
 const TO_CREEP = 1;
 const TO_RATIO = 0;
 const KINK_TOLERANCE = 0.01;
 const MOST_STEPS = 800;
+const FILLED = 3.0;
 const SOLVED = 0;
 const LARGEST_RATIO = 1.0;
 const BREAKAWAY = 1;
-const FILLED = 3.0;
 const UNSOLVED = 2;
 const RECORD = 6;
 const LARGEST_LOG = 50.0;
@@ -486,13 +533,12 @@ const CUT_TOLERANCE = 1e-6;
 const SLIP_CUT_TOLERANCE = 1e-9;
 const LANDINGS = 40;
 const STUCK = 4;
-const NO_LAYERS = new Layers(false, NaN, NaN, NaN, NaN, NaN, NaN, NaN);
 const NO_PULL = 1e-11;
 const FAR = 13.0;
 const CREEP = 1;
 const SMALL_RATIO = 1e-7;
 const NO_SHOT = new Shot(NaN, NaN, NaN, NaN, NaN, NaN, NaN);
-const FINER = [1, 2, 4];
+const FINEST = 32;
 const NEARLY_IDLE = 0.0001;
 const MOST_LAGS = 100.0;
 const LAGS_PER_MESH = 2.0;
@@ -510,6 +556,7 @@ const SLIP = 2;
 const COARSE_STEPS = 8;
 const COARSE_TOLERANCE = 0.0001;
 const LOSS_MISS = 1e-6;
+const FINER = 8;
 const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
 const NODES = 400;
@@ -522,6 +569,7 @@ const CREEP_LIMIT = 2;
 const LEAST = 8;
 const MEET_STEPS = 12;
 const MOST_ROUNDS = 30;
+const ALIKE = 1e-9;
 const SLOW_ROUNDS = 8;
 const NEAR_TOP = 0.08;
 const PULL_TOLERANCE = 2e-9;
@@ -1184,6 +1232,56 @@ export function layer_march__lag_at(law, par, tension, creep) {
   return min(Math.sqrt(creep / stiffness), par.length);
 }
 
+/** What is to be met, with its floors. */
+export function layers___case(law, par, aim, exit_tension, tolerance) {
+  let lag, pull;
+  let close = 1e-12 * par.entry_tension;
+  let creep = max(Math.abs(par.kick), aim.value);
+  if (aim.of === TENSION) {
+    pull = par.entry_tension * Math.abs(1.0 - Math.exp(-par.side * aim.value));
+    close = max(min(close, 1e-8 * pull), 1e-15 * par.entry_tension);
+    creep = max(Math.abs(par.kick), 1e-6);
+    for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
+      lag = layer_march__lag_at(law, par, par.entry_tension, creep);
+      creep = max(max(Math.abs(par.kick), par.compliance * pull * lag), 1e-200);
+    }
+  }
+  let floor = FLOOR * creep;
+  let floors = [floor, floor / layer_march__lag_at(law, par, par.entry_tension, floor)];
+  return new Case(aim, exit_tension, false, floors, close, tolerance);
+}
+
+/** The same with or without creep that passes through zero. */
+export function layers___crossed(case_, crossing) {
+  return new Case(
+    case_.aim,
+    case_.exit_tension,
+    crossing,
+    case_.floors,
+    case_.close,
+    case_.tolerance,
+  );
+}
+
+/** Creep and creep ratio where the layers part, and whether there is none at the entry. */
+export function layers___parting(par, case_, z) {
+  let kick = par.kick;
+  let floors = case_.floors;
+  let way = kick > 0.0 ? 1.0 : -1.0;
+  if (kick === 0.0) {
+    return [0.0, par.side * floors[1] * Math.exp(z), true];
+  }
+  if (case_.crossing) {
+    return [0.0, -way * floors[1] * Math.exp(z), false];
+  }
+  let creep = way * floors[0] * Math.exp(z);
+  if (Math.abs(creep) < Math.abs(kick)) {
+    return [creep, 0.0, false];
+  }
+  let spare = Math.exp(z) - Math.abs(kick) / floors[0];
+  return [kick, way * floors[1] * spare, true];
+}
+
 /** Of a state, what a goal is compared with. */
 export function layer_march__value_at(law, par, rest, to, u, w) {
   if (to === TO_RATIO) {
@@ -1373,33 +1471,48 @@ export function layer_march__march_layer(
   return new Arrival(false, s, u, w);
 }
 
-/** T_r and length of the layer at the entry: from where the layers part to kick and T1. */
-export function layers___entry_layer(law, par, rest, part, close, tolerance) {
-  let i, new_, there;
+/** A layer from where the layers part to its nip, and the T_r at which a held tension is met. */
+export function layers___layer(law, par, case_, rest, part, towards) {
+  let ahead, goal, i, new_, to;
   let c = par.compliance;
-  let miss = Infinity;
+  let aim = case_.aim;
+  let held = towards < 0.0 ? par.entry_tension : case_.exit_tension;
+  let free = towards > 0.0 && held !== held;
+  let miss = 0.0;
   let rest_last = 0.0;
   let miss_last = 0.0;
-  let length = 0.0;
+  let there = new Arrival(false, 0.0, part[0], part[1]);
   for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
     i = each1;
+    to = TO_CREEP;
+    goal = par.kick;
+    if (towards > 0.0) {
+      to = aim.of;
+      goal = par.side * aim.value;
+      if (to === TENSION) {
+        goal = c * (rest - par.entry_tension * Math.exp(-goal));
+      }
+      ahead = goal - layer_march__value_at(law, par, rest, to, part[0], part[1]);
+      if (ahead * (part[0] > 0.0 || part[1] > 0.0 ? 1.0 : -1.0) <= 0.0) {
+        return [false, false, rest, there];
+      }
+    }
     there = layer_march__march_layer(
       law,
       par,
       rest,
       part,
-      -1.0,
-      TO_CREEP,
-      par.kick,
-      tolerance,
+      towards,
+      to,
+      goal,
+      case_.tolerance,
       zeros(0),
     );
-    if (!there.arrived) {
-      break;
+    if (free || !there.arrived) {
+      return [true, there.arrived, rest, there];
     }
-    miss = rest - there.ratio / c - par.entry_tension;
-    length = there.length;
-    if (Math.abs(miss) <= close) {
+    miss = rest - there.ratio / c - held;
+    if (Math.abs(miss) <= case_.close) {
       break;
     }
     new_ = rest - miss;
@@ -1408,122 +1521,140 @@ export function layers___entry_layer(law, par, rest, part, close, tolerance) {
     }
     [rest_last, miss_last, rest] = [rest, miss, new_];
   }
-  let good = Math.abs(miss) <= 100.0 * close;
-  return new Layers(good, rest, part[0], part[1], length, good ? length : Infinity, 0.0, 0.0);
+  return [true, Math.abs(miss) <= 100.0 * case_.close, rest, there];
 }
 
 /** Both layers at one lambda, `z`; `rest` is a first guess of T_r. */
-export function layers___layers_of(law, par, aim, crossing, floors, z, rest, tolerance) {
-  let close, inward, near, pull, spare;
-  let c = par.compliance;
-  let kick = par.kick;
-  let way = kick > 0.0 ? 1.0 : -1.0;
-  let creep = 0.0;
-  let ratio = par.side * floors[1] * Math.exp(z);
+export function layers___layers_of(law, par, case_, z, rest) {
+  let begun, both, met, near, out, there, way;
+  const found1 = layers___parting(par, case_, z);
+  let creep = found1[0];
+  let ratio = found1[1];
+  let free = found1[2];
+  let held_exit = case_.exit_tension === case_.exit_tension;
   let length = 0.0;
-  let free = kick === 0.0;
-  if (!free && !crossing) {
-    creep = way * floors[0] * Math.exp(z);
-    ratio = 0.0;
-    if (Math.abs(creep) >= Math.abs(kick)) {
-      spare = Math.exp(z) - Math.abs(kick) / floors[0];
-      creep = kick;
-      ratio = way * floors[1] * spare;
-      free = true;
-    }
-  } else if (!free) {
-    ratio = -way * floors[1] * Math.exp(z);
-  }
-  if (free) {
-    rest = par.entry_tension + ratio / c;
-  } else {
-    if (crossing) {
-      rest += way * min(way * (ratio / c - (rest - par.entry_tension)), 0.0);
-    }
-    close = 1e-12 * par.entry_tension;
-    if (aim.of === TENSION) {
-      pull = par.entry_tension * Math.abs(1.0 - Math.exp(-par.side * aim.value));
-      close = max(min(close, 1e-8 * pull), 1e-15 * par.entry_tension);
-    }
-    inward = layers___entry_layer(law, par, rest, [creep, ratio], close, tolerance);
-    rest = inward.rest_tension;
-    length = inward.entry_length;
-    if (!inward.solved) {
-      return inward;
+  let entry = par.entry_tension;
+  if (!held_exit) {
+    if (free) {
+      rest = entry + ratio / par.compliance;
+    } else {
+      if (case_.crossing) {
+        way = par.kick > 0.0 ? 1.0 : -1.0;
+        rest += way * min(way * (ratio / par.compliance - (rest - entry)), 0.0);
+      }
+      const found2 = layers___layer(law, par, case_, rest, [creep, ratio], -1.0);
+      met = found2[1];
+      rest = found2[2];
+      there = found2[3];
+      if (!met) {
+        return new Layers(false, z, entry, rest, creep, ratio, there.length, Infinity, 0.0, 0.0);
+      }
+      length = there.length;
     }
   }
-  let goal = par.side * aim.value;
-  if (aim.of === TENSION) {
-    goal = c * (rest - par.entry_tension * Math.exp(-goal));
-  }
-  let ahead = goal - layer_march__value_at(law, par, rest, aim.of, creep, ratio);
-  if (ahead * (creep > 0.0 || ratio > 0.0 ? 1.0 : -1.0) <= 0.0) {
+  const found3 = layers___layer(law, par, case_, rest, [creep, ratio], 1.0);
+  begun = found3[0];
+  met = found3[1];
+  rest = found3[2];
+  out = found3[3];
+  if (!begun) {
     near = z === 0.0;
-    return new Layers(near, rest, creep, ratio, length, near ? length : 0.0, creep, ratio);
+    both = near ? length : 0.0;
+    return new Layers(near, z, entry, rest, creep, ratio, both, both, creep, ratio);
   }
-  let out = layer_march__march_layer(
-    law,
-    par,
-    rest,
-    [creep, ratio],
-    1.0,
-    aim.of,
-    goal,
-    tolerance,
-    zeros(0),
-  );
-  let arrived = out.arrived && out.ratio < c * rest;
-  let both = arrived ? length + out.length : Infinity;
-  return new Layers(arrived, rest, creep, ratio, length, both, out.creep, out.ratio);
+  met = met && out.ratio < par.compliance * rest;
+  if (held_exit) {
+    entry = rest - ratio / par.compliance;
+    if (met && !free) {
+      there = layer_march__march_layer(
+        law,
+        par,
+        rest,
+        [creep, ratio],
+        -1.0,
+        TO_CREEP,
+        par.kick,
+        case_.tolerance,
+        zeros(0),
+      );
+      met = there.arrived;
+      length = there.length;
+      entry = rest - there.ratio / par.compliance;
+    }
+    met = met && entry > 0.0;
+  }
+  both = met ? length + out.length : Infinity;
+  return new Layers(met, z, entry, rest, creep, ratio, length, both, out.creep, out.ratio);
 }
 
-/** Layers at the floor, T_r there, whether creep passes through zero, and the floors. */
-export function layers___at_rest(law, par, aim, tolerance) {
-  let pull;
-  let exit_tension = par.entry_tension * Math.exp(-par.side * aim.value);
-  let creep = max(Math.abs(par.kick), aim.value);
-  if (aim.of === TENSION) {
-    pull = par.compliance * Math.abs(par.entry_tension - exit_tension);
-    creep = max(Math.abs(par.kick), 1e-6);
-    for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
-      creep = max(
-        max(Math.abs(par.kick), pull * layer_march__lag_at(law, par, par.entry_tension, creep)),
-        1e-200,
-      );
+/** Layers that just fill the arc, by secants from those of nearly the same arc. */
+export function layers___nearby(law, par, case_, before) {
+  let best, f, i;
+  case_ = layers___crossed(case_, par.kick !== 0.0 && before.creep === 0.0);
+  let z = before.z;
+  let rest = before.rest_tension;
+  let z_last = 0.0;
+  let f_last = 0.0;
+  let slope = -case_.floors[0] / (case_.floors[1] * par.length);
+  for (let each1 = 0, end1 = NEARBY; each1 < end1; each1++) {
+    i = each1;
+    best = layers___layers_of(law, par, case_, z, rest);
+    f = best.length / par.length - 1.0;
+    if (!best.solved || Math.abs(f) < FILLED * case_.tolerance) {
+      return best;
+    }
+    if (i > 0 && z !== z_last) {
+      slope = (f - f_last) / (z - z_last);
+    }
+    if (slope >= 0.0) {
+      break;
+    }
+    z_last = z;
+    f_last = f;
+    rest = best.rest_tension;
+    z -= f / slope;
+    if (z <= 0.0) {
+      break;
     }
   }
-  let floor = FLOOR * creep;
-  let floors = [floor, floor / layer_march__lag_at(law, par, par.entry_tension, floor)];
-  let first = layers___layers_of(law, par, aim, false, floors, 0.0, par.entry_tension, tolerance);
-  let rest = first.rest_tension;
+  return NO_LAYERS;
+}
+
+/** The layers at the floor, and the case, in which creep may pass through zero. */
+export function layers___at_rest(law, par, case_) {
+  let last;
+  let aim = case_.aim;
+  let first = layers___layers_of(law, par, case_, 0.0, par.entry_tension);
   let crossing = par.kick * par.side < 0.0;
   if (aim.of === TENSION) {
-    crossing = par.kick * (exit_tension - rest) > 0.0;
+    last = par.entry_tension * Math.exp(-par.side * aim.value);
+    crossing = par.kick * (last - first.rest_tension) > 0.0;
   }
   if (crossing) {
-    first = layers___layers_of(law, par, aim, true, floors, 0.0, rest, tolerance);
-    rest = first.rest_tension;
+    case_ = layers___crossed(case_, true);
+    first = layers___layers_of(law, par, case_, 0.0, first.rest_tension);
   }
-  return [first, rest, crossing, floors];
+  return [case_, first];
 }
 
 /** Layers that just fill the arc, from those at the floor that are longer. */
-export function layers___less_rest(law, par, aim, crossing, floors, first, tolerance) {
+export function layers___less_rest(law, par, case_, first) {
   let f, fall, i, z;
   let rest = first.rest_tension;
+  let tolerance = case_.tolerance;
   let low = 0.0;
   let high = 0.0;
   let f_low = first.length / par.length - 1.0;
   let f_high = Infinity;
   let best = first;
-  let top = Math.log(LARGEST_RATIO / floors[1]);
+  let top = Math.log(LARGEST_RATIO / case_.floors[1]);
   let reach = 2.0;
   for (let each1 = 0, end1 = 60; each1 < end1; each1++) {
     if (high >= top) {
       return [BREAKAWAY, best];
     }
     high = min(high + reach, top);
-    best = layers___layers_of(law, par, aim, crossing, floors, high, rest, tolerance);
+    best = layers___layers_of(law, par, case_, high, rest);
     f_high = best.length / par.length - 1.0;
     if (f_high <= 0.0) {
       break;
@@ -1544,7 +1675,7 @@ export function layers___less_rest(law, par, aim, crossing, floors, first, toler
     if (!(low < z && z < high)) {
       z = 0.5 * (low + high);
     }
-    best = layers___layers_of(law, par, aim, crossing, floors, z, best.rest_tension, tolerance);
+    best = layers___layers_of(law, par, case_, z, best.rest_tension);
     f = best.length / par.length - 1.0;
     if (Math.abs(f) < FILLED * tolerance || high - low < 1e-13 * high) {
       break;
@@ -1565,24 +1696,29 @@ export function layers___less_rest(law, par, aim, crossing, floors, first, toler
   return [good ? SOLVED : UNSOLVED, best];
 }
 
-/** Layers that meet the entry tension and an aim at the exit, whatever holds the belt at rest. */
-export function layers__solve_layers(law, par, aim, tolerance) {
-  let layers, other;
-  const found1 = layers___at_rest(law, par, aim, tolerance);
-  let first = found1[0];
-  let rest = found1[1];
-  let crossing = found1[2];
-  let floors = found1[3];
+/** Layers that meet a held tension and an aim at the exit, whatever holds the belt at rest. */
+export function layers__solve_layers(law, par, aim, exit_tension, tolerance, before) {
+  let first, layers, near, other;
+  let case_ = layers___case(law, par, aim, exit_tension, tolerance);
+  if (before.solved && before.z > 0.0) {
+    near = layers___nearby(law, par, case_, before);
+    if (near.solved) {
+      return [SOLVED, near];
+    }
+  }
+  const found1 = layers___at_rest(law, par, case_);
+  case_ = found1[0];
+  first = found1[1];
   if (first.solved && first.length <= par.length) {
     return [SOLVED, first];
   }
-  const found2 = layers___less_rest(law, par, aim, crossing, floors, first, tolerance);
+  const found2 = layers___less_rest(law, par, case_, first);
   let outcome = found2[0];
   let found = found2[1];
   if (outcome !== SOLVED && !first.solved && par.kick !== 0.0) {
-    rest = par.entry_tension;
-    first = layers___layers_of(law, par, aim, !crossing, floors, 0.0, rest, tolerance);
-    const found3 = layers___less_rest(law, par, aim, !crossing, floors, first, tolerance);
+    case_ = layers___crossed(case_, !case_.crossing);
+    first = layers___layers_of(law, par, case_, 0.0, par.entry_tension);
+    const found3 = layers___less_rest(law, par, case_, first);
     other = found3[0];
     layers = found3[1];
     if (other === SOLVED) {
@@ -1609,7 +1745,14 @@ export function layers__shot_of_layers(law, par, found) {
 
 /** `solve_tension` by layers, where no effort at the entry tells what happens at the exit. */
 export function answer__by_layers(law, par, goal) {
-  const found1 = layers__solve_layers(law, par, new Aim(TENSION, goal), STEP_TOLERANCE);
+  const found1 = layers__solve_layers(
+    law,
+    par,
+    new Aim(TENSION, goal),
+    NaN,
+    STEP_TOLERANCE,
+    NO_LAYERS,
+  );
   let outcome = found1[0];
   let layers = found1[1];
   return new Found(outcome, NaN, layers__shot_of_layers(law, par, layers), layers, 0);
@@ -3146,12 +3289,12 @@ export function tension_march___step(t, o, branch, gamma, s, a, work) {
 /** Branch of a state at a node, among the neighbours of the branch it comes from. */
 export function tension_march___next_branch(t, o, branch, a) {
   let z = t[o + 7];
-  if (z === 0.0) {
-    return branch;
-  }
   let r = a * t[o];
   if (branch === RISE) {
     return r > 1.0 ? LINE : RISE;
+  }
+  if (z === 0.0) {
+    return r >= 1.0 ? branch : RISE;
   }
   let over = 1.0 + z * (r - 1.0) >= t[o + 9];
   if (branch === RESIDUAL) {
@@ -3801,16 +3944,16 @@ export function answer___resolved(law, par, found) {
 
 /** Meet ln(tight/slack) by marches from the entry, on a finer mesh while it is not resolved. */
 export function answer___by_marches(law, par, goal, steps) {
-  let finer, outcome, shot, z;
+  let miss, outcome, shot, z;
   let aim = new Aim(TENSION, goal);
   let guess = effort__first_guess(law, par, aim);
   let found = new Found(BREAKAWAY, NaN, NO_SHOT, NO_LAYERS, steps);
-  for (const each1 of FINER) {
-    finer = each1;
-    const found2 = search__refine(law, par, aim, guess, finer * steps);
-    outcome = found2[0];
-    z = found2[1];
-    shot = found2[2];
+  let finer = 1;
+  while (finer <= FINEST) {
+    const found1 = search__refine(law, par, aim, guess, finer * steps);
+    outcome = found1[0];
+    z = found1[1];
+    shot = found1[2];
     if (outcome === BREAKAWAY) {
       break;
     }
@@ -3818,6 +3961,8 @@ export function answer___by_marches(law, par, goal, steps) {
     if (answer___resolved(law, par, found)) {
       break;
     }
+    miss = outcome === SOLVED ? answer__loss_miss(law, par, shot) : 0.0;
+    finer *= Math.trunc(min(max(Math.ceil(Math.sqrt(miss / LOSS_MISS)), 2), FINER));
   }
   return found;
 }
@@ -4696,18 +4841,70 @@ export function in_page__quick(law, given, tested, points) {
   return new Quick(found.outcome === SOLVED, summary, profile, outside, stretches);
 }
 
-/** Meet a target of creep or slip with the entry tension held [N]; z may be nan. */
-export function capacity___at_entry(law, geometry, entry, aim, z, steps) {
-  let layers, outcome, tolerance;
+/** Relative error of a step of layers, for the fineness of a mesh. */
+export function capacity___tolerance(steps) {
+  return steps === MEET_STEPS ? 1e-6 : STEP_TOLERANCE;
+}
+
+/** Meet a target of creep or slip with the entry tension held [N]. */
+export function capacity__carry_from(law, geometry, entry, aim, guess, steps) {
+  let layers, outcome, shot;
   let par = quantities__parameters_at(entry, geometry);
   if (effort__is_far(law, par)) {
-    tolerance = steps === MEET_STEPS ? 1e-6 : STEP_TOLERANCE;
-    const found1 = layers__solve_layers(law, par, aim, tolerance);
+    const found1 = layers__solve_layers(
+      law,
+      par,
+      aim,
+      NaN,
+      capacity___tolerance(steps),
+      guess.layers,
+    );
     outcome = found1[0];
     layers = found1[1];
-    return [outcome, NaN, outcome === SOLVED ? layers__shot_of_layers(law, par, layers) : NO_SHOT];
+    shot = outcome === SOLVED ? layers__shot_of_layers(law, par, layers) : NO_SHOT;
+    return [outcome, new Guess(NaN, layers), shot];
   }
-  return search__refine(law, par, aim, z === z ? z : effort__first_guess(law, par, aim), steps);
+  let z = guess.z === guess.z ? guess.z : effort__first_guess(law, par, aim);
+  const found2 = search__refine(law, par, aim, z, steps);
+  outcome = found2[0];
+  z = found2[1];
+  shot = found2[2];
+  return [outcome, new Guess(z, guess.layers), shot];
+}
+
+/** `carry` of a long braking pulley: T1 is what its layers hand on, and sets only the kick. */
+export function capacity___carry_far(law, geometry, tight, aim, steps) {
+  let miss, new_, outcome, par;
+  let t = 0.6 * tight;
+  let mesh = MEET_STEPS;
+  let t_last = 0.0;
+  let miss_last = 0.0;
+  let layers = NO_LAYERS;
+  for (let each1 = 0, end1 = MOST_ROUNDS; each1 < end1; each1++) {
+    par = quantities__parameters_at(t, geometry);
+    const found2 = layers__solve_layers(law, par, aim, tight, capacity___tolerance(mesh), layers);
+    outcome = found2[0];
+    layers = found2[1];
+    if (outcome !== SOLVED) {
+      break;
+    }
+    miss = layers.entry_tension - t;
+    if (mesh === steps && (geometry.kick_coefficient === 0.0 || Math.abs(miss) < ALIKE * t)) {
+      return [SOLVED, t, layers__shot_of_layers(law, par, layers)];
+    }
+    if (mesh !== steps && (geometry.kick_coefficient === 0.0 || Math.abs(miss) < 0.0001 * t)) {
+      mesh = steps;
+      t_last = 0.0;
+    }
+    new_ = t + miss;
+    if (t_last > 0.0 && miss !== miss_last) {
+      new_ = t - (miss * (t - t_last)) / (miss - miss_last);
+    }
+    t_last = t;
+    miss_last = miss;
+    t = 0.0 < new_ && new_ <= tight ? new_ : t + miss;
+  }
+  return [UNSOLVED, t, NO_SHOT];
 }
 
 /** `carry` of a braking pulley where Newton's method fails: secants in ln T1, in a bracket. */
@@ -4720,23 +4917,23 @@ export function capacity___carry_bracketed(law, geometry, tight, aim, steps) {
   let t = goal;
   let t_last = goal;
   let f_last = 0.0;
-  let z = NaN;
   let slope = 1.0;
   let mesh = MEET_STEPS;
+  let guess = new Guess(NaN, NO_LAYERS);
   let bottom = goal - gross_slip__plateau_capacity(law, tight / (width * radius), wrap) - 1.0;
   let low = bottom;
   let high = goal;
   for (let each1 = 0, end1 = 80; each1 < end1; each1++) {
-    const found2 = capacity___at_entry(law, geometry, Math.exp(t), aim, z, mesh);
+    const found2 = capacity__carry_from(law, geometry, Math.exp(t), aim, guess, mesh);
     outcome = found2[0];
-    z = found2[1];
+    guess = found2[1];
     shot = found2[2];
     if (outcome !== SOLVED) {
-      return [outcome, z, Math.exp(t), shot];
+      return [outcome, guess.z, Math.exp(t), shot];
     }
     f = t + shot.log_tension - goal;
     if (mesh === steps && (Math.abs(f) < 1e-9 || high - low < 1e-13)) {
-      return [Math.abs(f) < 1e-8 ? SOLVED : UNSOLVED, z, Math.exp(t), shot];
+      return [Math.abs(f) < 1e-8 ? SOLVED : UNSOLVED, guess.z, Math.exp(t), shot];
     }
     if (t !== t_last) {
       slope = (f - f_last) / (t - t_last);
@@ -4756,7 +4953,7 @@ export function capacity___carry_bracketed(law, geometry, tight, aim, steps) {
       t = 0.5 * (low + high);
     }
   }
-  return [UNSOLVED, z, Math.exp(t), shot];
+  return [UNSOLVED, guess.z, Math.exp(t), shot];
 }
 
 /** Relative misses of the target and of the tension, for ln T1 = t and effort z. */
@@ -4885,127 +5082,134 @@ export function capacity__meet(law, geometry, aim, of_pull, tension, entry, z, m
 
 /** Largest tension ratio of a held tight side at which a target of creep or slip is met. */
 export function capacity__carry(law, geometry, tight, aim, z, steps) {
-  let entry, met, outcome, shot, z_met;
+  let entry, guess, met, outcome, shot, z_met;
   if (geometry.side > 0.0) {
-    const found1 = capacity___at_entry(law, geometry, tight, aim, z, steps);
+    const found1 = capacity__carry_from(law, geometry, tight, aim, new Guess(z, NO_LAYERS), steps);
     outcome = found1[0];
-    z = found1[1];
+    guess = found1[1];
     shot = found1[2];
-    return [outcome, z, tight, shot];
+    return [outcome, guess.z, tight, shot];
   }
   let par = quantities__parameters_at(0.6 * tight, geometry);
   if (effort__is_far(law, par)) {
+    const found2 = capacity___carry_far(law, geometry, tight, aim, steps);
+    outcome = found2[0];
+    entry = found2[1];
+    shot = found2[2];
+    if (outcome === SOLVED) {
+      return [outcome, NaN, entry, shot];
+    }
     return capacity___carry_bracketed(law, geometry, tight, aim, steps);
   }
-  let guess = z === z ? z : effort__first_guess(law, par, aim);
-  const found2 = capacity__meet(
+  let first = z === z ? z : effort__first_guess(law, par, aim);
+  const found3 = capacity__meet(
     law,
     geometry,
     aim,
     false,
     tight,
     0.6 * tight,
-    guess,
+    first,
     4.0 * tight,
     steps,
   );
-  met = found2[0];
-  z_met = found2[1];
-  entry = found2[2];
-  shot = found2[3];
+  met = found3[0];
+  z_met = found3[1];
+  entry = found3[2];
+  shot = found3[3];
   if (met && entry <= tight) {
     return [SOLVED, z_met, entry, shot];
   }
   return capacity___carry_bracketed(law, geometry, tight, aim, steps);
 }
 
-/** Pull carried at a creep limit with a held entry tension [N], and the effort for it. */
-export function capacity___pull(law, geometry, entry, limit, z, steps) {
+/** Pull carried at a creep limit with a held entry tension [N], and what to go on from. */
+export function least_slack___pull(law, geometry, entry, limit, guess, steps) {
   let shot;
-  const found1 = capacity___at_entry(law, geometry, entry, new Aim(CREEP, limit), z, steps);
-  z = found1[1];
+  const found1 = capacity__carry_from(law, geometry, entry, new Aim(CREEP, limit), guess, steps);
+  guess = found1[1];
   shot = found1[2];
-  return [entry * Math.abs(1.0 - Math.exp(shot.log_tension)), z];
+  return [entry * Math.abs(1.0 - Math.exp(shot.log_tension)), guess];
 }
 
-/** ln(entry tension) up to `top` of the largest pull at a creep limit, the pull [N], the effort. */
-export function capacity___most(law, geometry, limit, enough, top, p_top, z) {
+/** ln(entry tension) up to `top` of the largest pull at a creep limit, the pull [N], a guess. */
+export function least_slack___most(law, geometry, limit, enough, top, p_top, guess) {
   let p_c, p_d;
-  const found1 = capacity___pull(law, geometry, Math.exp(top - 0.02), limit, z, MEET_STEPS);
+  const found1 = least_slack___pull(law, geometry, Math.exp(top - 0.02), limit, guess, MEET_STEPS);
   let p_in = found1[0];
-  let z_in = found1[1];
+  let guess_in = found1[1];
   if (p_in <= p_top) {
-    return [top, p_top, z];
+    return [top, p_top, guess];
   }
   let low = top - 3.0;
   let high = top;
   let p_low = -Infinity;
   let p_high = p_top;
   let d = low + GOLDEN * (high - low);
-  const found2 = capacity___pull(law, geometry, Math.exp(d), limit, z_in, MEET_STEPS);
+  const found2 = least_slack___pull(law, geometry, Math.exp(d), limit, guess_in, MEET_STEPS);
   p_d = found2[0];
-  z = found2[1];
+  guess = found2[1];
   let c = high - GOLDEN * (high - low);
-  const found3 = capacity___pull(law, geometry, Math.exp(c), limit, z, MEET_STEPS);
+  const found3 = least_slack___pull(law, geometry, Math.exp(c), limit, guess, MEET_STEPS);
   p_c = found3[0];
-  z = found3[1];
+  guess = found3[1];
   while (high - low > NEAR_TOP && max(p_c, p_d) < enough) {
     if (p_c >= p_d) {
       [high, p_high, d, p_d] = [d, p_d, c, p_c];
       c = high - GOLDEN * (high - low);
-      const found4 = capacity___pull(law, geometry, Math.exp(c), limit, z, MEET_STEPS);
+      const found4 = least_slack___pull(law, geometry, Math.exp(c), limit, guess, MEET_STEPS);
       p_c = found4[0];
-      z = found4[1];
+      guess = found4[1];
     } else {
       [low, p_low, c, p_c] = [c, p_c, d, p_d];
       d = low + GOLDEN * (high - low);
-      const found5 = capacity___pull(law, geometry, Math.exp(d), limit, z, MEET_STEPS);
+      const found5 = least_slack___pull(law, geometry, Math.exp(d), limit, guess, MEET_STEPS);
       p_d = found5[0];
-      z = found5[1];
+      guess = found5[1];
     }
   }
   let [t, p_t] = p_c >= p_d ? [c, p_c] : [d, p_d];
   if (p_t >= enough || p_low === -Infinity) {
-    return [t, p_t, z];
+    return [t, p_t, guess];
   }
   let [left, right] = t === c ? [low, d] : [c, high];
   let [p_left, p_right] = t === c ? [p_low, p_d] : [p_c, p_high];
   let rise = (p_t - p_left) / (t - left);
   let fall = (p_right - p_t) / (right - t);
   let v = 0.5 * (left + t) + (0.5 * (right - left) * rise) / (rise - fall);
-  const found6 = capacity___pull(law, geometry, Math.exp(v), limit, z, MEET_STEPS);
+  const found6 = least_slack___pull(law, geometry, Math.exp(v), limit, guess, MEET_STEPS);
   let p_v = found6[0];
-  let z_v = found6[1];
-  return p_v > p_t ? [v, p_v, z_v] : [t, p_t, z];
+  let guess_v = found6[1];
+  return p_v > p_t ? [v, p_v, guess_v] : [t, p_t, guess];
 }
 
 /** Bracket of ln(entry tension) around a pull, from where more is carried downwards. */
-export function capacity___down(law, geometry, pull, limit, high, p_high, z) {
+export function least_slack___down(law, geometry, pull, limit, high, p_high, guess) {
   let floor = geometry.side > 0.0 ? Math.log(pull) : -Infinity;
   let low = high;
   let p_low = p_high;
   while (p_low >= pull) {
     [high, p_high, low] = [low, p_low, low - 1.2 * Math.log(p_low / pull) - 0.02];
     if (low <= floor) {
-      return [floor, 0.5 * pull, high, p_high, z];
+      return [floor, 0.5 * pull, high, p_high, guess];
     }
-    const found1 = capacity___pull(law, geometry, Math.exp(low), limit, z, MEET_STEPS);
+    const found1 = least_slack___pull(law, geometry, Math.exp(low), limit, guess, MEET_STEPS);
     p_low = found1[0];
-    z = found1[1];
+    guess = found1[1];
   }
-  return [low, p_low, high, p_high, z];
+  return [low, p_low, high, p_high, guess];
 }
 
 /** ln(entry tension) at which a pull is carried, by secants on the fine mesh; nan if not met. */
-export function capacity___pull_closed(law, geometry, pull, limit, near, z, steps) {
+export function least_slack___pull_closed(law, geometry, pull, limit, near, guess, steps) {
   let f, f_last, i, p, t_last;
   let [t, slope] = near;
   t_last = f_last = 0.0;
   for (let each1 = 0, end1 = 12; each1 < end1; each1++) {
     i = each1;
-    const found2 = capacity___pull(law, geometry, Math.exp(t), limit, z, steps);
+    const found2 = least_slack___pull(law, geometry, Math.exp(t), limit, guess, steps);
     p = found2[0];
-    z = found2[1];
+    guess = found2[1];
     f = Math.log(max(p, 1e-9 * pull) / pull);
     if (Math.abs(f) < PULL_TOLERANCE) {
       return t;
@@ -5022,34 +5226,35 @@ export function capacity___pull_closed(law, geometry, pull, limit, near, z, step
 }
 
 /** `least_slack` where Newton's method fails: the pull rises with tension to a largest one. */
-export function capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps) {
+export function least_slack___least_bracketed(law, geometry, pull, limit, tight_max, steps) {
   let f, low, p, p_low, t;
   let aim = new Aim(CREEP, limit);
   const found1 = capacity__carry(law, geometry, tight_max, aim, NaN, MEET_STEPS);
   let z = found1[1];
   let entry = found1[2];
   let shot = found1[3];
+  let guess = new Guess(z, NO_LAYERS);
   let high = Math.log(entry);
   let p_high = entry * Math.abs(1.0 - Math.exp(shot.log_tension));
   if (p_high < pull) {
-    const found2 = capacity___most(law, geometry, limit, pull, high, p_high, z);
+    const found2 = least_slack___most(law, geometry, limit, pull, high, p_high, guess);
     high = found2[0];
     p_high = found2[1];
-    z = found2[2];
+    guess = found2[2];
   }
   if (p_high < pull) {
     if (high < Math.log(entry)) {
-      return [NaN, capacity___pull(law, geometry, Math.exp(high), limit, z, steps)[0]];
+      return [NaN, least_slack___pull(law, geometry, Math.exp(high), limit, guess, steps)[0]];
     }
-    shot = capacity__carry(law, geometry, tight_max, aim, z, steps)[3];
+    shot = capacity__carry(law, geometry, tight_max, aim, guess.z, steps)[3];
     return [NaN, tight_max * (1.0 - Math.exp(-Math.abs(shot.log_tension)))];
   }
-  const found3 = capacity___down(law, geometry, pull, limit, high, p_high, z);
+  const found3 = least_slack___down(law, geometry, pull, limit, high, p_high, guess);
   low = found3[0];
   p_low = found3[1];
   high = found3[2];
   p_high = found3[3];
-  z = found3[4];
+  guess = found3[4];
   if (p_low !== p_low) {
     return [NaN, NaN];
   }
@@ -5061,9 +5266,9 @@ export function capacity___least_bracketed(law, geometry, pull, limit, tight_max
   let f_last = f_high;
   for (let each4 = 0, end4 = 40; each4 < end4; each4++) {
     t = (low * f_high - high * f_low) / (f_high - f_low);
-    const found5 = capacity___pull(law, geometry, Math.exp(t), limit, z, MEET_STEPS);
+    const found5 = least_slack___pull(law, geometry, Math.exp(t), limit, guess, MEET_STEPS);
     p = found5[0];
-    z = found5[1];
+    guess = found5[1];
     f = Math.log(max(p, 1e-9 * pull) / pull);
     if (t !== t_last) {
       slope = (f - f_last) / (t - t_last);
@@ -5085,12 +5290,12 @@ export function capacity___least_bracketed(law, geometry, pull, limit, tight_max
     t_last = t;
     f_last = f;
   }
-  t = capacity___pull_closed(law, geometry, pull, limit, [t, slope], z, steps);
+  t = least_slack___pull_closed(law, geometry, pull, limit, [t, slope], guess, steps);
   return [geometry.side > 0.0 ? Math.exp(t) - pull : Math.exp(t), NaN];
 }
 
 /** Least slack-side tension that carries a pull within a creep limit. */
-export function capacity__least_slack(
+export function least_slack__least_slack(
   law,
   geometry,
   pull,
@@ -5103,7 +5308,7 @@ export function capacity__least_slack(
 ) {
   let found;
   if (z !== z) {
-    return capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps);
+    return least_slack___least_bracketed(law, geometry, pull, limit, tight_max, steps);
   }
   const found1 = capacity__meet(
     law,
@@ -5126,7 +5331,7 @@ export function capacity__least_slack(
       return [found - pull, NaN];
     }
   }
-  return capacity___least_bracketed(law, geometry, pull, limit, tight_max, steps);
+  return least_slack___least_bracketed(law, geometry, pull, limit, tight_max, steps);
 }
 
 /** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
@@ -5172,7 +5377,7 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
       if (load.pressure_max === load.pressure_max) {
         top = load.pressure_max * geometry.width * geometry.radius;
       }
-      const found2 = capacity__least_slack(
+      const found2 = least_slack__least_slack(
         law,
         geometry,
         pull,
