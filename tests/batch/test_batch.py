@@ -25,6 +25,7 @@ from wraparc.batch import (
     BatchResult,
     Setting,
     engineering,
+    native,
     precise,
     solve_arcs,
     solve_batch,
@@ -201,7 +202,7 @@ def test_interpreted_precise_is_compiled_precise(
     request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     arcs = columns_of(random_arcs(1, 13), LAGGINGS)
-    monkeypatch.setattr(precise, "loaded", lambda entry: True)
+    monkeypatch.setattr(native, "loaded", lambda entry: True)
     compiled = solve_arcs(arcs, setting=Setting.PRECISE)
     request.getfixturevalue("interpreted")
     plain = solve_arcs(arcs, setting=Setting.PRECISE)
@@ -217,9 +218,9 @@ def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -
         return compiled(entry)
 
     monkeypatch.setattr(precise, "compiled", watched)
-    monkeypatch.setattr(precise, "loaded", lambda entry: False)
-    monkeypatch.setattr(precise, "kept", lambda entry: False)
-    monkeypatch.setattr(precise, "_interpreted", Counter())
+    monkeypatch.setattr(native, "loaded", lambda entry: False)
+    monkeypatch.setattr(native, "kept", lambda entry: False)
+    monkeypatch.setattr(native, "_interpreted", Counter())
     patience = {precise.tension_rows: (0, 5), precise.capacity_rows: (0, 1)}
     monkeypatch.setattr(precise, "PATIENCE", patience)
     braking = [arc for arc in random_arcs(3, 21) if arc.side < 0.0][:3]
@@ -229,7 +230,7 @@ def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -
     second = solve_arcs(arcs, capacities=False).found
     assert asked == ["tension_rows"]
     np.testing.assert_allclose(first, second, rtol=1e-9)
-    monkeypatch.setattr(precise, "kept", lambda entry: True)
+    monkeypatch.setattr(native, "kept", lambda entry: True)
     solve_arcs(arcs.rows(slice(0, 1)), setting=Setting.PRECISE)
     assert asked[1:] == ["tension_rows", "capacity_rows"]  # from disk, sooner
 

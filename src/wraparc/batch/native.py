@@ -15,6 +15,7 @@ import os
 import platform
 import shutil
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from functools import cache
@@ -30,6 +31,7 @@ _PLAIN = (int, float, str, bool, type(None))
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
 AS_IT_IS = "WRAPARC_NUMBA_AS_IT_IS"
 _LOADED: set[Callable[..., Any]] = set()
+_interpreted: Counter[Callable[..., Any]] = Counter()
 
 
 def available() -> bool:
@@ -107,6 +109,23 @@ def kept(entry: Callable[..., Any], *, contract: bool = False) -> bool:
     name = fingerprint(tuple(called(entry)), _options(contract))
     folder = _folder(name)
     return folder is not None and any(folder.glob("*/*.nbi"))
+
+
+def pays(entry: Callable[..., Any], rows: int, patience: tuple[int, int]) -> bool:
+    """Whether rows are worth the compiled code of an entry; those that are not are counted.
+
+    Parameters
+    ----------
+    patience
+        Rows that a process leaves to the interpreter while the code is on disk, and where it has
+        to be compiled.
+    """
+    if loaded(entry):
+        return True
+    if _interpreted[entry] + rows > patience[0 if kept(entry) else 1]:
+        return True
+    _interpreted[entry] += rows
+    return False
 
 
 @contextmanager

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -11,7 +10,7 @@ import numpy as np
 from wraparc.arc.kernel.answer import CAPACITIES
 from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.elementwise import memory
-from wraparc.batch.native import available, compiled, kept, loaded
+from wraparc.batch.native import available, compiled, pays
 from wraparc.batch.row import (
     EVERYTHING,
     FOUND_NUMBERS,
@@ -19,8 +18,6 @@ from wraparc.batch.row import (
     tensions_of_row,
 )
 from wraparc.friction.compact import CompactLaw
-
-Entry = Callable[..., Any]
 
 STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
@@ -59,22 +56,12 @@ def law_of(bank: Any, which: int) -> CompactLaw:
     )
 
 
-#: rows that a process leaves to the interpreter: while the code is on disk, and where it has to be
-#: compiled. A row takes it some 5 ms, or 50 ms with capacities; to load takes 1 s, to compile 10 s
-PATIENCE: Mapping[Entry, tuple[int, int]] = {tension_rows: (20, 200), capacity_rows: (4, 40)}
-_interpreted: Counter[Entry] = Counter()
-
-
-def _pays(entry: Entry, rows: int) -> bool:
-    """Whether rows are worth the compiled code; those that are not are counted."""
-    if not available():
-        return False
-    if loaded(entry):
-        return True
-    if _interpreted[entry] + rows > PATIENCE[entry][0 if kept(entry) else 1]:
-        return True
-    _interpreted[entry] += rows
-    return False
+#: rows left to the interpreter, see `native.pays`: one takes 5 ms to 25 ms, with capacities 50 ms
+#: to 150 ms; to load the compiled code takes 1 s, to compile it 10 s to 40 s
+PATIENCE: Mapping[Callable[..., Any], tuple[int, int]] = {
+    tension_rows: (20, 200),
+    capacity_rows: (4, 40),
+}
 
 
 def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
@@ -93,14 +80,14 @@ def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
     wanted = np.broadcast_to(np.asarray(parts, dtype=np.int64), (n,)).copy()
     found = np.empty((n, FOUND_NUMBERS))
     bank, which = arcs.laws.arrays, np.flatnonzero(wanted & CAPACITIES)
-    if _pays(tension_rows, n):
+    if available() and pays(tension_rows, n, PATIENCE[tension_rows]):
         mesh = (STEPS, POINTS)
         compiled(tension_rows)(given, bank, arcs.law, wanted, mesh, found, np.empty(0))
     else:
         _interpret(arcs, given, wanted, found)
     if not len(which):
         return found
-    if _pays(capacity_rows, len(which)):
+    if available() and pays(capacity_rows, len(which), PATIENCE[capacity_rows]):
         compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found)
     else:
         for i in which.tolist():

@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
-from math import exp, inf, log, nan
+from collections.abc import Callable
+from functools import partial
+from math import inf, log
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.gross_slip import Grip, Line, carried_log, plateau_capacity, slip_place
-from wraparc.batch.arcs import Arcs, Array
+from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
+from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.engineering import tables_of
-from wraparc.batch.native import available, compiled
+from wraparc.batch.laws import LawBank
+from wraparc.batch.native import available, compiled, pays
 from wraparc.batch.precise import law_of
-from wraparc.friction.compact import plateau_at, segment_of
+from wraparc.friction.compact import KNOTS
 
-STARTS, MOST_STEPS = 8, 12
+#: ln(tight/slack) that plateaus carry, and friction at the end over that at the start, for
+#: logarithms of the first pressure and wrap angles
+Carried = Callable[[Array, Array], tuple[Array, Array]]
+
+KNOWN, TIGHT, SLACK = 2, 3, 4  # columns of what is given
+MOST_STEPS = 12
+PATIENCE = (20, 400)  # see `native.pays`; a row takes some 20 ms in the interpreter
 NEAR = 1e-8  # last step over k: what is left is of the size of rounding
 HIGHEST = 1e4  # as `slip_place` has it
 
@@ -45,50 +54,79 @@ def pull_factors(
     area = arcs.belt_width * 0.5 * arcs.diameter
     # the plateau of f mu over an angle is that of mu over f times the angle
     wrap = arcs.wrap_angle * friction_factor
-    starts = _starts(arcs, (wrap, area, known, tight, slack, *rises))
-    columns = (wrap, area, known, tight, slack, *rises, starts)
-    given = np.ascontiguousarray(np.stack(columns, axis=1))
-    found = np.empty(len(arcs))
-    if available():
-        compiled(factor_rows)(given, arcs.laws.arrays, arcs.law, found)
-        return found
-    laws = [arcs.laws.compact(i) for i in range(len(arcs.laws))]
-    for i, numbers in enumerate(given.tolist()):
-        found[i] = _factor(laws[int(arcs.law[i])], numbers)
+    given = np.stack((wrap, area, known, tight, slack, *rises), axis=1)
+    found = _by_tables(arcs, given)
+    left = np.flatnonzero(np.isnan(found))
+    if len(left):
+        found[left] = _by_rows(arcs.laws, arcs.law[left], given[left])
     return found
 
 
-def _starts(arcs: Arcs, numbers: tuple[Array, ...]) -> Array:
-    """Places of gross slip by the tables of plateaus, shape (n,); 1 where they lead nowhere.
+def _by_rows(bank: LawBank, law: Integers, given: Array) -> Array:
+    """Factors row by row; few of them by the interpreter."""
+    found = np.empty(len(given))
+    if available() and pays(factor_rows, len(given), PATIENCE):
+        compiled(factor_rows)(given, bank.arrays, law, found)
+        return found
+    for i, numbers in enumerate(given.tolist()):
+        found[i] = _factor(bank.compact(int(law[i])), numbers)
+    return found
 
-    Secants of the same miss over the same coordinate as `_by_newton` has.
-    """
-    wrap, area, known, tight, slack, tight_rise, slack_rise = numbers
+
+def _by_tables(arcs: Arcs, given: Array) -> Array:
+    """Factors of the rows under laws by knots, shape (n,); nan of others and of those not met."""
     _, plateaus = tables_of(arcs.laws)
+    found = np.full(len(given), np.nan)
+    fit = (arcs.laws.kind == KNOTS) & (plateaus.table.row >= 0)
+    for i in np.unique(arcs.law[fit[arcs.law]]).tolist():
+        which = np.flatnonzero((arcs.law == i) & (given[:, TIGHT] != given[:, SLACK]))
+        with np.errstate(all="ignore"):
+            found[which] = _newton(partial(plateaus.finely, i), given[which].T)
+    found[given[:, TIGHT] == given[:, SLACK]] = inf
+    return found
+
+
+def _newton(carried: Carried, numbers: Array) -> Array:
+    """Factors by Newton's method, shape (n,); nan where it does not lead there.
+
+    What the slack side has more than the least tension that carries is nearly straight along the
+    line if the slack side falls; its logarithm over ln k is, if the take-up holds it. The least
+    tension grows with the tight side as the plateau at its end does over that at its beginning.
+    """
+    softens = ~np.isnan(numbers[KNOWN])
+    offset = np.zeros(len(softens))
+    if softens.any():
+        wrap, area, known, tight = numbers[: TIGHT + 1]
+        offset = np.where(softens, known - carried(np.log(tight / area), wrap)[0], 0.0)
+    held = numbers[-1] >= 0.0
+    at, found = np.where(held, 0.0, 1.0), np.full(len(held), np.nan)
+    open_ = np.arange(len(held))
+    for _ in range(MOST_STEPS):
+        if not len(open_):
+            break
+        step = _step(carried, numbers[:, open_], offset[open_], at[open_])
+        at[open_] += step
+        last = at[open_]
+        good = np.where(held[open_], last <= log(HIGHEST), (last > 0.0) & (last <= HIGHEST))
+        met = good & (np.abs(step) <= NEAR * np.maximum(np.abs(last), 1.0))
+        found[open_[met]] = np.where(held[open_], np.exp(np.minimum(last, 10.0)), last)[met]
+        open_ = open_[good & ~met]
+    return found
+
+
+def _step(carried: Carried, numbers: Array, offset: Array, at: Array) -> Array:
+    """One step of Newton's method, nan where there is none."""
+    wrap, area, _, tight, slack, tight_rise, slack_rise = numbers
     held = slack_rise >= 0.0
-
-    def ratio(tension: Array) -> Array:
-        return plateaus.capacity(arcs.law, tension / area, wrap)
-
-    with np.errstate(all="ignore"):
-        offset = np.where(np.isnan(known), 0.0, known - ratio(tight))
-
-        def spare(at: Array) -> Array:
-            k = np.where(held, np.exp(np.minimum(at, 10.0)), at)
-            tension, other = tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
-            least = tension * np.exp(-np.maximum(ratio(tension) + offset, 0.0))
-            return np.where(held, np.log(other / least), other - least)
-
-        last = np.where(held, 0.0, 1.0)
-        at, spare_last = last + 0.5, spare(last)
-        for _ in range(STARTS):
-            now = spare(at)
-            step = -now * (at - last) / (now - spare_last)
-            step = np.where(np.isfinite(step), step, 0.0)
-            last, spare_last, at = at, now, at + step
-        found = np.where(held, np.exp(np.minimum(at, 10.0)), at)
-        good = (np.abs(at - last) < 1e-2) & (found > 0.0) & (found < HIGHEST)
-    return np.where(good & (plateaus.table.row[arcs.law] >= 0), found, 1.0)
+    k = np.where(held, np.exp(at), at)
+    top, other = tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
+    sound = top > 0.0
+    top = np.where(sound, top, tight)
+    q, rise = carried(np.log(top / area), wrap)
+    least, growth = top * np.exp(-np.maximum(q + offset, 0.0)), tight_rise / top * rise
+    spare = np.where(held, np.log(other / least), other - least)
+    slope = np.where(held, k * (slack_rise / other - growth), slack_rise - growth * least)
+    return np.where(sound & (slope < 0.0), -spare / slope, np.nan)
 
 
 def factor_rows(given: Any, bank: Any, which: Any, found: NDArray[np.float64]) -> None:
@@ -104,40 +142,5 @@ def _factor(law: Any, given: Any) -> float:
     offset = 0.0
     if known == known:
         offset = known - plateau_capacity(law, tight / area, wrap)
-    grip, line = Grip(wrap, area, offset), Line(tight, slack, given[5], given[6])
-    k = _by_newton(law, grip, line, given[7])
-    return k if k == k else slip_place(law, grip, line, 1.0, 0.0)
-
-
-def _by_newton(law: Any, grip: Grip, line: Line, start: float) -> float:
-    """Place of gross slip by Newton's method from a start; nan where that does not lead there.
-
-    What the slack side has more than the least tension that carries is nearly straight along the
-    line if the slack side falls; its logarithm over ln k is, if the take-up holds it. The least
-    tension grows with the tight side as the plateau at its end does over that at its beginning.
-    """
-    held = line.slack_rise >= 0.0
-    at, most = (log(start), log(HIGHEST)) if held else (start, HIGHEST)
-    for _ in range(MOST_STEPS):
-        k = exp(at) if held else at
-        tight = line.tight + (k - 1.0) * line.tight_rise
-        slack = line.slack + (k - 1.0) * line.slack_rise
-        if tight <= 0.0:
-            return nan
-        least = tight * exp(-carried_log(law, grip, tight))
-        first, last = tight / grip.area, least * exp(grip.offset) / grip.area
-        of_first = plateau_at(law, segment_of(law, first), first)
-        growth = line.tight_rise / tight * plateau_at(law, segment_of(law, last), last) / of_first
-        if held:
-            spare, slope = log(slack / least), k * (line.slack_rise / slack - growth)
-        else:
-            spare, slope = slack - least, line.slack_rise - growth * least
-        if not slope < 0.0:
-            return nan
-        step = -spare / slope
-        at += step
-        if not (held or at > 0.0) or at > most:
-            return nan
-        if abs(step) <= NEAR * max(abs(at), 1.0):
-            return exp(at) if held else at
-    return nan
+    line = Line(tight, slack, given[5], given[6])
+    return slip_place(law, Grip(wrap, area, offset), line, 1.0, 0.0)

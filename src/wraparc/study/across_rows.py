@@ -16,6 +16,7 @@ from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int8]
+Integers = NDArray[np.int64]
 
 #: Results across the width that a study can keep; not a number where the pulley is even.
 ACROSS_OUTPUTS = (
@@ -34,6 +35,7 @@ ACROSS_OUTPUTS = (
 
 def solve_rows(
     drives: Sequence[Drive],
+    which: Integers,
     arcs: Arcs,
     friction: Array,
     slip: Array,
@@ -44,8 +46,8 @@ def solve_rows(
 
     Parameters
     ----------
-    drives
-        The drive of each row, whose arc may say otherwise.
+    drives, which
+        The drives, and that of each row, whose arc may say otherwise.
     arcs
         The arcs, one a row.
     friction, slip
@@ -61,14 +63,14 @@ def solve_rows(
     dict
         The results by name, nan where a pulley is even or its belt is not carried, shape (n,).
     """
-    found = {name: np.full(len(drives), np.nan) for name in ACROSS_OUTPUTS}
-    if not any(d.pulley(where[0]).across for d in drives):
+    found = {name: np.full(len(which), np.nan) for name in ACROSS_OUTPUTS}
+    uneven = np.array([d.pulley(where[0]).across is not None for d in drives])
+    if not uneven.any():
         return found
     prepare()
     columns = arcs.columns()
-    for k, drive in enumerate(drives):
-        if drive.pulley(where[0]).across is None:
-            continue
+    for k in np.flatnonzero(uneven[which]).tolist():
+        drive = drives[which[k]]
         row = {name: float(values[k]) for name, values in columns.items()}
         own, pulley, case = _row(drive, where, row, float(friction[k]), float(slip[k]))
         result = AcrossSolver().solve(wide_arc(own, pulley, case))

@@ -310,7 +310,8 @@ class Study:
             )
             judged = worst_of_rows(solved, rows.held.rows(some), friction)
             uneven = solve_rows(
-                [rows.drives[i] for i in rows.which[some]],
+                rows.drives,
+                rows.which[some],
                 arcs.rows(some),
                 friction,
                 rows.slip_factor[some],
