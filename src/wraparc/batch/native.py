@@ -20,6 +20,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from functools import cache
 from pathlib import Path
+from threading import Lock
 from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
@@ -30,6 +31,7 @@ _PLAIN = (int, float, str, bool, type(None))
 #: The one switch of what reaches into numba's private parts (`underlay.optimised_once`): set this
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
 AS_IT_IS = "WRAPARC_NUMBA_AS_IT_IS"
+_SETTING = Lock()  # of numba's one place for code on disk
 _LOADED: set[Callable[..., Any]] = set()
 _interpreted: Counter[Callable[..., Any]] = Counter()
 
@@ -173,15 +175,16 @@ def _cached(entry: FunctionType, options: dict[str, Any], name: str) -> Any:
     config: Any = numba_config
 
     folder = _folder(name)
-    before = config.CACHE_DIR
-    try:
-        if folder is not None:
-            config.CACHE_DIR = str(folder)
-            return numba.njit(cache=True, **options)(entry)
-    except RuntimeError:
-        pass  # numba finds no place for it
-    finally:
-        config.CACHE_DIR = before
+    with _SETTING:
+        before = config.CACHE_DIR
+        try:
+            if folder is not None:
+                config.CACHE_DIR = str(folder)
+                return numba.njit(cache=True, **options)(entry)
+        except RuntimeError:
+            pass  # numba finds no place for it
+        finally:
+            config.CACHE_DIR = before
     return numba.njit(**options)(entry)
 
 
