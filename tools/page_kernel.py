@@ -16,6 +16,7 @@ from typing import cast
 from javascript.translate import translate
 from wraparc.arc import profile
 from wraparc.arc.kernel import answer
+from wraparc.checks import numbers
 from wraparc.saving import save_file
 from wraparc.web import in_page
 
@@ -25,6 +26,11 @@ BIOME = ROOT / "node_modules" / ".bin" / "biome"
 #: What the page calls; whatever these call comes along.
 ENTRIES = (
     in_page.quick,
+    in_page.judged,
+    numbers.held_alike,
+    numbers.kept,
+    numbers.margin_of,
+    numbers.order_of,
     answer.answer,
     answer.at_gross_slip,
     answer.profile_of,

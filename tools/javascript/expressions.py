@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 from collections.abc import Callable
 from types import BuiltinFunctionType, FunctionType, ModuleType
 from typing import TYPE_CHECKING, Any
@@ -77,6 +78,15 @@ class Expressions:
 
     def _constant(self, node: ast.Constant) -> str:
         return literal(node.value, self.where(node))
+
+    def _joinedstr(self, node: ast.JoinedStr) -> str:
+        """Return a number in so many digits, all that is translated of texts."""
+        only = node.values[0]
+        spec = only.format_spec if isinstance(only, ast.FormattedValue) else None
+        digits = re.fullmatch(r"f'\.(\d+)e'", ast.unparse(spec)) if spec else None
+        if len(node.values) != 1 or not isinstance(only, ast.FormattedValue) or not digits:
+            return self.refuse(node, "only one number in so many digits is translated")
+        return f"({self.of(only.value)}).toExponential({digits[1]})"
 
     def _name(self, node: ast.Name) -> str:
         if node.id in self.own:

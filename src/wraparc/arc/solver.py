@@ -10,7 +10,7 @@ import numpy as np
 from wraparc.arc.kernel.answer import CAPACITIES, Answer, Carried, find_capacities
 from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
-from wraparc.arc.summary import NEXT_SLIP, operating_point, summary_of
+from wraparc.arc.summary import NEXT_SLIP, capacity_numbers, operating_point, summary_of
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan
@@ -62,21 +62,8 @@ class Distributed:
 
 def capacities_of(arc: WrapArc, carried: Carried) -> Capacities:
     """Capacities and margins as an engineer reads them."""
-    actual = max(arc.entry_tension, arc.exit_tension)
-    actual /= min(arc.entry_tension, arc.exit_tension)
-    creep, slip, gross = map(math.exp, carried[:3])
-    return Capacities(
-        creep_limit_capacity=creep,
-        creep_limit_margin=creep / actual,
-        equivalent_friction=math.log(creep) / arc.wrap_angle,
-        least_exit_tension=carried.least_slack,
-        largest_effective_tension=carried.most_pull,
-        tested_slip_capacity=slip,
-        tested_slip_margin=slip / actual,
-        gross_slip_capacity=gross,
-        gross_slip_margin=gross / actual,
-        gross_slip_creep=carried.gross_creep,
-    )
+    told = capacity_numbers(arc.entry_tension, arc.exit_tension, arc.wrap_angle, carried)
+    return Capacities(**told._asdict())
 
 
 def result_of(

@@ -6,13 +6,20 @@ slider moves.
 
 from __future__ import annotations
 
-from math import atan, copysign, exp, nan, sqrt
+from math import atan, copysign, exp, log, nan, sqrt
 from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.answer import Answer, answer, at_gross_slip, profile_of, profile_size
+from wraparc.arc.kernel.answer import (
+    Answer,
+    Carried,
+    answer,
+    at_gross_slip,
+    profile_of,
+    profile_size,
+)
 from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer, Geometry, Load, zeros
 from wraparc.arc.kernel.stick import onset_stress
@@ -219,6 +226,41 @@ def summary_of(
         wear_rate=1e6 * arc.wear_coefficient * work,
         identity_error=abs(arc.width * lost - exact)
         / max(abs(exact), 1e-6 * arc.entry_tension * abs(g), 1e-300),
+    )
+
+
+class CapacityNumbers(NamedTuple):
+    """Capacities and margins as an engineer reads them; see `Capacities`."""
+
+    creep_limit_capacity: float
+    creep_limit_margin: float
+    equivalent_friction: float
+    least_exit_tension: float
+    largest_effective_tension: float
+    tested_slip_capacity: float
+    tested_slip_margin: float
+    gross_slip_capacity: float
+    gross_slip_margin: float
+    gross_slip_creep: float
+
+
+def capacity_numbers(
+    entry: float, leaving: float, wrap_angle: float, carried: Carried
+) -> CapacityNumbers:
+    """Capacities and margins of an arc with its tensions [N] and its wrap angle [rad]."""
+    actual = max(entry, leaving) / min(entry, leaving)
+    creep, slip, gross = exp(carried.creep_limit), exp(carried.tested_slip), exp(carried.gross_slip)
+    return CapacityNumbers(
+        creep_limit_capacity=creep,
+        creep_limit_margin=creep / actual,
+        equivalent_friction=log(creep) / wrap_angle,
+        least_exit_tension=carried.least_slack,
+        largest_effective_tension=carried.most_pull,
+        tested_slip_capacity=slip,
+        tested_slip_margin=slip / actual,
+        gross_slip_capacity=gross,
+        gross_slip_margin=gross / actual,
+        gross_slip_creep=carried.gross_creep,
     )
 
 

@@ -12,15 +12,15 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.checks.numbers import BEHIND, kept, margin_of, order_of
 from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
 
-#: Digits that a value and its limit are compared in, and the most shown to tell them apart.
-DIGITS, MOST_DIGITS = 4, 9
+#: The most digits shown to tell a value and its limit apart.
+MOST_DIGITS = 9
 #: Checks that advise where they are missed, as a design standard does that does not bind.
 ADVICE = ("creep_interval", "tested_slip_speed")
-_BEHIND = 1e9  # more than any margin
 
 
 class Level(StrEnum):
@@ -38,17 +38,9 @@ class Level(StrEnum):
         return list(Level).index(self)
 
 
-def same_shown(value: float, limit: float) -> bool:
-    """Whether two numbers are equal in the digits they are compared in."""
-    if not (math.isfinite(value) and math.isfinite(limit)):
-        return value == limit
-    return f"{value:.{DIGITS - 1}e}" == f"{limit:.{DIGITS - 1}e}"
-
-
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
-    """Whether a value keeps its limit, compared in `DIGITS` digits."""
-    within = value <= limit if at_most else value >= limit
-    return within or same_shown(value, limit)
+    """Whether a value keeps its limit, compared in four digits."""
+    return kept(value, limit, at_most)
 
 
 def margin_to(value: _Number, limit: _Number, *, at_most: bool) -> _Number:
@@ -77,6 +69,15 @@ class Place(NamedTuple):
 
 
 NOWHERE = Place()
+
+
+class Miss(NamedTuple):
+    """What a check says where it is not kept; see `Check`."""
+
+    level: Level
+    short: str
+    says: str
+    remedy: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,6 +111,8 @@ class Check:
         Further quantities by name: value [SI] and dimension.
     binding
         Whether a design must keep it: the least slack-side tension does.
+    miss
+        What it says where a value misses its limit; None where nothing is compared.
     """
 
     name: str
@@ -126,15 +129,12 @@ class Check:
     remedy: str = ""
     more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict, hash=False)
     binding: bool = True
+    miss: Miss | None = None
 
     @property
     def margin(self) -> float:
         """How far from the limit, over the limit: positive on the safe side [-]."""
-        if math.isnan(self.value) or math.isnan(self.limit) or self.limit == 0.0:
-            return math.nan
-        if math.isinf(self.value):
-            return math.nan if self.at_most else math.inf
-        return margin_to(self.value, self.limit, at_most=self.at_most)
+        return margin_of(self.value, self.limit, self.at_most)
 
     @property
     def advises(self) -> bool:
@@ -295,15 +295,13 @@ DATA_WORDS = (
 
 def _badness(check: Check) -> tuple[int, float]:
     """Sort key: worst level first, then the least margin; what binds no design comes last."""
-    margin = check.margin
-    if math.isnan(margin):
-        margin = -math.inf if check.missed and check.binding else math.inf
-    return -check.level.rank, behind(margin) if check.missed and check.advises else margin
+    order = order_of(check.margin, check.missed, check.binding, check.advises)
+    return -check.level.rank, order
 
 
 def behind(margin: _Number) -> _Number:
     """Return a margin that sorts behind every other: advice leads where nothing else is missed."""
-    found: _Number = np.maximum(margin, -_BEHIND) + 2.0 * _BEHIND
+    found: _Number = np.maximum(margin, -BEHIND) + 2.0 * BEHIND
     return found
 
 

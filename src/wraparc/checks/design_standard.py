@@ -64,7 +64,7 @@ def asked(
     """
     if standard.name == "none":
         return None
-    if _by_table(standard, take_up, lagging):
+    if by_table(standard, take_up, lagging):
         return _manual(lagging, wrap_angle)
     friction, found = _friction(standard, lagging)
     if friction is None:
@@ -87,7 +87,7 @@ def wrap_factors(
     none = np.full(len(wrap_angle), math.nan)
     if standard.name == "none":
         return none
-    if _by_table(standard, take_up, lagging):
+    if by_table(standard, take_up, lagging):
         first, factor = np.array(_rows(lagging)).T
         angle = np.degrees(wrap_angle)
         row = np.searchsorted(first, angle + _ROUNDING, side="right") - 1
@@ -97,7 +97,14 @@ def wrap_factors(
     return none if friction is None else 1.0 / np.expm1(friction * wrap_angle)
 
 
-def _by_table(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> bool:
+def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> float | None:
+    """Return the friction that a standard takes for a lagging [-]; None where it takes none."""
+    if standard.name == "none" or by_table(standard, take_up, lagging):
+        return None
+    return _friction(standard, lagging)[0]
+
+
+def by_table(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> bool:
     """Whether CEMA's table of manual take-ups holds."""
     cema = standard.friction is None and (standard.name or "CEMA") == "CEMA"
     return cema and take_up.fixed and bool(lagging.surface)

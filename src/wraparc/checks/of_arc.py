@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +13,7 @@ from wraparc.arc import ArcResult, Status
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import grip_of, pull_factor, rises
+from wraparc.checks.numbers import asked_slack, balance_miss, passes_an_hour, steepest
 from wraparc.checks.of_drive import (
     MORE_CREEP,
     escaped,
@@ -23,7 +24,7 @@ from wraparc.checks.of_drive import (
 )
 from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
-from wraparc.units import RESULT_DIGITS, display
+from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
@@ -125,7 +126,8 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
 
 def design_slack(drive: Drive, case: LoadCase, result: ArcResult, factor: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
-    return factor * start_factor(drive.criteria, case.kind) * abs(result.arc.effective_tension)
+    start = start_factor(drive.criteria, case.kind)
+    return asked_slack(factor, start, result.arc.effective_tension)
 
 
 def creep(drive: Drive, result: ArcResult) -> Check | None:
@@ -210,15 +212,17 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
         return
     place = Place(pulley.name, result.arc.load_case)
     yield bond(pulley, result.peak_shear_stress, place)
-    passes = ""
+    often = ""
+    more: dict[str, tuple[float, Dimension]] = {}
     if result.arc.belt_speed is not None:
-        per_hour = 3600.0 * result.arc.belt_speed / (math.pi * result.arc.diameter)
-        passes = f", {display(per_hour, 'number', digits=RESULT_DIGITS)} times an hour,"
+        often = ", {passes} times an hour,"
+        more["passes"] = passes_an_hour(result.arc.belt_speed, result.arc.diameter), "number"
     yield _stress(
         pulley, result.peak_shear_stress, place, "fatigue_stress", "fatigue_limit",
         "Shear stress of lagging and bond, at every pass", "lagging tires",
-        f"At every pass of the belt{passes} the shear stress rises to {{value}}, more than the "
+        f"At every pass of the belt{often} the shear stress rises to {{value}}, more than the "
         "fatigue limit {limit}.",
+        more,
     )  # fmt: skip
 
 
@@ -235,7 +239,7 @@ def bond(pulley: Pulley, stress: float, place: Place) -> Check:
 
 def _stress(
     pulley: Pulley, stress: float, place: Place, name: str, key: str, title: str, short: str,
-    says: str,
+    says: str, more: Mapping[str, tuple[float, Dimension]] | None = None,
 ) -> Check:  # fmt: skip
     lagging = pulley.lagging
     limit = getattr(lagging, key)
@@ -253,6 +257,7 @@ def _stress(
         says=says,
         remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
         place=place,
+        more=more,
     )
 
 
@@ -312,12 +317,9 @@ def slip_speed(result: ArcResult) -> float:
     speed = result.arc.belt_speed
     if speed is None or len(result.profile) < 2:
         return math.nan
-    steps = np.diff(result.profile.position) * result.arc.radius
-    change = np.abs(np.diff(result.profile.slip))
-    wide = steps > 1e-9 * result.arc.length
-    if not wide.any():
-        return math.nan
-    return float(speed * (change[wide] / steps[wide]).max())
+    profile, arc = result.profile, result.arc
+    position, slip = profile.position.tolist(), profile.slip.tolist()
+    return speed * steepest(position, slip, len(position), arc.radius, arc.length)
 
 
 def balance(result: ArcResult) -> Check | None:
@@ -327,11 +329,7 @@ def balance(result: ArcResult) -> Check | None:
         return None
     arc = result.arc
     pull, g = result.effective_tension, result.entry_creep_ratio
-    exact = abs(pull * (g + 0.5 * pull * arc.compliance))
-    told = max(exact, 1e-6 * arc.entry_tension * abs(g), 1e-300)  # what the error is relative to
-    # of an idle pulley nothing is left to be relative to: then the strain of the belt
-    scale = max(exact, 1e-6 * arc.entry_tension * (abs(g) + arc.entry_tension * arc.compliance))
-    value = abs(error) * told / scale if scale > 0.0 else 0.0
+    value = balance_miss(error, pull, g, arc.entry_tension, arc.compliance)
     return judged(
         RULES["balance"],
         "Energy balance of the solution",

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from wraparc.checks.check import Check, Level, Place, keeps
+from wraparc.checks.check import Check, Level, Miss, Place, keeps
+from wraparc.checks.numbers import USUAL_TENSION, held_alike, usual
 from wraparc.checks.rules import (
     RULES,
     USUAL,
-    USUAL_TENSION,
     Rule,
     tension_factor,
     tension_rule,
@@ -19,9 +19,6 @@ from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
-#: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
-#: runs between take-up and drive [-].
-HELD = 0.1
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
@@ -30,7 +27,7 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
     """Check belt width, modulus and speed, diameters and tensions for a slip of unit."""
     odd = False
     for owner, place, name, value, (dimension, least, most) in _sizes(drive):
-        if value is None or least <= value <= most:
+        if value is None or usual(value, least, most):
             continue
         odd = True
         yield Check(
@@ -104,9 +101,10 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         source=f"rating of the belt{f' times {factor:g}' if factor != 1.0 else ''}: "
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
-        says=f"The belt tension {{value}} is {share:.3g} % of the rating of the belt and more than "
+        says="The belt tension {value} is {share} % of the rating of the belt and more than "
         f"{said} allows, {{limit}}.",
         remedy=remedy,
+        more={"share": (share, "number")},
         place=place,
     )
 
@@ -203,7 +201,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
         first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
         held[case.name] = first.entry + last.exit if fixed else drive.take_up_tension(case)
     least, most = min(held, key=held.__getitem__), max(held, key=held.__getitem__)
-    if held[most] - held[least] <= HELD * held[most]:
+    if held_alike(held[least], held[most]):
         return
     after = drive.criteria.take_up.after
     what = "the sum of both tensions" if fixed else "the slack-side tension"
@@ -294,10 +292,12 @@ def judged(
 ) -> Check:
     """Return a check of a value against its limit: OK, or what its rule says where it misses."""
     kept = not math.isnan(value) and keeps(value, limit, at_most=rule.at_most)
+    miss = Miss(rule.missed, short, says, remedy)
     return Check(
         name=rule.name,
         title=title,
         level=Level.OK if kept else rule.missed,
+        miss=miss,
         value=value,
         limit=limit,
         dimension=dimension,

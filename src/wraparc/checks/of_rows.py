@@ -16,13 +16,12 @@ from wraparc.batch.pull_factors import pull_factors
 from wraparc.checks.check import ADVICE, Level, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
+from wraparc.checks.numbers import IDLE, USUAL_TENSION
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
-    IDLE,
     NO_GRIP,
     RULES,
     USUAL,
-    USUAL_TENSION,
     start_factor,
     tension_factor,
     wrap_pressure,

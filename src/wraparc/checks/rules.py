@@ -13,23 +13,19 @@ from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
+from wraparc.checks.numbers import DIAMETERS, MODULI, SPEEDS, WIDTHS, idles
 from wraparc.drive import Belt, Criteria
 from wraparc.units import Dimension
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
 
-#: Pull over tension that counts as none [-].
-IDLE = 1e-6
 #: Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
 USUAL: dict[str, tuple[Dimension, float, float]] = {
-    "width": ("length", 0.2, 4.0),
-    "modulus": ("force_per_width", 1e5, 1e9),
-    "speed": ("speed", 0.05, 15.0),
-    "diameter": ("length", 0.15, 3.0),
+    "width": ("length", *WIDTHS),
+    "modulus": ("force_per_width", *MODULI),
+    "speed": ("speed", *SPEEDS),
+    "diameter": ("length", *DIAMETERS),
 }
-#: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
-#: sag to the strength of the strongest steel cord [N/m].
-USUAL_TENSION = (0.5e3, 1e7)
 
 
 @dataclass(frozen=True)
@@ -106,7 +102,7 @@ NO_GRIP = Level.FAILS
 
 def idle(arc: WrapArc) -> bool:
     """Whether an arc hands nothing over: its pulley is not driven."""
-    return abs(arc.effective_tension) <= IDLE * arc.entry_tension
+    return idles(arc.entry_tension, arc.exit_tension)
 
 
 def standard_rule(criteria: Criteria) -> Rule:

@@ -69,6 +69,9 @@ class SolveRequest(Request):
     document: Document
     load_case: Line | None = Field(None, description="Only this one.")
     points: int = Field(180, ge=8, le=1000)
+    prepared: bool = Field(
+        False, description="Whether to send the checks as numbers, of which the page goes on."
+    )
     sequence: int = Field(0, ge=0, le=2**53)
 
 

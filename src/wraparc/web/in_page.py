@@ -1,7 +1,7 @@
 """What the drive page answers by itself while a slider moves: translated to `static/kernel.js`.
 
-The server prepares the numbers of a drive (`wraparc.web.answers.prepared`), the page replaces those
-that are moved. Verdicts stay with the server: the page shows none of its own.
+The server prepares the numbers of a drive (`wraparc.web.answers.prepared`) and the words of its
+checks (`wraparc.web.answers.judged`), the page replaces the numbers that are moved.
 """
 
 from __future__ import annotations
@@ -9,11 +9,16 @@ from __future__ import annotations
 from math import nan
 from typing import NamedTuple
 
+from wraparc.arc.constant_friction import wrap_factor
+from wraparc.arc.kernel.answer import CAPACITIES, Carried, find_capacities
+from wraparc.arc.kernel.gross_slip import Grip, Line
 from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
+    CapacityNumbers,
     Columns,
     Description,
     Summary,
+    capacity_numbers,
     columns_of,
     geometry_of,
     kicked_loose,
@@ -22,6 +27,23 @@ from wraparc.arc.summary import (
     summary_of,
     too_steep,
 )
+from wraparc.checks.numbers import (
+    Compared,
+    Criteria,
+    asked_slack,
+    balance_miss,
+    grip_beyond,
+    idles,
+    largest,
+    passes_an_hour,
+    pull_at_slip,
+    rise_alone,
+    steepest,
+    usual_sizes,
+    usual_tension,
+    wrap_pressure_of,
+)
+from wraparc.drive import CREEP_LIMIT
 from wraparc.drive.load_case import LEAST_TENSION, MOST_TENSION, pull_of_power, pull_of_torque
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
@@ -91,17 +113,32 @@ def description_of(given: Given) -> Description:
     )
 
 
+def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
+    """Whether it is for the server to say what is wrong with an arc."""
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    if not (min(entry, leaving) >= LEAST_TENSION and max(entry, leaving) <= MOST_TENSION):
+        return True
+    geometry = geometry_of(arc, law.onset_compliance)
+    pressure = 2.0 * entry / (arc.width * arc.diameter)
+    return too_steep(arc, fall) or kicked_loose(law, geometry, pressure)
+
+
+def load_of(given: Given, arc: Description, tested: TestedRange | None) -> Load:
+    """Tensions and limits of an arc."""
+    low = high = slip = nan
+    if tested is not None:
+        low, high, slip = tested.pressure_min, tested.pressure_max, tested.slip_max
+    limit, fall = given.creep_limit, given.steepest_fall
+    return Load(arc.entry_tension, arc.exit_tension, limit, low, high, slip, fall)
+
+
 def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int) -> Quick | None:
     """Answer for one arc; None where it is for the server to say what is wrong."""
     arc = description_of(given)
-    entry, leaving = arc.entry_tension, arc.exit_tension
-    if not (min(entry, leaving) >= LEAST_TENSION and max(entry, leaving) <= MOST_TENSION):
+    if refused(law, arc, given.steepest_fall):
         return None
     geometry = geometry_of(arc, law.onset_compliance)
-    pressure = 2.0 * entry / (arc.width * arc.diameter)
-    if too_steep(arc, given.steepest_fall) or kicked_loose(law, geometry, pressure):
-        return None
-    load = Load(entry, leaving, given.creep_limit, nan, nan, nan, given.steepest_fall)
+    load = load_of(given, arc, None)
     found, out, count = operating_point(law, geometry, load, STEPS, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
@@ -109,3 +146,122 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     outside, stretches = stretches_outside(tested, profile, count)
     summary = summary_of(law, arc, tested, found, out, count)
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)
+
+
+class Judged(NamedTuple):
+    """What the checks of one arc compare, and what it could carry."""
+
+    solved: bool
+    summary: Summary
+    capacities: CapacityNumbers
+    values: Compared
+    limits: Compared
+    held: float  # what the take-up holds [N]
+
+
+def judged(
+    law: CompactLaw, given: Given, tested: TestedRange | None, criteria: Criteria, points: int
+) -> Judged | None:
+    """Numbers of the checks of one arc; None where they are for the server to find."""
+    arc = description_of(given)
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    if refused(law, arc, given.steepest_fall) or idles(entry, leaving):
+        return None
+    if given.creep_limit == CREEP_LIMIT:
+        if not criteria.customary:
+            return None
+    elif criteria.customary:
+        return None
+    if criteria.wrap_angle == criteria.wrap_angle and arc.wrap_angle != criteria.wrap_angle:
+        return None
+    if not usual_sizes(given.width, given.modulus, given.speed, given.diameter):
+        return None
+    if not (usual_tension(entry, arc.width) and usual_tension(leaving, arc.width)):
+        return None
+    geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
+    found, out, count = operating_point(law, geometry, load, STEPS, points)
+    if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
+        return None
+    profile = columns_of(law, arc, found, out, count)
+    summary = summary_of(law, arc, tested, found, out, count)
+    carried = find_capacities(law, geometry, load, CAPACITIES, STEPS)
+    solved = found.outcome == SOLVED
+    factor = pull_factor_of(law, given, arc, criteria, carried)
+    values = Compared(
+        gross_slip=max(factor, 1.0) if solved else min(factor, 1.0),
+        design_standard=min(entry, leaving),
+        creep=abs(summary.exit_creep),
+        belt_tension=max(entry, leaving),
+        momentary_tension=max(entry, leaving),
+        face_pressure=wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
+        bond_stress=summary.peak_shear_stress,
+        fatigue_stress=summary.peak_shear_stress,
+        tested_pressure_max=wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
+        tested_pressure_min=wrap_pressure_of(min(entry, leaving), arc.width, arc.diameter),
+        tested_slip=largest(profile.slip, count),
+        tested_slip_speed=arc.belt_speed
+        * steepest(
+            profile.position, profile.slip, count, geometry.radius,
+            geometry.radius * arc.wrap_angle,
+        ),
+        balance=balance_miss(
+            summary.identity_error, summary.effective_tension, summary.entry_creep_ratio, entry,
+            geometry.compliance,
+        ),
+        sag=leaving if entry >= leaving else entry,
+        pulley_diameter=arc.diameter,
+        share=100.0 * max(entry, leaving) / (criteria.rating * arc.width),
+        passes=passes_an_hour(arc.belt_speed, arc.diameter),
+    )  # fmt: skip
+    held = leaving if criteria.behind or entry >= leaving else entry
+    return Judged(
+        solved,
+        summary,
+        capacity_numbers(entry, leaving, arc.wrap_angle, carried),
+        values,
+        limits_of(given, arc, tested, criteria),
+        entry + leaving if criteria.fixed else held,
+    )
+
+
+def pull_factor_of(
+    law: CompactLaw, given: Given, arc: Description, criteria: Criteria, carried: Carried
+) -> float:
+    """Pull at gross slip over the pull, with what the take-up holds [-]."""
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    tight, slack = max(entry, leaving), min(entry, leaving)
+    area, beyond = arc.width * (0.5 * arc.diameter), 0.0
+    if given.steepest_fall < 0.0:
+        beyond = grip_beyond(law, carried.gross_slip, tight / area, arc.wrap_angle)
+    tight_rise, slack_rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)
+    line = Line(tight, slack, tight_rise, slack_rise)
+    return pull_at_slip(law, Grip(arc.wrap_angle, area, beyond), line)
+
+
+def limits_of(
+    given: Given, arc: Description, tested: TestedRange | None, criteria: Criteria
+) -> Compared:
+    """What the checks of an arc allow."""
+    low = high = slip = nan
+    if tested is not None:
+        low, high, slip = tested.pressure_min, tested.pressure_max, tested.slip_max
+    pull, factor = arc.entry_tension - arc.exit_tension, criteria.factor
+    if factor != factor:
+        factor = wrap_factor(criteria.standard, arc.wrap_angle)
+    return Compared(
+        gross_slip=criteria.safety,
+        design_standard=asked_slack(factor, criteria.start, pull),
+        creep=given.creep_limit,
+        belt_tension=criteria.belt_tension * arc.width,
+        momentary_tension=criteria.belt_tension * arc.width,
+        face_pressure=criteria.face_pressure,
+        bond_stress=criteria.bond_strength,
+        fatigue_stress=criteria.fatigue_limit,
+        tested_pressure_max=high,
+        tested_pressure_min=low,
+        tested_slip=slip,
+        tested_slip_speed=criteria.slip_speed,
+        balance=criteria.balance,
+        sag=criteria.sag,
+        pulley_diameter=criteria.pulley_diameter,
+    )

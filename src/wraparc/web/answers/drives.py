@@ -29,6 +29,7 @@ from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
 from wraparc.units import System
 from wraparc.web.answers.documents import asked_for, case_only, divided, read
+from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
     Answer,
@@ -153,6 +154,7 @@ class SolveAnswer(Answer):
     has: Marks
     arcs: list[WholeArc]
     train: TrainPart | None
+    judging: Judging | None
 
 
 class SheetAnswer(Sheet):
@@ -229,6 +231,9 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         ),
         arcs=[_whole_arc(first, a, b) for a, b in zip(first, second, strict=True)],
         train=train,
+        judging=judging(asked.document, first)
+        if asked.prepared and asked.load_case is None and first is whole
+        else None,
     )
 
 

@@ -9,7 +9,7 @@ from pydantic import ConfigDict
 from wraparc.arc import WrapArc
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Tensions
 from wraparc.drive.load_case import DESIGN
-from wraparc.files.tensions import KEYS
+from wraparc.files.tensions import EFFECTIVE, KEYS
 from wraparc.schema.limits import Limit
 from wraparc.schema.source import Document
 from wraparc.units import Dimension, parse_quantity
@@ -20,6 +20,10 @@ _PULLEY = ("diameter", "wrap_angle")
 _BELT = ("width", "modulus", "speed")
 #: With what a pull is given.
 _WITH = {"torque": "diameter", "power": "speed"}
+#: Keys of the independent quantities that give the tensions.
+_KINDS = {"entry_tension": "entry_tension", "exit_tension": "exit_tension"} | {
+    "pull": "effective_tension"
+}
 #: What makes the tensions of a drive depend on more than the numbers of its pulley and belt.
 _ELSEWHERE = ("conveyor", "train")
 
@@ -63,7 +67,6 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
     """Return the arc of a drive of one pulley as numbers; None where a document says more."""
     if len(drive.pulleys) > 1 or any(key in document for key in _ELSEWHERE):
         return None
-    table = document["pulley"][0]
     arc = WrapArc.of(drive, pulley, case)
     compact = arc.law.compact()
     law = Law(
@@ -73,7 +76,7 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
         slips=list(compact.slips),
         onset_compliance=compact.onset_compliance,
     )
-    tensions = _tensions(table, arc, case)
+    tensions = _tensions(document, drive, arc, case)
     given = {
         **{name: float(value) for name, value in arc.described()._asdict().items()},
         **dict.fromkeys(KEYS, math.nan),
@@ -87,16 +90,62 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
     return Prepared(law=law, given={name: given[name] for name in Given._fields}, inputs=inputs)
 
 
-def _tensions(table: Mapping[str, Any], arc: WrapArc, case: LoadCase) -> dict[str, float]:
-    """Return what the pulley's table gives in the design case, else both tensions."""
+def _tensions(document: Document, drive: Drive, arc: WrapArc, case: LoadCase) -> dict[str, float]:
+    """Return by what the tensions are given: by the pulley in the design case, else by the case."""
+    table = document["pulley"][0]
     if not _of_pulley(case):
-        return {"entry_tension": arc.entry_tension, "exit_tension": arc.exit_tension}
+        found = {
+            "entry_tension": arc.entry_tension,
+            "exit_tension": arc.exit_tension,
+            "effective_tension": arc.effective_tension,
+        }
+        given = {_KINDS[kind] for kind in _own_kinds(document, case)}
+        taken = _taken(document, drive, case)
+        return {key: found[key] for key in ((*given, taken) if taken else KEYS[:2])}
     dimensions: dict[str, Dimension] = {"torque": "torque", "power": "power"}
     return {
         key: _read(table[key], dimensions.get(key, "force"))
         for key in KEYS
         if table.get(key) is not None
     }
+
+
+def elsewhere(document: Document, drive: Drive, case: LoadCase) -> list[list[str | int]]:
+    """Return the tensions of the pulley that a load case has nothing from."""
+    if _of_pulley(case):
+        return []
+    own = _own_kinds(document, case)
+    taken = _taken(document, drive, case)
+    left = set(_KINDS.values()) - {taken} if taken else _KINDS.values() if len(own) > 1 else ()
+    return [["pulley", 0, key] for key in left]
+
+
+def _kinds(table: Mapping[str, Any]) -> set[str]:
+    """Return the independent quantities that a table gives."""
+    keys = [key for key in KEYS if table.get(key) is not None]
+    return {"pull" if key in EFFECTIVE else key for key in keys}
+
+
+def _own_kinds(document: Document, case: LoadCase) -> set[str]:
+    """Return what a load case gives of the tensions itself."""
+    for table in document.get("load_case") or []:
+        if case.name in (table.get("name"), f"{table.get('name')}, {case.condition}"):
+            return _kinds(next(iter((table.get("pulley") or {}).values()), {}))
+    return set()
+
+
+def _taken(document: Document, drive: Drive, case: LoadCase) -> str:
+    """Return the one tension or pull that a load case takes over from the pulley, if it is plain.
+
+    As `files.tensions.Given.overridden` has it.
+    """
+    own, base = _own_kinds(document, case), _kinds(document["pulley"][0])
+    if len(own) != 1 or (own == {"pull"} and drive.criteria.take_up.fixed):
+        return ""
+    rest = base - own
+    if own == {"pull"} and len(rest) == 2:
+        rest = {KEYS[1]}  # a pull alone takes the exit tension with it
+    return _KINDS[rest.pop()] if len(rest) == 1 else ""
 
 
 def _read(value: Any, dimension: Dimension) -> float:
@@ -120,8 +169,9 @@ def _inputs(
             yield _input((*at, name), name, limits[name])
     own = pulley.creep_limit is not None
     yield _input((*at, "creep_limit") if own else ("creep_limit",), "creep_limit", _CREEP)
-    if _of_pulley(case):
-        for name in tensions.keys() - _WITH.keys():
+    taken = _taken(document, drive, case)
+    for name in sorted(tensions.keys() - _WITH.keys()):
+        if _of_pulley(case) or (name == taken and document["pulley"][0].get(name) is not None):
             yield _input((*at, name), name, _PULL if name == "effective_tension" else _TENSION)
     if pulley.lagging_in(case.condition).block is None:  # else the modulus follows the thickness
         yield _input((*at, "lagging", "thickness"), "thickness", limits["thickness"])

@@ -479,6 +479,150 @@ export class Carried {
   }
 }
 
+export class Line {
+  constructor(tight, slack, tight_rise, slack_rise) {
+    this.tight = tight;
+    this.slack = slack;
+    this.tight_rise = tight_rise;
+    this.slack_rise = slack_rise;
+  }
+  *[Symbol.iterator]() {
+    yield this.tight;
+    yield this.slack;
+    yield this.tight_rise;
+    yield this.slack_rise;
+  }
+}
+
+export class Grip {
+  constructor(wrap_angle, area, offset) {
+    this.wrap_angle = wrap_angle;
+    this.area = area;
+    this.offset = offset;
+  }
+  *[Symbol.iterator]() {
+    yield this.wrap_angle;
+    yield this.area;
+    yield this.offset;
+  }
+}
+
+export class Compared {
+  constructor(
+    gross_slip,
+    design_standard,
+    creep,
+    belt_tension,
+    momentary_tension,
+    face_pressure,
+    bond_stress,
+    fatigue_stress,
+    tested_pressure_max,
+    tested_pressure_min,
+    tested_slip,
+    tested_slip_speed,
+    balance,
+    sag,
+    pulley_diameter,
+    share = NaN,
+    passes = NaN,
+  ) {
+    this.gross_slip = gross_slip;
+    this.design_standard = design_standard;
+    this.creep = creep;
+    this.belt_tension = belt_tension;
+    this.momentary_tension = momentary_tension;
+    this.face_pressure = face_pressure;
+    this.bond_stress = bond_stress;
+    this.fatigue_stress = fatigue_stress;
+    this.tested_pressure_max = tested_pressure_max;
+    this.tested_pressure_min = tested_pressure_min;
+    this.tested_slip = tested_slip;
+    this.tested_slip_speed = tested_slip_speed;
+    this.balance = balance;
+    this.sag = sag;
+    this.pulley_diameter = pulley_diameter;
+    this.share = share;
+    this.passes = passes;
+  }
+  *[Symbol.iterator]() {
+    yield this.gross_slip;
+    yield this.design_standard;
+    yield this.creep;
+    yield this.belt_tension;
+    yield this.momentary_tension;
+    yield this.face_pressure;
+    yield this.bond_stress;
+    yield this.fatigue_stress;
+    yield this.tested_pressure_max;
+    yield this.tested_pressure_min;
+    yield this.tested_slip;
+    yield this.tested_slip_speed;
+    yield this.balance;
+    yield this.sag;
+    yield this.pulley_diameter;
+    yield this.share;
+    yield this.passes;
+  }
+}
+
+export class CapacityNumbers {
+  constructor(
+    creep_limit_capacity,
+    creep_limit_margin,
+    equivalent_friction,
+    least_exit_tension,
+    largest_effective_tension,
+    tested_slip_capacity,
+    tested_slip_margin,
+    gross_slip_capacity,
+    gross_slip_margin,
+    gross_slip_creep,
+  ) {
+    this.creep_limit_capacity = creep_limit_capacity;
+    this.creep_limit_margin = creep_limit_margin;
+    this.equivalent_friction = equivalent_friction;
+    this.least_exit_tension = least_exit_tension;
+    this.largest_effective_tension = largest_effective_tension;
+    this.tested_slip_capacity = tested_slip_capacity;
+    this.tested_slip_margin = tested_slip_margin;
+    this.gross_slip_capacity = gross_slip_capacity;
+    this.gross_slip_margin = gross_slip_margin;
+    this.gross_slip_creep = gross_slip_creep;
+  }
+  *[Symbol.iterator]() {
+    yield this.creep_limit_capacity;
+    yield this.creep_limit_margin;
+    yield this.equivalent_friction;
+    yield this.least_exit_tension;
+    yield this.largest_effective_tension;
+    yield this.tested_slip_capacity;
+    yield this.tested_slip_margin;
+    yield this.gross_slip_capacity;
+    yield this.gross_slip_margin;
+    yield this.gross_slip_creep;
+  }
+}
+
+export class Judged {
+  constructor(solved, summary, capacities, values, limits, held) {
+    this.solved = solved;
+    this.summary = summary;
+    this.capacities = capacities;
+    this.values = values;
+    this.limits = limits;
+    this.held = held;
+  }
+  *[Symbol.iterator]() {
+    yield this.solved;
+    yield this.summary;
+    yield this.capacities;
+    yield this.values;
+    yield this.limits;
+    yield this.held;
+  }
+}
+
 const LEAST_TENSION = 0.1;
 const MOST_TENSION = 1000000000.0;
 const OVERRUN = 1.25;
@@ -565,7 +709,14 @@ const HALVINGS = 50;
 const NEXT_SLIP = 1e-300;
 const PEAK_TOLERANCE = 1e-6;
 const GOLDEN = 0.6180339887498949;
-const CREEP_LIMIT = 2;
+const IDLE = 1e-6;
+const CREEP_LIMIT = 0.00635;
+const WIDTHS = [0.2, 4.0];
+const MODULI = [100000.0, 1000000000.0];
+const SPEEDS = [0.05, 15.0];
+const DIAMETERS = [0.15, 3.0];
+const USUAL_TENSION = [500.0, 10000000.0];
+const CAPACITIES = 30;
 const LEAST = 8;
 const MEET_STEPS = 12;
 const MOST_ROUNDS = 30;
@@ -575,6 +726,12 @@ const NEAR_TOP = 0.08;
 const PULL_TOLERANCE = 2e-9;
 const TESTED_SLIP = 4;
 const GROSS_SLIP = 16;
+const _NO_SLACK = 50.0;
+const _GROWTH = 1.6;
+const _ROUNDS = 200;
+const _TOLERANCE = 1e-10;
+const HELD = 0.1;
+const BEHIND = 1000000000.0;
 
 /** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
 export function load_case__pull_of_torque(torque, diameter) {
@@ -995,6 +1152,32 @@ export function summary__kicked_loose(law, geometry, pressure) {
   }
   let kick = Math.abs(geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure));
   return kick > 0.0 && kick > summary__held_creep(law, geometry.shear, pressure);
+}
+
+/** Whether it is for the server to say what is wrong with an arc. */
+export function in_page__refused(law, arc, fall) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  if (!(min(entry, leaving) >= LEAST_TENSION && max(entry, leaving) <= MOST_TENSION)) {
+    return true;
+  }
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let pressure = (2.0 * entry) / (arc.width * arc.diameter);
+  return summary__too_steep(arc, fall) || summary__kicked_loose(law, geometry, pressure);
+}
+
+/** Tensions and limits of an arc. */
+export function in_page__load_of(given, arc, tested) {
+  let high, low, slip;
+  low = high = slip = NaN;
+  if (tested !== null) {
+    low = tested.pressure_min;
+    high = tested.pressure_max;
+    slip = tested.slip_max;
+  }
+  let limit = given.creep_limit;
+  let fall = given.steepest_fall;
+  return new Load(arc.entry_tension, arc.exit_tension, limit, low, high, slip, fall);
 }
 
 /** Numbers of one arc at an entry tension [N]. */
@@ -4812,20 +4995,11 @@ export function summary__summary_of(law, arc, tested, found, out, count) {
 /** Answer for one arc; None where it is for the server to say what is wrong. */
 export function in_page__quick(law, given, tested, points) {
   let arc = in_page__description_of(given);
-  let entry = arc.entry_tension;
-  let leaving = arc.exit_tension;
-  if (!(min(entry, leaving) >= LEAST_TENSION && max(entry, leaving) <= MOST_TENSION)) {
+  if (in_page__refused(law, arc, given.steepest_fall)) {
     return null;
   }
   let geometry = summary__geometry_of(arc, law.onset_compliance);
-  let pressure = (2.0 * entry) / (arc.width * arc.diameter);
-  if (
-    summary__too_steep(arc, given.steepest_fall) ||
-    summary__kicked_loose(law, geometry, pressure)
-  ) {
-    return null;
-  }
-  let load = new Load(entry, leaving, given.creep_limit, NaN, NaN, NaN, given.steepest_fall);
+  let load = in_page__load_of(given, arc, null);
   const found1 = summary__operating_point(law, geometry, load, STEPS, points);
   let found = found1[0];
   let out = found1[1];
@@ -4839,6 +5013,31 @@ export function in_page__quick(law, given, tested, points) {
   let stretches = found2[1];
   let summary = summary__summary_of(law, arc, tested, found, out, count);
   return new Quick(found.outcome === SOLVED, summary, profile, outside, stretches);
+}
+
+/** Whether an arc hands nothing over: its pulley is not driven. */
+export function numbers__idles(entry, leaving) {
+  return Math.abs(entry - leaving) <= IDLE * entry;
+}
+
+/** Whether a size is one that conveyor drives have; one that is not given is. */
+export function numbers__usual(value, least, most) {
+  return !(value < least || value > most);
+}
+
+/** Whether belt and pulley have sizes that those of a conveyor have. */
+export function numbers__usual_sizes(width, modulus, speed, diameter) {
+  let belt =
+    numbers__usual(width, WIDTHS[0], WIDTHS[1]) && numbers__usual(modulus, MODULI[0], MODULI[1]);
+  let found =
+    numbers__usual(speed, SPEEDS[0], SPEEDS[1]) &&
+    numbers__usual(diameter, DIAMETERS[0], DIAMETERS[1]);
+  return belt && found;
+}
+
+/** Whether a tension is one that the belt of a conveyor has. */
+export function numbers__usual_tension(tension, width) {
+  return numbers__usual(tension, USUAL_TENSION[0] * width, USUAL_TENSION[1] * width);
 }
 
 /** Relative error of a step of layers, for the fineness of a mesh. */
@@ -5356,7 +5555,7 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
   let tight = max(load.entry_tension, load.exit_tension);
   let pull = Math.abs(load.entry_tension - load.exit_tension);
   by_creep = by_slip = gross = gross_creep = least = most = NaN;
-  if (parts & (CREEP_LIMIT + LEAST)) {
+  if (parts & (2 + LEAST)) {
     const found1 = capacity__carry(
       law,
       geometry,
@@ -5413,4 +5612,331 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
     }
   }
   return new Carried(by_creep, by_slip, gross, gross_creep, least, most);
+}
+
+/** ln(tight/slack) that an arc carries beyond that of the plateau of its law [-]. */
+export function numbers__grip_beyond(law, capacity, pressure, wrap_angle) {
+  return capacity - gross_slip__plateau_capacity(law, pressure, wrap_angle);
+}
+
+/** Growth of the tight and of the slack side of a single pulley with its pull [N]. */
+export function numbers__rise_alone(pull, fixed, behind) {
+  let size = Math.abs(pull);
+  let lost = fixed ? 0.5 * size : behind && pull < 0.0 ? size : 0.0;
+  return [size - lost, -lost];
+}
+
+/** Largest ln(tight/slack) that friction carries with the tight side at a tension [N]. */
+export function gross_slip__carried_log(law, grip, tight) {
+  let q = gross_slip__plateau_capacity(law, tight / grip.area, grip.wrap_angle) + grip.offset;
+  return max(q, 0.0);
+}
+
+/** ln(tight/slack) at a place of a line less what friction carries there [-]. */
+export function gross_slip__excess_log(law, grip, line, k) {
+  let tight = line.tight + (k - 1.0) * line.tight_rise;
+  let slack = line.slack + (k - 1.0) * line.slack_rise;
+  if (tight <= 0.0 || slack <= 0.0) {
+    return _NO_SLACK;
+  }
+  return Math.log(tight / slack) - gross_slip__carried_log(law, grip, tight);
+}
+
+/** Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards. */
+export function gross_slip__slip_place(law, grip, line, way, low) {
+  let c, f;
+  let a = low;
+  let f_a = -1.0;
+  let step = max(low, 1.0);
+  let high = 10000.0 * step;
+  let b = a + step;
+  let f_b = way * gross_slip__excess_log(law, grip, line, b);
+  while (f_b < 0.0) {
+    a = b;
+    f_a = f_b;
+    step *= _GROWTH;
+    b += step;
+    if (b > high) {
+      return Infinity;
+    }
+    f_b = way * gross_slip__excess_log(law, grip, line, b);
+  }
+  let side = 0;
+  for (let each1 = 0, end1 = _ROUNDS; each1 < end1; each1++) {
+    if (b - a <= _TOLERANCE * b) {
+      break;
+    }
+    c = (a * f_b - b * f_a) / (f_b - f_a);
+    if (!(a < c && c < b)) {
+      c = 0.5 * (a + b);
+    }
+    f = way * gross_slip__excess_log(law, grip, line, c);
+    if (Math.abs(f) < 1e-14) {
+      return c;
+    }
+    if (f < 0.0) {
+      a = c;
+      f_a = f;
+      f_b = side < 0 ? 0.5 * f_b : f_b;
+      side = -1;
+    } else {
+      b = c;
+      f_b = f;
+      f_a = side > 0 ? 0.5 * f_a : f_a;
+      side = 1;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
+/** Pull at gross slip over the pull, tensions growing along a line; inf if it never slips. */
+export function numbers__pull_at_slip(law, grip, line) {
+  return line.tight === line.slack ? Infinity : gross_slip__slip_place(law, grip, line, 1.0, 0.0);
+}
+
+/** Pull at gross slip over the pull, with what the take-up holds [-]. */
+export function in_page__pull_factor_of(law, given, arc, criteria, carried) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  let tight = max(entry, leaving);
+  let slack = min(entry, leaving);
+  let area = arc.width * (0.5 * arc.diameter);
+  let beyond = 0.0;
+  if (given.steepest_fall < 0.0) {
+    beyond = numbers__grip_beyond(law, carried.gross_slip, tight / area, arc.wrap_angle);
+  }
+  const found1 = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind);
+  let tight_rise = found1[0];
+  let slack_rise = found1[1];
+  let line = new Line(tight, slack, tight_rise, slack_rise);
+  return numbers__pull_at_slip(law, new Grip(arc.wrap_angle, area, beyond), line);
+}
+
+/** Pressure of the belt on the pulley, 2 T/(B D) [Pa]. */
+export function numbers__wrap_pressure_of(tension, width, diameter) {
+  return (2.0 * tension) / (width * diameter);
+}
+
+/** Largest magnitude in a column. */
+export function numbers__largest(column, count) {
+  let i;
+  let found = 0.0;
+  for (let each1 = 0, end1 = count; each1 < end1; each1++) {
+    i = each1;
+    found = max(found, Math.abs(column[i]));
+  }
+  return found;
+}
+
+/** Largest change of the slip per length of arc [-]; nan without a stretch of arc. */
+export function numbers__steepest(position, slip, count, radius, length) {
+  let i, step;
+  let found = NaN;
+  for (let each1 = 1, end1 = count; each1 < end1; each1++) {
+    i = each1;
+    step = (position[i] - position[i - 1]) * radius;
+    if (step > 1e-9 * length) {
+      found = max(Math.abs(slip[i] - slip[i - 1]) / step, found);
+    }
+  }
+  return found;
+}
+
+/** Miss of the energy balance, of an idle pulley relative to the strain of the belt [-]. */
+export function numbers__balance_miss(error, pull, g, entry, compliance) {
+  let exact = Math.abs(pull * (g + 0.5 * pull * compliance));
+  let told = max(max(exact, 1e-6 * entry * Math.abs(g)), 1e-300);
+  let scale = max(exact, 1e-6 * entry * (Math.abs(g) + entry * compliance));
+  return scale > 0.0 ? (Math.abs(error) * told) / scale : 0.0;
+}
+
+/** How often the pulley turns in an hour [-]. */
+export function numbers__passes_an_hour(speed, diameter) {
+  return (3600.0 * speed) / (3.141592653589793 * diameter);
+}
+
+/** Capacities and margins of an arc with its tensions [N] and its wrap angle [rad]. */
+export function summary__capacity_numbers(entry, leaving, wrap_angle, carried) {
+  let actual = max(entry, leaving) / min(entry, leaving);
+  let creep = Math.exp(carried.creep_limit);
+  let slip = Math.exp(carried.tested_slip);
+  let gross = Math.exp(carried.gross_slip);
+  return new CapacityNumbers(
+    creep,
+    creep / actual,
+    Math.log(creep) / wrap_angle,
+    carried.least_slack,
+    carried.most_pull,
+    slip,
+    slip / actual,
+    gross,
+    gross / actual,
+    carried.gross_creep,
+  );
+}
+
+/** Slack-side tension over effective tension, Cw = 1/(exp(mu phi) - 1) (CEMA) [-]. */
+export function constant_friction__wrap_factor(friction, wrap_angle) {
+  return 1.0 / Math.expm1(friction * wrap_angle);
+}
+
+/** Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]. */
+export function numbers__asked_slack(factor, start, pull) {
+  return factor * start * Math.abs(pull);
+}
+
+/** What the checks of an arc allow. */
+export function in_page__limits_of(given, arc, tested, criteria) {
+  let high, low, slip;
+  low = high = slip = NaN;
+  if (tested !== null) {
+    low = tested.pressure_min;
+    high = tested.pressure_max;
+    slip = tested.slip_max;
+  }
+  let pull = arc.entry_tension - arc.exit_tension;
+  let factor = criteria.factor;
+  if (factor !== factor) {
+    factor = constant_friction__wrap_factor(criteria.standard, arc.wrap_angle);
+  }
+  return new Compared(
+    criteria.safety,
+    numbers__asked_slack(factor, criteria.start, pull),
+    given.creep_limit,
+    criteria.belt_tension * arc.width,
+    criteria.belt_tension * arc.width,
+    criteria.face_pressure,
+    criteria.bond_strength,
+    criteria.fatigue_limit,
+    high,
+    low,
+    slip,
+    criteria.slip_speed,
+    criteria.balance,
+    criteria.sag,
+    criteria.pulley_diameter,
+  );
+}
+
+/** Numbers of the checks of one arc; None where they are for the server to find. */
+export function in_page__judged(law, given, tested, criteria, points) {
+  let arc = in_page__description_of(given);
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  if (in_page__refused(law, arc, given.steepest_fall) || numbers__idles(entry, leaving)) {
+    return null;
+  }
+  if (given.creep_limit === CREEP_LIMIT) {
+    if (!criteria.customary) {
+      return null;
+    }
+  } else if (criteria.customary) {
+    return null;
+  }
+  if (criteria.wrap_angle === criteria.wrap_angle && arc.wrap_angle !== criteria.wrap_angle) {
+    return null;
+  }
+  if (!numbers__usual_sizes(given.width, given.modulus, given.speed, given.diameter)) {
+    return null;
+  }
+  if (!(numbers__usual_tension(entry, arc.width) && numbers__usual_tension(leaving, arc.width))) {
+    return null;
+  }
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let load = in_page__load_of(given, arc, tested);
+  const found1 = summary__operating_point(law, geometry, load, STEPS, points);
+  let found = found1[0];
+  let out = found1[1];
+  let count = found1[2];
+  if (!(found.outcome === SOLVED || found.outcome === BREAKAWAY)) {
+    return null;
+  }
+  let profile = summary__columns_of(law, arc, found, out, count);
+  let summary = summary__summary_of(law, arc, tested, found, out, count);
+  let carried = answer__find_capacities(law, geometry, load, CAPACITIES, STEPS);
+  let solved = found.outcome === SOLVED;
+  let factor = in_page__pull_factor_of(law, given, arc, criteria, carried);
+  let values = new Compared(
+    solved ? max(factor, 1.0) : min(factor, 1.0),
+    min(entry, leaving),
+    Math.abs(summary.exit_creep),
+    max(entry, leaving),
+    max(entry, leaving),
+    numbers__wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
+    summary.peak_shear_stress,
+    summary.peak_shear_stress,
+    numbers__wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
+    numbers__wrap_pressure_of(min(entry, leaving), arc.width, arc.diameter),
+    numbers__largest(profile.slip, count),
+    arc.belt_speed *
+      numbers__steepest(
+        profile.position,
+        profile.slip,
+        count,
+        geometry.radius,
+        geometry.radius * arc.wrap_angle,
+      ),
+    numbers__balance_miss(
+      summary.identity_error,
+      summary.effective_tension,
+      summary.entry_creep_ratio,
+      entry,
+      geometry.compliance,
+    ),
+    entry >= leaving ? leaving : entry,
+    arc.diameter,
+    (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
+    numbers__passes_an_hour(arc.belt_speed, arc.diameter),
+  );
+  let held = criteria.behind || entry >= leaving ? leaving : entry;
+  return new Judged(
+    solved,
+    summary,
+    summary__capacity_numbers(entry, leaving, arc.wrap_angle, carried),
+    values,
+    in_page__limits_of(given, arc, tested, criteria),
+    criteria.fixed ? entry + leaving : held,
+  );
+}
+
+/** Whether one take-up can hold both tensions. */
+export function numbers__held_alike(least, most) {
+  return most - least <= HELD * most;
+}
+
+/** Whether two numbers are equal in the four digits they are compared in. */
+export function numbers__same_shown(value, limit) {
+  if (!(Number.isFinite(value) && Number.isFinite(limit))) {
+    return value === limit;
+  }
+  return value.toExponential(3) === limit.toExponential(3);
+}
+
+/** Whether a value keeps its limit, compared in four digits; one that is not known does not. */
+export function numbers__kept(value, limit, at_most) {
+  if (Number.isNaN(value)) {
+    return false;
+  }
+  let within = at_most ? value <= limit : value >= limit;
+  return within || numbers__same_shown(value, limit);
+}
+
+/** How far a value is from its limit, over the limit: positive on the safe side, or nan [-]. */
+export function numbers__margin_of(value, limit, at_most) {
+  if (Number.isNaN(value) || Number.isNaN(limit) || limit === 0.0) {
+    return NaN;
+  }
+  if (!Number.isFinite(value)) {
+    return at_most ? NaN : Infinity;
+  }
+  return (at_most ? 1.0 : -1.0) * (1.0 - value / limit);
+}
+
+/** Place of a check among those of its level: the least governs. */
+export function numbers__order_of(margin, missed, binding, advises) {
+  let found = margin;
+  if (Number.isNaN(margin)) {
+    found = missed && binding ? -Infinity : Infinity;
+  }
+  return missed && advises ? max(found, -BEHIND) + 2.0 * BEHIND : found;
 }

@@ -139,6 +139,40 @@ export interface Prepared {
   given: Record<string, number | string>;
   inputs: Input[];
 }
+/** A check without its numbers; `when` names the end of the arc that it is for, if one. */
+export interface Words {
+  name: string;
+  title: string;
+  level: Level;
+  place: string;
+  value: number | string;
+  limit: number | string;
+  dimension: string;
+  at_most: boolean;
+  short: string;
+  says: string;
+  remedy: string;
+  more: Record<string, [number | string, string]>;
+  binding: boolean;
+  advises: boolean;
+  miss: { level: Level; short: string; says: string; remedy: string } | null;
+  when: string;
+}
+/** What the page judges a drive of one pulley by. */
+export interface Judging {
+  levels: Level[];
+  qualifier: string;
+  take_up: boolean;
+  checks: Words[];
+  cases: {
+    load_case: string;
+    prepared: Prepared;
+    elsewhere: Path[];
+    tested: Arc["tested"];
+    criteria: Record<string, number | string>;
+    checks: Words[];
+  }[];
+}
 /** A number of the document that the page may move. */
 export interface Input {
   path: Path;
@@ -158,6 +192,7 @@ export interface FullAnswer {
   summary: Table | null;
   sources: { kind: string }[];
   remarks: Text[];
+  judging: Judging | null;
 }
 
 /** A design of the database that is on the page. */

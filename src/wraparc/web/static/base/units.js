@@ -50,9 +50,13 @@ export function sign(text) {
 }
 
 /** From which size on a larger unit reads better: @type {Record<string, [number, string]>} */
-const LARGER_SI = { length: [10, "m"], pressure: [1e7, "MPa"] };
+export const LARGER_SI = { length: [10, "m"], pressure: [1e7, "MPa"] };
 /** @type {Record<string, [number, string]>} */
-const LARGER_US = { length: [10.16, "ft"], force: [44482.2, "klbf"], pressure: [6.8948e7, "ksi"] };
+export const LARGER_US = {
+  length: [10.16, "ft"],
+  force: [44482.2, "klbf"],
+  pressure: [6.8948e7, "ksi"],
+};
 /**
  * Value [SI] with the unit that people read it in.
  * @param {number | null | undefined} v @param {string} dimension

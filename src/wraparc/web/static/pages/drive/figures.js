@@ -2,7 +2,7 @@
 import { digits, percent, show, shown, symbol, title, words } from "../../base/units.js";
 import { levelClass } from "../../parts/answers.js";
 import { h } from "../../vendor/preact.js";
-import { whole, wholeArc } from "./solving.js";
+import { known, wholeArc } from "./solving.js";
 
 /** @import { Children, Level, QuickAnswer } from "../../types.d.ts" */
 /** @typedef {{name: string, value: string, small: string, level?: Level, late?: boolean}} Figure */
@@ -53,7 +53,7 @@ function quickFigures(arc) {
 function lateFigures(arc) {
   const m = wholeArc()?.numbers || {};
   const idle = arc.numbers.effective_tension === 0;
-  const found = whole()?.least_tension;
+  const found = known()?.least_tension;
   const least = found
     ? { value: words(found.shown), small: "every binding check kept", level: found.level }
     : { value: "–", small: idle ? "no pull to carry" : "" };
@@ -62,7 +62,7 @@ function lateFigures(arc) {
     {
       name: "Margin to the creep limit",
       value: digits(m.creep_limit_margin),
-      small: ratio == null ? "" : `carries a ratio of ${digits(ratio)}`,
+      small: ratio == null || Number.isNaN(ratio) ? "" : `carries a ratio of ${digits(ratio)}`,
       late: true,
     },
     { name: "Least slack-side tension", ...least, late: true },
@@ -111,7 +111,7 @@ export function figures(arc) {
 const figure = (f, gauge) =>
   h(
     "div",
-    { class: `${levelClass(f.level)} ${f.late && !whole() ? "late" : ""}`.trim(), key: f.name },
+    { class: `${levelClass(f.level)} ${f.late && !known() ? "late" : ""}`.trim(), key: f.name },
     h("dt", {}, f.name),
     h("dd", {}, h("b", {}, f.value), h("small", {}, f.small), gauge),
   );

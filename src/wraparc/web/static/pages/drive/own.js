@@ -1,9 +1,9 @@
 // What the page answers itself while a slider moves: the server has prepared the numbers of the
-// drive, those that are moved take their place. It shows numbers only; checks are the server's.
+// drive, those that are moved take their place.
 import { si } from "../../base/units.js";
 import { in_page__quick as quick } from "../../kernel.js";
 
-/** @import { Design, Input, Path, QuickAnswer } from "../../types.d.ts" */
+/** @import { Design, Input, Path, Prepared, QuickAnswer } from "../../types.d.ts" */
 
 /** A document and what the server answered to it.
  * @typedef {{doc: Design, answer: QuickAnswer}} Solved */
@@ -23,12 +23,18 @@ function* changes(from, to, at = []) {
 const allowed = (value, { least, most, open }) =>
   (open ? value > +least : value >= +least) && value <= +most;
 
-/** The numbers of the drive with those that were moved; null where more has changed.
- * @param {Solved} base @param {Design} doc @returns {Record<string, number> | null} */
-function moved({ doc: before, answer: { prepared } }, doc) {
+/** Numbers, where those that JSON has none for are words.
+ * @param {Record<string, number | string>} of @returns {Record<string, number>} */
+export const numbersOf = (of) => Object.fromEntries(Object.entries(of).map(([n, v]) => [n, +v]));
+/** The numbers of an arc with those that were moved; null where more has changed.
+ * @param {Design} before @param {Prepared | null} prepared @param {Design} doc
+ * @param {Path[]} [elsewhere] what the arc has nothing from
+ * @returns {Record<string, number> | null} */
+export function moved(before, prepared, doc, elsewhere = []) {
   if (!prepared) return null;
-  const given = Object.fromEntries(Object.entries(prepared.given).map(([n, v]) => [n, +v]));
+  const given = numbersOf(prepared.given);
   for (const [path, text] of changes(before, doc)) {
+    if (elsewhere.some((p) => p.join() === path.join())) continue;
     const input = prepared.inputs.find((i) => i.path.join() === path.join());
     const value = input && typeof text === "string" ? si(text, input.dimension) : Number.NaN;
     if (!input || !allowed(value, input)) return null;
@@ -46,7 +52,7 @@ const finite = (v) => (Number.isFinite(v) ? v : null);
  */
 export function ownAnswer(base, doc, points) {
   const before = base.answer;
-  const given = moved(base, doc);
+  const given = moved(base.doc, before.prepared, doc);
   const start = performance.now();
   const found = given && quick(before.prepared?.law, given, before.tested, points);
   performance.measure("own answer", { start });
@@ -69,6 +75,15 @@ export function ownAnswer(base, doc, points) {
 /** Largest relative difference that counts as none; the balance is what rounding leaves. */
 const SAME = 1e-9;
 const REST = new Set(["identity_error"]);
+/** Take the server's word on an answer of the page; false where that has other numbers.
+ * @param {QuickAnswer} own @param {QuickAnswer} found */
+export function confirmed(own, found) {
+  const other = differences(own, found);
+  const { profile, outside, ...rest } = found;
+  if (!other.length) Object.assign(own, rest, { own: false });
+  else console.error(`The page and the server differ in ${other.join(", ")}.`);
+  return !other.length;
+}
 /** Numbers of an answer of the page that the server has found to be others.
  * @param {QuickAnswer} own @param {QuickAnswer} found */
 export function differences(own, found) {

@@ -8,7 +8,7 @@ import { toFillIn } from "../../parts/problems.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { figures, peek, placeText, reading } from "./figures.js";
 import { creepBySource, Pictures, QUANTITIES } from "./pictures.js";
-import { answer, onAnswer, whole, wholeArc } from "./solving.js";
+import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, QuickAnswer } from "../../types.d.ts" */
 
@@ -105,7 +105,7 @@ export class Results extends Component {
         h("div", { class: "bars" }),
       ),
       answer.full?.conditions && h("div", { key: "conditions" }, table(answer.full.conditions)),
-      answer.full && h("div", { key: "checks" }, table(answer.full.checks)),
+      answer.full && h("div", { key: "checks" }, table((known() || answer.full).checks)),
       answer.full?.least_tension &&
         h("div", { key: "least" }, table(answer.full.least_tension.table)),
       answer.full?.summary && h("div", { key: "summary" }, table(answer.full.summary)),
@@ -199,7 +199,7 @@ function whatIsWrong(before) {
 /** The governing verdict over all load cases first, the arc that is chosen below it.
  * @param {QuickAnswer} arc */
 function verdicts(arc) {
-  const { full } = answer;
+  const full = known() || answer.full;
   const several = app.doc.pulley.length > 1 || caseNames(app.doc).length > 1;
   const chosen = `Shown below: pulley ${arc.pulley}, load case ${arc.load_case}`;
   const own = h(
@@ -210,29 +210,20 @@ function verdicts(arc) {
       {},
       h("strong", {}, chosen),
       " ",
-      ...(arc.own ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
+      ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
     ),
   );
-  if (whole() && full)
+  if (known() && full)
     return [
       h("div", { key: "governing" }, verdict(full.verdict)),
       several && own,
-      h(
-        "p",
-        { class: "away", role: "status", "aria-live": "polite", key: "spoken" },
-        words(full.verdict.headline),
-      ),
+      whole() &&
+        h("p", { class: "away", role: "status", key: "spoken" }, words(full.verdict.headline)),
     ];
-  if (!several && !arc.own) return [h("div", { key: "governing" }, verdict(arc.verdict))];
+  if (!several && arc.level) return [h("div", { key: "governing" }, verdict(arc.verdict))];
   if (!full || answer.foreign)
     return [h("p", { class: "help", key: "governing" }, "All load cases are being solved."), own];
-  const solving = h(
-    "p",
-    { class: "help" },
-    several
-      ? "All load cases are being solved anew; before the change:"
-      : "The checks follow once the hand rests; before the change:",
-  );
+  const solving = h("p", { class: "help" }, "All is being solved anew; before the change:");
   return [
     h(
       "div",
@@ -275,9 +266,9 @@ const keyFigures = (arc) =>
 
 /** Choice of pulley and load case, where there are several. */
 function picks() {
-  const full = whole();
+  const full = known();
   const names = app.doc.pulley.map((p) => p.name || "");
-  const known = full ? [...new Set(full.arcs.map((a) => a.load_case))] : caseNames(app.doc);
+  const cases = full ? [...new Set(full.arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const short = (/** @type {string} */ c) => {
     const arc = full?.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley]);
     return arc ? `: ${arc.short}` : "";
@@ -289,9 +280,9 @@ function picks() {
     pick(
       "pick-case",
       "Load case",
-      known.map((c) => c + short(c)),
-      Math.max(0, known.indexOf(app.case || known[0])),
-      (i) => look({ case: i ? known[i] : "" }),
+      cases.map((c) => c + short(c)),
+      Math.max(0, cases.indexOf(app.case || cases[0])),
+      (i) => look({ case: i ? cases[i] : "" }),
     ),
   );
 }

@@ -20,12 +20,17 @@ export const answer = {
   slow: false,
   /** Whether the answers are of a design that was there before the present one was opened. */
   foreign: true,
+  /** The whole with the checks as the page itself finds them. */
+  judged: /** @type {FullAnswer | null} */ (null),
+  judgedDoc: /** @type {Design | null} */ (null),
 };
 /** Whether everything is solved of the present document. */
 export const whole = () => (answer.fullDoc === app.doc ? answer.full : null);
+/** What is known of the present document as a whole, by the server or by the page. */
+export const known = () => (answer.judgedDoc === app.doc && !whole() ? answer.judged : whole());
 /** The arc on the screen as the whole solve knows it. @returns {FullArc | undefined} */
 export const wholeArc = () =>
-  answer.full?.arcs.find(
+  (known() || answer.full)?.arcs.find(
     (a) => a.pulley === answer.quick?.pulley && a.load_case === answer.quick?.load_case,
   );
 /**
@@ -64,10 +69,9 @@ function ownNow() {
   return own?.ownAnswer(base, app.doc, POINTS) ?? null;
 }
 /** The solver of the page, fetched last.
- * @type {typeof import("./own.js") | null} */
+ * @type {typeof import("./judging.js") | null} */
 let own = null;
-document.addEventListener("complete", async () => (own ??= await import("./own.js")));
-
+document.addEventListener("complete", async () => (own ??= await import("./judging.js")));
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
   const key = [app.doc, app.pulley, app.case];
@@ -83,7 +87,8 @@ export function solve() {
   if (found) {
     Object.assign(answer, { quick: found, quickDoc: app.doc, foreign: false, slow: false });
     if (answer.problems.length) told([]);
-    judged();
+    own?.judgeAfter(show);
+    confirmed();
   } else quick();
   if (documentChanged) {
     document.documentElement.classList.add("stale");
@@ -91,7 +96,7 @@ export function solve() {
   }
 }
 /** The server's word on what the page answered itself, once the hand rests. */
-const judged = later(150, () => answer.quick?.own && quick());
+const confirmed = later(150, () => answer.quick?.own && quick());
 onReturn(() => {
   asked = [];
   solve();
@@ -141,13 +146,8 @@ async function quickOnce(doc) {
  * @param {QuickAnswer} found @param {Design | null} doc if it is the present one */
 function take(found, doc) {
   const shown = answer.quick;
-  if (own && shown?.own && answer.quickDoc === app.doc) {
-    if (!doc) return; // the page is ahead
-    const other = own.differences(shown, found);
-    const { profile, outside, ...rest } = found;
-    if (!other.length) return Object.assign(shown, rest, { own: false });
-    console.error(`The page and the server differ in ${other.join(", ")}.`);
-  }
+  if (own && shown?.own && answer.quickDoc === app.doc)
+    if (!doc || own.confirmed(shown, found)) return; // the page is ahead, or right
   Object.assign(answer, { quick: found, quickDoc: doc, foreign: false });
 }
 /** Both answers are of the design on the page. */
@@ -170,9 +170,10 @@ const complete = later(250, async () => {
   stop = new AbortController();
   const doc = app.doc;
   try {
-    const how = { points: 180, sequence: ++sequence };
+    const how = { points: 180, sequence: ++sequence, prepared: true };
     const found = await ask("solve", { document: doc, ...how }, { signal: stop.signal });
     if (doc !== app.doc) return;
+    own?.compare(found);
     Object.assign(answer, { full: found, fullDoc: doc });
     settle();
     redraw();

@@ -1,0 +1,176 @@
+"""What the drive page needs to judge a drive of one pulley itself: its numbers, and the words."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+
+from wraparc.arc import ArcResult, DriveResult, Status
+from wraparc.checks import Check, Level, idle, judge
+from wraparc.checks.design_standard import asked, by_table, design_friction_of
+from wraparc.checks.numbers import Criteria
+from wraparc.checks.of_arc import BALANCE
+from wraparc.checks.rules import start_factor, tension_factor
+from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+from wraparc.schema.source import Document
+from wraparc.units import Dimension
+from wraparc.web.answers.prepared import Plain, Prepared, elsewhere, prepared
+from wraparc.web.answers.shown import Tested
+
+#: Checks that a page does not find the numbers of.
+_SERVERS = ("creep_interval", "take_up")
+
+
+class Miss(Plain):
+    """What a check says where it is not kept."""
+
+    level: Level
+    short: str
+    says: str
+    remedy: str
+
+
+class Words(Plain):
+    """A check without its numbers; `when` names the outcome of the arc that it is for, if one."""
+
+    name: str
+    title: str
+    level: Level
+    place: str
+    value: float
+    limit: float
+    dimension: Dimension
+    at_most: bool
+    short: str
+    says: str
+    remedy: str
+    more: dict[str, tuple[float, Dimension]]
+    binding: bool
+    advises: bool
+    miss: Miss | None
+    when: str = ""
+
+
+class JudgedCase(Plain):
+    """One load case: its arc as numbers, and its checks."""
+
+    load_case: str
+    prepared: Prepared
+    elsewhere: list[list[str | int]]
+    tested: Tested | None
+    criteria: dict[str, float]
+    checks: list[Words]
+
+
+class Judging(Plain):
+    """A drive of one pulley."""
+
+    levels: list[Level]
+    qualifier: str
+    take_up: bool
+    cases: list[JudgedCase]
+    checks: list[Words]
+
+
+def judging(document: Document, result: DriveResult) -> Judging | None:
+    """Return what a page judges a drive by; None where it needs more than the page has."""
+    drive, verdict = result.drive, judge(result)
+    if len(drive.pulleys) > 1 or any(map(_servers, result)):
+        return None
+    odd = any(c.name == "usual_sizes" and c.missed for c in verdict.checks)
+    if odd or drive.pulleys[0].across or any(c.name in _SERVERS for c in verdict.checks):
+        return None
+    first, other = (_checks(result, status) for status in (Status.SOLVED, Status.BREAKAWAY))
+    cases = []
+    for case in drive.load_cases:
+        ready = prepared(document, drive, drive.pulleys[0], case)
+        if ready is None:
+            return None
+        law = drive.pulleys[0].lagging_in(case.condition).law
+        cases.append(
+            JudgedCase(
+                load_case=case.name,
+                prepared=ready,
+                elsewhere=elsewhere(document, drive, case),
+                tested=None if law.tested is None else Tested.model_validate(law.tested),
+                criteria={k: float(v) for k, v in _criteria(drive, case)._asdict().items()},
+                checks=list(_either(_of(first, case), _of(other, case))),
+            )
+        )
+    return Judging(
+        levels=list(Level),
+        qualifier=verdict.qualifier,
+        take_up=bool(drive.criteria.take_up.kind),
+        cases=cases,
+        checks=[_words(c) for c in first if not c.place.load_case],
+    )
+
+
+def _servers(result: ArcResult) -> bool:
+    """Whether an arc has numbers that only the server finds."""
+    fitted = result.arc.fit is not None and bool(result.arc.fit.knots)
+    return result.status is Status.UNSOLVED or idle(result.arc) or fitted
+
+
+def _checks(result: DriveResult, status: Status) -> tuple[Check, ...]:
+    """Return the checks as they were if every arc ended so."""
+    arcs = (arc if arc.status is status else replace(arc, status=status) for arc in result)
+    return judge(DriveResult(result.drive, tuple(arcs))).checks
+
+
+def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:
+    return [check for check in checks if check.place.load_case == case.name]
+
+
+def _either(solved: list[Check], broken: list[Check]) -> Iterator[Words]:
+    """Yield what is checked of an arc however it ends, each once."""
+    here, there = set(map(_key, solved)), set(map(_key, broken))
+    yield from (_words(c, "breakaway") for c in broken if _key(c) not in here)
+    yield from (_words(c, "" if _key(c) in there else "solved") for c in solved)
+
+
+def _key(check: Check) -> tuple[str, str, bool]:
+    return check.name, check.title, check.miss is None
+
+
+def _words(check: Check, when: str = "") -> Words:
+    names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
+    fields = {name: getattr(check, name) for name in (*names, "remedy", "binding", "advises")}
+    miss = None if check.miss is None else Miss(**check.miss._asdict())
+    place = str(check.place)
+    return Words(**fields, place=place, more=dict(check.more), miss=miss, when=when)
+
+
+def _criteria(drive: Drive, case: LoadCase) -> Criteria:
+    """Return what the checks of a load case hold the arc against, as numbers."""
+    criteria, belt, pulley = drive.criteria, drive.belt, _pulley_in(drive, case)
+    tested = pulley.lagging.law.tested
+    by = criteria.standard, criteria.take_up, pulley.lagging
+    friction, table, rule = design_friction_of(*by), by_table(*by), asked(*by, pulley.wrap_angle)
+    allowed = None if belt.rating is None else tension_factor(belt, case.kind) * belt.rating
+    return Criteria(
+        safety=criteria.safety.of(case.kind),
+        standard=_number(friction),
+        start=start_factor(criteria, case.kind),
+        belt_tension=_number(allowed),
+        rating=_number(belt.rating),
+        face_pressure=_number(belt.largest_wrap_pressure),
+        bond_strength=_number(pulley.lagging.bond_strength),
+        fatigue_limit=_number(pulley.lagging.fatigue_limit),
+        slip_speed=_number(None if tested is None else tested.slip_speed),
+        balance=BALANCE,
+        sag=_number(None if criteria.sag is None else criteria.sag.tension),
+        pulley_diameter=_number(belt.least_pulley_diameter),
+        fixed=criteria.take_up.fixed,
+        behind=bool(criteria.take_up.after),
+        factor=math.nan if not table or rule is None else rule.wrap_factor,
+        customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
+        wrap_angle=pulley.wrap_angle if table else math.nan,
+    )
+
+
+def _pulley_in(drive: Drive, case: LoadCase) -> Pulley:
+    return drive.in_case(case).pulleys[0]
+
+
+def _number(value: float | None) -> float:
+    return math.nan if value is None else value

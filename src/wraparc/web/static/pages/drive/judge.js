@@ -1,0 +1,96 @@
+// The checks of a drive while a slider moves: numbers and levels by the functions of the server,
+// translated; its words, with those numbers in them.
+import { words } from "../../base/units.js";
+import {
+  numbers__held_alike as heldAlike,
+  in_page__judged as judged,
+  numbers__kept as kept,
+  numbers__margin_of as marginOf,
+  numbers__order_of as orderOf,
+} from "../../kernel.js";
+import { moved, numbersOf } from "./own.js";
+import { headline, listed } from "./words.js";
+
+/** @import { Design, FullAnswer, FullArc, Judging, Level, Words } from "../../types.d.ts" */
+
+/**
+ * @typedef {Words & {value: number, limit: number, margin: number, order: number, rank: number,
+ *   missed: boolean, load_case: string, more: Record<string, [number, string]>}} Check
+ * @typedef {{load_case: string, solved: boolean, numbers: Record<string, number>}} JudgedArc
+ * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
+ */
+
+const POINTS = 180;
+/** Relative difference that counts as none. */
+const SAME = 1e-7;
+
+/**
+ * Every check of a drive that differs from a solved one by moved numbers alone; null where it is
+ * for the server.
+ * @param {Design} before @param {FullAnswer} answer @param {Design} doc @returns {Judged | null}
+ */
+export function judge(before, { judging }, doc) {
+  if (!judging) return null;
+  /** @type {{of: Judging["cases"][0], numbers: any}[]} */
+  const found = [];
+  for (const of of judging.cases) {
+    const given = moved(before, of.prepared, doc, of.elsewhere);
+    const { law } = of.prepared;
+    const numbers = given && judged(law, given, of.tested, numbersOf(of.criteria), POINTS);
+    if (!numbers) return null;
+    found.push({ of, numbers });
+  }
+  const held = found.map((f) => f.numbers.held);
+  if (judging.take_up && !heldAlike(Math.min(...held), Math.max(...held))) return null;
+  const checks = found.flatMap(({ of, numbers }) => {
+    const end = numbers.solved ? "solved" : "breakaway";
+    const made = of.checks.filter((w) => !w.when || w.when === end);
+    return made.map((w) => check(w, numbers, of.load_case, judging.levels));
+  });
+  checks.push(...judging.checks.map((w) => check(w, found[0].numbers, "", judging.levels)));
+  const arcs = found.map(({ of, numbers: n }) => {
+    const numbers = { ...n.summary, ...n.capacities };
+    return { load_case: of.load_case, solved: n.solved, numbers };
+  });
+  return { doc, checks, arcs, of: judging };
+}
+/** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
+ * @returns {Check} */
+function check(w, { values, limits }, load_case, levels) {
+  const { miss } = w;
+  /** @param {Record<string, number>} from @param {string | number} known */
+  const now = (from, known) =>
+    miss || !Number.isNaN(+known) ? (from[w.name] ?? +known) : Number.NaN;
+  const [value, limit] = [now(values, w.value), now(limits, w.limit)];
+  const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "" };
+  const said = miss ? (kept(value, limit, w.at_most) ? ok : miss) : w;
+  const { level, short, says, remedy } = said;
+  const rank = levels.indexOf(level);
+  const missed = rank >= levels.indexOf("ATTENTION");
+  const margin = marginOf(value, limit, w.at_most);
+  const order = orderOf(margin, missed, w.binding, w.advises);
+  const more = Object.fromEntries(
+    Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
+  );
+  const found = { level, short, says, remedy, value, limit, margin, order, rank, missed };
+  return /** @type {Check} */ ({ ...w, ...found, load_case, more });
+}
+
+/** In what a judgement of the page and the server's are not one.
+ * @param {Judged} own @param {FullAnswer} found */
+export function misses(own, { verdict, checks, arcs }) {
+  const said = headline(own.checks) === words(verdict.headline);
+  const ours = listed(own.checks).filter((c) => c.rank > 0 && c.name !== "data");
+  const rows = checks.rows.map((r) => r.level).join() === ours.map((c) => c.level).join();
+  const far = own.arcs.flatMap((a) => differing(a, arcs));
+  return [...(said ? [] : ["verdict"]), ...(rows ? [] : ["checks"]), ...far];
+}
+/** @param {JudgedArc} a @param {FullArc[]} arcs */
+function differing(a, arcs) {
+  const there = arcs.find((b) => b.load_case === a.load_case)?.numbers ?? {};
+  return Object.keys(a.numbers).filter((name) => {
+    const [x, y] = [a.numbers[name], there[name]];
+    if (y == null || name === "identity_error") return false; // without bound, or not found
+    return !(Math.abs(x - y) <= SAME * Math.max(Math.abs(x), Math.abs(y)));
+  });
+}

@@ -1,0 +1,163 @@
+// What the checks of the page come to, in the words and digits of the server.
+import { app } from "../../base/design.js";
+import { factor, LARGER_SI, LARGER_US, unit } from "../../base/units.js";
+
+/** @import { Level, Table, TableRow, Units, Verdict } from "../../types.d.ts" */
+/** @import { Check, Judged } from "./judge.js" */
+
+const [NOT_CHECKED, NONE] = ["NOT CHECKED", "-"];
+/** Units of speeds of slip. @type {Record<Units, [string, number]>} */
+const SLIPS = { si: ["mm/s", 1e-3], us: ["in/s", 0.0254] };
+const [DIGITS, MOST] = [3, 9];
+
+/** A number as the server prints it. @param {number} v @param {number} n */
+export function printed(v, n) {
+  if (v === 0) return "0";
+  const given = v.toExponential(3);
+  const [, power] = given.split("e");
+  const plain = (/** @type {number} */ e) => e >= -4 && e < 12;
+  const whole = n <= 4 && Math.abs(+given - v) <= 1e-9 * Math.abs(v);
+  if (whole && plain(+power)) return String(+given);
+  const r = v.toExponential(n - 1);
+  const e = +r.split("e")[1];
+  if (!plain(e)) return r.replace(/e([+-])(\d)$/, "e$10$2");
+  return (+r).toFixed(Math.max(0, n - 1 - e));
+}
+/** @param {number} v @param {string} dimension */
+function quantity(v, dimension, n = DIGITS) {
+  if (Number.isNaN(v)) return "";
+  if (!Number.isFinite(v)) return "without bound";
+  if (dimension === "speed" && Math.abs(v) < 0.1) {
+    const [name, size] = SLIPS[app.units];
+    return `${printed(v / size, n)} ${name}`;
+  }
+  let [name, size] = unit(dimension);
+  const big = (app.units === "us" ? LARGER_US : LARGER_SI)[dimension];
+  if (big && Math.abs(+printed(v / size, n)) * size >= big[0])
+    [name, size] = [big[1], factor(big[1], dimension) ?? 1];
+  return `${printed(v / size, n)} ${name}`.trim();
+}
+/** Value and limit in as many digits as tell them apart. @param {Check} c */
+function texts(c) {
+  for (let n = DIGITS; ; n++) {
+    const found = [quantity(c.value, c.dimension, n), quantity(c.limit, c.dimension, n)];
+    if (found[0] !== found[1] || !c.missed || n === MOST) return found;
+  }
+}
+/** @param {Check} c */
+const bound = (c) =>
+  Number.isNaN(c.limit) ? "" : `${c.at_most ? "at most" : "at least"} ${texts(c)[1]}`;
+
+/** @param {string} text @param {Record<string, string>} names */
+const filled = (text, names) =>
+  text.replace(/\{\{|\}\}|\{(\w+)\}/g, (all, name) => (name ? names[name] : all[0]));
+
+/** @param {Check} c */
+function sentence(c) {
+  const [value, limit] = texts(c);
+  if (!c.says) {
+    const most = bound(c);
+    return value ? `${c.title}: ${value}${most && `, ${most}`}.` : `${c.title}.`;
+  }
+  const more = Object.entries(c.more).map(([name, [v, d]]) => [name, quantity(v, d)]);
+  const names = { ...Object.fromEntries(more), value, limit };
+  return [c.says, c.remedy]
+    .filter(Boolean)
+    .map((t) => filled(t, names))
+    .join(" ");
+}
+/** @param {string} t */
+const capital = (t) => t.slice(0, 1).toUpperCase() + t.slice(1);
+/** @param {string} t */
+const small = (t) => t.slice(0, 1).toLowerCase() + t.slice(1);
+/** @param {Check} c */
+function placed(c) {
+  const [where, said] = [capital(c.place), sentence(c)];
+  return !where || said.startsWith(where) ? said : `${where}: ${said}`;
+}
+
+/** The worse of two first. @param {Check} a @param {Check} b */
+const byBadness = (a, b) => b.rank - a.rank || (a.order < b.order ? -1 : +(a.order > b.order));
+/** @param {Check[]} checks */
+const worstOf = (checks) =>
+  checks.filter((c) => c.level !== NOT_CHECKED).sort(byBadness)[0] ?? null;
+/** Each check once, where it comes off worst. @param {Check[]} checks */
+export function listed(checks) {
+  /** @type {Map<string, Check>} */
+  const worst = new Map();
+  for (const c of checks) {
+    const held = worst.get(c.name);
+    if (!held || byBadness(c, held) < 0) worst.set(c.name, c);
+  }
+  return [...worst.values()];
+}
+/** @param {Check[]} checks */
+export function headline(checks) {
+  const worst = worstOf(checks);
+  if (!worst) return "Nothing could be checked.";
+  if (worst.missed) return placed(worst);
+  const text = `All ${listed(checks).filter((c) => c.level === "OK").length} checks are kept`;
+  if (!Number.isFinite(worst.margin)) return `${text}.`;
+  const where = worst.place ? ` (${worst.place})` : "";
+  const near = `${small(worst.title)}, ${texts(worst)[0]}, ${bound(worst)}${where}`;
+  return `${text}; nearest to its limit is ${near}.`;
+}
+
+/** The verdict on a drive, or on one of its load cases. @param {Judged} judged
+ * @param {string} [load_case]
+ * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
+export function verdictOf({ checks: all, of }, load_case) {
+  const here = (/** @type {Check} */ c) => !c.load_case || c.load_case === load_case;
+  const checks = load_case === undefined ? all : all.filter(here);
+  const worst = worstOf(checks);
+  const level = worst?.level ?? "OK";
+  const others = listed(checks).filter((c) => c.missed && c.name !== worst?.name);
+  const sentences = others.sort(byBadness).map((c) => `${c.level}: ${placed(c)}`);
+  if (worst?.missed && of.qualifier) sentences.push(`All of this stands ${of.qualifier}.`);
+  const told = level === "OK" && of.qualifier ? `OK, ${of.qualifier}` : level;
+  const levels = listed(checks)
+    .filter((c) => c.level !== NOT_CHECKED)
+    .map((c) => [c.name, c.level]);
+  const slips = checks.some((c) => c.when === "breakaway");
+  const short = slips ? "breaks away" : worst?.missed ? worst.short : "carries";
+  const words = { level, told, headline: headline(checks), sentences, short };
+  return { ...words, levels: Object.fromEntries(levels) };
+}
+
+/** @param {number} m */
+function marginText(m) {
+  if (!Number.isFinite(m)) return NONE;
+  if (m >= 0.9995 && m < 1) return "> +99.9 %";
+  if (Math.abs(m) < 1e-9) return "0 %";
+  const r = (100 * m).toExponential(2);
+  const [size, e] = r.split("e");
+  const plain = +e >= -4 && +e < 3;
+  const text = plain ? String(+r) : `${+size}e${e[0]}${e.slice(1).padStart(2, "0")}`;
+  return `${m < 0 ? "" : "+"}${text} %`;
+}
+/** @param {Check} c @returns {TableRow} */
+function row(c) {
+  const cells = [texts(c)[0] || NONE, bound(c) || NONE, marginText(c.margin)];
+  const { name, title, place, level } = c;
+  return { name, title, symbol: "", values: { si: cells, us: cells }, note: place, level };
+}
+/** The checks as a table, in the place of one of the server.
+ * @param {Judged} judged @param {Table} before @returns {Table} */
+export function checkTable({ checks }, before) {
+  const all = listed(checks);
+  const rows = all.filter((c) => c.level !== NOT_CHECKED && c.name !== "data").map(row);
+  const left = all
+    .filter((c) => c.level === NOT_CHECKED)
+    .map((c) => {
+      const found = texts(c)[0];
+      return `${small(c.title)} (${found ? `${c.short}; here it is ${found}` : c.short})`;
+    });
+  const note = typeof before.note === "string" ? before.note : (before.note?.[app.units] ?? "");
+  const known = note.split(" Not checked: ")[0];
+  const more = left.length ? ` Not checked: ${left.join("; ")}.` : "";
+  return {
+    ...before,
+    rows,
+    note: known + more,
+  };
+}

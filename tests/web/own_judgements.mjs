@@ -1,0 +1,23 @@
+// Judgements of the page itself on moved numbers: cases as JSON come in, verdicts go out.
+import { readFileSync } from "node:fs";
+import { app } from "../../src/wraparc/web/static/base/design.js";
+import { judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
+import { checkTable, verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
+
+const { form, cases } = JSON.parse(readFileSync(0, "utf-8"));
+app.form = form;
+const told = cases.map(({ doc, answer, changed }) => {
+  const found = judge(doc, answer, changed);
+  if (!found) return null;
+  app.units = "si";
+  const arcs = found.arcs.map((arc) => ({ ...arc, verdict: verdictOf(found, arc.load_case) }));
+  const texts = (units) => {
+    app.units = units;
+    const { rows, note } = checkTable(found, answer.checks);
+    const cells = rows.map((r) => [r.title, ...r.values[units], r.note, r.level]);
+    return { verdict: verdictOf(found), rows: cells, note };
+  };
+  return { arcs, si: texts("si"), us: texts("us") };
+});
+const plain = (_, v) => (typeof v === "number" && !Number.isFinite(v) ? String(v) : v);
+process.stdout.write(JSON.stringify(told, plain));
