@@ -1,4 +1,7 @@
-"""Speed and accuracy of the batch kernel: python benchmarks/batch.py [designs].
+"""Speed and accuracy of the batch kernel.
+
+    python benchmarks/batch.py figures     what a design costs in every setting, beside its aim
+    python benchmarks/batch.py [designs]   mesh, accuracy, size, and SciPy beside them; then these
 
 Random driving designs of the shipped diamond-rubber lagging, and of the others where said. The
 general way beside it, in the same run, is SciPy's solve_ivp inside brentq, slip as the state. Wall
@@ -15,7 +18,9 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
@@ -27,10 +32,22 @@ from wraparc import load_lagging
 from wraparc.batch import Setting, engineering, lane_slots, row, solve_arcs
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.batch.lane_kernel import GUESSED, TENSIONS
+from wraparc.friction import Constant, FrictionLaw, MeasuredTable
 from wraparc.friction.compact import branch_of, friction_at, segment_of
 
 Table = dict[str, NDArray[np.float64]]
 RUBBER = load_lagging("diamond-rubber")
+Row = tuple[str, str, str]  # what, figure, aim
+TABLE = MeasuredTable(
+    slip=(0.0, 0.5e-3, 1.5e-3, 4e-3, 8e-3, 12e-3),
+    pressure=(40e3, 150e3, 350e3, 600e3),
+    values=(
+        (0.0, 0.25, 0.5, 0.8, 0.95, 0.9),
+        (0.0, 0.2, 0.42, 0.68, 0.8, 0.8),
+        (0.0, 0.15, 0.33, 0.55, 0.66, 0.7),
+        (0.0, 0.1, 0.22, 0.38, 0.46, 0.5),
+    ),
+)
 
 
 def designs(n: int, seed: int = 1) -> Table:
@@ -181,6 +198,21 @@ def accuracy(n: int) -> None:
         print(f"  {name}: 99 % / worst: {', '.join(parts)}")
 
 
+FIRST = """
+import time
+begin = time.process_time()
+import numpy as np
+from wraparc import load_lagging
+from wraparc.batch import Setting, solve_batch
+n = {rows}
+ratio = np.linspace(1.3, 2.0, n)
+ratio[:{braking}] = 0.8
+table = dict(entry_tension=np.full(n, 1e5), exit_tension=1e5 / ratio, diameter=0.8,
+             wrap_angle=3.1, belt_width=1.0, belt_modulus=1e7)
+solve_batch(table, load_lagging("diamond-rubber"), capacities={capacities},
+            setting=Setting.{setting})
+print(time.process_time() - begin)
+"""
 START = """
 import time
 begin = time.perf_counter()
@@ -228,7 +260,121 @@ def scaling() -> None:
               f" peak memory {peak:.0f} MB")  # fmt: skip
 
 
+def machine() -> float:
+    """Processor time of a plain loop, to know the machine by [s]."""
+    start, total = time.process_time(), 0.0
+    for i in range(3_000_000):
+        total += i * 0.5
+    return time.process_time() - start
+
+
+def cost_of(arcs: Arcs, setting: Setting, capacities: bool, repeats: int) -> float:
+    """Least processor time of one thread [us a design]."""
+    few = arcs.rows(slice(0, 300))
+    solve_arcs(few, setting=setting, capacities=capacities, threads=1)  # compiled
+    return least(
+        lambda: solve_arcs(arcs, setting=setting, capacities=capacities, threads=1),
+        len(arcs),
+        repeats,
+    )
+
+
+def least(run: Callable[[], object], count: int, repeats: int) -> float:
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        run()
+        times.append(time.process_time() - start)
+    return 1e6 * min(times) / count
+
+
+def driving(n: int, name: str = "diamond-rubber", law: FrictionLaw | None = None) -> Arcs:
+    """Random driving designs under a shipped lagging, or under another law."""
+    lagging = load_lagging(name)
+    return arcs_of_table(designs(n), lagging if law is None else replace(lagging, law=law))
+
+
+def braking(n: int) -> Arcs:
+    """The same that brake."""
+    table = designs(n)
+    table["entry_tension"], table["exit_tension"] = table["exit_tension"], table["entry_tension"]
+    return arcs_of_table(table, RUBBER)
+
+
+def idling(n: int) -> Arcs:
+    """The same with nearly the same tension on both sides."""
+    table = designs(n)
+    table["exit_tension"] = table["entry_tension"] * (1.0 - 1e-6)
+    return arcs_of_table(table, RUBBER)
+
+
+def settings() -> Iterator[Row]:
+    """Rows of the table: what, figure, aim."""
+    plain, precise = Setting.ENGINEERING, Setting.PRECISE
+    cases: list[tuple[str, Arcs, Setting, bool, str, int]] = [
+        ("engineering, operating point, diamond rubber", driving(50_000), plain, False, "0.8", 5),
+        ("engineering, operating point, full ceramic", driving(20_000, "full-ceramic"), plain,
+         False, "", 3),
+        ("engineering, all capacities, diamond rubber", driving(20_000), plain, True, "6", 3),
+        ("engineering, all capacities, medium ceramic", driving(8_192, "medium-ceramic"), plain,
+         True, "6", 2),
+        ("engineering, all capacities, full ceramic", driving(8_192, "full-ceramic"), plain, True,
+         "6", 2),
+        ("precise, operating point", driving(4_000), precise, False, "10", 3),
+        ("precise, all capacities", driving(1_000), precise, True, "60", 2),
+        ("precise, all capacities, full ceramic", driving(600, "full-ceramic"), precise, True, "60",
+         1),
+        ("engineering, operating point, braking", braking(600), plain, False, "", 2),
+        ("engineering, operating point, idling", idling(600), plain, False, "", 2),
+        ("engineering, operating point, measured table", driving(600, law=TABLE), plain, False,
+         "", 2),
+        ("engineering, operating point, constant friction",
+         driving(600, law=Constant(friction_coefficient=0.5)), plain, False, "", 2),
+    ]  # fmt: skip
+    for name, some, setting, capacities, aim, repeats in cases:
+        yield name, f"{cost_of(some, setting, capacities, repeats):.1f} us", aim and f"{aim} us"
+    run = [sys.executable, str(Path(__file__).with_name("study.py")), "row"]
+    row = subprocess.run(run, capture_output=True, text=True, check=True).stdout
+    yield "a row of a study, all results, solving alone", f"{float(row):.1f} us", "4 us"
+
+
+def first_calls() -> Iterator[Row]:
+    """First calls of a process, from its first line, with nothing compiled on the disk."""
+    cases = (
+        ("engineering, operating point", 1000, 0, False, "ENGINEERING", "3 s"),
+        ("engineering, three of the rows brake", 1000, 3, False, "ENGINEERING", "3 s"),
+        ("engineering, all capacities", 1000, 0, True, "ENGINEERING", ""),
+        ("precise, ten rows, all capacities", 10, 0, True, "PRECISE", ""),
+        ("precise, 1,000 rows, all capacities", 1000, 0, True, "PRECISE", ""),
+    )
+    for name, count, brake, capacities, setting, aim in cases:
+        code = FIRST.format(rows=count, braking=brake, capacities=capacities, setting=setting)
+        told = []
+        with tempfile.TemporaryDirectory() as folder:
+            environment = {**os.environ, "WRAPARC_CACHE_DIR": folder}
+            for _ in range(2):
+                run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True,
+                                     check=True, env=environment)  # fmt: skip
+                told.append(f"{float(run.stdout):.1f} s")
+        yield f"first call: {name}; the next process", "; ".join(told), aim
+
+
+def figures() -> None:
+    """Print the table of benchmarks/results/batch.md."""
+    print("| what | processor time | aim |\n|---|---|---|")
+    loops = [machine()]
+    for some in (settings(), first_calls()):
+        for told in some:
+            print(f"| {' | '.join(told)} |", flush=True)
+            loops.append(machine())
+    print(f"\nA plain loop of 3 million steps took {min(loops):.2f} s to {max(loops):.2f} s of"
+          f" processor time meanwhile, {np.median(loops):.2f} s in the middle.")  # fmt: skip
+
+
 def main() -> None:
+    if sys.argv[1:] == ["figures"]:
+        figures()
+        return
     n = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
     arcs = arcs_of_table(designs(n), RUBBER)
     for setting in Setting:
@@ -239,6 +385,7 @@ def main() -> None:
     steps(arcs.rows(slice(0, 10_000)))
     accuracy(10_000)
     starts()
+    figures()
     print(f"\nload of the machine while this ran: {os.getloadavg()[0]:.1f}")
 
 

@@ -3,6 +3,7 @@
     python benchmarks/study.py            1,000 to 1,000,000 designs on the threads of this process
     python benchmarks/study.py 10000000   other sizes
     python benchmarks/study.py few ...    only creep, slip and shear: no capacities
+    python benchmarks/study.py row        processor time of a row, solving alone [us]; aim 4
     python benchmarks/study.py dask       1,000,000 designs on a scheduler and two workers as
                                           processes, one killed half way, beside the local run
 
@@ -78,6 +79,16 @@ def one(designs: int, few: bool) -> dict[str, float]:
         "designs": designs, "seconds": took, "cpu": used, "bytes": size / designs,
         "memory": solving, "summary": told, "memory_with_summary": memory(),
     }  # fmt: skip
+
+
+def row(n: int = 16_384) -> float:
+    """Least processor time of a row, solving alone: no files, one thread [us]."""
+    asked, times = study(n), []
+    for _ in range(4):  # the first compiles
+        start = time.process_time()
+        asked.solve(0, n)
+        times.append(time.process_time() - start)
+    return 1e6 * min(times) / n
 
 
 def sizes(designs: list[int], few: bool) -> None:
@@ -174,6 +185,8 @@ if __name__ == "__main__":
     arguments = sys.argv[1:]
     if arguments[:1] == ["one"]:
         print(json.dumps(one(int(arguments[1]), "few" in arguments)))
+    elif arguments[:1] == ["row"]:
+        print(f"{row():.1f}")
     elif arguments[:1] == ["dask"]:
         dask(*map(int, arguments[1:]))
     else:

@@ -25,6 +25,7 @@ from wraparc.batch.precise import capacity_rows, tension_rows
 from wraparc.friction import FrictionLaw
 
 _ROOM = 2_000  # records of a profile that there is room for at first
+_UNKNOWN = np.full((1, row.STARTS), math.nan)
 _SHOT = (  # where a row has it
     row.LOG_RATIO,
     row.EXIT_SLIP,
@@ -78,17 +79,17 @@ class Compiled:
         found, out = np.empty((1, row.FOUND_NUMBERS)), np.empty(RECORD * _ROOM)
         which, wanted = np.zeros(1, dtype=np.int64), np.array([row.TENSIONS], dtype=np.int64)
         kernel, mesh = compiled(tension_rows), (self.steps, self.points)
-        count = int(kernel(given, bank, which, wanted, mesh, found, out))
+        count = int(kernel(given, bank, which, wanted, mesh, found, out, _UNKNOWN))
         if RECORD * count > len(out):
             out = np.empty(RECORD * count)
-            kernel(given, bank, which, wanted, mesh, found, out)
+            kernel(given, bank, which, wanted, mesh, found, out, _UNKNOWN)
         return found[0], out, count
 
     def _capacities(self, arc: WrapArc, given: Any, bank: Any) -> Capacities:
         rows = np.full((1, row.FOUND_NUMBERS), math.nan)
         rows[0, row.OUTCOME] = SOLVED
         which, wanted = np.zeros(1, dtype=np.int64), np.array([CAPACITIES], dtype=np.int64)
-        compiled(capacity_rows)(given, bank, which, wanted, self.steps, rows)
+        compiled(capacity_rows)(given, bank, which, wanted, self.steps, rows, _UNKNOWN)
         places = (
             row.CREEP_CAPACITY,
             row.SLIP_CAPACITY,

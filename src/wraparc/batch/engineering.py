@@ -66,6 +66,13 @@ _MAIN = (
 )
 
 
+def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> Array:
+    """Rows of results by the scalar kernel, which begins with what the lanes have found."""
+    batch = _Batch(arcs)
+    batch.find(parts)
+    return solve_precisely(arcs, parts, batch.starts)
+
+
 def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flags]:
     """Rows of results (see `row`), and which arcs the scalar kernel had to do.
 
@@ -82,15 +89,7 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
         Shapes (n, 21) and (n,).
     """
     batch = _Batch(arcs)
-    batch.find_gross(parts)
-    if parts & row.TENSIONS:
-        batch.find_tensions()
-    if parts & (answer.CREEP_LIMIT | answer.LEAST):
-        batch.find_carried(CREEP, row.CREEP_CAPACITY, answer.CREEP_LIMIT)
-    if parts & answer.TESTED_SLIP:
-        batch.find_carried(SLIP, row.SLIP_CAPACITY, answer.TESTED_SLIP)
-    if parts & answer.LEAST:
-        batch.find_least()
+    batch.find(parts)
     batch.cap_by_gross()
     batch.hand_over(parts)
     return batch.found, batch.left > 0
@@ -111,6 +110,7 @@ class _Batch:
         self.laws, self.plateaus = tables_of(arcs.laws)
         self.found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
         self.left = np.zeros(len(arcs), dtype=np.int64)  # parts for the scalar kernel
+        self.starts = np.full((len(arcs), row.STARTS), np.nan)
         self.log_ratio = np.log(self.of("entry_tension") / self.of("exit_tension"))
         pull = self.of("entry_tension") - self.of("exit_tension")
         self.pull = np.maximum(pull, 0.0)
@@ -122,6 +122,18 @@ class _Batch:
         self.fit = self.live & (self.laws.row[arcs.law] >= 0) & (self.of("side") > 0.0)
         self.fit &= self.of("kick") >= 0.0  # lanes know no slip that passes zero
         self.left[self.live & ~self.fit] = row.EVERYTHING
+
+    def find(self, parts: int) -> None:
+        """All that is wanted and that lanes can do."""
+        self.find_gross(parts)
+        if parts & row.TENSIONS:
+            self.find_tensions()
+        if parts & (answer.CREEP_LIMIT | answer.LEAST):
+            self.find_carried(CREEP, row.CREEP_CAPACITY, answer.CREEP_LIMIT)
+        if parts & answer.TESTED_SLIP:
+            self.find_carried(SLIP, row.SLIP_CAPACITY, answer.TESTED_SLIP)
+        if parts & answer.LEAST:
+            self.find_least()
 
     def of(self, name: str) -> Array:
         """One number of every arc."""
@@ -241,6 +253,8 @@ class _Batch:
         out, good = self.solve(which, self.rows(which, 1.0), TENSIONS)
         self.left[which[~good]] |= row.TENSIONS
         kept, out = which[good], out[good]
+        self.starts[kept, 0] = out[:, _FOUND[slot.G]]
+        self.starts[kept, 4] = out[:, _FOUND[slot.SLOPE_Z]] / out[:, _FOUND[slot.G_Z]]
         for place, name in _MAIN:
             self.found[kept, place] = out[:, _FOUND[name]]
         self.found[kept, row.LOG_RATIO] = -self.log_ratio[kept]
@@ -272,6 +286,7 @@ class _Batch:
         which = np.flatnonzero(self.fit & np.isfinite(goal))
         out, good = self.solve(which, self.rows(which, goal[which]), what)
         self.found[which[good], place] = out[good, _FOUND[slot.END]]
+        self.starts[which[good], 1 if what == CREEP else 2] = out[good, _FOUND[slot.G]]
         self.left[which[~good]] |= part
 
     def find_least(self) -> None:
@@ -290,6 +305,8 @@ class _Batch:
         found = out[:, _FOUND[slot.TENSION]]
         good &= (out[:, _FOUND[slot.DETERMINANT]] > 0.0) & (found <= top[which])
         self.found[which[good], row.LEAST_SLACK] = found[good] - self.pull[which[good]]
+        self.starts[which[good], 3] = out[good, _FOUND[slot.G]]
+        self.starts[which[good], 5] = found[good]
         self._find_most(which[~good], top)
 
     def _find_most(self, which: Integers, top: Array) -> None:

@@ -39,6 +39,7 @@ from wraparc.batch.lane_slots import (
     EXIT_CREEP,
     EXIT_STRESS,
     EXIT_X,
+    G_Z,
     GOAL,
     KICK_FORMULA,
     KICK_GIVEN,
@@ -54,6 +55,7 @@ from wraparc.batch.lane_slots import (
     ROW,
     SHEAR,
     SLIP_MAX,
+    SLOPE_Z,
     STEEPEST,
     TENSION,
     TRACE,
@@ -103,6 +105,8 @@ FOUND = (
     ACTIVE,
     OUTSIDE,
     CHANGE,
+    SLOPE_Z,
+    G_Z,
 )
 NODES = NODE * (2 * MOST_STEPS + 1)
 TRACES = TRACE * (MOST_STEPS + 1)

@@ -14,6 +14,7 @@ from wraparc.batch.native import available, compiled, pays
 from wraparc.batch.row import (
     EVERYTHING,
     FOUND_NUMBERS,
+    STARTS,
     capacities_of_row,
     tensions_of_row,
 )
@@ -23,7 +24,14 @@ STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
 
 def tension_rows(
-    given: Any, bank: Any, which: Any, parts: Any, mesh: Any, found: Any, records: Any
+    given: Any,
+    bank: Any,
+    which: Any,
+    parts: Any,
+    mesh: Any,
+    found: Any,
+    records: Any,
+    starts: Any,
 ) -> int:
     """Begin rows of arcs, each with its law, and find operating points; compiled only.
 
@@ -33,14 +41,18 @@ def tension_rows(
     count = 0
     for i in range(len(given)):
         law = law_of(bank, which[i])
-        count = tensions_of_row(law, given[i], parts[i], mesh[0], mesh[1], found[i], records)
+        count = tensions_of_row(
+            law, given[i], parts[i], mesh[0], mesh[1], found[i], records, starts[i]
+        )
     return count
 
 
-def capacity_rows(given: Any, bank: Any, which: Any, parts: Any, steps: int, found: Any) -> None:
+def capacity_rows(
+    given: Any, bank: Any, which: Any, parts: Any, steps: int, found: Any, starts: Any
+) -> None:
     """Find capacities. An entry of its own: what is not asked for need not be compiled."""
     for i in range(len(given)):
-        capacities_of_row(law_of(bank, which[i]), given[i], parts[i], steps, found[i])
+        capacities_of_row(law_of(bank, which[i]), given[i], parts[i], steps, found[i], starts[i])
 
 
 def law_of(bank: Any, which: int) -> CompactLaw:
@@ -64,7 +76,9 @@ PATIENCE: Mapping[Callable[..., Any], tuple[int, int]] = {
 }
 
 
-def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
+def solve_precisely(
+    arcs: Arcs, parts: int | Integers = EVERYTHING, starts: Array | None = None
+) -> Array:
     """Rows of results (see :mod:`wraparc.batch.row`) of every arc, shape (n, 21).
 
     Few rows are left to the interpreter: the same functions, with the same numbers to 1e-12.
@@ -75,33 +89,38 @@ def solve_precisely(arcs: Arcs, parts: int | Integers = EVERYTHING) -> Array:
         The arcs.
     parts
         What is wanted, of all arcs or of each.
+    starts
+        Where searches begin, shape (n, 6), see `row.STARTS`; it decides speed only.
     """
     given, n = arcs.inputs(), len(arcs)
     wanted = np.broadcast_to(np.asarray(parts, dtype=np.int64), (n,)).copy()
     found = np.empty((n, FOUND_NUMBERS))
+    starts = np.full((n, STARTS), np.nan) if starts is None else starts
     bank, which = arcs.laws.arrays, np.flatnonzero(wanted & CAPACITIES)
     if available() and pays(tension_rows, n, PATIENCE[tension_rows]):
         mesh = (STEPS, POINTS)
-        compiled(tension_rows)(given, bank, arcs.law, wanted, mesh, found, np.empty(0))
+        compiled(tension_rows)(given, bank, arcs.law, wanted, mesh, found, np.empty(0), starts)
     else:
-        _interpret(arcs, given, wanted, found)
+        _interpret(arcs, given, wanted, found, starts)
     if not len(which):
         return found
     if available() and pays(capacity_rows, len(which), PATIENCE[capacity_rows]):
-        compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found)
+        compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found, starts)
     else:
         for i in which.tolist():
             row = found[i].tolist()
             law = arcs.laws.compact(int(arcs.law[i]))
-            capacities_of_row(law, given[i].tolist(), int(wanted[i]), STEPS, row)
+            begin = starts[i].tolist()
+            capacities_of_row(law, given[i].tolist(), int(wanted[i]), STEPS, row, begin)
             found[i] = row
     return found
 
 
-def _interpret(arcs: Arcs, given: Array, wanted: Integers, found: Array) -> None:
+def _interpret(arcs: Arcs, given: Array, wanted: Integers, found: Array, starts: Array) -> None:
     """Begin rows and find operating points, in the interpreter."""
     for i in range(len(given)):
         row: list[float] = [0.0] * FOUND_NUMBERS
         law = arcs.laws.compact(int(arcs.law[i]))
-        tensions_of_row(law, given[i].tolist(), int(wanted[i]), STEPS, POINTS, row, [])
+        begin = starts[i].tolist()
+        tensions_of_row(law, given[i].tolist(), int(wanted[i]), STEPS, POINTS, row, [], begin)
         found[i] = row

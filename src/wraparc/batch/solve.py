@@ -12,9 +12,8 @@ from numpy.typing import ArrayLike
 
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array, arcs_of_table
-from wraparc.batch.engineering import solve_in_lanes
+from wraparc.batch.engineering import solve_from_lanes, solve_in_lanes
 from wraparc.batch.native import available
-from wraparc.batch.precise import solve_precisely
 from wraparc.batch.result import BatchResult
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem
@@ -183,5 +182,5 @@ def _chunk(arcs: Arcs, setting: Setting, parts: int) -> Array:
     if len(used) < len(arcs.laws) > len(arcs):
         arcs = arcs.with_laws(used)
     if setting is Setting.PRECISE:
-        return solve_precisely(arcs, parts)
+        return solve_from_lanes(arcs, parts)
     return solve_in_lanes(arcs, parts)[0]

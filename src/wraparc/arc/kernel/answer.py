@@ -288,28 +288,50 @@ class Carried(NamedTuple):
     most_pull: float  # where no tension carries the pull [N]
 
 
+class Beginning(NamedTuple):
+    """Where searches of capacities begin, nan where nothing is known."""
+
+    creep_limit: float  # effort
+    tested_slip: float  # effort
+    least: float  # effort
+    entry: float  # tension of the least slack side [N]
+
+
+NO_BEGINNING = Beginning(nan, nan, nan, nan)
+
+
 def find_capacities(
     law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int
 ) -> Carried:
     """Capacities that are asked for by `parts`."""
+    return find_capacities_near(law, geometry, load, parts, steps, NO_BEGINNING)
+
+
+def find_capacities_near(
+    law: CompactLaw, geometry: Geometry, load: Load, parts: int, steps: int, begin: Beginning
+) -> Carried:
+    """`find_capacities` where it is known about where they are."""
     tight = max(load.entry_tension, load.exit_tension)
     pull = abs(load.entry_tension - load.exit_tension)
     by_creep = by_slip = gross = gross_creep = least = most = nan
     if parts & (CREEP_LIMIT + LEAST):
         outcome, z, entry, shot = carry(
-            law, geometry, tight, Aim(CREEP, load.creep_limit), nan, steps
+            law, geometry, tight, Aim(CREEP, load.creep_limit), begin.creep_limit, steps
         )
         if outcome == SOLVED:
             by_creep = abs(shot.log_tension)
         if parts & LEAST and outcome == SOLVED and pull > 1e-6 * tight:
-            top = 1e3 * tight
-            if load.pressure_max == load.pressure_max:
-                top = load.pressure_max * geometry.width * geometry.radius
+            tested = load.pressure_max * geometry.width * geometry.radius
+            top = tested if tested == tested else 1e3 * tight
+            if z == z and begin.entry == begin.entry:
+                entry, z = begin.entry, begin.least
             least, most = least_slack(
                 law, geometry, pull, load.creep_limit, tight, entry, z, top, steps
             )
     if parts & TESTED_SLIP and load.slip_max == load.slip_max:
-        outcome, _, _, shot = carry(law, geometry, tight, Aim(SLIP, load.slip_max), nan, steps)
+        outcome, _, _, shot = carry(
+            law, geometry, tight, Aim(SLIP, load.slip_max), begin.tested_slip, steps
+        )
         if outcome == SOLVED:
             by_slip = abs(shot.log_tension)
     if parts & GROSS_SLIP:

@@ -449,6 +449,21 @@ export class Quick {
   }
 }
 
+export class Beginning {
+  constructor(creep_limit, tested_slip, least, entry) {
+    this.creep_limit = creep_limit;
+    this.tested_slip = tested_slip;
+    this.least = least;
+    this.entry = entry;
+  }
+  *[Symbol.iterator]() {
+    yield this.creep_limit;
+    yield this.tested_slip;
+    yield this.least;
+    yield this.entry;
+  }
+}
+
 export class Guess {
   constructor(z, layers) {
     this.z = z;
@@ -717,6 +732,7 @@ const SPEEDS = [0.05, 15.0];
 const DIAMETERS = [0.15, 3.0];
 const USUAL_TENSION = [500.0, 10000000.0];
 const CAPACITIES = 30;
+const NO_BEGINNING = new Beginning(NaN, NaN, NaN, NaN);
 const LEAST = 8;
 const MEET_STEPS = 12;
 const MOST_ROUNDS = 30;
@@ -5549,9 +5565,21 @@ export function gross_slip__largest_ratio(law, geometry, tight, softening, steps
   return [best, creep];
 }
 
-/** Capacities that are asked for by `parts`. */
-export function answer__find_capacities(law, geometry, load, parts, steps) {
-  let by_creep, by_slip, entry, gross, gross_creep, least, most, outcome, shot, softening, top, z;
+/** `find_capacities` where it is known about where they are. */
+export function answer__find_capacities_near(law, geometry, load, parts, steps, begin) {
+  let by_creep,
+    by_slip,
+    entry,
+    gross,
+    gross_creep,
+    least,
+    most,
+    outcome,
+    shot,
+    softening,
+    tested,
+    top,
+    z;
   let tight = max(load.entry_tension, load.exit_tension);
   let pull = Math.abs(load.entry_tension - load.exit_tension);
   by_creep = by_slip = gross = gross_creep = least = most = NaN;
@@ -5561,7 +5589,7 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
       geometry,
       tight,
       new Aim(CREEP, load.creep_limit),
-      NaN,
+      begin.creep_limit,
       steps,
     );
     outcome = found1[0];
@@ -5572,9 +5600,11 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
       by_creep = Math.abs(shot.log_tension);
     }
     if (parts & LEAST && outcome === SOLVED && pull > 1e-6 * tight) {
-      top = 1000.0 * tight;
-      if (load.pressure_max === load.pressure_max) {
-        top = load.pressure_max * geometry.width * geometry.radius;
+      tested = load.pressure_max * geometry.width * geometry.radius;
+      top = tested === tested ? tested : 1000.0 * tight;
+      if (z === z && begin.entry === begin.entry) {
+        entry = begin.entry;
+        z = begin.least;
       }
       const found2 = least_slack__least_slack(
         law,
@@ -5592,7 +5622,14 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
     }
   }
   if (parts & TESTED_SLIP && load.slip_max === load.slip_max) {
-    const found3 = capacity__carry(law, geometry, tight, new Aim(SLIP, load.slip_max), NaN, steps);
+    const found3 = capacity__carry(
+      law,
+      geometry,
+      tight,
+      new Aim(SLIP, load.slip_max),
+      begin.tested_slip,
+      steps,
+    );
     outcome = found3[0];
     shot = found3[3];
     if (outcome === SOLVED) {
@@ -5612,6 +5649,11 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
     }
   }
   return new Carried(by_creep, by_slip, gross, gross_creep, least, most);
+}
+
+/** Capacities that are asked for by `parts`. */
+export function answer__find_capacities(law, geometry, load, parts, steps) {
+  return answer__find_capacities_near(law, geometry, load, parts, steps, NO_BEGINNING);
 }
 
 /** ln(tight/slack) that an arc carries beyond that of the plateau of its law [-]. */
