@@ -38,12 +38,17 @@ CELL_PARTS = 3.0  # steps in a steep cell, the more the more of its creep is she
 
 def slip_at_entry(law: CompactLaw, par: Parameters, creep: float, q: float) -> float:
     """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
+    return _slip_near(law, par, creep, q, 1.0)
+
+
+def _slip_near(law: CompactLaw, par: Parameters, creep: float, q: float, share: float) -> float:
+    """`slip_at_entry` with a first guess of slip over creep, 1 for none."""
     p = pressure_at(par, q)
     shear = par.shear
     segment = segment_of(law, p)
     low, high = 0.0, creep
-    x = creep
-    if law.kind in (KNOTS, PIECES):
+    x = share * creep if share > 0.0 else creep
+    if share == 1.0 and law.kind in (KNOTS, PIECES):
         slip_pk, mu_pk, _, _ = peak(law, segment, p)
         r = min(creep / slip_pk, 1.0)
         x = creep / (1.0 + shear * p * mu_pk / slip_pk * (1.0 - log(max(r, SMALLEST))))
@@ -86,51 +91,53 @@ def creep_step(
     mu, _, _ = friction_at(law, segment, branch_of(law, segment, sign * x, p), sign * x, p)
     tau = sign * mu * p
     u = x + par.shear * tau
-    a1, b1, w1 = _creep_rates(law, par, g, z, q, u)
+    a1, b1, w1, n = _creep_rates(law, par, g, z, q, u, sign * x / abs(u) if u != 0.0 else 1.0)
     z3 = (xi + h / 3.0) ** 3 * f * h
-    a2, b2, _ = _creep_rates(law, par, g, z3, q + to_second(a1), u + to_second(b1))
+    a2, b2, _, n = _creep_rates(law, par, g, z3, q + to_second(a1), u + to_second(b1), n)
     z = (xi + h * 2.0 / 3.0) ** 3 * f * h
-    a3, b3, w3 = _creep_rates(law, par, g, z, q + to_third(a2), u + to_third(b2))
+    a3, b3, w3, n = _creep_rates(law, par, g, z, q + to_third(a2), u + to_third(b2), n)
     q4, u4 = q + to_fourth(a1, a2, a3), u + to_fourth(b1, b2, b3)
-    a4, b4, w4 = _creep_rates(law, par, g, z3, q4, u4)
+    a4, b4, w4, n = _creep_rates(law, par, g, z3, q4, u4, n)
     z = (xi + 0.5 * h) ** 3 * f * h
     q5, u5 = q + to_fifth(a1, a2, a3, a4), u + to_fifth(b1, b2, b3, b4)
-    a5, b5, w5 = _creep_rates(law, par, g, z, q5, u5)
+    a5, b5, w5, n = _creep_rates(law, par, g, z, q5, u5, n)
     q6, u6 = q + to_sixth(a2, a3, a4, a5), u + to_sixth(b2, b3, b4, b5)
-    a6, b6, w6 = _creep_rates(law, par, g, z, q6, u6)
+    a6, b6, w6, n = _creep_rates(law, par, g, z, q6, u6, n)
     z = (xi + h) ** 3 * f * h
     q7, u7 = q + to_last(a1, a2, a3, a4, a6), u + to_last(b1, b2, b3, b4, b6)
-    a7, b7, w7 = _creep_rates(law, par, g, z, q7, u7)
+    a7, b7, w7, n = _creep_rates(law, par, g, z, q7, u7, n)
     q_end, u_end = q + to_end(a1, a3, a4, a5, a6, a7), u + to_end(b1, b3, b4, b5, b6, b7)
-    x_end = slip_at_entry(law, par, abs(u_end), q_end)
+    x_end = _slip_near(law, par, abs(u_end), q_end, n)
     x_end = x_end if u_end > 0.0 else -x_end
     # work on the creep, less what the shear of the lagging has taken up: tau dx = tau (du - c dtau)
-    tau_end = _stress_of_creep(law, par, q_end, u_end)
+    tau_end, _ = _stress_of_creep(law, par, q_end, u_end, n)
     stored = 0.5 * par.shear * (tau_end**2 - tau**2)
     return q_end, x_end, to_end(w1, w3, w4, w5, w6, w7) - stored
 
 
-def _stress_of_creep(law: CompactLaw, par: Parameters, q: float, u: float) -> float:
-    """Shear stress that belongs to a creep [Pa]."""
+def _stress_of_creep(
+    law: CompactLaw, par: Parameters, q: float, u: float, share: float
+) -> tuple[float, float]:
+    """Shear stress that belongs to a creep [Pa], and slip over creep, with a guess of it."""
     size = abs(u)
-    x = slip_at_entry(law, par, size, q)
+    x = _slip_near(law, par, size, q, share)
     if size - x > 1e-6 * size:  # else the difference has lost its digits, and the law is not steep
         tau = (size - x) / par.shear
     else:
         p = pressure_at(par, q)
         segment = segment_of(law, p)
         tau = p * friction_at(law, segment, branch_of(law, segment, x, p), x, p)[0]
-    return tau if u > 0.0 else -tau
+    return (tau if u > 0.0 else -tau), (x / size if size > 0.0 else 1.0)
 
 
 def _creep_rates(
-    law: CompactLaw, par: Parameters, g: float, z: float, q: float, u: float
-) -> tuple[float, float, float]:
-    """Changes of q, creep u and tau du over z of the arc."""
+    law: CompactLaw, par: Parameters, g: float, z: float, q: float, u: float, share: float
+) -> tuple[float, float, float, float]:
+    """Changes of q, creep u and tau du over z of the arc, and slip over creep."""
     p = pressure_at(par, q)
-    tau = _stress_of_creep(law, par, q, u)
+    tau, share = _stress_of_creep(law, par, q, u, share)
     du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z
-    return -tau / (p * par.radius) * z, du, tau * du
+    return -tau / (p * par.radius) * z, du, tau * du, share
 
 
 def cell_step(

@@ -63,22 +63,25 @@ def friction_of_creep(
     if u == 0.0:
         return 0.0, 0.0
     p = par.entry_pressure * max(tension / par.entry_tension, 1e-9)
-    mu, x = _slip_and_friction(law, par.shear * p, p, abs(u))
+    mu, x = _slip_and_friction(law, par.shear * p, p, abs(u), 1.0)
     return (mu * p, x) if u > 0.0 else (-mu * p, -x)
 
 
 def _slip_and_friction(
-    law: CompactLaw, ease: float, pressure: float, creep: float
+    law: CompactLaw, ease: float, pressure: float, creep: float, share: float
 ) -> tuple[float, float]:
-    """Friction [-] and slip x [m] with x + ease mu(x) = creep (Newton, inside a bracket)."""
+    """Friction [-] and slip x [m] with x + ease mu(x) = creep (Newton, inside a bracket).
+
+    `share` is a first guess of slip over creep.
+    """
     segment = segment_of(law, pressure)
-    x = creep
+    x = share * creep
     if law.kind in (KNOTS, PIECES):
         slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
         if segment >= len(law.edges) - 1 >= 0:
             mu_pk *= law.edges[len(law.edges) - 1] / pressure
         if creep <= slip_pk + ease * mu_pk:
-            return _on_the_rise(slip_pk, mu_pk, ease, creep)
+            return _on_the_rise(slip_pk, mu_pk, ease, creep, share)
     if ease > 0.0:
         # a law that starts with a jump holds the belt: the lagging alone gives way
         held, _, _ = friction_at(law, segment, PLASTIC if law.kind == LIMIT else 0, 0.0, pressure)
@@ -103,10 +106,15 @@ def _slip_and_friction(
     return mu, x
 
 
-def _on_the_rise(slip_pk: float, mu_pk: float, ease: float, creep: float) -> tuple[float, float]:
+def _on_the_rise(
+    slip_pk: float, mu_pk: float, ease: float, creep: float, share: float
+) -> tuple[float, float]:
     """The same before the peak of an integral-log law: r (1 + k (1 - ln r)) = w."""
     k, w = ease * mu_pk / slip_pk, creep / slip_pk
-    r = max(min(w / (1.0 + k * (1.0 - log(max(min(w, 1.0), SMALLEST)))), 1.0), 1e-300)
+    r = share * w
+    if share == 1.0:  # nothing is known
+        r = w / (1.0 + k * (1.0 - log(max(min(w, 1.0), SMALLEST))))
+    r = max(min(r, 1.0), 1e-300)
     for _ in range(30):
         lr = log(r)
         change = (r * (1.0 + k * (1.0 - lr)) - w) / (1.0 - k * lr)
@@ -116,29 +124,43 @@ def _on_the_rise(slip_pk: float, mu_pk: float, ease: float, creep: float) -> tup
     return mu_pk * r * (1.0 - log(r)), r * slip_pk
 
 
-def _growth(law: CompactLaw, par: Parameters, rest: float, u: float, w: float) -> float:
-    """dw/ds = C B tau [1/m]."""
-    tau, _ = friction_of_creep(law, par, rest - w / par.compliance, u)
-    return par.compliance * par.width * tau
+def _growth(
+    law: CompactLaw, par: Parameters, rest: float, u: float, w: float, share: float
+) -> tuple[float, float]:
+    """dw/ds = C B tau [1/m], and slip over creep; `share` is a first guess of that."""
+    if u == 0.0:
+        return 0.0, share
+    tension = rest - w / par.compliance
+    p = par.entry_pressure * max(tension / par.entry_tension, 1e-9)
+    mu, x = _slip_and_friction(law, par.shear * p, p, abs(u), share)
+    growth = par.compliance * par.width * mu * p
+    return (growth if u > 0.0 else -growth), x / abs(u)
 
 
 def layer_step(
     law: CompactLaw, par: Parameters, rest: float, u: float, w: float, h: float
 ) -> tuple[float, float]:
     """One step of length h, which may be negative: creep and creep ratio at its end."""
-    a1, b1 = h * w, h * _growth(law, par, rest, u, w)
+    g1, x = _growth(law, par, rest, u, w, 1.0)
+    a1, b1 = h * w, h * g1
     v = w + to_second(b1)
-    a2, b2 = h * v, h * _growth(law, par, rest, u + to_second(a1), v)
+    g2, x = _growth(law, par, rest, u + to_second(a1), v, x)
+    a2, b2 = h * v, h * g2
     v = w + to_third(b2)
-    a3, b3 = h * v, h * _growth(law, par, rest, u + to_third(a2), v)
+    g3, x = _growth(law, par, rest, u + to_third(a2), v, x)
+    a3, b3 = h * v, h * g3
     v = w + to_fourth(b1, b2, b3)
-    a4, b4 = h * v, h * _growth(law, par, rest, u + to_fourth(a1, a2, a3), v)
+    g4, x = _growth(law, par, rest, u + to_fourth(a1, a2, a3), v, x)
+    a4, b4 = h * v, h * g4
     v = w + to_fifth(b1, b2, b3, b4)
-    a5, b5 = h * v, h * _growth(law, par, rest, u + to_fifth(a1, a2, a3, a4), v)
+    g5, x = _growth(law, par, rest, u + to_fifth(a1, a2, a3, a4), v, x)
+    a5, b5 = h * v, h * g5
     v = w + to_sixth(b2, b3, b4, b5)
-    a6, b6 = h * v, h * _growth(law, par, rest, u + to_sixth(a2, a3, a4, a5), v)
+    g6, x = _growth(law, par, rest, u + to_sixth(a2, a3, a4, a5), v, x)
+    a6, b6 = h * v, h * g6
     v = w + to_last(b1, b2, b3, b4, b6)
-    a7, b7 = h * v, h * _growth(law, par, rest, u + to_last(a1, a2, a3, a4, a6), v)
+    g7, x = _growth(law, par, rest, u + to_last(a1, a2, a3, a4, a6), v, x)
+    a7, b7 = h * v, h * g7
     return u + to_end(a1, a3, a4, a5, a6, a7), w + to_end(b1, b3, b4, b5, b6, b7)
 
 

@@ -1271,11 +1271,15 @@ export function stick__holds(law, par, length, end_creep) {
 }
 
 /** The same before the peak of an integral-log law: r (1 + k (1 - ln r)) = w. */
-export function layer_march___on_the_rise(slip_pk, mu_pk, ease, creep) {
+export function layer_march___on_the_rise(slip_pk, mu_pk, ease, creep, share) {
   let change, lr;
   let k = (ease * mu_pk) / slip_pk;
   let w = creep / slip_pk;
-  let r = max(min(w / (1.0 + k * (1.0 - Math.log(max(min(w, 1.0), SMALLEST)))), 1.0), 1e-300);
+  let r = share * w;
+  if (share === 1.0) {
+    r = w / (1.0 + k * (1.0 - Math.log(max(min(w, 1.0), SMALLEST))));
+  }
+  r = max(min(r, 1.0), 1e-300);
   for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
     lr = Math.log(r);
     change = (r * (1.0 + k * (1.0 - lr)) - w) / (1.0 - k * lr);
@@ -1354,10 +1358,10 @@ export function compact__branch_of(law, segment, slip, pressure) {
 }
 
 /** Friction [-] and slip x [m] with x + ease mu(x) = creep (Newton, inside a bracket). */
-export function layer_march___slip_and_friction(law, ease, pressure, creep) {
+export function layer_march___slip_and_friction(law, ease, pressure, creep, share) {
   let branch, held, miss, mu_pk, mu_x, slip_pk, slope;
   let segment = compact__segment_of(law, pressure);
-  let x = creep;
+  let x = share * creep;
   if (law.kind === KNOTS || law.kind === PIECES) {
     const found1 = compact__peak(law, segment, pressure);
     slip_pk = found1[0];
@@ -1366,7 +1370,7 @@ export function layer_march___slip_and_friction(law, ease, pressure, creep) {
       mu_pk *= law.edges[law.edges.length - 1] / pressure;
     }
     if (creep <= slip_pk + ease * mu_pk) {
-      return layer_march___on_the_rise(slip_pk, mu_pk, ease, creep);
+      return layer_march___on_the_rise(slip_pk, mu_pk, ease, creep, share);
     }
   }
   if (ease > 0.0) {
@@ -1414,7 +1418,7 @@ export function layer_march__friction_of_creep(law, par, tension, u) {
     return [0.0, 0.0];
   }
   let p = par.entry_pressure * max(tension / par.entry_tension, 1e-9);
-  const found1 = layer_march___slip_and_friction(law, par.shear * p, p, Math.abs(u));
+  const found1 = layer_march___slip_and_friction(law, par.shear * p, p, Math.abs(u), 1.0);
   let mu = found1[0];
   let x = found1[1];
   return u > 0.0 ? [mu * p, x] : [-mu * p, -x];
@@ -1501,11 +1505,18 @@ export function layer_march___note(path, s, u, w) {
   }
 }
 
-/** dw/ds = C B tau [1/m]. */
-export function layer_march___growth(law, par, rest, u, w) {
-  const found1 = layer_march__friction_of_creep(law, par, rest - w / par.compliance, u);
-  let tau = found1[0];
-  return par.compliance * par.width * tau;
+/** dw/ds = C B tau [1/m], and slip over creep; `share` is a first guess of that. */
+export function layer_march___growth(law, par, rest, u, w, share) {
+  if (u === 0.0) {
+    return [0.0, share];
+  }
+  let tension = rest - w / par.compliance;
+  let p = par.entry_pressure * max(tension / par.entry_tension, 1e-9);
+  const found1 = layer_march___slip_and_friction(law, par.shear * p, p, Math.abs(u), share);
+  let mu = found1[0];
+  let x = found1[1];
+  let growth = par.compliance * par.width * mu * p;
+  return [u > 0.0 ? growth : -growth, x / Math.abs(u)];
 }
 
 /** Increment to the second stage, at 1/3. */
@@ -1545,26 +1556,55 @@ export function butcher__to_end(k1, k3, k4, k5, k6, k7) {
 
 /** One step of length h, which may be negative: creep and creep ratio at its end. */
 export function layer_march__layer_step(law, par, rest, u, w, h) {
+  let g2, g3, g4, g5, g6, g7;
+  const found1 = layer_march___growth(law, par, rest, u, w, 1.0);
+  let g1 = found1[0];
+  let x = found1[1];
   let a1 = h * w;
-  let b1 = h * layer_march___growth(law, par, rest, u, w);
+  let b1 = h * g1;
   let v = w + butcher__to_second(b1);
+  const found2 = layer_march___growth(law, par, rest, u + butcher__to_second(a1), v, x);
+  g2 = found2[0];
+  x = found2[1];
   let a2 = h * v;
-  let b2 = h * layer_march___growth(law, par, rest, u + butcher__to_second(a1), v);
+  let b2 = h * g2;
   v = w + butcher__to_third(b2);
+  const found3 = layer_march___growth(law, par, rest, u + butcher__to_third(a2), v, x);
+  g3 = found3[0];
+  x = found3[1];
   let a3 = h * v;
-  let b3 = h * layer_march___growth(law, par, rest, u + butcher__to_third(a2), v);
+  let b3 = h * g3;
   v = w + butcher__to_fourth(b1, b2, b3);
+  const found4 = layer_march___growth(law, par, rest, u + butcher__to_fourth(a1, a2, a3), v, x);
+  g4 = found4[0];
+  x = found4[1];
   let a4 = h * v;
-  let b4 = h * layer_march___growth(law, par, rest, u + butcher__to_fourth(a1, a2, a3), v);
+  let b4 = h * g4;
   v = w + butcher__to_fifth(b1, b2, b3, b4);
+  const found5 = layer_march___growth(law, par, rest, u + butcher__to_fifth(a1, a2, a3, a4), v, x);
+  g5 = found5[0];
+  x = found5[1];
   let a5 = h * v;
-  let b5 = h * layer_march___growth(law, par, rest, u + butcher__to_fifth(a1, a2, a3, a4), v);
+  let b5 = h * g5;
   v = w + butcher__to_sixth(b2, b3, b4, b5);
+  const found6 = layer_march___growth(law, par, rest, u + butcher__to_sixth(a2, a3, a4, a5), v, x);
+  g6 = found6[0];
+  x = found6[1];
   let a6 = h * v;
-  let b6 = h * layer_march___growth(law, par, rest, u + butcher__to_sixth(a2, a3, a4, a5), v);
+  let b6 = h * g6;
   v = w + butcher__to_last(b1, b2, b3, b4, b6);
+  const found7 = layer_march___growth(
+    law,
+    par,
+    rest,
+    u + butcher__to_last(a1, a2, a3, a4, a6),
+    v,
+    x,
+  );
+  g7 = found7[0];
+  x = found7[1];
   let a7 = h * v;
-  let b7 = h * layer_march___growth(law, par, rest, u + butcher__to_last(a1, a2, a3, a4, a6), v);
+  let b7 = h * g7;
   return [u + butcher__to_end(a1, a3, a4, a5, a6, a7), w + butcher__to_end(b1, b3, b4, b5, b6, b7)];
 }
 
@@ -2105,16 +2145,16 @@ export function creep_step__cell_step(law, par, g, segment, branch, sign, q, x) 
   return min(part, max(1.02 * left, 0.0) + 0.01 * part) / Math.abs(rate);
 }
 
-/** Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]. */
-export function creep_step__slip_at_entry(law, par, creep, q) {
+/** `slip_at_entry` with a first guess of slip over creep, 1 for none. */
+export function creep_step___slip_near(law, par, creep, q, share) {
   let branch, dx, f, mu, mu_pk, mu_x, r, slip_pk, x_new;
   let p = step__pressure_at(par, q);
   let shear = par.shear;
   let segment = compact__segment_of(law, p);
   let low = 0.0;
   let high = creep;
-  let x = creep;
-  if (law.kind === KNOTS || law.kind === PIECES) {
+  let x = share > 0.0 ? share * creep : creep;
+  if (share === 1.0 && (law.kind === KNOTS || law.kind === PIECES)) {
     const found1 = compact__peak(law, segment, p);
     slip_pk = found1[0];
     mu_pk = found1[1];
@@ -2148,11 +2188,11 @@ export function creep_step__slip_at_entry(law, par, creep, q) {
   return x;
 }
 
-/** Shear stress that belongs to a creep [Pa]. */
-export function creep_step___stress_of_creep(law, par, q, u) {
+/** Shear stress that belongs to a creep [Pa], and slip over creep, with a guess of it. */
+export function creep_step___stress_of_creep(law, par, q, u, share) {
   let p, segment, tau;
   let size = Math.abs(u);
-  let x = creep_step__slip_at_entry(law, par, size, q);
+  let x = creep_step___slip_near(law, par, size, q, share);
   if (size - x > 1e-6 * size) {
     tau = (size - x) / par.shear;
   } else {
@@ -2160,20 +2200,23 @@ export function creep_step___stress_of_creep(law, par, q, u) {
     segment = compact__segment_of(law, p);
     tau = p * compact__friction_at(law, segment, compact__branch_of(law, segment, x, p), x, p)[0];
   }
-  return u > 0.0 ? tau : -tau;
+  return [u > 0.0 ? tau : -tau, size > 0.0 ? x / size : 1.0];
 }
 
-/** Changes of q, creep u and tau du over z of the arc. */
-export function creep_step___creep_rates(law, par, g, z, q, u) {
+/** Changes of q, creep u and tau du over z of the arc, and slip over creep. */
+export function creep_step___creep_rates(law, par, g, z, q, u, share) {
+  let tau;
   let p = step__pressure_at(par, q);
-  let tau = creep_step___stress_of_creep(law, par, q, u);
+  const found1 = creep_step___stress_of_creep(law, par, q, u, share);
+  tau = found1[0];
+  share = found1[1];
   let du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z;
-  return [(-tau / (p * par.radius)) * z, du, tau * du];
+  return [(-tau / (p * par.radius)) * z, du, tau * du, share];
 }
 
 /** `wraparc.arc.kernel.step.step` with creep as the state, and the table as it is throughout. */
 export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
-  let mu;
+  let a2, a3, a4, a5, a6, a7, b2, b3, b4, b5, b6, b7, mu, w3, w4, w5, w6, w7;
   let f = MESH_POWER * span;
   let z = xi ** 3 * f * h;
   let p = step__pressure_at(par, q);
@@ -2188,10 +2231,19 @@ export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
   mu = found1[0];
   let tau = sign * mu * p;
   let u = x + par.shear * tau;
-  const found2 = creep_step___creep_rates(law, par, g, z, q, u);
+  const found2 = creep_step___creep_rates(
+    law,
+    par,
+    g,
+    z,
+    q,
+    u,
+    u !== 0.0 ? (sign * x) / Math.abs(u) : 1.0,
+  );
   let a1 = found2[0];
   let b1 = found2[1];
   let w1 = found2[2];
+  let n = found2[3];
   let z3 = (xi + h / 3.0) ** 3 * f * h;
   const found3 = creep_step___creep_rates(
     law,
@@ -2200,9 +2252,11 @@ export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
     z3,
     q + butcher__to_second(a1),
     u + butcher__to_second(b1),
+    n,
   );
-  let a2 = found3[0];
-  let b2 = found3[1];
+  a2 = found3[0];
+  b2 = found3[1];
+  n = found3[3];
   z = (xi + (h * 2.0) / 3.0) ** 3 * f * h;
   const found4 = creep_step___creep_rates(
     law,
@@ -2211,41 +2265,48 @@ export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
     z,
     q + butcher__to_third(a2),
     u + butcher__to_third(b2),
+    n,
   );
-  let a3 = found4[0];
-  let b3 = found4[1];
-  let w3 = found4[2];
+  a3 = found4[0];
+  b3 = found4[1];
+  w3 = found4[2];
+  n = found4[3];
   let q4 = q + butcher__to_fourth(a1, a2, a3);
   let u4 = u + butcher__to_fourth(b1, b2, b3);
-  const found5 = creep_step___creep_rates(law, par, g, z3, q4, u4);
-  let a4 = found5[0];
-  let b4 = found5[1];
-  let w4 = found5[2];
+  const found5 = creep_step___creep_rates(law, par, g, z3, q4, u4, n);
+  a4 = found5[0];
+  b4 = found5[1];
+  w4 = found5[2];
+  n = found5[3];
   z = (xi + 0.5 * h) ** 3 * f * h;
   let q5 = q + butcher__to_fifth(a1, a2, a3, a4);
   let u5 = u + butcher__to_fifth(b1, b2, b3, b4);
-  const found6 = creep_step___creep_rates(law, par, g, z, q5, u5);
-  let a5 = found6[0];
-  let b5 = found6[1];
-  let w5 = found6[2];
+  const found6 = creep_step___creep_rates(law, par, g, z, q5, u5, n);
+  a5 = found6[0];
+  b5 = found6[1];
+  w5 = found6[2];
+  n = found6[3];
   let q6 = q + butcher__to_sixth(a2, a3, a4, a5);
   let u6 = u + butcher__to_sixth(b2, b3, b4, b5);
-  const found7 = creep_step___creep_rates(law, par, g, z, q6, u6);
-  let a6 = found7[0];
-  let b6 = found7[1];
-  let w6 = found7[2];
+  const found7 = creep_step___creep_rates(law, par, g, z, q6, u6, n);
+  a6 = found7[0];
+  b6 = found7[1];
+  w6 = found7[2];
+  n = found7[3];
   z = (xi + h) ** 3 * f * h;
   let q7 = q + butcher__to_last(a1, a2, a3, a4, a6);
   let u7 = u + butcher__to_last(b1, b2, b3, b4, b6);
-  const found8 = creep_step___creep_rates(law, par, g, z, q7, u7);
-  let a7 = found8[0];
-  let b7 = found8[1];
-  let w7 = found8[2];
+  const found8 = creep_step___creep_rates(law, par, g, z, q7, u7, n);
+  a7 = found8[0];
+  b7 = found8[1];
+  w7 = found8[2];
+  n = found8[3];
   let q_end = q + butcher__to_end(a1, a3, a4, a5, a6, a7);
   let u_end = u + butcher__to_end(b1, b3, b4, b5, b6, b7);
-  let x_end = creep_step__slip_at_entry(law, par, Math.abs(u_end), q_end);
+  let x_end = creep_step___slip_near(law, par, Math.abs(u_end), q_end, n);
   x_end = u_end > 0.0 ? x_end : -x_end;
-  let tau_end = creep_step___stress_of_creep(law, par, q_end, u_end);
+  const found9 = creep_step___stress_of_creep(law, par, q_end, u_end, n);
+  let tau_end = found9[0];
   let stored = 0.5 * par.shear * (tau_end ** 2 - tau ** 2);
   return [q_end, x_end, butcher__to_end(w1, w3, w4, w5, w6, w7) - stored];
 }
@@ -2967,6 +3028,11 @@ export function effort__ratio_of(par, z) {
     return par.side * SMALL_RATIO * Math.sinh(z);
   }
   return par.side * SMALL_RATIO * Math.exp(z);
+}
+
+/** Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]. */
+export function creep_step__slip_at_entry(law, par, creep, q) {
+  return creep_step___slip_near(law, par, creep, q, 1.0);
 }
 
 /** March while the creep of the kick is used up, with creep as the independent variable. */
