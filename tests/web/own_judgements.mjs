@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
 import { judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
+import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
 import { checkTable, verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
 
 const { form, cases } = JSON.parse(readFileSync(0, "utf-8"));
@@ -15,7 +16,8 @@ const told = cases.map(({ doc, answer, changed }) => {
     app.units = units;
     const { rows, note } = checkTable(found, answer.checks);
     const cells = rows.map((r) => [r.title, ...r.values[units], r.note, r.level]);
-    return { verdict: verdictOf(found), rows: cells, note };
+    const least = leastTold(found, answer.least_tension);
+    return { verdict: verdictOf(found), rows: cells, note, least };
   };
   return { arcs, si: texts("si"), us: texts("us") };
 });

@@ -12,10 +12,11 @@ import pytest
 
 from web.test_in_page import DRIVES, drives, with_value
 from wraparc.arc import DriveResult, solve
-from wraparc.checks import judge
+from wraparc.checks import judge, least_tension
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.present.checks_table import check_table
+from wraparc.present.least_tension import least_sentence, least_table, shown_least
 from wraparc.present.words import short
 from wraparc.units import System, display_unit
 from wraparc.web.answers.documents import read
@@ -46,16 +47,25 @@ def solved(document: Data, *, capacities: bool = False) -> DriveResult:
     return solve(drive, method=main_solver(capacities=capacities), raise_on_failure=False)
 
 
-def base_of(document: Data) -> Data:
+def base_of(document: Data, *, capacities: bool = False) -> Data:
     """Return of a solved drive what the page goes on from."""
-    result = solved(document)
+    result = solved(document, capacities=capacities)
     ready = judging(document, result)
     checks = tables(lambda system: [check_table(judge(result), system)], ["checks"])[0]
     construct: Any = SolveAnswer.model_construct  # written as the server writes it
     return {
         "judging": json.loads(construct(judging=ready).model_dump_json())["judging"],
         "checks": json.loads(checks.model_dump_json()),
+        "least_tension": least_of(result),
     }
+
+
+def least_of(result: DriveResult) -> Data | None:
+    """Return the least slack-side tension with the table that its numbers go into."""
+    if least_tension(result) is None:
+        return None
+    table = tables(lambda system: [least_table(result, system)], ["least"])[0]
+    return {"table": json.loads(table.model_dump_json())}
 
 
 def moved(document: Data, ready: Data, move: dict[str, float]) -> Data:
@@ -187,3 +197,36 @@ def test_most_drives_are_judged_and_end_in_every_way(
     assert len(judged) > 0.8 * len(compared)
     levels = {there["si"]["verdict"][0] for there in judged if "verdict" in there["si"]}
     assert {"OK", "ATTENTION", "FAILS"} <= levels
+
+
+#: Drives whose least tension is set by creep, by gross slip, by nothing that there is.
+LEAST: dict[str, tuple[str, dict[str, float]]] = {
+    "creep": ("head-drive-fabric", {"exit_tension": 1.1, "diameter": 1.1}),
+    "gross slip": ("head-drive-fabric", {"width": 2.0, "modulus": 8.0}),
+    "none": ("head-drive-fabric", {"entry_tension": 9.0}),
+    "test pulley": ("test-pulley-calibrated", {"wrap_angle": 0.98}),
+}
+
+
+def test_the_least_slack_side_tension_is_that_of_python() -> None:
+    # expected: least_tension of the solved drive, with its sentence and table
+    bases = {name: base_of(DRIVES[name], capacities=True) for name, _ in LEAST.values()}
+    cases = [
+        {"doc": DRIVES[n], "answer": bases[n], "changed": moved(DRIVES[n], bases[n]["judging"], m)}
+        for n, m in LEAST.values()
+    ]
+    governs = set()
+    for case, told_ in zip(cases, in_node(cases), strict=True):
+        result = solved(case["changed"], capacities=True)
+        found = least_tension(result)
+        assert found is not None
+        governs.add("none" if math.isinf(found.tension) else found.governing.name)
+        for system in SYSTEMS:
+            there, table = told_[system]["least"], least_table(result, system)
+            assert table is not None
+            assert there["sentence"] == least_sentence(result, system)
+            assert there["shown"] == shown_least(result, system)
+            assert there["level"] == ("OK" if found.tension <= found.given else "ATTENTION")
+            rows = [[r["title"], r["values"][system][0], r["note"]] for r in there["table"]["rows"]]
+            assert rows == [[r.title, r.values[0], r.note] for r in table.rows]
+    assert len(governs) > 1

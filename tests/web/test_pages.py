@@ -455,10 +455,16 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         assert key_figure(visitor, "Creep at exit") == (creep if arc["status"] == "solved" else "–")
         found = key_figure(visitor, "Margin to the creep limit")
         assert found == display(arc["creep_limit_margin"], "number", digits=RESULT_DIGITS)
+        least = told["least_tension"]
+        shown = page.locator("#verdict .verdict li").first.inner_text()
+        assert shown == least["sentence"]
+        tension = least["tension"]
+        found = key_figure(visitor, "Least slack-side tension")
+        assert found == ("none" if tension is None else display(tension, "force", digits=3))
         rows = page.locator("#drive .t-checks tbody tr")
         judged = [c for c in verdict["checks"] if c["level"] != "NOT CHECKED"]
-        shown = [row.split("\t") for row in rows.all_inner_texts()]
-        assert [s[0] for s in shown] == [c["title"] for c in judged if c["name"] != "data"]
+        titles = [row.partition("\t")[0] for row in rows.all_inner_texts()]
+        assert titles == [c["title"] for c in judged if c["name"] != "data"]
     page.unroute_all(behavior="ignoreErrors")
     assert levels == {"OK", "ATTENTION", "FAILS"}
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.kernel import gross_slip as kernel
+from wraparc.checks.least_numbers import tight_at_slip
 from wraparc.drive import TakeUp
 
 Array = NDArray[np.float64]
@@ -67,11 +68,7 @@ class Grip:
 
         The root of ln(T/(T - pull)) = q(T); inf if no tension carries it.
         """
-        if pull <= 0.0:
-            return 0.0
-        # in units of the pull: T = k pull
-        line = kernel.Line(pull, 0.0, pull, pull)
-        return pull * kernel.slip_place(self.law, self.numbers, line, -1.0, 1.0)
+        return tight_at_slip(self.law, self.numbers, pull)
 
 
 @dataclass(frozen=True)

@@ -4,27 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.arc.kernel.answer import solve_tension
-from wraparc.arc.kernel.capacity import carry, meet
-from wraparc.arc.kernel.effort import SLIP, Aim
-from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import Grip, grip_of, rises
+from wraparc.checks.gross_slip import grip_of, rises
+from wraparc.checks.least_numbers import ROUNDS, Pull, Safety, least_for_slip, lift_for_grip
 from wraparc.checks.of_arc import design_slack
 from wraparc.checks.rules import idle, tension_factor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
 nan, inf = math.nan, math.inf
-_STEPS = 24
-#: Change of a tension that a largest ratio is sought anew for [-], and how often at most.
-_SETTLED, _ROUNDS = 1e-4, 6
 
 
 @dataclass(frozen=True)
@@ -155,7 +149,7 @@ def _of(result: DriveResult) -> LeastTension | None:
         arcs = by_case[place.load_case]
         index = [a.arc.pulley for a in arcs].index(place.pulley)
         end = ends[place.load_case]
-        worst["gross_slip"] = _gross_slip(drive, cases[place.load_case], arcs, index, end, _ROUNDS)
+        worst["gross_slip"] = _gross_slip(drive, cases[place.load_case], arcs, index, end, ROUNDS)
         found = LeastTension(tuple(worst.values()), 0.0, 0.0)
     weight = drive.criteria.take_up.counterweight(found.tension)
     return LeastTension(found.figures, ends[found.governing.place.load_case], weight)
@@ -225,39 +219,13 @@ def _slip(arc: WrapArc, offset: float, place: Place) -> Iterator[Figure]:
 
 def _least_for_slip(arc: WrapArc, limit: float) -> float:
     """Least slack-side tension with which the slip at the exit keeps a limit, the pull held [N]."""
-    law, geometry = arc.law.compact(), arc.geometry()
-    pull = abs(arc.effective_tension)
-    tight = max(arc.entry_tension, arc.exit_tension)
-    tested = arc.law.tested
+    return least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
+
+
+def _pull_of(arc: WrapArc) -> Pull:
+    tight, tested = max(arc.entry_tension, arc.exit_tension), arc.law.tested
     top = tested.pressure_max * arc.width * arc.radius if tested is not None else 1e3 * tight
-    outcome, z, entry, _ = carry(law, geometry, tight, Aim(SLIP, limit), nan, _STEPS)
-    if outcome == SOLVED:
-        met, _, entry, shot, growth = meet(
-            law, geometry, Aim(SLIP, limit), True, pull, entry, z, 1.5 * top, _STEPS
-        )
-        found = max(entry, entry * math.exp(shot.log_tension))
-        if met and growth > 0.0 and found <= top:
-            return found - pull
-    return _by_halving(arc, limit, pull, top)
-
-
-def _by_halving(arc: WrapArc, limit: float, pull: float, top: float) -> float:
-    law, geometry = arc.law.compact(), arc.geometry()
-
-    def slips(tight: float) -> float:
-        slack = tight - pull
-        entry, leaving = (tight, slack) if arc.side > 0.0 else (slack, tight)
-        par = parameters_at(entry, geometry)
-        found = solve_tension(law, par, leaving, _STEPS)
-        return abs(found.shot.slip) if found.outcome == SOLVED else inf
-
-    low, high = pull * (1.0 + 1e-6), top
-    if low >= high or slips(high) > limit:
-        return inf
-    while high - low > 1e-6 * high:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if slips(middle) > limit else (low, middle)
-    return high - pull
+    return Pull(abs(arc.effective_tension), tight, top)
 
 
 def _gross_slip(
@@ -270,25 +238,12 @@ def _gross_slip(
 ) -> Figure:
     """Return what the safety factor on gross slip asks for, with what the take-up holds.
 
-    Where friction falls past its peak the largest ratio is sought anew, so many times, at the
-    tension that was found.
+    See `lift_for_grip`.
     """
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
-    rise = rises(arcs, index, drive.criteria.take_up)
-    pull = factor * abs(arc.effective_tension)
-    tight = max(arc.entry_tension, arc.exit_tension)
-    lift, grip = 0.0, grip_of(arcs[index])
-    for i in range(rounds):
-        # all tensions rise by the lift, and then with the pull
-        found = grip.tight_for(pull) - tight - (factor - 1.0) * rise.tight
-        settled = not grip.softens or abs(found - lift) <= _SETTLED * tight
-        lift = found
-        if settled or math.isinf(lift) or i == rounds - 1:
-            break
-        raised = replace(
-            arc, entry_tension=arc.entry_tension + lift, exit_tension=arc.exit_tension + lift
-        )
-        grip = Grip(raised)
+    rise, grip = rises(arcs, index, drive.criteria.take_up), grip_of(arcs[index])
+    safety = Safety(factor, rise.tight, grip.softens)
+    lift = lift_for_grip(grip.law, arc.geometry(), grip.numbers, _pull_of(arc), safety, rounds)
     title = f"Safety {factor:g} against gross slip"
     place = Place(arc.pulley, case.name)
     return Figure("gross_slip", title, end + lift, place)

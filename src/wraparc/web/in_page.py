@@ -6,11 +6,11 @@ checks (`wraparc.web.answers.judged`), the page replaces the numbers that are mo
 
 from __future__ import annotations
 
-from math import nan
+from math import inf, nan
 from typing import NamedTuple
 
 from wraparc.arc.constant_friction import wrap_factor
-from wraparc.arc.kernel.answer import CAPACITIES, Carried, find_capacities
+from wraparc.arc.kernel.answer import CAPACITIES, find_capacities
 from wraparc.arc.kernel.gross_slip import Grip, Line
 from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
@@ -27,6 +27,7 @@ from wraparc.arc.summary import (
     summary_of,
     too_steep,
 )
+from wraparc.checks.least_numbers import ROUNDS, Pull, Safety, least_for_slip, lift_for_grip
 from wraparc.checks.numbers import (
     Compared,
     Criteria,
@@ -157,6 +158,7 @@ class Judged(NamedTuple):
     values: Compared
     limits: Compared
     held: float  # what the take-up holds [N]
+    asked: Asked
 
 
 def judged(
@@ -186,7 +188,9 @@ def judged(
     summary = summary_of(law, arc, tested, found, out, count)
     carried = find_capacities(law, geometry, load, CAPACITIES, STEPS)
     solved = found.outcome == SOLVED
-    factor = pull_factor_of(law, given, arc, criteria, carried)
+    grip = grip_of(law, given, arc, carried.gross_slip)
+    limits = limits_of(given, arc, tested, criteria)
+    factor = pull_factor_of(law, grip, arc, criteria)
     values = Compared(
         gross_slip=max(factor, 1.0) if solved else min(factor, 1.0),
         design_standard=min(entry, leaving),
@@ -219,23 +223,76 @@ def judged(
         summary,
         capacity_numbers(entry, leaving, arc.wrap_angle, carried),
         values,
-        limits_of(given, arc, tested, criteria),
+        limits,
         entry + leaving if criteria.fixed else held,
+        asked_of(law, arc, grip, carried.least_slack, limits, given, criteria),
     )
 
 
-def pull_factor_of(
-    law: CompactLaw, given: Given, arc: Description, criteria: Criteria, carried: Carried
-) -> float:
+def grip_of(law: CompactLaw, given: Given, arc: Description, gross_slip: float) -> Grip:
+    """What the friction of an arc can carry, by ln(tight/slack) at gross slip."""
+    area, beyond = arc.width * (0.5 * arc.diameter), 0.0
+    if given.steepest_fall < 0.0:
+        tight = max(arc.entry_tension, arc.exit_tension)
+        beyond = grip_beyond(law, gross_slip, tight / area, arc.wrap_angle)
+    return Grip(arc.wrap_angle, area, beyond)
+
+
+class Asked(NamedTuple):
+    """Tension at the take-up that each check asks for or allows; nan where none does [N]."""
+
+    creep: float
+    tested_slip: float
+    design_standard: float
+    gross_slip: float
+    gross_slip_settled: float
+    tested_pressure_min: float
+    tested_pressure_max: float
+    face_pressure: float
+    belt_tension: float
+    sag: float
+    given: float
+
+
+def asked_of(
+    law: CompactLaw, arc: Description, grip: Grip, least: float, limits: Compared, given: Given,
+    criteria: Criteria,
+) -> Asked:  # fmt: skip
+    """What the checks of an arc ask of the take-up, its pull held."""
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    tight, slack, area = max(entry, leaving), min(entry, leaving), grip.area
+    end = leaving if criteria.behind or entry >= leaving else entry
+    top = 1e3 * tight
+    if limits.tested_pressure_max == limits.tested_pressure_max:
+        top = limits.tested_pressure_max * area
+    of, by_slip = Pull(abs(entry - leaving), tight, top), nan
+    geometry = geometry_of(arc, law.onset_compliance)
+    if limits.tested_slip < given.creep_limit:
+        by_slip = least_for_slip(law, geometry, of, limits.tested_slip)
+    rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)[0]
+    safety = Safety(criteria.safety, rise, given.steepest_fall < 0.0)
+    return Asked(
+        creep=end - slack + (least if least == least else inf),
+        tested_slip=end - slack + by_slip,
+        design_standard=end - slack + limits.design_standard,
+        gross_slip=end + lift_for_grip(law, geometry, grip, of, safety, 1),
+        gross_slip_settled=end + lift_for_grip(law, geometry, grip, of, safety, ROUNDS),
+        tested_pressure_min=end - slack + limits.tested_pressure_min * area,
+        tested_pressure_max=end - tight + limits.tested_pressure_max * area,
+        face_pressure=end - tight + limits.face_pressure * area,
+        belt_tension=end - tight + limits.belt_tension,
+        sag=limits.sag + end - (leaving if entry >= leaving else entry),
+        given=end,
+    )
+
+
+def pull_factor_of(law: CompactLaw, grip: Grip, arc: Description, criteria: Criteria) -> float:
     """Pull at gross slip over the pull, with what the take-up holds [-]."""
     entry, leaving = arc.entry_tension, arc.exit_tension
     tight, slack = max(entry, leaving), min(entry, leaving)
-    area, beyond = arc.width * (0.5 * arc.diameter), 0.0
-    if given.steepest_fall < 0.0:
-        beyond = grip_beyond(law, carried.gross_slip, tight / area, arc.wrap_angle)
     tight_rise, slack_rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)
     line = Line(tight, slack, tight_rise, slack_rise)
-    return pull_at_slip(law, Grip(arc.wrap_angle, area, beyond), line)
+    return pull_at_slip(law, grip, line)
 
 
 def limits_of(

@@ -5,12 +5,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult, Status
-from wraparc.checks import Check, Level, idle, judge
+from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
+from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked, by_table, design_friction_of
+from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
 from wraparc.checks.of_arc import BALANCE
 from wraparc.checks.rules import start_factor, tension_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+from wraparc.present.least_tension import least_name
 from wraparc.schema.source import Document
 from wraparc.units import Dimension
 from wraparc.web.answers.prepared import Plain, Prepared, elsewhere, prepared
@@ -50,6 +53,17 @@ class Words(Plain):
     when: str = ""
 
 
+class Ask(Plain):
+    """What a check asks of the slack side, but for the tension; `what` sets it, in words."""
+
+    name: str
+    title: str
+    what: str
+    place: str
+    binding: bool
+    at_least: bool
+
+
 class JudgedCase(Plain):
     """One load case: its arc as numbers, and its checks."""
 
@@ -59,6 +73,7 @@ class JudgedCase(Plain):
     tested: Tested | None
     criteria: dict[str, float]
     checks: list[Words]
+    asks: list[Ask]
 
 
 class Judging(Plain):
@@ -67,6 +82,8 @@ class Judging(Plain):
     levels: list[Level]
     qualifier: str
     take_up: bool
+    least_name: str
+    counterweight: float
     cases: list[JudgedCase]
     checks: list[Words]
 
@@ -80,7 +97,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
     if odd or drive.pulleys[0].across or any(c.name in _SERVERS for c in verdict.checks):
         return None
     first, other = (_checks(result, status) for status in (Status.SOLVED, Status.BREAKAWAY))
-    cases = []
+    cases, asks = [], _asks(result)
     for case in drive.load_cases:
         ready = prepared(document, drive, drive.pulleys[0], case)
         if ready is None:
@@ -94,15 +111,42 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
                 tested=None if law.tested is None else Tested.model_validate(law.tested),
                 criteria={k: float(v) for k, v in _criteria(drive, case)._asdict().items()},
                 checks=list(_either(_of(first, case), _of(other, case))),
+                asks=asks[case.name],
             )
         )
     return Judging(
         levels=list(Level),
         qualifier=verdict.qualifier,
         take_up=bool(drive.criteria.take_up.kind),
+        least_name=least_name(result),
+        counterweight=drive.criteria.take_up.counterweight(1.0),
         cases=cases,
         checks=[_words(c) for c in first if not c.place.load_case],
     )
+
+
+def _asks(result: DriveResult) -> dict[str, list[Ask]]:
+    """Return what is asked of the slack side in every load case; nothing without capacities."""
+    found: dict[str, list[Ask]] = {case.name: [] for case in result.drive.load_cases}
+    if least_tension(result) is None:
+        return found
+    for case in result.drive.load_cases:
+        place = Place(result.drive.pulleys[0].name, case.name)
+        told = [f for f in figures(result) if f.place.load_case == case.name]
+        if not any(f.name == "tested_slip" for f in told):  # a larger creep limit brings it
+            told.insert(1, Figure("tested_slip", "Largest slip, tested", 0.0, place))
+        found[case.name] = [
+            Ask(
+                name=f.name,
+                title=f.title,
+                what=RULES[f.name].what,
+                place=str(f.place),
+                binding=f.binding,
+                at_least=f.at_least,
+            )
+            for f in told
+        ]
+    return found
 
 
 def _servers(result: ArcResult) -> bool:

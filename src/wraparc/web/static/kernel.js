@@ -494,21 +494,6 @@ export class Carried {
   }
 }
 
-export class Line {
-  constructor(tight, slack, tight_rise, slack_rise) {
-    this.tight = tight;
-    this.slack = slack;
-    this.tight_rise = tight_rise;
-    this.slack_rise = slack_rise;
-  }
-  *[Symbol.iterator]() {
-    yield this.tight;
-    yield this.slack;
-    yield this.tight_rise;
-    yield this.slack_rise;
-  }
-}
-
 export class Grip {
   constructor(wrap_angle, area, offset) {
     this.wrap_angle = wrap_angle;
@@ -581,6 +566,21 @@ export class Compared {
   }
 }
 
+export class Line {
+  constructor(tight, slack, tight_rise, slack_rise) {
+    this.tight = tight;
+    this.slack = slack;
+    this.tight_rise = tight_rise;
+    this.slack_rise = slack_rise;
+  }
+  *[Symbol.iterator]() {
+    yield this.tight;
+    yield this.slack;
+    yield this.tight_rise;
+    yield this.slack_rise;
+  }
+}
+
 export class CapacityNumbers {
   constructor(
     creep_limit_capacity,
@@ -619,14 +619,82 @@ export class CapacityNumbers {
   }
 }
 
+export class Pull {
+  constructor(pull, tight, top) {
+    this.pull = pull;
+    this.tight = tight;
+    this.top = top;
+  }
+  *[Symbol.iterator]() {
+    yield this.pull;
+    yield this.tight;
+    yield this.top;
+  }
+}
+
+export class Safety {
+  constructor(factor, rise, softens) {
+    this.factor = factor;
+    this.rise = rise;
+    this.softens = softens;
+  }
+  *[Symbol.iterator]() {
+    yield this.factor;
+    yield this.rise;
+    yield this.softens;
+  }
+}
+
+export class Asked {
+  constructor(
+    creep,
+    tested_slip,
+    design_standard,
+    gross_slip,
+    gross_slip_settled,
+    tested_pressure_min,
+    tested_pressure_max,
+    face_pressure,
+    belt_tension,
+    sag,
+    given,
+  ) {
+    this.creep = creep;
+    this.tested_slip = tested_slip;
+    this.design_standard = design_standard;
+    this.gross_slip = gross_slip;
+    this.gross_slip_settled = gross_slip_settled;
+    this.tested_pressure_min = tested_pressure_min;
+    this.tested_pressure_max = tested_pressure_max;
+    this.face_pressure = face_pressure;
+    this.belt_tension = belt_tension;
+    this.sag = sag;
+    this.given = given;
+  }
+  *[Symbol.iterator]() {
+    yield this.creep;
+    yield this.tested_slip;
+    yield this.design_standard;
+    yield this.gross_slip;
+    yield this.gross_slip_settled;
+    yield this.tested_pressure_min;
+    yield this.tested_pressure_max;
+    yield this.face_pressure;
+    yield this.belt_tension;
+    yield this.sag;
+    yield this.given;
+  }
+}
+
 export class Judged {
-  constructor(solved, summary, capacities, values, limits, held) {
+  constructor(solved, summary, capacities, values, limits, held, asked) {
     this.solved = solved;
     this.summary = summary;
     this.capacities = capacities;
     this.values = values;
     this.limits = limits;
     this.held = held;
+    this.asked = asked;
   }
   *[Symbol.iterator]() {
     yield this.solved;
@@ -635,6 +703,7 @@ export class Judged {
     yield this.values;
     yield this.limits;
     yield this.held;
+    yield this.asked;
   }
 }
 
@@ -746,6 +815,9 @@ const _NO_SLACK = 50.0;
 const _GROWTH = 1.6;
 const _ROUNDS = 200;
 const _TOLERANCE = 1e-10;
+const _STEPS = 24;
+const _SETTLED = 0.0001;
+const ROUNDS = 6;
 const HELD = 0.1;
 const BEHIND = 1000000000.0;
 
@@ -5727,6 +5799,61 @@ export function numbers__grip_beyond(law, capacity, pressure, wrap_angle) {
   return capacity - gross_slip__plateau_capacity(law, pressure, wrap_angle);
 }
 
+/** What the friction of an arc can carry, by ln(tight/slack) at gross slip. */
+export function in_page__grip_of(law, given, arc, gross_slip) {
+  let tight;
+  let area = arc.width * (0.5 * arc.diameter);
+  let beyond = 0.0;
+  if (given.steepest_fall < 0.0) {
+    tight = max(arc.entry_tension, arc.exit_tension);
+    beyond = numbers__grip_beyond(law, gross_slip, tight / area, arc.wrap_angle);
+  }
+  return new Grip(arc.wrap_angle, area, beyond);
+}
+
+/** Slack-side tension over effective tension, Cw = 1/(exp(mu phi) - 1) (CEMA) [-]. */
+export function constant_friction__wrap_factor(friction, wrap_angle) {
+  return 1.0 / Math.expm1(friction * wrap_angle);
+}
+
+/** Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]. */
+export function numbers__asked_slack(factor, start, pull) {
+  return factor * start * Math.abs(pull);
+}
+
+/** What the checks of an arc allow. */
+export function in_page__limits_of(given, arc, tested, criteria) {
+  let high, low, slip;
+  low = high = slip = NaN;
+  if (tested !== null) {
+    low = tested.pressure_min;
+    high = tested.pressure_max;
+    slip = tested.slip_max;
+  }
+  let pull = arc.entry_tension - arc.exit_tension;
+  let factor = criteria.factor;
+  if (factor !== factor) {
+    factor = constant_friction__wrap_factor(criteria.standard, arc.wrap_angle);
+  }
+  return new Compared(
+    criteria.safety,
+    numbers__asked_slack(factor, criteria.start, pull),
+    given.creep_limit,
+    criteria.belt_tension * arc.width,
+    criteria.belt_tension * arc.width,
+    criteria.face_pressure,
+    criteria.bond_strength,
+    criteria.fatigue_limit,
+    high,
+    low,
+    slip,
+    criteria.slip_speed,
+    criteria.balance,
+    criteria.sag,
+    criteria.pulley_diameter,
+  );
+}
+
 /** Growth of the tight and of the slack side of a single pulley with its pull [N]. */
 export function numbers__rise_alone(pull, fixed, behind) {
   let size = Math.abs(pull);
@@ -5803,21 +5930,16 @@ export function numbers__pull_at_slip(law, grip, line) {
 }
 
 /** Pull at gross slip over the pull, with what the take-up holds [-]. */
-export function in_page__pull_factor_of(law, given, arc, criteria, carried) {
+export function in_page__pull_factor_of(law, grip, arc, criteria) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
-  let area = arc.width * (0.5 * arc.diameter);
-  let beyond = 0.0;
-  if (given.steepest_fall < 0.0) {
-    beyond = numbers__grip_beyond(law, carried.gross_slip, tight / area, arc.wrap_angle);
-  }
   const found1 = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind);
   let tight_rise = found1[0];
   let slack_rise = found1[1];
   let line = new Line(tight, slack, tight_rise, slack_rise);
-  return numbers__pull_at_slip(law, new Grip(arc.wrap_angle, area, beyond), line);
+  return numbers__pull_at_slip(law, grip, line);
 }
 
 /** Pressure of the belt on the pulley, 2 T/(B D) [Pa]. */
@@ -5883,46 +6005,129 @@ export function summary__capacity_numbers(entry, leaving, wrap_angle, carried) {
   );
 }
 
-/** Slack-side tension over effective tension, Cw = 1/(exp(mu phi) - 1) (CEMA) [-]. */
-export function constant_friction__wrap_factor(friction, wrap_angle) {
-  return 1.0 / Math.expm1(friction * wrap_angle);
+/** Slip at the exit with a tension of the tight side [m]; inf where it is not carried. */
+export function least_numbers___slips(law, geometry, pull, tight) {
+  let entry = geometry.side > 0.0 ? tight : tight - pull;
+  let leaving = geometry.side > 0.0 ? tight - pull : tight;
+  let found = answer__solve_tension(
+    law,
+    quantities__parameters_at(entry, geometry),
+    leaving,
+    _STEPS,
+  );
+  return found.outcome === SOLVED ? Math.abs(found.shot.slip) : Infinity;
 }
 
-/** Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]. */
-export function numbers__asked_slack(factor, start, pull) {
-  return factor * start * Math.abs(pull);
+export function least_numbers___by_halving(law, geometry, of, limit) {
+  let middle;
+  let low = of.pull * (1.0 + 1e-6);
+  let high = of.top;
+  if (low >= high || least_numbers___slips(law, geometry, of.pull, high) > limit) {
+    return Infinity;
+  }
+  while (high - low > 1e-6 * high) {
+    middle = 0.5 * (low + high);
+    if (least_numbers___slips(law, geometry, of.pull, middle) > limit) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return high - of.pull;
 }
 
-/** What the checks of an arc allow. */
-export function in_page__limits_of(given, arc, tested, criteria) {
-  let high, low, slip;
-  low = high = slip = NaN;
-  if (tested !== null) {
-    low = tested.pressure_min;
-    high = tested.pressure_max;
-    slip = tested.slip_max;
+/** Least slack-side tension with which the slip at the exit keeps a limit [N]; inf if none. */
+export function least_numbers__least_for_slip(law, geometry, of, limit) {
+  let found, growth, met, shot;
+  const found1 = capacity__carry(law, geometry, of.tight, new Aim(SLIP, limit), NaN, _STEPS);
+  let outcome = found1[0];
+  let z = found1[1];
+  let entry = found1[2];
+  if (outcome === SOLVED) {
+    const found2 = capacity__meet(
+      law,
+      geometry,
+      new Aim(SLIP, limit),
+      true,
+      of.pull,
+      entry,
+      z,
+      1.5 * of.top,
+      _STEPS,
+    );
+    met = found2[0];
+    entry = found2[2];
+    shot = found2[3];
+    growth = found2[4];
+    found = max(entry, entry * Math.exp(shot.log_tension));
+    if (met && growth > 0.0 && found <= of.top) {
+      return found - of.pull;
+    }
   }
-  let pull = arc.entry_tension - arc.exit_tension;
-  let factor = criteria.factor;
-  if (factor !== factor) {
-    factor = constant_friction__wrap_factor(criteria.standard, arc.wrap_angle);
+  return least_numbers___by_halving(law, geometry, of, limit);
+}
+
+/** Tension of the tight side that just carries a pull at gross slip [N]; inf if none. */
+export function least_numbers__tight_at_slip(law, grip, pull) {
+  if (pull <= 0.0) {
+    return 0.0;
   }
-  return new Compared(
-    criteria.safety,
-    numbers__asked_slack(factor, criteria.start, pull),
-    given.creep_limit,
-    criteria.belt_tension * arc.width,
-    criteria.belt_tension * arc.width,
-    criteria.face_pressure,
-    criteria.bond_strength,
-    criteria.fatigue_limit,
-    high,
-    low,
-    slip,
-    criteria.slip_speed,
-    criteria.balance,
-    criteria.sag,
-    criteria.pulley_diameter,
+  return pull * gross_slip__slip_place(law, grip, new Line(pull, 0.0, pull, pull), -1.0, 1.0);
+}
+
+/** How much all tensions must rise for the safety against gross slip [N]. */
+export function least_numbers__lift_for_grip(law, geometry, grip, of, safety, rounds) {
+  let beyond, found, i, known, raised, settled, tight;
+  let lift = 0.0;
+  for (let each1 = 0, end1 = rounds; each1 < end1; each1++) {
+    i = each1;
+    tight = least_numbers__tight_at_slip(law, grip, safety.factor * of.pull);
+    found = tight - of.tight - (safety.factor - 1.0) * safety.rise;
+    settled = !safety.softens || Math.abs(found - lift) <= _SETTLED * of.tight;
+    lift = found;
+    if (settled || lift === Infinity || i === rounds - 1) {
+      break;
+    }
+    raised = of.tight + lift;
+    known = gross_slip__largest_ratio(law, geometry, raised, true, _STEPS)[0];
+    beyond = numbers__grip_beyond(law, known, raised / grip.area, grip.wrap_angle);
+    grip = new Grip(grip.wrap_angle, grip.area, beyond);
+  }
+  return lift;
+}
+
+/** What the checks of an arc ask of the take-up, its pull held. */
+export function in_page__asked_of(law, arc, grip, least, limits, given, criteria) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  let tight = max(entry, leaving);
+  let slack = min(entry, leaving);
+  let area = grip.area;
+  let end = criteria.behind || entry >= leaving ? leaving : entry;
+  let top = 1000.0 * tight;
+  if (limits.tested_pressure_max === limits.tested_pressure_max) {
+    top = limits.tested_pressure_max * area;
+  }
+  let of = new Pull(Math.abs(entry - leaving), tight, top);
+  let by_slip = NaN;
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  if (limits.tested_slip < given.creep_limit) {
+    by_slip = least_numbers__least_for_slip(law, geometry, of, limits.tested_slip);
+  }
+  let rise = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind)[0];
+  let safety = new Safety(criteria.safety, rise, given.steepest_fall < 0.0);
+  return new Asked(
+    end - slack + (least === least ? least : Infinity),
+    end - slack + by_slip,
+    end - slack + limits.design_standard,
+    end + least_numbers__lift_for_grip(law, geometry, grip, of, safety, 1),
+    end + least_numbers__lift_for_grip(law, geometry, grip, of, safety, ROUNDS),
+    end - slack + limits.tested_pressure_min * area,
+    end - tight + limits.tested_pressure_max * area,
+    end - tight + limits.face_pressure * area,
+    end - tight + limits.belt_tension,
+    limits.sag + end - (entry >= leaving ? leaving : entry),
+    end,
   );
 }
 
@@ -5963,7 +6168,9 @@ export function in_page__judged(law, given, tested, criteria, points) {
   let summary = summary__summary_of(law, arc, tested, found, out, count);
   let carried = answer__find_capacities(law, geometry, load, CAPACITIES, STEPS);
   let solved = found.outcome === SOLVED;
-  let factor = in_page__pull_factor_of(law, given, arc, criteria, carried);
+  let grip = in_page__grip_of(law, given, arc, carried.gross_slip);
+  let limits = in_page__limits_of(given, arc, tested, criteria);
+  let factor = in_page__pull_factor_of(law, grip, arc, criteria);
   let values = new Compared(
     solved ? max(factor, 1.0) : min(factor, 1.0),
     min(entry, leaving),
@@ -6002,8 +6209,9 @@ export function in_page__judged(law, given, tested, criteria, points) {
     summary,
     summary__capacity_numbers(entry, leaving, arc.wrap_angle, carried),
     values,
-    in_page__limits_of(given, arc, tested, criteria),
+    limits,
     criteria.fixed ? entry + leaving : held,
+    in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria),
   );
 }
 

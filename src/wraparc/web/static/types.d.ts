@@ -158,11 +158,22 @@ export interface Words {
   miss: { level: Level; short: string; says: string; remedy: string } | null;
   when: string;
 }
+/** What a check asks of the slack side, but for the tension. */
+export interface Ask {
+  name: string;
+  title: string;
+  what: string;
+  place: string;
+  binding: boolean;
+  at_least: boolean;
+}
 /** What the page judges a drive of one pulley by. */
 export interface Judging {
   levels: Level[];
   qualifier: string;
   take_up: boolean;
+  least_name: string;
+  counterweight: number;
   checks: Words[];
   cases: {
     load_case: string;
@@ -171,6 +182,7 @@ export interface Judging {
     tested: Arc["tested"];
     criteria: Record<string, number | string>;
     checks: Words[];
+    asks: Ask[];
   }[];
 }
 /** A number of the document that the page may move. */

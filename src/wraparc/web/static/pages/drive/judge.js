@@ -11,12 +11,13 @@ import {
 import { moved, numbersOf } from "./own.js";
 import { headline, listed } from "./words.js";
 
-/** @import { Design, FullAnswer, FullArc, Judging, Level, Words } from "../../types.d.ts" */
+/** @import { Ask, Design, FullAnswer, FullArc, Judging, Level, Words } from "../../types.d.ts" */
 
 /**
  * @typedef {Words & {value: number, limit: number, margin: number, order: number, rank: number,
  *   missed: boolean, load_case: string, more: Record<string, [number, string]>}} Check
- * @typedef {{load_case: string, solved: boolean, numbers: Record<string, number>}} JudgedArc
+ * @typedef {{load_case: string, solved: boolean, numbers: Record<string, number>, asks: Ask[],
+ *   asked: Record<string, number>}} JudgedArc
  * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
  */
 
@@ -50,7 +51,8 @@ export function judge(before, { judging }, doc) {
   checks.push(...judging.checks.map((w) => check(w, found[0].numbers, "", judging.levels)));
   const arcs = found.map(({ of, numbers: n }) => {
     const numbers = { ...n.summary, ...n.capacities };
-    return { load_case: of.load_case, solved: n.solved, numbers };
+    const { load_case, asks } = of;
+    return { load_case, solved: n.solved, numbers, asks, asked: n.asked };
   });
   return { doc, checks, arcs, of: judging };
 }

@@ -4,12 +4,13 @@ import { app } from "../../base/design.js";
 export { confirmed, ownAnswer } from "./own.js";
 
 import { judge, misses } from "./judge.js";
+import { leastTold } from "./least.js";
 import { answer } from "./solving.js";
 import { checkTable, verdictOf } from "./words.js";
 
 /** @import { FullAnswer } from "../../types.d.ts" */
 
-const FOLLOWS = "The least slack-side tension and the tables follow once the hand rests.";
+const FOLLOWS = "The other tables follow once the hand rests.";
 /** What the page has found last. @type {import("./judge.js").Judged | null} */
 let found = null;
 
@@ -34,6 +35,8 @@ export const judgeAfter = (show) =>
  * @param {FullAnswer} full @returns {FullAnswer} */
 function told(of, full) {
   const verdict = verdictOf(of);
+  const least_tension = leastTold(of, full.least_tension);
+  if (least_tension) verdict.sentences.unshift(least_tension.sentence);
   verdict.sentences.push(FOLLOWS);
   const arcs = of.arcs.map((a) => {
     const before = full.arcs.find((b) => b.load_case === a.load_case);
@@ -41,7 +44,7 @@ function told(of, full) {
     return { .../** @type {any} */ (before), level, levels, short, numbers: a.numbers };
   });
   const checks = checkTable(of, full.checks);
-  return { ...full, verdict, checks, arcs, least_tension: null };
+  return { ...full, verdict, checks, arcs, least_tension };
 }
 /** The page's judgement and the server's are one. @param {FullAnswer} full */
 export function compare(full) {

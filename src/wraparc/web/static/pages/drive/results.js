@@ -95,6 +95,7 @@ export class Results extends Component {
   body(arc) {
     const solved = arc?.status === "solved";
     const full = wholeArc();
+    const least = (known() || answer.full)?.least_tension;
     return [
       h("div", { class: "pair", key: "pair" }, this.pulleyCard(solved), arc && keyFigures(arc)),
       this.alongTheWrap(arc, solved),
@@ -106,8 +107,7 @@ export class Results extends Component {
       ),
       answer.full?.conditions && h("div", { key: "conditions" }, table(answer.full.conditions)),
       answer.full && h("div", { key: "checks" }, table((known() || answer.full).checks)),
-      answer.full?.least_tension &&
-        h("div", { key: "least" }, table(answer.full.least_tension.table)),
+      least && h("div", { key: "least" }, table(least.table)),
       answer.full?.summary && h("div", { key: "summary" }, table(answer.full.summary)),
       h("div", { class: "tables", key: "tables" }, full && tables(full)),
     ];

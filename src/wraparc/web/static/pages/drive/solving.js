@@ -20,7 +20,7 @@ export const answer = {
   slow: false,
   /** Whether the answers are of a design that was there before the present one was opened. */
   foreign: true,
-  /** The whole with the checks as the page itself finds them. */
+  /** The whole as the page itself judges it. */
   judged: /** @type {FullAnswer | null} */ (null),
   judgedDoc: /** @type {Design | null} */ (null),
 };

@@ -24,7 +24,7 @@ export function printed(v, n) {
   return (+r).toFixed(Math.max(0, n - 1 - e));
 }
 /** @param {number} v @param {string} dimension */
-function quantity(v, dimension, n = DIGITS) {
+export function quantity(v, dimension, n = DIGITS) {
   if (Number.isNaN(v)) return "";
   if (!Number.isFinite(v)) return "without bound";
   if (dimension === "speed" && Math.abs(v) < 0.1) {

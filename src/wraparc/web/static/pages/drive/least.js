@@ -1,0 +1,106 @@
+// The least slack-side tension while a slider moves: what the checks ask for, and its words.
+import { quantity } from "./words.js";
+
+/** @import { Ask, Level, Table, TableRow } from "../../types.d.ts" */
+/** @import { Judged } from "./judge.js" */
+
+/** @typedef {Ask & {tension: number, given: number}} Figure */
+
+/** What every check asks for, where it asks for most. @param {Judged} judged */
+function figuresOf({ arcs }) {
+  /** @type {Map<string, Figure>} */
+  const worst = new Map();
+  for (const { asks, asked } of arcs)
+    for (const ask of asks) {
+      const tension = asked[ask.name];
+      const held = worst.get(ask.name);
+      if (Number.isNaN(tension) || (held && tension > held.tension !== ask.at_least)) continue;
+      const settled = asked[`${ask.name}_settled`] ?? tension;
+      worst.set(ask.name, { ...ask, tension, given: asked.given, ...{ settled } });
+    }
+  return [...worst.values()];
+}
+/** @param {Figure[]} all */
+const governingOf = (all) =>
+  all.filter((f) => f.binding && f.at_least).reduce((a, b) => (b.tension > a.tension ? b : a));
+
+/**
+ * The least slack-side tension of a judged drive; null where nothing is asked for.
+ * @param {Judged} judged
+ */
+export function leastOf(judged) {
+  const all = figuresOf(judged);
+  if (!all.some((f) => f.binding && f.at_least)) return null;
+  const first = /** @type {any} */ (governingOf(all));
+  if (first.name === "gross_slip") first.tension = first.settled;
+  const governing = governingOf(all);
+  const above = all.filter((f) => !f.at_least);
+  const highest = above.length ? above.reduce((a, b) => (b.tension < a.tension ? b : a)) : null;
+  const none = highest && highest.tension < governing.tension * (1 - 1e-9);
+  return { all, governing, highest, tension: none ? Number.POSITIVE_INFINITY : governing.tension };
+}
+/** @typedef {NonNullable<ReturnType<typeof leastOf>>} Least */
+
+/** @param {number} v */
+const force = (v) => quantity(v, "force");
+/** @param {Least} l @param {Judged} judged */
+function sentence(l, { of, arcs }) {
+  const { governing: g, highest } = l;
+  const name = of.least_name;
+  if (Number.isFinite(l.tension)) {
+    const text =
+      `The least ${name} with which every binding check is kept is ${force(l.tension)}, set by ` +
+      `${g.what} (${g.place}); given ${force(g.given)}`;
+    const rule = l.all.find((f) => f.name === "design_standard");
+    if (!rule || l.tension >= rule.tension * (1 - 1e-9)) return `${text}.`;
+    return `${text}; that is below the ${force(rule.tension)} that ${rule.title} asks for.`;
+  }
+  if (!Number.isFinite(g.tension) || !highest) {
+    const arc = arcs.find((a) => a.asks.some((x) => x.place === g.place));
+    const most = g.name === "creep" ? arc?.numbers.largest_effective_tension : Number.NaN;
+    const told = most && most > 0 ? `; the largest pull carried so is ${force(most)}` : "";
+    const range = "with wrap pressures in the tested range keeps";
+    return `No ${name} ${range} ${g.what} (${g.place})${told}.`;
+  }
+  return (
+    `No ${name} keeps every binding check: ${g.what} asks for ${force(g.tension)} (${g.place}), ` +
+    `and ${highest.what} allows ${force(highest.tension)} (${highest.place}).`
+  );
+}
+/** @param {string} title @param {string} value @param {string} note @param {string} [symbol]
+ * @returns {TableRow} */
+const row = (title, value, note, symbol = "") => {
+  const values = { si: [value], us: [value] };
+  return { name: "", title, symbol, values, note, level: null };
+};
+/** @param {Least} l @param {Judged} judged @param {Table} before @returns {Table} */
+function tableOf(l, { of }, before) {
+  const { governing: g } = l;
+  const head = [];
+  if (Number.isFinite(l.tension)) {
+    const symbol = of.least_name === "slack-side tension" ? "T2_min" : "";
+    const given = `given ${force(g.given)}`;
+    head.push(row(`Least ${of.least_name}`, force(l.tension), given, symbol));
+    const weight = quantity(of.counterweight * l.tension, "mass");
+    head.push(row("Counterweight for it", weight, "if the take-up is a weight"));
+  }
+  const rows = [...l.all].sort((a, b) => +b.at_least - +a.at_least || b.tension - a.tension);
+  const asked = rows.map((f) => {
+    const note = f === g ? "governs" : f.binding ? "" : "not binding";
+    const text = Number.isFinite(f.tension) ? force(f.tension) : "none";
+    const title = `${f.title}, ${f.at_least ? "at least" : "at most"}`;
+    return row(title, text, [note, f.place].filter(Boolean).join(", "));
+  });
+  return { ...before, rows: [...head, ...asked] };
+}
+/** As the server tells it. @param {Judged} judged
+ * @param {import("../../types.d.ts").FullAnswer["least_tension"]} before */
+export function leastTold(judged, before) {
+  const found = before && leastOf(judged);
+  if (!found) return null;
+  const { tension, governing } = found;
+  const level = /** @type {Level} */ (tension <= governing.given ? "OK" : "ATTENTION");
+  const shown = Number.isFinite(tension) ? force(tension) : "none";
+  const table = tableOf(found, judged, before.table);
+  return { tension, shown, sentence: sentence(found, judged), level, table };
+}
