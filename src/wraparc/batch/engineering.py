@@ -62,7 +62,6 @@ _MAIN = (
     (row.PEAK_STRESS, slot.PEAK_STRESS),
     (row.PEAK_AT, slot.PEAK_AT),
     (row.ACTIVE, slot.ACTIVE),
-    (row.OUTSIDE, slot.OUTSIDE),
 )
 
 
@@ -169,6 +168,8 @@ class _Batch:
         Laws that fall past their peak are solved by lanes of their own, but for the tensions: there
         few come to the peak, and those are not good.
         """
+        if not self.softens.any():
+            return self._solve_flat(rows, what, fine)
         falls = self.softens[which] & (what != TENSIONS)
         out, good = np.empty((len(rows), len(FOUND))), np.empty(len(rows), dtype=bool)
         flat = np.flatnonzero(~falls)
@@ -252,14 +253,17 @@ class _Batch:
         self.left[runs & (self.log_ratio <= SMALLEST_LOG_RATIO)] |= row.TENSIONS
         out, good = self.solve(which, self.rows(which, 1.0), TENSIONS)
         self.left[which[~good]] |= row.TENSIONS
-        kept, out = which[good], out[good]
+        kept: Integers | slice = slice(None)  # the usual one, and the fastest
+        if len(which) < len(self.left) or not good.all():
+            kept, out = which[good], out[good]
         self.starts[kept, 0] = out[:, _FOUND[slot.G]]
         self.starts[kept, 4] = out[:, _FOUND[slot.SLOPE_Z]] / out[:, _FOUND[slot.G_Z]]
         for place, name in _MAIN:
             self.found[kept, place] = out[:, _FOUND[name]]
         self.found[kept, row.LOG_RATIO] = -self.log_ratio[kept]
         self.found[kept, row.STUCK_LENGTH] = 0.0
-        self.found[kept[np.isnan(self.of("slip_max")[kept])], row.OUTSIDE] = np.nan
+        untested = np.isnan(self.of("slip_max")[kept])
+        self.found[kept, row.OUTSIDE] = np.where(untested, np.nan, out[:, _FOUND[slot.OUTSIDE]])
         self._slip_speed(kept)
         # by the exact loss of energy: friction's part is what the shear does not take
         pull, shear = self.pull[kept], self.of("shear")[kept]
@@ -267,7 +271,7 @@ class _Batch:
         stress = out[:, _FOUND[slot.EXIT_STRESS]] ** 2 - out[:, _FOUND[slot.ENTRY_STRESS]] ** 2
         self.found[kept, row.WORK] = loss / self.of("width")[kept] - 0.5 * shear * stress
 
-    def _slip_speed(self, kept: Integers) -> None:
+    def _slip_speed(self, kept: Integers | slice) -> None:
         """Bound the slip speed from below, by the mean over the arc.
 
         Lanes do not look for the largest; where the bound does not tell whether it is above that
@@ -278,7 +282,7 @@ class _Batch:
         self.found[kept, row.STEEPEST_SLIP] = mean
         tested = self.arcs.laws.tested_speed[self.arcs.law[kept]]
         unsure = self.arcs.belt_speed[kept] * mean <= SURELY * tested  # False where either is nan
-        self.left[kept[unsure]] |= row.TENSIONS
+        self.left[kept] |= np.where(unsure, row.TENSIONS, 0)
 
     def find_carried(self, what: int, place: int, part: int) -> None:
         """Capacity at the creep limit, or at the largest tested slip."""
