@@ -18,7 +18,7 @@ import pytest
 from arc.drives import LAWS, RUBBER, SOFTENING, integral_log, random_arc
 from batch.batches import columns_of, designs, lagging
 from wraparc.arc import Distributed, Status, WrapArc
-from wraparc.arc.kernel import answer
+from wraparc.arc.kernel import answer, search
 from wraparc.arc.kernel.quantities import REFUSED
 from wraparc.batch import (
     STATUSES,
@@ -32,6 +32,7 @@ from wraparc.batch import (
 )
 from wraparc.batch.arcs import arcs_of_table
 from wraparc.batch.native import available, compiled
+from wraparc.batch.row import TENSIONS
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
@@ -233,6 +234,31 @@ def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(native, "kept", lambda entry: True)
     solve_arcs(arcs.rows(slice(0, 1)), setting=Setting.PRECISE)
     assert asked[1:] == ["tension_rows", "capacity_rows"]  # from disk, sooner
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.3])
+def test_where_a_precise_row_begins_decides_speed_only(
+    factor: float, interpreted: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """From what the lanes have found, or far off: fewer marches, and the same answer."""
+    arcs = arcs_of_table(designs(3, 22), SHIPPED[1])
+    batch = engineering._Batch(arcs)
+    parts = TENSIONS | answer.CREEP_LIMIT | answer.TESTED_SLIP
+    batch.find(parts)
+    assert np.isfinite(batch.starts[:, :3]).all()
+    marches: list[int] = []
+    attempt = search.attempt
+
+    def counted(*given: Any) -> Any:
+        marches.append(1)
+        return attempt(*given)
+
+    monkeypatch.setattr(search, "attempt", counted)
+    plain = precise.solve_precisely(arcs, parts)
+    without = len(marches)
+    found = precise.solve_precisely(arcs, parts, batch.starts * factor)
+    np.testing.assert_allclose(found, plain, rtol=1e-9)
+    assert factor != 1.0 or len(marches) - without < 0.6 * without
 
 
 def test_interpreted_lanes_are_compiled_lanes(request: pytest.FixtureRequest) -> None:
