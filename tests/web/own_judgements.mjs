@@ -1,17 +1,20 @@
 // Judgements of the page itself on moved numbers: cases as JSON come in, verdicts go out.
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
-import { judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
+import { asked, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
+import { numbersOfAll } from "../../src/wraparc/web/static/pages/drive/numbers.js";
 import { checkTable, verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
 
 const { form, cases } = JSON.parse(readFileSync(0, "utf-8"));
 app.form = form;
-const told = cases.map(({ doc, answer, changed }) => {
-  const found = judge(doc, answer, changed);
+const all = cases.map(({ doc, answer, changed }) => {
+  const arcs = asked(doc, answer, changed);
+  const numbers = arcs && numbersOfAll(arcs);
+  const found = numbers && judge(answer.judging, changed, numbers);
   if (!found) return null;
   app.units = "si";
-  const arcs = found.arcs.map((arc) => ({ ...arc, verdict: verdictOf(found, arc.load_case) }));
+  const told = found.arcs.map((arc) => ({ ...arc, verdict: verdictOf(found, arc.load_case) }));
   const texts = (units) => {
     app.units = units;
     const { rows, note } = checkTable(found, answer.checks);
@@ -19,7 +22,7 @@ const told = cases.map(({ doc, answer, changed }) => {
     const least = leastTold(found, answer.least_tension);
     return { verdict: verdictOf(found), rows: cells, note, least };
   };
-  return { arcs, si: texts("si"), us: texts("us") };
+  return { arcs: told, si: texts("si"), us: texts("us") };
 });
 const plain = (_, v) => (typeof v === "number" && !Number.isFinite(v) ? String(v) : v);
-process.stdout.write(JSON.stringify(told, plain));
+process.stdout.write(JSON.stringify(all, plain));

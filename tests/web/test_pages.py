@@ -433,6 +433,14 @@ SLIDE = """(slider, part) => {
 SLIDES = (("Exit tension", 0.0), ("Exit tension", 0.6), ("Wrap angle", 0.99), ("Belt width", 0.8))
 
 
+#: Whether the page has judged what it shows.
+JUDGED = """async () => {
+  const { answer } = await import("/static/pages/drive/solving.js");
+  const { app } = await import("/static/base/design.js");
+  return answer.judgedDoc === app.doc;
+}"""
+
+
 def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path: Path) -> None:
     # expected: what `wraparc solve` says of the same drive
     page = visitor.open("drive")
@@ -442,8 +450,9 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
     levels = set()
     for name, part in SLIDES:
         page.get_by_label(f"{name}, slider", exact=True).evaluate(SLIDE, part)
-        expect(page.locator("#verdict")).to_contain_text("follow once the hand rests")
+        wait_for(lambda: page.evaluate(JUDGED))
         visitor.painted()
+        expect(page.locator("#verdict")).to_contain_text("follow once the hand rests")
         moved = page.evaluate("import('/static/base/design.js').then((m) => m.app.doc)")
         file.write_text(document_text(moved, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])

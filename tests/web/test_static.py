@@ -50,7 +50,7 @@ def test_page_asks_nobody_else_and_runs_no_text(path: Path) -> None:
 
 
 STATIC_IMPORT = r"^import [^;(]*?from \"(\.[^\"]+)\";"
-LATE_IMPORT = r"import\(\"(\.[^\"]+\.js)\"\)"
+LATE_IMPORT = r"(?:import|new URL)\(\"(\.[^\"]+\.js)\""
 
 
 def imported(start: str, *how: str) -> set[str]:

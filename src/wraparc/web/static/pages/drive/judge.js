@@ -3,7 +3,6 @@
 import { words } from "../../base/units.js";
 import {
   numbers__held_alike as heldAlike,
-  in_page__judged as judged,
   numbers__kept as kept,
   numbers__margin_of as marginOf,
   numbers__order_of as orderOf,
@@ -11,6 +10,7 @@ import {
 import { moved, numbersOf } from "./own.js";
 import { headline, listed } from "./words.js";
 
+/** @import { Asked } from "./numbers.js" */
 /** @import { Ask, Design, FullAnswer, FullArc, Judging, Level, Words } from "../../types.d.ts" */
 
 /**
@@ -21,26 +21,28 @@ import { headline, listed } from "./words.js";
  * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
  */
 
-const POINTS = 180;
 /** Relative difference that counts as none. */
 const SAME = 1e-7;
 
 /**
- * Every check of a drive that differs from a solved one by moved numbers alone; null where it is
- * for the server.
- * @param {Design} before @param {FullAnswer} answer @param {Design} doc @returns {Judged | null}
+ * The arcs of a drive that differs from a solved one by moved numbers alone; null where it is for
+ * the server.
+ * @param {Design} before @param {FullAnswer} answer @param {Design} doc @returns {Asked[] | null}
  */
-export function judge(before, { judging }, doc) {
-  if (!judging) return null;
-  /** @type {{of: Judging["cases"][0], numbers: any}[]} */
-  const found = [];
-  for (const of of judging.cases) {
+export function asked(before, { judging }, doc) {
+  const found = (judging?.cases ?? []).flatMap((of) => {
     const given = moved(before, of.prepared, doc, of.elsewhere);
     const { law } = of.prepared;
-    const numbers = given && judged(law, given, of.tested, numbersOf(of.criteria), POINTS);
-    if (!numbers) return null;
-    found.push({ of, numbers });
-  }
+    return given ? [{ law, given, tested: of.tested, criteria: numbersOf(of.criteria) }] : [];
+  });
+  return judging && found.length === judging.cases.length ? found : null;
+}
+/**
+ * Every check of a drive by the numbers of its arcs; null where it is for the server.
+ * @param {Judging} judging @param {Design} doc @param {any[]} all @returns {Judged | null}
+ */
+export function judge(judging, doc, all) {
+  const found = judging.cases.map((of, i) => ({ of, numbers: all[i] }));
   const held = found.map((f) => f.numbers.held);
   if (judging.take_up && !heldAlike(Math.min(...held), Math.max(...held))) return null;
   const checks = found.flatMap(({ of, numbers }) => {

@@ -48,9 +48,11 @@ const finite = (v) => (Number.isFinite(v) ? v : null);
 /**
  * The answer for a document that differs from a solved one by moved numbers alone; null where it is
  * for the server.
- * @param {Solved} base @param {Design} doc @param {number} points @returns {QuickAnswer | null}
+ * @param {Solved} base @param {Design} doc @param {number} points
+ * @param {QuickAnswer | null} [judged] whose verdict stands until this one is judged
+ * @returns {QuickAnswer | null}
  */
-export function ownAnswer(base, doc, points) {
+export function ownAnswer(base, doc, points, judged) {
   const before = base.answer;
   const given = moved(base.doc, before.prepared, doc);
   const start = performance.now();
@@ -63,8 +65,9 @@ export function ownAnswer(base, doc, points) {
     ...before,
     own: true,
     status: found.solved ? "solved" : "breakaway",
-    level: /** @type {any} */ (""),
-    levels: {},
+    level: judged?.level ?? /** @type {any} */ (""),
+    levels: judged?.levels ?? {},
+    verdict: judged?.verdict ?? before.verdict,
     creep_limit: given.creep_limit,
     numbers: Object.fromEntries(names.map((name) => [name, finite(summary[name])])),
     profile: Object.fromEntries(Object.keys(profile).map((name) => [name, [...profile[name]]])),

@@ -26,9 +26,10 @@ export const answer = {
 };
 /** Whether everything is solved of the present document. */
 export const whole = () => (answer.fullDoc === app.doc ? answer.full : null);
-/** What is known of the present document as a whole, by the server or by the page. */
-export const known = () => (answer.judgedDoc === app.doc && !whole() ? answer.judged : whole());
-/** The arc on the screen as the whole solve knows it. @returns {FullArc | undefined} */
+/** The present document as a whole, by the server or by the page. */
+export const known = () =>
+  whole() || (answer.quick?.own || answer.judgedDoc === app.doc ? answer.judged : null);
+/** The arc on the screen in the whole. @returns {FullArc | undefined} */
 export const wholeArc = () =>
   (known() || answer.full)?.arcs.find(
     (a) => a.pulley === answer.quick?.pulley && a.load_case === answer.quick?.load_case,
@@ -66,7 +67,7 @@ let base = null;
 /** The answer of the page itself, where only numbers have moved. */
 function ownNow() {
   if (!base || base.pulley !== app.pulley || base.case !== app.case) return null;
-  return own?.ownAnswer(base, app.doc, POINTS) ?? null;
+  return own?.ownAnswer(base, app.doc, POINTS, answer.judged && answer.quick) ?? null;
 }
 /** The solver of the page, fetched last.
  * @type {typeof import("./judging.js") | null} */
