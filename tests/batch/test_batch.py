@@ -8,7 +8,6 @@ how the batch was cut.
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -25,7 +24,6 @@ from wraparc.batch import (
     BatchResult,
     Setting,
     engineering,
-    native,
     precise,
     solve_arcs,
     solve_batch,
@@ -149,7 +147,10 @@ def test_engineering_accuracy(lag: Lagging) -> None:
     )
 
 
-def test_engineering_leaves_other_laws_and_braking_to_the_scalar_kernel() -> None:
+def test_engineering_leaves_other_laws_and_braking_to_the_scalar_kernel(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(precise, "pays", lambda *_: True)
     arcs = random_arcs(12, 9)
     near = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False)
     exact = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False, setting=Setting.PRECISE)
@@ -160,8 +161,12 @@ def test_engineering_leaves_other_laws_and_braking_to_the_scalar_kernel() -> Non
 
 
 @pytest.mark.parametrize("setting", Setting)
-def test_no_cut_changes_a_bit(setting: Setting) -> None:
-    """An arc's numbers do not depend on its neighbours, on chunks, or on threads."""
+def test_no_cut_changes_a_bit(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An arc's numbers do not depend on its neighbours, on chunks, or on threads.
+
+    But for few rows that are interpreted, see `test_few_rows_are_left_to_the_interpreter`.
+    """
+    monkeypatch.setattr(precise, "pays", lambda *_: True)
     n = 200 if setting is Setting.PRECISE else 10_000
     table = designs(n, 11)
     table["lagging"] = np.arange(n) % 3  # type: ignore[assignment]
@@ -203,7 +208,7 @@ def test_interpreted_precise_is_compiled_precise(
     request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     arcs = columns_of(random_arcs(1, 13), LAGGINGS)
-    monkeypatch.setattr(native, "loaded", lambda entry: True)
+    monkeypatch.setattr(precise, "pays", lambda *_: True)
     compiled = solve_arcs(arcs, setting=Setting.PRECISE)
     request.getfixturevalue("interpreted")
     plain = solve_arcs(arcs, setting=Setting.PRECISE)
@@ -211,7 +216,7 @@ def test_interpreted_precise_is_compiled_precise(
 
 
 def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Until so many have come that compiling is worth it; then the scalar kernel is compiled."""
+    """By the rows of the chunk alone, whatever is compiled already; to the same numbers."""
     asked: list[str] = []
 
     def watched(entry: Callable[..., Any]) -> Callable[..., Any]:
@@ -219,21 +224,17 @@ def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -
         return compiled(entry)
 
     monkeypatch.setattr(precise, "compiled", watched)
-    monkeypatch.setattr(native, "loaded", lambda entry: False)
-    monkeypatch.setattr(native, "kept", lambda entry: False)
-    monkeypatch.setattr(native, "_interpreted", Counter())
-    patience = {precise.tension_rows: (0, 5), precise.capacity_rows: (0, 1)}
-    monkeypatch.setattr(precise, "PATIENCE", patience)
-    braking = [arc for arc in random_arcs(3, 21) if arc.side < 0.0][:3]
+    monkeypatch.setattr(precise, "FEW", 3)
+    monkeypatch.setattr(precise, "FEW_WITH_CAPACITIES", 0)
+    braking = [arc for arc in random_arcs(3, 21) if arc.side < 0.0][:4]
     arcs = columns_of(braking, LAGGINGS)
-    first = solve_arcs(arcs, capacities=False).found
+    few = solve_arcs(arcs.rows(slice(0, 3)), capacities=False).found
     assert asked == []
-    second = solve_arcs(arcs, capacities=False).found
+    more = solve_arcs(arcs, capacities=False).found
     assert asked == ["tension_rows"]
-    np.testing.assert_allclose(first, second, rtol=1e-9)
-    monkeypatch.setattr(native, "kept", lambda entry: True)
+    np.testing.assert_allclose(few, more[:3], rtol=1e-9)
     solve_arcs(arcs.rows(slice(0, 1)), setting=Setting.PRECISE)
-    assert asked[1:] == ["tension_rows", "capacity_rows"]  # from disk, sooner
+    assert asked[1:] == ["capacity_rows"]
 
 
 @pytest.mark.parametrize("factor", [1.0, 1.3])

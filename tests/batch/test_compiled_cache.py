@@ -87,17 +87,6 @@ def test_a_full_disk_costs_only_the_code_on_disk(
     assert asked
 
 
-def test_code_that_is_kept_is_known(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    kept = native.kept.__wrapped__
-    monkeypatch.setenv("WRAPARC_CACHE_DIR", str(tmp_path))
-    native.compiled.cache_clear()
-    assert not kept(to_last)
-    numbers = tuple(map(float, range(to_last.__code__.co_argcount)))
-    native.compiled(to_last)(*numbers)
-    assert kept(to_last)
-    assert native.loaded(to_last)
-
-
 MARCH = """
 from math import log
 from wraparc.arc.kernel.butcher import to_end, to_fifth, to_fourth, to_last, to_second

@@ -15,7 +15,6 @@ import os
 import platform
 import shutil
 import sys
-from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from functools import cache
@@ -32,8 +31,6 @@ _PLAIN = (int, float, str, bool, type(None))
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
 AS_IT_IS = "WRAPARC_NUMBA_AS_IT_IS"
 _SETTING = Lock()  # of numba's one place for code on disk
-_LOADED: set[Callable[..., Any]] = set()
-_interpreted: Counter[Callable[..., Any]] = Counter()
 
 
 def available() -> bool:
@@ -70,7 +67,10 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
 
     from wraparc.batch import underlay
 
-    options = _options(contract)
+    options: dict[str, Any] = {
+        "error_model": "numpy",
+        "fastmath": {"contract"} if contract else False,
+    }
     functions = tuple(called(entry))
     replaced = set(map(id, underlay.REPLACED))
     for function in functions[1:]:
@@ -90,44 +90,18 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
                     with suppress(OSError):  # a full disk: it is compiled, and not kept
                         dispatcher.compile(tuple(map(numba.typeof, arguments)))
         ready = True  # to ask the dispatcher takes longer than a short kernel
-        _LOADED.add(entry)
         return dispatcher(*arguments)
 
     return run
 
 
-def _options(contract: bool) -> dict[str, Any]:
-    return {"error_model": "numpy", "fastmath": {"contract"} if contract else False}
+def pays(rows: int, few: int) -> bool:
+    """Whether rows of a chunk are worth compiled code: more than a few are.
 
-
-def loaded(entry: Callable[..., Any]) -> bool:
-    """Whether the compiled code of an entry is in this process."""
-    return entry in _LOADED
-
-
-@cache
-def kept(entry: Callable[..., Any], *, contract: bool = False) -> bool:
-    """Whether the compiled code of an entry was on disk when this process first asked."""
-    name = fingerprint(tuple(called(entry)), _options(contract))
-    folder = _folder(name)
-    return folder is not None and any(folder.glob("*/*.nbi"))
-
-
-def pays(entry: Callable[..., Any], rows: int, patience: tuple[int, int]) -> bool:
-    """Whether rows are worth the compiled code of an entry; those that are not are counted.
-
-    Parameters
-    ----------
-    patience
-        Rows that a process leaves to the interpreter while the code is on disk, and where it has
-        to be compiled.
+    By the chunk alone, not by what is compiled or on disk already: the interpreter differs in the
+    last bits, and the same study is to have the same bits whenever and wherever it runs.
     """
-    if loaded(entry):
-        return True
-    if _interpreted[entry] + rows > patience[0 if kept(entry) else 1]:
-        return True
-    _interpreted[entry] += rows
-    return False
+    return rows > few
 
 
 @contextmanager

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -68,12 +67,9 @@ def law_of(bank: Any, which: int) -> CompactLaw:
     )
 
 
-#: rows left to the interpreter, see `native.pays`: one takes 5 ms to 25 ms, with capacities 50 ms
+#: rows of a chunk that are left to the interpreter: one takes 5 ms to 25 ms, with capacities 50 ms
 #: to 150 ms; to load the compiled code takes 1 s, to compile it 10 s to 40 s
-PATIENCE: Mapping[Callable[..., Any], tuple[int, int]] = {
-    tension_rows: (20, 200),
-    capacity_rows: (4, 40),
-}
+FEW, FEW_WITH_CAPACITIES = 20, 4
 
 
 def solve_precisely(
@@ -97,14 +93,14 @@ def solve_precisely(
     found = np.empty((n, FOUND_NUMBERS))
     starts = np.full((n, STARTS), np.nan) if starts is None else starts
     bank, which = arcs.laws.arrays, np.flatnonzero(wanted & CAPACITIES)
-    if available() and pays(tension_rows, n, PATIENCE[tension_rows]):
+    if available() and pays(n, FEW):
         mesh = (STEPS, POINTS)
         compiled(tension_rows)(given, bank, arcs.law, wanted, mesh, found, np.empty(0), starts)
     else:
         _interpret(arcs, given, wanted, found, starts)
     if not len(which):
         return found
-    if available() and pays(capacity_rows, len(which), PATIENCE[capacity_rows]):
+    if available() and pays(len(which), FEW_WITH_CAPACITIES):
         compiled(capacity_rows)(given, bank, arcs.law, wanted, STEPS, found, starts)
     else:
         for i in which.tolist():

@@ -24,7 +24,7 @@ Carried = Callable[[Array, Array], tuple[Array, Array]]
 
 KNOWN, TIGHT, SLACK = 2, 3, 4  # columns of what is given
 MOST_STEPS = 12
-PATIENCE = (20, 400)  # see `native.pays`; a row takes some 20 ms in the interpreter
+FEW = 20  # rows left to the interpreter, which takes some 20 ms for one
 NEAR = 1e-8  # last step over k: what is left is of the size of rounding
 HIGHEST = 1e4  # as `slip_place` has it
 
@@ -65,7 +65,7 @@ def pull_factors(
 def _by_rows(bank: LawBank, law: Integers, given: Array) -> Array:
     """Factors row by row; few of them by the interpreter."""
     found = np.empty(len(given))
-    if available() and pays(factor_rows, len(given), PATIENCE):
+    if available() and pays(len(given), FEW):
         compiled(factor_rows)(given, bank.arrays, law, found)
         return found
     for i, numbers in enumerate(given.tolist()):
