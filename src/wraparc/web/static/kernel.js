@@ -1511,6 +1511,9 @@ export function layer_march__lag_at(law, par, tension, creep) {
 export function layers___case(law, par, aim, exit_tension, tolerance) {
   let lag, pull;
   let close = 1e-12 * par.entry_tension;
+  if (exit_tension === exit_tension) {
+    close = tolerance * exit_tension;
+  }
   let creep = max(Math.abs(par.kick), aim.value);
   if (aim.of === TENSION) {
     pull = par.entry_tension * Math.abs(1.0 - Math.exp(-par.side * aim.value));
@@ -1784,7 +1787,7 @@ export function layer_march__march_layer(
 
 /** A layer from where the layers part to its nip, and the T_r at which a held tension is met. */
 export function layers___layer(law, par, case_, rest, part, towards) {
-  let ahead, goal, i, new_, to;
+  let ahead, goal, i, new_, noise, to;
   let c = par.compliance;
   let aim = case_.aim;
   let held = towards < 0.0 ? par.entry_tension : case_.exit_tension;
@@ -1823,7 +1826,8 @@ export function layers___layer(law, par, case_, rest, part, towards) {
       return [true, there.arrived, rest, there];
     }
     miss = rest - there.ratio / c - held;
-    if (Math.abs(miss) <= case_.close) {
+    noise = Math.abs(miss) <= 100.0 * case_.close && Math.abs(miss) > 0.1 * Math.abs(miss_last);
+    if (Math.abs(miss) <= case_.close || (i > 2 && noise)) {
       break;
     }
     new_ = rest - miss;
