@@ -104,7 +104,13 @@ def test_capacities_that_once_failed(name: str, seed: list[int]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "seed"), [("pieces", [1, 1244]), ("softening", [1, 1270]), ("softening", [1, 1297])]
+    ("name", "seed"),
+    [
+        ("pieces", [1, 1244]),
+        ("softening", [1, 1270]),
+        ("softening", [1, 1297]),
+        ("any table", [1, 80]),  # the steps of layers move the end of a long march about
+    ],
 )
 def test_a_long_braking_pulley_hands_on_what_it_carries(name: str, seed: list[int]) -> None:
     """Other code: with the entry tension held that was found, the same tight side, in a search."""

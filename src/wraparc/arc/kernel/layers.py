@@ -149,8 +149,9 @@ def _layer(
         if free or not there.arrived:
             return True, there.arrived, rest, there
         miss = rest - there.ratio / c - held
-        noise = abs(miss) <= 100.0 * case.close and abs(miss) > 0.1 * abs(miss_last)
-        if abs(miss) <= case.close or (i > 2 and noise):
+        # what the steps leave moves the end of a long march about
+        noise = towards > 0.0 and i > 2 and abs(miss) <= 10.0 * case.close
+        if abs(miss) <= case.close or (noise and abs(miss) > 0.1 * abs(miss_last)):
             break
         new = rest - miss
         if i > 0 and miss != miss_last:
@@ -274,8 +275,8 @@ def _case(
 ) -> Case:
     """What is to be met, with its floors."""
     close = 1e-12 * par.entry_tension
-    if exit_tension == exit_tension:  # the end of a long march: what its steps leave
-        close = tolerance * exit_tension
+    if exit_tension == exit_tension:
+        close = 0.1 * tolerance * exit_tension
     creep = max(abs(par.kick), aim.value)
     if aim.of == TENSION:
         pull = par.entry_tension * abs(1.0 - exp(-par.side * aim.value))

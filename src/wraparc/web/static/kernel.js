@@ -1512,7 +1512,7 @@ export function layers___case(law, par, aim, exit_tension, tolerance) {
   let lag, pull;
   let close = 1e-12 * par.entry_tension;
   if (exit_tension === exit_tension) {
-    close = tolerance * exit_tension;
+    close = 0.1 * tolerance * exit_tension;
   }
   let creep = max(Math.abs(par.kick), aim.value);
   if (aim.of === TENSION) {
@@ -1826,8 +1826,8 @@ export function layers___layer(law, par, case_, rest, part, towards) {
       return [true, there.arrived, rest, there];
     }
     miss = rest - there.ratio / c - held;
-    noise = Math.abs(miss) <= 100.0 * case_.close && Math.abs(miss) > 0.1 * Math.abs(miss_last);
-    if (Math.abs(miss) <= case_.close || (i > 2 && noise)) {
+    noise = towards > 0.0 && i > 2 && Math.abs(miss) <= 10.0 * case_.close;
+    if (Math.abs(miss) <= case_.close || (noise && Math.abs(miss) > 0.1 * Math.abs(miss_last))) {
       break;
     }
     new_ = rest - miss;
