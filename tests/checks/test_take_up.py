@@ -7,6 +7,7 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
@@ -16,6 +17,8 @@ from cli.running import wraparc
 from present.drives import BELT
 from wraparc import InputError, Train, load_drive, load_train, solve_train
 from wraparc.checks import judge, least_tension, margins_of
+from wraparc.checks.gross_slip import given_up, rises_of
+from wraparc.checks.numbers import rise_alone
 from wraparc.drive import Pulley, TakeUp
 from wraparc.files.write import drive_document
 from wraparc.present.train_sheet import train_sheet
@@ -164,3 +167,15 @@ def test_a_row_of_a_study_has_the_verdict_of_solving_the_train(
         assert expected.governing is not None
         assert (rows["verdict"][i], rows["governing"][i]) == (levels[-1], expected.governing.name)
     assert len(set(levels)) > 1 or pulley == "first"
+
+
+@pytest.mark.parametrize("pull", [60e3, -60e3])
+@pytest.mark.parametrize(
+    "take_up", [TakeUp(kind="gravity"), TakeUp(kind="fixed"), TakeUp(kind="gravity", after="head")]
+)
+def test_a_single_pulley_is_a_train_of_one(pull: float, take_up: TakeUp) -> None:
+    """Other code: the growth of tensions of any number of pulleys."""
+    pulls = np.array([[pull]])
+    many = rises_of(pulls, 0, given_up(pulls, ["head"], take_up))
+    alone = rise_alone(pull, take_up.fixed, bool(take_up.after))
+    assert alone == pytest.approx([float(side[0]) for side in many])
