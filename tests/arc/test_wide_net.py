@@ -85,6 +85,8 @@ CAPACITIES = [
     ("constant", [1, 122]),
     ("elastic-plastic", [1, 178]),
     ("elastic-plastic", [1, 718]),
+    ("table", [1, 1110]),
+    ("rubber", [1, 585]),
 ]
 
 
@@ -110,21 +112,21 @@ def test_capacities_that_once_failed(name: str, seed: list[int]) -> None:
         ("softening", [1, 1270]),
         ("softening", [1, 1297]),
         ("any table", [1, 80]),  # the steps of layers move the end of a long march about
+        ("rubber", [1, 585]),  # a pull that no tension carries
     ],
 )
-def test_a_long_braking_pulley_hands_on_what_it_carries(name: str, seed: list[int]) -> None:
-    """Other code: with the entry tension held that was found, the same tight side, in a search.
-
-    The kinks of a table lie within the steps of layers, which leaves 1e-6.
-    """
+@pytest.mark.parametrize(("steps", "close"), [(24, 1e-7), (12, 1e-4)])
+def test_a_long_braking_pulley_hands_on_what_it_carries(
+    name: str, seed: list[int], steps: int, close: float
+) -> None:
+    """Other code: with the entry tension held that was found, the same tight side, in a search."""
     arc = wide_arc(name, np.random.default_rng(seed))
     law, geometry, aim = arc.law.compact(), arc.geometry(), Aim(CREEP, arc.creep_limit)
-    outcome, _, entry, shot = carry(law, geometry, arc.exit_tension, aim, math.nan, 24)
+    outcome, _, entry, shot = carry(law, geometry, arc.exit_tension, aim, math.nan, steps)
     assert outcome == SOLVED
-    assert entry * math.exp(shot.log_tension) == pytest.approx(arc.exit_tension, rel=1e-8)
-    _, _, again = carry_from(law, geometry, entry, aim, Guess(math.nan, NO_LAYERS), 24)
-    kinked = name == "any table"
-    assert again.log_tension == pytest.approx(shot.log_tension, rel=3e-6 if kinked else 1e-7)
+    assert entry * math.exp(shot.log_tension) == pytest.approx(arc.exit_tension, rel=0.1 * close)
+    _, _, again = carry_from(law, geometry, entry, aim, Guess(math.nan, NO_LAYERS), steps)
+    assert again.log_tension == pytest.approx(shot.log_tension, rel=close)
 
 
 def creep_with(arc: WrapArc, slack: float) -> float:

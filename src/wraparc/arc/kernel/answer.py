@@ -136,6 +136,8 @@ def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Fo
         found = Found(outcome, z, shot, NO_LAYERS, finer * steps)
         if _resolved(law, par, found):
             break
+        if outcome == UNSOLVED and finer > 2:
+            break  # it is not for want of a mesh
         # a kink of the law inside a step leaves a miss of about its square
         miss = loss_miss(law, par, shot) if outcome == SOLVED else 0.0
         finer *= int(min(max(ceil(sqrt(miss / LOSS_MISS)), 2), FINER))

@@ -94,7 +94,8 @@ def _carry_far(
             break
         miss = layers.entry_tension - t
         if mesh == steps and (geometry.kick_coefficient == 0.0 or abs(miss) < ALIKE * t):
-            return SOLVED, t, shot_of_layers(law, par, layers)
+            t = layers.entry_tension
+            return SOLVED, t, shot_of_layers(law, parameters_at(t, geometry), layers)
         if mesh != steps and (geometry.kick_coefficient == 0.0 or abs(miss) < 1e-4 * t):
             mesh, t_last = steps, 0.0
         new = t + miss

@@ -230,7 +230,7 @@ def _less_rest(law: CompactLaw, par: Parameters, case: Case, first: Layers) -> t
     side = 0
     for i in range(100):
         z = 0.5 * (low + high)
-        if f_low < inf and i % 8 < 7:
+        if f_low < inf and f_low != f_high and i % 8 < 7:
             z = (low * f_high - high * f_low) / (f_high - f_low)
         if not low < z < high:
             z = 0.5 * (low + high)

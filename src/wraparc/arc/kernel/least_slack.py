@@ -150,8 +150,8 @@ def _pull_closed(
             return t
         if i > 0 and t != t_last:
             slope = (f - f_last) / (t - t_last)
-        if slope <= 0.0:
-            break
+        if slope <= 0.0 or abs(f) > slope:
+            break  # it goes astray
         t_last, f_last, t = t, f, t - f / slope
     return nan
 

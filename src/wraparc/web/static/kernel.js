@@ -1984,7 +1984,7 @@ export function layers___less_rest(law, par, case_, first) {
   for (let each2 = 0, end2 = 100; each2 < end2; each2++) {
     i = each2;
     z = 0.5 * (low + high);
-    if (f_low < Infinity && modulo(i, 8) < 7) {
+    if (f_low < Infinity && f_low !== f_high && modulo(i, 8) < 7) {
       z = (low * f_high - high * f_low) / (f_high - f_low);
     }
     if (!(low < z && z < high)) {
@@ -4302,6 +4302,9 @@ export function answer___by_marches(law, par, goal, steps) {
     if (answer___resolved(law, par, found)) {
       break;
     }
+    if (outcome === UNSOLVED && finer > 2) {
+      break;
+    }
     miss = outcome === SOLVED ? answer__loss_miss(law, par, shot) : 0.0;
     finer *= Math.trunc(min(max(Math.ceil(Math.sqrt(miss / LOSS_MISS)), 2), FINER));
   }
@@ -5247,7 +5250,12 @@ export function capacity___carry_far(law, geometry, tight, aim, steps) {
     }
     miss = layers.entry_tension - t;
     if (mesh === steps && (geometry.kick_coefficient === 0.0 || Math.abs(miss) < ALIKE * t)) {
-      return [SOLVED, t, layers__shot_of_layers(law, par, layers)];
+      t = layers.entry_tension;
+      return [
+        SOLVED,
+        t,
+        layers__shot_of_layers(law, quantities__parameters_at(t, geometry), layers),
+      ];
     }
     if (mesh !== steps && (geometry.kick_coefficient === 0.0 || Math.abs(miss) < 0.0001 * t)) {
       mesh = steps;
@@ -5574,7 +5582,7 @@ export function least_slack___pull_closed(law, geometry, pull, limit, near, gues
     if (i > 0 && t !== t_last) {
       slope = (f - f_last) / (t - t_last);
     }
-    if (slope <= 0.0) {
+    if (slope <= 0.0 || Math.abs(f) > slope) {
       break;
     }
     [t_last, f_last, t] = [t, f, t - f / slope];

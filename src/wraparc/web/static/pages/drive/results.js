@@ -43,7 +43,7 @@ export class Results extends Component {
   componentDidUpdate() {
     this.paint();
   }
-  /** Draw what has changed since it was drawn. */
+  /** Draw what has changed. */
   paint() {
     const arc = answer.quick;
     if (!arc || !this.pictures || arc.status !== "solved") return this.painted(arc);
@@ -95,6 +95,7 @@ export class Results extends Component {
   body(arc) {
     const solved = arc?.status === "solved";
     const full = wholeArc();
+    const late = { class: arc?.own && "before" };
     const least = (known() || answer.full)?.least_tension;
     return [
       h("div", { class: "pair", key: "pair" }, this.pulleyCard(solved), arc && keyFigures(arc)),
@@ -108,8 +109,8 @@ export class Results extends Component {
       answer.full?.conditions && h("div", { key: "conditions" }, table(answer.full.conditions)),
       answer.full && h("div", { key: "checks" }, table((known() || answer.full).checks)),
       least && h("div", { key: "least" }, table(least.table)),
-      answer.full?.summary && h("div", { key: "summary" }, table(answer.full.summary)),
-      h("div", { class: "tables", key: "tables" }, full && tables(full)),
+      answer.full?.summary && h("div", { ...late, key: "summary" }, table(answer.full.summary)),
+      h("div", { ...late, key: "tables" }, full && tables(full)),
     ];
   }
   /** @param {boolean} solved */
@@ -167,8 +168,7 @@ export class Results extends Component {
 /** @param {QuickAnswer} arc */
 const top = (arc) => [h("div", { id: "verdict", key: "verdict" }, verdicts(arc)), chips(arc)];
 const NO_PICTURE =
-  "No picture: the belt is in gross slip on this pulley, so that there is no state at rest " +
-  "to draw. What the friction can carry stands beside and below.";
+  "No picture: the belt is in gross slip on this pulley, so there is no state at rest to draw.";
 
 /**
  * What keeps the drive from being solved.
