@@ -53,6 +53,7 @@ from wraparc.friction.compact import CompactLaw
 #: largest relative miss of the loss of energy, which is exact for any law: beyond it the mesh has
 #: not resolved the law
 LOSS_MISS = 1e-6
+TURNS, LEAST_TURN = 60, 1e-9  # points where the way of slip is looked at, and slip [m]
 FINEST, FINER = 32, 8  # times the mesh until the loss of energy is met, in all and at once
 BALANCE = 1e-8  # largest relative miss of T2 that counts as solved
 
@@ -134,12 +135,11 @@ def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Fo
         if outcome == BREAKAWAY:
             break
         found = Found(outcome, z, shot, NO_LAYERS, finer * steps)
-        if _resolved(law, par, found):
-            break
-        if outcome == UNSOLVED and finer > 2:
-            break  # it is not for want of a mesh
-        # a kink of the law inside a step leaves a miss of about its square
         miss = loss_miss(law, par, shot) if outcome == SOLVED else 0.0
+        held = jumps(law) and par.shear == 0.0
+        if miss < LOSS_MISS and (outcome == SOLVED or held or finer > 2):
+            break  # resolved, or unsolved not for want of a mesh
+        # a kink of the law inside a step leaves a miss of about its square
         finer *= int(min(max(ceil(sqrt(miss / LOSS_MISS)), 2), FINER))
     return found
 
@@ -158,7 +158,19 @@ def _held_throughout(law: CompactLaw, par: Parameters, found: Found) -> bool:
     if not jumps(law) or par.shear == 0.0 or found.outcome != SOLVED:
         return True
     zone = found.shot.stuck_length
-    return holds(law, par, zone, zone_end(law, par, zone)[1])
+    if not holds(law, par, zone, zone_end(law, par, zone)[1]):
+        return False
+    return par.kick == 0.0 or not _turns(law, par, found)
+
+
+def _turns(law: CompactLaw, par: Parameters, found: Found) -> bool:
+    """Whether slip passes through zero in a march: a law that jumps would hold the belt there."""
+    out = zeros(RECORD * (TURNS + 4 * mesh_steps(law, par, found.steps) + 600))
+    _, count = shoot_from(law, par, found.z, found.steps, TURNS, out)
+    low = high = 0.0
+    for i in range(count):
+        low, high = min(low, out[RECORD * i + 2]), max(high, out[RECORD * i + 2])
+    return min(-low, high) > LEAST_TURN
 
 
 def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:

@@ -785,6 +785,8 @@ const COARSE_STEPS = 8;
 const COARSE_TOLERANCE = 0.0001;
 const LOSS_MISS = 1e-6;
 const FINER = 8;
+const TURNS = 60;
+const LEAST_TURN = 1e-9;
 const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
 const NODES = 400;
@@ -4263,29 +4265,9 @@ export function answer__loss_miss(law, par, shot) {
   return size > 0.0 ? Math.abs(loss - exact) / size : 0.0;
 }
 
-/** Whether friction holds the belt all along the stuck zone of a march. */
-export function answer___held_throughout(law, par, found) {
-  if (!effort__jumps(law) || par.shear === 0.0 || found.outcome !== SOLVED) {
-    return true;
-  }
-  let zone = found.shot.stuck_length;
-  return stick__holds(law, par, zone, stick__zone_end(law, par, zone)[1]);
-}
-
-/** Whether a march has met its aim on a mesh fine enough for the law. */
-export function answer___resolved(law, par, found) {
-  if (found.outcome !== SOLVED) {
-    return effort__jumps(law) && par.shear === 0.0;
-  }
-  if (answer__loss_miss(law, par, found.shot) >= LOSS_MISS) {
-    return false;
-  }
-  return answer___held_throughout(law, par, found);
-}
-
 /** Meet ln(tight/slack) by marches from the entry, on a finer mesh while it is not resolved. */
 export function answer___by_marches(law, par, goal, steps) {
-  let miss, outcome, shot, z;
+  let held, miss, outcome, shot, z;
   let aim = new Aim(TENSION, goal);
   let guess = effort__first_guess(law, par, aim);
   let found = new Found(BREAKAWAY, NaN, NO_SHOT, NO_LAYERS, steps);
@@ -4299,16 +4281,51 @@ export function answer___by_marches(law, par, goal, steps) {
       break;
     }
     found = new Found(outcome, z, shot, NO_LAYERS, finer * steps);
-    if (answer___resolved(law, par, found)) {
-      break;
-    }
-    if (outcome === UNSOLVED && finer > 2) {
-      break;
-    }
     miss = outcome === SOLVED ? answer__loss_miss(law, par, shot) : 0.0;
+    held = effort__jumps(law) && par.shear === 0.0;
+    if (miss < LOSS_MISS && (outcome === SOLVED || held || finer > 2)) {
+      break;
+    }
     finer *= Math.trunc(min(max(Math.ceil(Math.sqrt(miss / LOSS_MISS)), 2), FINER));
   }
   return found;
+}
+
+/** Whether slip passes through zero in a march: a law that jumps would hold the belt there. */
+export function answer___turns(law, par, found) {
+  let high, i, low;
+  let out = zeros(RECORD * (TURNS + 4 * effort__mesh_steps(law, par, found.steps) + 600));
+  const found1 = effort__shoot_from(law, par, found.z, found.steps, TURNS, out);
+  let count = found1[1];
+  low = high = 0.0;
+  for (let each2 = 0, end2 = count; each2 < end2; each2++) {
+    i = each2;
+    [low, high] = [min(low, out[RECORD * i + 2]), max(high, out[RECORD * i + 2])];
+  }
+  return min(-low, high) > LEAST_TURN;
+}
+
+/** Whether friction holds the belt all along the stuck zone of a march. */
+export function answer___held_throughout(law, par, found) {
+  if (!effort__jumps(law) || par.shear === 0.0 || found.outcome !== SOLVED) {
+    return true;
+  }
+  let zone = found.shot.stuck_length;
+  if (!stick__holds(law, par, zone, stick__zone_end(law, par, zone)[1])) {
+    return false;
+  }
+  return par.kick === 0.0 || !answer___turns(law, par, found);
+}
+
+/** Whether a march has met its aim on a mesh fine enough for the law. */
+export function answer___resolved(law, par, found) {
+  if (found.outcome !== SOLVED) {
+    return effort__jumps(law) && par.shear === 0.0;
+  }
+  if (answer__loss_miss(law, par, found.shot) >= LOSS_MISS) {
+    return false;
+  }
+  return answer___held_throughout(law, par, found);
 }
 
 /** Effort at which the exit tension is met. */
