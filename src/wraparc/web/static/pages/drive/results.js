@@ -95,7 +95,7 @@ export class Results extends Component {
   body(arc) {
     const solved = arc?.status === "solved";
     const full = wholeArc();
-    const late = { class: arc?.own && "before" };
+    const late = arc?.own ? "before" : "";
     const least = (known() || answer.full)?.least_tension;
     return [
       h("div", { class: "pair", key: "pair" }, this.pulleyCard(solved), arc && keyFigures(arc)),
@@ -109,8 +109,8 @@ export class Results extends Component {
       answer.full?.conditions && h("div", { key: "conditions" }, table(answer.full.conditions)),
       answer.full && h("div", { key: "checks" }, table((known() || answer.full).checks)),
       least && h("div", { key: "least" }, table(least.table)),
-      answer.full?.summary && h("div", { ...late, key: "summary" }, table(answer.full.summary)),
-      h("div", { ...late, key: "tables" }, full && tables(full)),
+      answer.full?.summary && h("div", { class: late, key: "summary" }, table(answer.full.summary)),
+      h("div", { class: `tables ${late}`, key: "tables" }, full && tables(full)),
     ];
   }
   /** @param {boolean} solved */
