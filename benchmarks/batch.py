@@ -164,7 +164,7 @@ def steps(arcs: Arcs) -> None:
     """What each part of the way brought."""
     n = len(arcs)
     exact = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False)
-    batch = engineering._Batch(arcs)
+    batch = engineering.LaneBatch(arcs)
     batch.find_gross(row.TENSIONS)
     rows = batch.rows(np.arange(n), 1.0)
     place = engineering._FOUND[lane_slots.EXIT_CREEP]

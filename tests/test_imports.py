@@ -58,7 +58,7 @@ UNDER_THE_EXTRAS = {"llvmlite"}
 # Rooms that are nothing without their extra and may import it at the top.
 OPTIONAL_ROOMS = {"web"}
 # Modules that exist for their extra alone and are imported only where it is used.
-OPTIONAL_MODULES = {"wraparc.batch.underlay"}
+OPTIONAL_MODULES = {"wraparc.batch.series", "wraparc.batch.underlay"}
 
 
 def modules(root: Path) -> dict[str, Path]:

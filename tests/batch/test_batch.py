@@ -24,6 +24,7 @@ from wraparc.batch import (
     BatchResult,
     Setting,
     engineering,
+    from_lanes,
     precise,
     solve_arcs,
     solve_batch,
@@ -167,6 +168,7 @@ def test_no_cut_changes_a_bit(setting: Setting, monkeypatch: pytest.MonkeyPatch)
     But for few rows that are interpreted, see `test_few_rows_are_left_to_the_interpreter`.
     """
     monkeypatch.setattr(precise, "pays", lambda *_: True)
+    monkeypatch.setattr(from_lanes, "pays", lambda *_: True)
     n = 200 if setting is Setting.PRECISE else 10_000
     table = designs(n, 11)
     table["lagging"] = np.arange(n) % 3  # type: ignore[assignment]
@@ -200,6 +202,7 @@ def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     assert available()
     with monkeypatch.context() as patch:
         patch.setattr(precise, "available", lambda: False)
+        patch.setattr(from_lanes, "available", lambda: False)
         patch.setattr(engineering, "available", lambda: False)
         yield
 
@@ -209,10 +212,10 @@ def test_interpreted_precise_is_compiled_precise(
 ) -> None:
     arcs = columns_of(random_arcs(1, 13), LAGGINGS)
     monkeypatch.setattr(precise, "pays", lambda *_: True)
-    compiled = solve_arcs(arcs, setting=Setting.PRECISE)
+    compiled = precise.solve_precisely(arcs)
     request.getfixturevalue("interpreted")
-    plain = solve_arcs(arcs, setting=Setting.PRECISE)
-    np.testing.assert_allclose(plain.found, compiled.found, rtol=1e-12, atol=1e-15)
+    plain = precise.solve_precisely(arcs)
+    np.testing.assert_allclose(plain, compiled, rtol=1e-12, atol=1e-15)
 
 
 def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -243,7 +246,7 @@ def test_where_a_precise_row_begins_decides_speed_only(
 ) -> None:
     """From what the lanes have found, or far off: fewer marches, and the same answer."""
     arcs = arcs_of_table(designs(3, 22), SHIPPED[1])
-    batch = engineering._Batch(arcs)
+    batch = engineering.LaneBatch(arcs)
     parts = TENSIONS | answer.CREEP_LIMIT | answer.TESTED_SLIP
     batch.find(parts)
     assert np.isfinite(batch.starts[:, :3]).all()

@@ -137,7 +137,7 @@ def test_capacities_are_those_of_the_precise_setting(name: str) -> None:
     lag = lagging(name, FALLING[name])
     table = designs(120, 31)
     arcs = arcs_of_table(table, lag)
-    batch = engineering._Batch(arcs)
+    batch = engineering.LaneBatch(arcs)
     found, left = engineering.solve_in_lanes(arcs)
     assert left.mean() < 0.05
     assert batch.softens.all()

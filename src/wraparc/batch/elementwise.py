@@ -77,6 +77,16 @@ def ex(a: Number) -> Number:
     return np.exp(a)
 
 
+def full_ln(a: Number) -> Number:
+    """Natural logarithm of a positive number, to rounding."""
+    return np.log(a)
+
+
+def full_ex(a: Number) -> Number:
+    """Exponential of a number between -700 and 700, to rounding."""
+    return np.exp(a)
+
+
 def memory(array: Any, kind: str) -> Any:
     """Return an array as a buffer for a kernel; buffers of different kinds never overlap."""
     return array

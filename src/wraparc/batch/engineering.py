@@ -65,13 +65,6 @@ _MAIN = (
 )
 
 
-def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> Array:
-    """Rows of results by the scalar kernel, which begins with what the lanes have found."""
-    batch = _Batch(arcs)
-    batch.find(parts)
-    return solve_precisely(arcs, parts, batch.starts)
-
-
 def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flags]:
     """Rows of results (see `row`), and which arcs the scalar kernel had to do.
 
@@ -87,7 +80,7 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
     found, handed_over
         Shapes (n, 21) and (n,).
     """
-    batch = _Batch(arcs)
+    batch = LaneBatch(arcs)
     batch.find(parts)
     batch.cap_by_gross()
     batch.hand_over(parts)
@@ -101,7 +94,7 @@ def tables_of(laws: LawBank) -> tuple[LaneLaws, Plateaus]:
     return table, Plateaus(table)
 
 
-class _Batch:
+class LaneBatch:
     """A batch while it is being solved."""
 
     def __init__(self, arcs: Arcs) -> None:
@@ -258,6 +251,7 @@ class _Batch:
             kept, out = which[good], out[good]
         self.starts[kept, 0] = out[:, _FOUND[slot.G]]
         self.starts[kept, 4] = out[:, _FOUND[slot.SLOPE_Z]] / out[:, _FOUND[slot.G_Z]]
+        self.starts[kept, 6] = out[:, _FOUND[slot.G_Z]]
         for place, name in _MAIN:
             self.found[kept, place] = out[:, _FOUND[name]]
         self.found[kept, row.LOG_RATIO] = -self.log_ratio[kept]

@@ -121,4 +121,33 @@ READ_SLOTS = SOLVE_SLOTS + 11
     S_LAST,  # s and ds at the beginning of a step
     S_RATE,
 ) = range(READ_SLOTS, READ_SLOTS + 10)
-SLOTS = READ_SLOTS + 10
+GROSS_SLOTS = READ_SLOTS + 10
+
+(
+    GRADED_PART,  # of eta, a graded step of the kernel's mesh
+    PLAIN_STEP,  # of Q, a step past the graded ones
+    ETA,  # where a step begins, and Q there
+    Q_AT,
+    ABOVE,  # 1 where the pressure is above or below the range of the law
+    BELOW,
+    GRADED,  # last Q of the graded steps, 0 past them
+    STEP_FROM,  # a step: eta or Q where it begins, its length, Q at its end, its weight
+    STEP_BY,
+    STEP_TO,
+    WEIGHED_BY,
+    WORK,  # of friction [J/m2]
+    SUM_W,
+    RATE_1,  # rates of slip of the stages
+    RATE_2,
+    RATE_3,
+    RATE_4,
+    RATE_5,
+    RATE_6,
+    G_AT_FIRST,  # the search: g and g + x_c/l at first, and the last try
+    SUM_AT_FIRST,
+    Z_LAST,
+    MISS_LAST,
+    SLOPE,
+    X_AT_FIRST,
+) = range(GROSS_SLOTS, GROSS_SLOTS + 25)
+SLOTS = GROSS_SLOTS + 25

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.batch.elementwise import memory
 from wraparc.friction import FrictionLaw
 from wraparc.friction.compact import CompactLaw
 
@@ -116,3 +118,16 @@ def _packed(laws: Sequence[CompactLaw]) -> tuple[Array, Integers]:
     starts = np.concatenate([[0], np.cumsum(sizes)[:-1]]) if parts else sizes
     numbers = np.concatenate(parts) if parts else np.empty(0)
     return numbers, np.stack([starts, sizes], axis=1).reshape(-1, 6).astype(np.int64)
+
+
+def law_of(bank: Any, which: int) -> CompactLaw:
+    """One law of a bank of (kinds, numbers, places, onsets), in memory that is not counted."""
+    kinds, numbers, places, onsets = bank
+    e, ne, c, nc, s, ns = places[which]
+    return CompactLaw(
+        kinds[which],
+        memory(numbers, "edges")[e : e + ne],
+        memory(numbers, "coefficients")[c : c + nc],
+        memory(numbers, "slips")[s : s + ns],
+        onsets[which],
+    )

@@ -198,11 +198,11 @@ def fingerprint(functions: tuple[FunctionType, ...], options: object = None) -> 
     import llvmlite  # type: ignore[import-untyped]
     import numba
 
-    from wraparc.batch import underlay
+    from wraparc.batch import series, underlay
 
     digest = hashlib.sha256()
-    with open(underlay.__file__, "rb") as file:
-        digest.update(file.read())
+    for below in (underlay, series):
+        digest.update(Path(str(below.__file__)).read_bytes())
     about = (numba.__version__, llvmlite.__version__, sys.version, platform.machine(), options)
     digest.update(repr((about, _as_it_is())).encode())
     for function in functions:

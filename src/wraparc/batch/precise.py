@@ -8,7 +8,7 @@ import numpy as np
 
 from wraparc.arc.kernel.answer import CAPACITIES
 from wraparc.batch.arcs import Arcs, Array, Integers
-from wraparc.batch.elementwise import memory
+from wraparc.batch.laws import law_of
 from wraparc.batch.native import available, compiled, pays
 from wraparc.batch.row import (
     EVERYTHING,
@@ -17,7 +17,6 @@ from wraparc.batch.row import (
     capacities_of_row,
     tensions_of_row,
 )
-from wraparc.friction.compact import CompactLaw
 
 STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
@@ -54,19 +53,6 @@ def capacity_rows(
         capacities_of_row(law_of(bank, which[i]), given[i], parts[i], steps, found[i], starts[i])
 
 
-def law_of(bank: Any, which: int) -> CompactLaw:
-    """One law of a bank of (kinds, numbers, places, onsets), in memory that is not counted."""
-    kinds, numbers, places, onsets = bank
-    e, ne, c, nc, s, ns = places[which]
-    return CompactLaw(
-        kinds[which],
-        memory(numbers[e : e + ne], "edges"),
-        memory(numbers[c : c + nc], "coefficients"),
-        memory(numbers[s : s + ns], "slips"),
-        onsets[which],
-    )
-
-
 #: rows of a chunk that are left to the interpreter: one takes 5 ms to 25 ms, with capacities 50 ms
 #: to 150 ms; to load the compiled code takes 1 s, to compile it 10 s to 40 s
 FEW, FEW_WITH_CAPACITIES = 20, 4
@@ -86,7 +72,7 @@ def solve_precisely(
     parts
         What is wanted, of all arcs or of each.
     starts
-        Where searches begin, shape (n, 6), see `row.STARTS`; it decides speed only.
+        Where searches begin, shape (n, 7), see `row.STARTS`; it decides speed only.
     """
     given, n = arcs.inputs(), len(arcs)
     wanted = np.broadcast_to(np.asarray(parts, dtype=np.int64), (n,)).copy()

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
 from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.engineering import tables_of
-from wraparc.batch.laws import LawBank
+from wraparc.batch.laws import LawBank, law_of
 from wraparc.batch.native import available, compiled, pays
-from wraparc.batch.precise import law_of
 from wraparc.friction.compact import KNOTS
 
 #: ln(tight/slack) that plateaus carry, and friction at the end over that at the start, for

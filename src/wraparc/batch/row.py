@@ -42,6 +42,7 @@ from wraparc.arc.kernel.quantities import (
     Geometry,
     Load,
     Parameters,
+    Shot,
     parameters_at,
     zeros,
 )
@@ -104,8 +105,8 @@ PLACES = {
 
 #: where the searches of a row begin, nan where nothing is known: entry creep ratios [-] of the
 #: operating point, of the creep limit, of the tested slip and of the least tension; the slope of
-#: ln s by the first's logarithm, and the entry tension of the last [N]
-STARTS = 6
+#: ln s by the first, the entry tension of the last [N], and g + x_c/l of the first (`lane_solve`)
+STARTS = 7
 
 
 def geometry_of(given: Buffer) -> Geometry:
@@ -235,6 +236,23 @@ def find_tensions(
         sort(out, count)
     else:
         shot, count = profile_of(law, solved, load.exit_tension, points, out)
+    read_profile(law, par, load, shot, out, count, found)
+    if RECORD * count <= len(records):
+        for i in range(RECORD * count):
+            records[i] = out[i]
+    return count
+
+
+def read_profile(
+    law: CompactLaw,
+    par: Parameters,
+    load: Load,
+    shot: Shot,
+    out: Buffer,
+    count: int,
+    found: Buffer,
+) -> None:
+    """Write what an arc at its exit and its profile say into a row of results."""
     found[LOG_RATIO], found[EXIT_SLIP], found[EXIT_CREEP] = shot.log_tension, shot.slip, shot.creep
     found[EXIT_STRESS], found[WORK], found[CREEP_RATIO] = shot.stress, shot.work, shot.creep_ratio
     found[STUCK_LENGTH], found[ENTRY_STRESS] = shot.stuck_length, out[4]
@@ -246,10 +264,6 @@ def find_tensions(
         found[OUTSIDE] = share_outside(
             par, out, count, load.pressure_min, load.pressure_max, load.slip_max
         )
-    if RECORD * count <= len(records):
-        for i in range(RECORD * count):
-            records[i] = out[i]
-    return count
 
 
 def meet_near(

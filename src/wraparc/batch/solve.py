@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array, arcs_of_table
-from wraparc.batch.engineering import solve_from_lanes, solve_in_lanes
+from wraparc.batch.engineering import solve_in_lanes
+from wraparc.batch.from_lanes import solve_from_lanes
 from wraparc.batch.native import available
 from wraparc.batch.result import BatchResult
 from wraparc.drive import Lagging
@@ -21,7 +22,7 @@ from wraparc.errors import InputError, Problem
 Progress = Callable[[int, int], object]
 
 #: rows of a chunk: enough to hide what a chunk costs, few enough for threads to share the work
-CHUNK = {"engineering": 8192, "precise": 512}
+CHUNK = {"engineering": 8192, "precise": 1024}
 
 
 class Setting(StrEnum):

@@ -29,7 +29,7 @@ from numba.extending import (
 )
 
 from wraparc.arc.kernel import quantities
-from wraparc.batch import elementwise
+from wraparc.batch import elementwise, series
 from wraparc.batch.elementwise import LANES
 
 LOOKED_UP = "tables"  # memory read one number at a time: gathers are slow on many processors
@@ -185,22 +185,6 @@ def _memory(array: Any, kind: Any) -> Any:
     return memory
 
 
-@intrinsic
-def _bits(typing: Any, number: Any) -> Any:
-    def build(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.bitcast(args[0], ir.IntType(64))
-
-    return types.int64(types.float64), build
-
-
-@intrinsic
-def _number(typing: Any, bits: Any) -> Any:
-    def build(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.bitcast(args[0], ir.DoubleType())
-
-    return types.float64(types.int64), build
-
-
 def _kind(a: Any, b: Any) -> Any:
     whole = isinstance(a, types.Integer) and isinstance(b, types.Integer)
     return types.int64 if whole else types.float64
@@ -273,9 +257,9 @@ def _type_index(context: Any) -> Any:
 
 @lower_builtin(elementwise.index, types.Any)
 def _index(context: Any, builder: Any, sig: Any, args: Any) -> Any:
-    shifted = builder.fadd(args[0], args[0].type(_MAGIC))
+    shifted = builder.fadd(args[0], args[0].type(series.MAGIC))
     bits = builder.bitcast(shifted, ir.IntType(64))
-    return builder.sub(bits, bits.type(_MAGIC_BITS))
+    return builder.sub(bits, bits.type(series.MAGIC_BITS))
 
 
 @overload(quantities.zeros, strict=False)
@@ -284,72 +268,6 @@ def _room(size: Any) -> Any:
         return np.zeros(size)
 
     return zeros
-
-
-# A double plus this has the number, rounded to an integer, in its low bits.
-_MAGIC = 6755399441055744.0
-_MAGIC_BITS = 0x4338000000000000
-_SQRT_HALF_BITS = 0x3FE6A09E667F3BCD
-_LN_2 = 0.6931471805599453
-# ln(1 + f)/f on [1/sqrt 2 - 1, sqrt 2 - 1], Chebyshev, 4e-9; exp on [-ln 2/2, ln 2/2], 1e-12
-_L0, _L1, _L2, _L3, _L4 = (
-    1.0000000000182159,
-    -0.49999988294141795,
-    0.33333324023637767,
-    -0.2500158512305343,
-    0.20002071674838445,
-)
-_L5, _L6, _L7, _L8, _L9 = (
-    -0.16609126504813404,
-    0.14180078717929895,
-    -0.13240842693674715,
-    0.12914170328095773,
-    -0.07638592455375161,
-)
-_E0, _E1, _E2, _E3, _E4 = (
-    1.000000000000013,
-    0.9999999999797655,
-    0.4999999999943775,
-    0.16666666891203025,
-    0.04166666704102245,
-)
-_E5, _E6, _E7, _E8 = (
-    0.008333266067429653,
-    0.0013888801671667536,
-    0.00019915883532914026,
-    2.488449845564141e-05,
-)
-
-
-@overload(elementwise.ln, strict=False)
-def _ln(a: Any) -> Any:
-    def ln(a: Any) -> Any:
-        bits = _bits(a)
-        power = (bits - _SQRT_HALF_BITS) >> 52
-        f = _number(bits - (power << 52)) - 1.0
-        g = f * f
-        h = g * g
-        p = ((_L0 + _L1 * f) + g * (_L2 + _L3 * f)) + h * (
-            ((_L4 + _L5 * f) + g * (_L6 + _L7 * f)) + h * (_L8 + _L9 * f)
-        )
-        return f * p + (_number(power + _MAGIC_BITS) - _MAGIC) * _LN_2
-
-    return ln
-
-
-@overload(elementwise.ex, strict=False)
-def _ex(a: Any) -> Any:
-    def ex(a: Any) -> Any:
-        shifted = a * (1.0 / _LN_2) + _MAGIC
-        f = a - (shifted - _MAGIC) * _LN_2
-        g = f * f
-        h = g * g
-        p = ((_E0 + _E1 * f) + g * (_E2 + _E3 * f)) + h * (
-            ((_E4 + _E5 * f) + g * (_E6 + _E7 * f)) + h * _E8
-        )
-        return p * _number((_bits(shifted) - _MAGIC_BITS + 1023) << 52)
-
-    return ex
 
 
 @contextmanager
@@ -409,6 +327,8 @@ REPLACED = frozenset(
         elementwise.index,
         elementwise.ln,
         elementwise.ex,
+        elementwise.full_ln,
+        elementwise.full_ex,
         elementwise.lanes,
     }
 )

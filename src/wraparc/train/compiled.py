@@ -8,9 +8,8 @@ from typing import Any
 
 from wraparc.arc.kernel.effort import shoot_from
 from wraparc.arc.kernel.quantities import Parameters, Shot, zeros
-from wraparc.batch.laws import arrays_of
+from wraparc.batch.laws import arrays_of, law_of
 from wraparc.batch.native import available, compiled
-from wraparc.batch.precise import law_of
 from wraparc.friction.compact import LIMIT, CompactLaw
 
 _ready = {"compiled": False}

@@ -80,7 +80,7 @@ def _step(
     )
 
 
-def _start(
+def start_of(
     law: CompactLaw, par: Parameters, gamma: float, table: Buffer
 ) -> tuple[int, int, float, float, float]:
     """State at the first node: status, steps done, s [m], slip [m], friction work [J/m2].
@@ -179,7 +179,7 @@ def march(  # noqa: C901 - one loop over steps and cuts
     length = par.length
     if table[0] == 0.0:
         extend(law, par, table)
-    status, i, s, a, work = _start(law, par, gamma, table)
+    status, i, s, a, work = start_of(law, par, gamma, table)
     count = 0
     if status == LOST:
         return LOST, 0.0, 0.0, 0.0, 0.0, count
@@ -188,7 +188,7 @@ def march(  # noqa: C901 - one loop over steps and cuts
         for j in range(RECORD):
             out[j] = 0.0
         if i == 0:
-            _record(law, par, 0.0, 0.0, a, 0.0, out, 0)
+            record_point(law, par, 0.0, 0.0, a, 0.0, out, 0)
         count = 1
     segment = segment_of(law, par.entry_pressure)
     branch = branch_of(law, segment, a, par.entry_pressure)
@@ -228,19 +228,9 @@ def march(  # noqa: C901 - one loop over steps and cuts
             q1, kink = q + part * (q1 - q), False
         if len(out) > 0:
             start, end = (q, s, a, work), (q1, s1, a1, work1)
-            if _divided(par, points, s, s1):
-                # halve the step: cubics through its ends and middle are good to 1e-6
-                half = 0.5 * (q1 - q)
-                fill(law, par, segment, False, 1.0, q, half, table, PART, -1)
-                sm, am, work_m = _step(table, PART, branch, gamma, s, a, work)
-                middle = (q + half, sm, am, work_m)
-                count = _between(
-                    law, par, gamma, segment, branch, start, middle, points, out, count
-                )
-                start = middle
-            count = _between(law, par, gamma, segment, branch, start, end, points, out, count)
-            _record(law, par, q1, s1, a1, work1, out, count)
-            count += 1
+            count = record_step(
+                law, par, gamma, segment, branch, start, end, points, table, out, count
+            )
         q, s, a, work = q1, s1, a1, work1
         if done:
             return SOLVED, q, s, a, work, count
@@ -252,7 +242,34 @@ def march(  # noqa: C901 - one loop over steps and cuts
     return LOST, q, s, a, work, count
 
 
-def _record(
+def record_step(
+    law: CompactLaw,
+    par: Parameters,
+    gamma: float,
+    segment: int,
+    branch: int,
+    start: tuple[float, float, float, float],
+    end: tuple[float, float, float, float],
+    points: int,
+    table: Buffer,
+    out: Buffer,
+    count: int,
+) -> int:
+    """Record the points of the equal division inside a step (Q, s, a, work), and its end."""
+    if _divided(par, points, start[1], end[1]):
+        # halve the step: cubics through its ends and middle are good to 1e-6
+        half = 0.5 * (end[0] - start[0])
+        fill(law, par, segment, False, 1.0, start[0], half, table, PART, -1)
+        sm, am, work_m = _step(table, PART, branch, gamma, start[1], start[2], start[3])
+        middle = (start[0] + half, sm, am, work_m)
+        count = _between(law, par, gamma, segment, branch, start, middle, points, out, count)
+        start = middle
+    count = _between(law, par, gamma, segment, branch, start, end, points, out, count)
+    record_point(law, par, end[0], end[1], end[2], end[3], out, count)
+    return count + 1
+
+
+def record_point(
     law: CompactLaw,
     par: Parameters,
     q: float,
@@ -302,7 +319,7 @@ def _between(
         f = (at - s) / ds
         q = hermite(f, ds, start[0], d0[0], end[0], d1[0])
         a = hermite(f, ds, start[2], d0[1], end[2], d1[1])
-        _record(law, par, q, at, a, hermite(f, ds, start[3], d0[2], end[3], d1[2]), out, count)
+        record_point(law, par, q, at, a, hermite(f, ds, start[3], d0[2], end[3], d1[2]), out, count)
         count += 1
         j += 1
     return count

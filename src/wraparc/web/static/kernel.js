@@ -3490,7 +3490,7 @@ export function tension_table__extend(law, par, table) {
 }
 
 /** State at the first node: status, steps done, s [m], slip [m], friction work [J/m2]. */
-export function tension_march___start(law, par, gamma, table) {
+export function tension_march__start_of(law, par, gamma, table) {
   let change, f, mu_pk, r, slip_pk, work;
   let kick = par.side * par.kick;
   if (gamma * par.length < -0.1 * kick) {
@@ -3545,7 +3545,7 @@ export function tension_march__exit_state(law, par, q, a) {
 }
 
 /** Write one point of a profile, see wraparc.arc.kernel.march.record. */
-export function tension_march___record(law, par, q, s, a, work, out, count) {
+export function tension_march__record_point(law, par, q, s, a, work, out, count) {
   let side = par.side;
   const found1 = tension_march__exit_state(law, par, q, a);
   let tau = found1[0];
@@ -3784,7 +3784,7 @@ export function tension_march___between(
     f = (at - s) / ds;
     q = step__hermite(f, ds, start[0], d0[0], end[0], d1[0]);
     a = step__hermite(f, ds, start[2], d0[1], end[2], d1[1]);
-    tension_march___record(
+    tension_march__record_point(
       law,
       par,
       q,
@@ -3800,34 +3800,56 @@ export function tension_march___between(
   return count;
 }
 
+/** Record the points of the equal division inside a step (Q, s, a, work), and its end. */
+export function tension_march__record_step(
+  law,
+  par,
+  gamma,
+  segment,
+  branch,
+  start,
+  end,
+  points,
+  table,
+  out,
+  count,
+) {
+  let am, half, middle, sm, work_m;
+  if (tension_march___divided(par, points, start[1], end[1])) {
+    half = 0.5 * (end[0] - start[0]);
+    tension_table__fill(law, par, segment, false, 1.0, start[0], half, table, PART, -1);
+    const found1 = tension_march___step(table, PART, branch, gamma, start[1], start[2], start[3]);
+    sm = found1[0];
+    am = found1[1];
+    work_m = found1[2];
+    middle = [start[0] + half, sm, am, work_m];
+    count = tension_march___between(
+      law,
+      par,
+      gamma,
+      segment,
+      branch,
+      start,
+      middle,
+      points,
+      out,
+      count,
+    );
+    start = middle;
+  }
+  count = tension_march___between(law, par, gamma, segment, branch, start, end, points, out, count);
+  tension_march__record_point(law, par, end[0], end[1], end[2], end[3], out, count);
+  return count + 1;
+}
+
 /** March from the entry to the last Q of a table, or to the exit nip. */
 export function tension_march__march(law, par, gamma, to_exit, table, points, out) {
-  let a1,
-    am,
-    done,
-    end,
-    gap_0,
-    gap_1,
-    half,
-    j,
-    kink,
-    middle,
-    o,
-    part,
-    q1,
-    q_end,
-    s1,
-    sm,
-    start,
-    there,
-    to,
-    work1,
-    work_m;
+  let a1, done, end, gap_0, gap_1, j, kink, o, part, q1, q_end, s1, start, there, to, work1;
   let length = par.length;
   if (table[0] === 0.0) {
     tension_table__extend(law, par, table);
   }
-  const found1 = tension_march___start(law, par, gamma, table);
+  const found1 = tension_march__start_of(law, par, gamma, table);
   let status = found1[0];
   let i = found1[1];
   let s = found1[2];
@@ -3844,7 +3866,7 @@ export function tension_march__march(law, par, gamma, to_exit, table, points, ou
       out[j] = 0.0;
     }
     if (i === 0) {
-      tension_march___record(law, par, 0.0, 0.0, a, 0.0, out, 0);
+      tension_march__record_point(law, par, 0.0, 0.0, a, 0.0, out, 0);
     }
     count = 1;
   }
@@ -3931,29 +3953,7 @@ export function tension_march__march(law, par, gamma, to_exit, table, points, ou
     if (out.length > 0) {
       start = [q, s, a, work];
       end = [q1, s1, a1, work1];
-      if (tension_march___divided(par, points, s, s1)) {
-        half = 0.5 * (q1 - q);
-        tension_table__fill(law, par, segment, false, 1.0, q, half, table, PART, -1);
-        const found7 = tension_march___step(table, PART, branch, gamma, s, a, work);
-        sm = found7[0];
-        am = found7[1];
-        work_m = found7[2];
-        middle = [q + half, sm, am, work_m];
-        count = tension_march___between(
-          law,
-          par,
-          gamma,
-          segment,
-          branch,
-          start,
-          middle,
-          points,
-          out,
-          count,
-        );
-        start = middle;
-      }
-      count = tension_march___between(
+      count = tension_march__record_step(
         law,
         par,
         gamma,
@@ -3962,11 +3962,10 @@ export function tension_march__march(law, par, gamma, to_exit, table, points, ou
         start,
         end,
         points,
+        table,
         out,
         count,
       );
-      tension_march___record(law, par, q1, s1, a1, work1, out, count);
-      count += 1;
     }
     q = q1;
     s = s1;

@@ -1,0 +1,110 @@
+"""The kernel's march in the lanes against the scalar kernel.
+
+Expected values: `wraparc.batch.precise.solve_precisely`, the scalar kernel, whose searches end
+within 1e-10; and NumPy's logarithms and exponentials.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arc.drives import PIECEWISE, RUBBER, SOFTENING, integral_log
+from batch.batches import designs, lagging
+from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED
+from wraparc.batch import Setting, engineering, precise, row, solve_arcs
+from wraparc.batch.arcs import Arcs, Array, arcs_of_table
+from wraparc.batch.elementwise import full_ex, full_ln
+from wraparc.batch.native import compiled
+from wraparc.batch.sixth import Flags, solve_in_sixth
+from wraparc.drive import Lagging
+from wraparc.files import load_lagging
+
+SHIPPED = [load_lagging(name) for name in ("diamond-rubber", "medium-ceramic", "full-ceramic")]
+OTHERS = [lagging("rubber", RUBBER), lagging("free of pressure", integral_log(peak=0.6, slip=2e-2))]
+
+
+def both_ways(arcs: Arcs) -> tuple[Array, Flags, Array]:
+    """Rows of results by the lanes, which of them are solved, and rows by the scalar kernel."""
+    batch = engineering.LaneBatch(arcs)
+    batch.find(row.TENSIONS)
+    found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
+    done = solve_in_sixth(arcs, batch.laws, batch.starts, found)
+    return found, done, precise.solve_precisely(arcs, row.TENSIONS)
+
+
+def wide(n: int, seed: int) -> dict[str, Any]:
+    """Also far above and below the tested pressures, with soft belts, and some without a kick."""
+    rng = np.random.default_rng(seed)
+    table: dict[str, Any] = dict(designs(n, seed))
+    factor = np.exp(rng.uniform(np.log(0.1), np.log(4.0), n))
+    table["entry_tension"] = table["entry_tension"] * factor
+    table["exit_tension"] = table["exit_tension"] * factor
+    table["belt_modulus"] = np.exp(rng.uniform(np.log(2e6), np.log(2e8), n))
+    table["overrun"] = np.where(rng.random(n) < 0.3, 0.0, np.nan)
+    table["recovery"] = np.where(rng.random(n) < 0.5, 1.0, 0.0)
+    return table
+
+
+@pytest.mark.parametrize("lag", SHIPPED + OTHERS, ids=lambda lag: lag.name)
+def test_every_number_is_that_of_the_scalar_kernel(lag: Lagging) -> None:
+    arcs = arcs_of_table(wide(400, 31), lag)
+    found, done, exact = both_ways(arcs)
+    assert np.mean(done[exact[:, row.OUTCOME] != BREAKAWAY]) > 0.6
+    for place in row.PLACES[row.TENSIONS]:
+        # the fastest growth of slip may hide beside a knot of the law
+        within = 3e-3 if place == row.STEEPEST_SLIP else 1e-9
+        small = 1e-9 if place in (row.OUTSIDE, row.CREEP_RATIO) else 1e-12
+        np.testing.assert_allclose(
+            found[done, place], exact[done, place], rtol=within, atol=small, err_msg=str(place)
+        )
+
+
+def test_few_designs_of_shipped_laggings_are_left_to_the_scalar_kernel() -> None:
+    """Those that pass the peak of friction."""
+    for lag in SHIPPED:
+        _, done, exact = both_ways(arcs_of_table(designs(300, 32), lag))
+        assert np.mean(done[exact[:, row.OUTCOME] == SOLVED]) > 0.95
+
+
+def test_what_lanes_are_not_made_for_is_the_scalar_kernels() -> None:
+    """Past the peak, laws by trend lines, and breakaways: not a bit is another one."""
+    laggings = [lagging("softening", SOFTENING), lagging("pieces", PIECEWISE), SHIPPED[0]]
+    table: dict[str, Any] = {**designs(300, 33), "lagging": np.arange(300) % 3}
+    table["entry_tension"] = table["entry_tension"] * 0.35
+    table["exit_tension"] = table["entry_tension"] / np.linspace(2.0, 300.0, 300)
+    arcs = arcs_of_table(table, laggings)
+    _, done, _ = both_ways(arcs)
+    assert set(arcs.law[~done]) == {0, 1, 2}
+    assert 0 in arcs.law[done]
+    batch = engineering.LaneBatch(arcs)
+    batch.find(row.TENSIONS)
+    exact = precise.solve_precisely(arcs, row.TENSIONS, batch.starts)
+    found = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False).found
+    np.testing.assert_array_equal(found[~done], exact[~done])
+
+
+def logarithms(x: Any, out: Any) -> None:
+    """Compiled for the test below."""
+    for i in range(len(x)):
+        out[i] = full_ln(x[i])
+
+
+def exponentials(x: Any, out: Any) -> None:
+    """Compiled for the test below."""
+    for i in range(len(x)):
+        out[i] = full_ex(x[i])
+
+
+def test_logarithms_and_exponentials_are_full() -> None:
+    rng = np.random.default_rng(34)
+    x = np.exp(rng.uniform(-200.0, 200.0, 100_000))
+    x[:50_000] = np.exp(rng.uniform(-1.0, 1.0, 50_000))
+    out = np.empty_like(x)
+    compiled(logarithms)(x, out)
+    np.testing.assert_allclose(out, np.log(x), rtol=4e-16, atol=4e-16)
+    x = np.concatenate([rng.uniform(-600.0, 600.0, 50_000), rng.uniform(-1.0, 1.0, 50_000)])
+    compiled(exponentials)(x, out)
+    np.testing.assert_allclose(out, np.exp(x), rtol=1e-15)
