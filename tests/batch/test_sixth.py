@@ -13,10 +13,12 @@ import pytest
 
 from arc.drives import PIECEWISE, RUBBER, SOFTENING, integral_log
 from batch.batches import designs, lagging
+from wraparc.arc.kernel import answer
 from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED
-from wraparc.batch import Setting, engineering, precise, row, solve_arcs
+from wraparc.batch import Setting, engineering, from_lanes, precise, row, solve_arcs
 from wraparc.batch.arcs import Arcs, Array, arcs_of_table
 from wraparc.batch.elementwise import full_ex, full_ln
+from wraparc.batch.lane_kernel import TENSIONS
 from wraparc.batch.native import compiled
 from wraparc.batch.sixth import Flags, solve_in_sixth
 from wraparc.drive import Lagging
@@ -31,7 +33,7 @@ def both_ways(arcs: Arcs) -> tuple[Array, Flags, Array]:
     batch = engineering.LaneBatch(arcs)
     batch.find(row.TENSIONS)
     found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
-    done = solve_in_sixth(arcs, batch.laws, batch.starts, found)
+    done = solve_in_sixth(arcs, batch.laws, batch.begun[TENSIONS], found)
     return found, done, precise.solve_precisely(arcs, row.TENSIONS)
 
 
@@ -67,6 +69,40 @@ def test_few_designs_of_shipped_laggings_are_left_to_the_scalar_kernel() -> None
     for lag in SHIPPED:
         _, done, exact = both_ways(arcs_of_table(designs(300, 32), lag))
         assert np.mean(done[exact[:, row.OUTCOME] == SOLVED]) > 0.95
+
+
+@pytest.mark.parametrize("lag", SHIPPED + OTHERS, ids=lambda lag: lag.name)
+def test_every_capacity_is_that_of_the_scalar_kernel(lag: Lagging) -> None:
+    """Slack-side tensions are small differences of what a search meets to 1e-9."""
+    table = wide(250, 35)
+    table["creep_limit"] = np.random.default_rng(36).uniform(1e-3, 6.35e-3, 250)
+    arcs = arcs_of_table(table, lag)
+    batch = engineering.LaneBatch(arcs)
+    batch.find(row.EVERYTHING, to_begin=True)
+    found = np.full((250, row.FOUND_NUMBERS), np.nan)
+    left = np.full(250, row.EVERYTHING)
+    from_lanes.carry(batch, found, left)
+    exact = precise.solve_precisely(arcs, answer.CAPACITIES)
+    for part, place, share, within in (
+        (answer.CREEP_LIMIT, row.CREEP_CAPACITY, 0.6, 1e-9),
+        (answer.TESTED_SLIP, row.SLIP_CAPACITY, 0.0, 1e-9),
+        (answer.LEAST, row.LEAST_SLACK, 0.3, 2e-7),
+        (answer.GROSS_SLIP, row.GROSS_CAPACITY, 0.0, 1e-12),
+    ):
+        done = (left & part) == 0
+        assert np.mean(done) >= share, place
+        np.testing.assert_allclose(found[done, place], exact[done, place], rtol=within)
+    assert np.isfinite(found[left & answer.GROSS_SLIP == 0, row.GROSS_CAPACITY]).all()
+
+
+def test_all_capacities_of_rubber_but_a_few_least_tensions_are_found_in_the_lanes() -> None:
+    arcs = arcs_of_table(designs(300, 37), SHIPPED[0])
+    batch = engineering.LaneBatch(arcs)
+    batch.find(row.EVERYTHING, to_begin=True)
+    left = np.full(300, row.EVERYTHING)
+    from_lanes.carry(batch, np.full((300, row.FOUND_NUMBERS), np.nan), left)
+    assert np.mean(left == row.TENSIONS) > 0.8
+    assert set(left.tolist()) <= {row.TENSIONS, row.TENSIONS | answer.LEAST}
 
 
 def test_what_lanes_are_not_made_for_is_the_scalar_kernels() -> None:

@@ -52,6 +52,7 @@ SURELY = 1.01  # times the slip speed of the tests: above it by more than the ac
 
 _INPUT = {name: k for k, name in enumerate(row.INPUTS)}
 _FOUND = {place: k for k, place in enumerate(FOUND)}
+_BEGUN = [_FOUND[name] for name in (slot.G, slot.G_Z, slot.SLOPE_Z, slot.END, slot.TENSION)]
 _MAIN = (
     (row.EXIT_CREEP, slot.EXIT_CREEP),
     (row.EXIT_SLIP, slot.EXIT_X),
@@ -82,7 +83,7 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
     """
     batch = LaneBatch(arcs)
     batch.find(parts)
-    batch.cap_by_gross()
+    batch.cap_by_gross(batch.found)
     batch.hand_over(parts)
     return batch.found, batch.left > 0
 
@@ -103,10 +104,14 @@ class LaneBatch:
         self.found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
         self.left = np.zeros(len(arcs), dtype=np.int64)  # parts for the scalar kernel
         self.starts = np.full((len(arcs), row.STARTS), np.nan)
+        self.begun: dict[int, Array] = {}  # rows of `sixth_begin.BEGUN`, by what has been met
         self.log_ratio = np.log(self.of("entry_tension") / self.of("exit_tension"))
         pull = self.of("entry_tension") - self.of("exit_tension")
         self.pull = np.maximum(pull, 0.0)
         pressure = self.of("entry_tension") / (self.of("width") * self.of("radius"))
+        self.asks_pull = self.pull > 1e-6 * self.of("entry_tension")
+        top = self.of("pressure_max") * self.of("width") * self.of("radius")
+        self.top = np.where(np.isnan(top), 1e3 * self.of("entry_tension"), top)
         softens = self.of("steepest_fall") < 0.0
         refused = self.of("shear") * pressure * self.of("steepest_fall") <= -1.0
         self.found[:, row.OUTCOME] = np.where(refused, REFUSED, SOLVED)
@@ -115,8 +120,9 @@ class LaneBatch:
         self.fit &= self.of("kick") >= 0.0  # lanes know no slip that passes zero
         self.left[self.live & ~self.fit] = row.EVERYTHING
 
-    def find(self, parts: int) -> None:
-        """All that is wanted and that lanes can do."""
+    def find(self, parts: int, *, to_begin: bool = False) -> None:
+        """All that is wanted and that lanes can do; or `to_begin` with, where searches may."""
+        self.to_begin = to_begin
         self.find_gross(parts)
         if parts & row.TENSIONS:
             self.find_tensions()
@@ -223,7 +229,7 @@ class LaneBatch:
         self.found[which, row.GROSS_CAPACITY] = gross
         self.found[which, row.GROSS_CREEP] = np.inf
         self.found[which[self.log_ratio[which] >= gross], row.OUTCOME] = BREAKAWAY
-        if parts & answer.CAPACITIES:
+        if parts & answer.CAPACITIES and not self.to_begin:
             self._find_falling_gross()
 
     def _find_falling_gross(self) -> None:
@@ -251,7 +257,7 @@ class LaneBatch:
             kept, out = which[good], out[good]
         self.starts[kept, 0] = out[:, _FOUND[slot.G]]
         self.starts[kept, 4] = out[:, _FOUND[slot.SLOPE_Z]] / out[:, _FOUND[slot.G_Z]]
-        self.starts[kept, 6] = out[:, _FOUND[slot.G_Z]]
+        self._begun(TENSIONS, kept, out)
         for place, name in _MAIN:
             self.found[kept, place] = out[:, _FOUND[name]]
         self.found[kept, row.LOG_RATIO] = -self.log_ratio[kept]
@@ -264,6 +270,11 @@ class LaneBatch:
         loss = pull * (out[:, _FOUND[slot.G]] + 0.5 * pull * self.of("compliance")[kept])
         stress = out[:, _FOUND[slot.EXIT_STRESS]] ** 2 - out[:, _FOUND[slot.ENTRY_STRESS]] ** 2
         self.found[kept, row.WORK] = loss / self.of("width")[kept] - 0.5 * shear * stress
+
+    def _begun(self, what: int, which: Integers | slice, out: Array) -> None:
+        """Keep where the kernel's march in the lanes may begin."""
+        begun = self.begun.setdefault(what, np.full((len(self.left), len(_BEGUN)), np.nan))
+        begun[which] = out[:, _BEGUN]
 
     def _slip_speed(self, kept: Integers | slice) -> None:
         """Bound the slip speed from below, by the mean over the arc.
@@ -285,16 +296,15 @@ class LaneBatch:
         out, good = self.solve(which, self.rows(which, goal[which]), what)
         self.found[which[good], place] = out[good, _FOUND[slot.END]]
         self.starts[which[good], 1 if what == CREEP else 2] = out[good, _FOUND[slot.G]]
+        self._begun(what, which[good], out[good])
         self.left[which[~good]] |= part
 
     def find_least(self) -> None:
         """Least slack-side tension, or the largest pull where there is none."""
-        limit, tension = self.of("creep_limit"), self.of("entry_tension")
-        wanted = self.fit & (self.pull > 1e-6 * tension)
+        limit, top = self.of("creep_limit"), self.top
+        wanted = self.fit & self.asks_pull
         which = np.flatnonzero(wanted & ~np.isnan(self.found[:, row.CREEP_CAPACITY]))
         self.left[wanted & np.isnan(self.found[:, row.CREEP_CAPACITY])] |= answer.LEAST
-        top = self.of("pressure_max") * self.of("width") * self.of("radius")
-        top = np.where(np.isnan(top), 1e3 * tension, top)
         # the ratio that is carried at the given T1 is a good one to begin with
         carried = -np.expm1(-self.found[which, row.CREEP_CAPACITY])
         first = np.minimum(self.pull[which] / carried, top[which])
@@ -303,9 +313,11 @@ class LaneBatch:
         found = out[:, _FOUND[slot.TENSION]]
         good &= (out[:, _FOUND[slot.DETERMINANT]] > 0.0) & (found <= top[which])
         self.found[which[good], row.LEAST_SLACK] = found[good] - self.pull[which[good]]
+        self._begun(LEAST, which[good], out[good])
         self.starts[which[good], 3] = out[good, _FOUND[slot.G]]
         self.starts[which[good], 5] = found[good]
-        self._find_most(which[~good], top)
+        if not self.to_begin:
+            self._find_most(which[~good], top)
 
     def _find_most(self, which: Integers, top: Array) -> None:
         """Largest pull at the creep limit, or the least tension where that is no easy search."""
@@ -322,15 +334,15 @@ class LaneBatch:
         self.found[which, row.MOST_PULL] = found.most
         self.left[which[~found.good]] |= answer.LEAST
 
-    def cap_by_gross(self) -> None:
+    def cap_by_gross(self, found: Array) -> None:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
-        creep = self.found[:, row.GROSS_CREEP]
+        creep = found[:, row.GROSS_CREEP]
         for limit, place, part in (
             ("creep_limit", row.CREEP_CAPACITY, answer.CREEP_LIMIT),
             ("slip_max", row.SLIP_CAPACITY, answer.TESTED_SLIP),
         ):
             capped = creep <= self.of(limit)  # False where either is nan
-            self.found[capped, place] = self.found[capped, row.GROSS_CAPACITY]
+            found[capped, place] = found[capped, row.GROSS_CAPACITY]
             self.left[capped] &= ~part
 
     def hand_over(self, parts: int) -> None:

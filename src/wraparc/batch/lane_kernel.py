@@ -53,12 +53,16 @@ from wraparc.batch.lane_slots import (
     PULL,
     RADIUS,
     ROW,
+    S_BY_Q,
+    S_BY_Z,
     SHEAR,
     SLIP_MAX,
     SLOPE_Z,
     STEEPEST,
     TENSION,
     TRACE,
+    V_BY_Q,
+    V_BY_Z,
     WIDTH,
     G,
     X,
@@ -165,6 +169,7 @@ def solve_goals(
     last = NODE * 2 * steps
     for i in range(n):
         w[STEEPEST, i] = w[X, i] * nodes[last, i]
+        w[SLOPE_Z, i] = w[V_BY_Z, i] - w[V_BY_Q, i] * w[S_BY_Z, i] / w[S_BY_Q, i]
     set_ratio(w)
 
 

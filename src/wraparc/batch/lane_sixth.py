@@ -33,16 +33,24 @@ from wraparc.batch.lane_slots import (
     BUCKETS_PER_PASCAL,
     CELL_AT,
     END,
+    END_AT,
+    ENDED,
     ETA,
     GRADED,
     GRADED_PART,
     HIGH,
     INSIDE,
     KICK,
+    LENGTH,
+    LIMIT,
     LOW,
     P1,
+    PART,
     PLAIN_STEP,
     Q_AT,
+    Q_FROM,
+    Q_SPAN,
+    Q_TO,
     RADIUS,
     RATE_1,
     RATE_2,
@@ -50,19 +58,25 @@ from wraparc.batch.lane_slots import (
     RATE_4,
     RATE_5,
     RATE_6,
+    RATE_S,
     RATIO,
     ROW,
+    S_FROM,
+    S_PAST,
     SHEAR,
     SMALLEST,
     STEEPEST,
     STEP_BY,
     STEP_FROM,
     STEP_TO,
+    STOP,
     SUM_S,
     SUM_W,
     SUM_X,
     WEIGHED_BY,
     WORK,
+    WORK_FROM,
+    X_FROM,
     G,
     S,
     X,
@@ -72,11 +86,13 @@ PLACE = 8
 SIXTH_STEP = 1 + 5 * PLACE
 SIXTH_TRACE = 5  # recorded where steps begin: s, slip, work, shear stress, slope of slip
 MOST_SIXTH = 320  # steps that there is room for
+LANDINGS = 5  # of Newton's method, each with a step of its own
+FARTHEST = 1e300
 INWARDS = 1.0 - 1e-13  # of a pressure: the piece of the law that a step goes into
 
 
 def lay_steps(w: Lanes, laws: Table, nodes: Lanes) -> int:
-    """Lay the mesh up to END of every lane, and a step of no length there.
+    """Lay the mesh up to STOP of every lane, and a step of no length there.
 
     Returns the steps of the longest lane before that one.
     """
@@ -91,7 +107,7 @@ def lay_steps(w: Lanes, laws: Table, nodes: Lanes) -> int:
             lay_place(w, nodes, k, place)
         left = 0
         for i in range(n):
-            left = left + select(w[Q_AT, i] < w[END, i], 1, 0)
+            left = left + select(w[Q_AT, i] < w[STOP, i], 1, 0)
             w[Q_AT, i] = w[STEP_TO, i]
         if not anywhere(left > 0):
             return k
@@ -121,6 +137,7 @@ def set_step(w: Lanes, nodes: Lanes, k: int) -> None:
         wall = select(w[BELOW, i] > 0.5, end, lower(end, full_ln(w[P1, i] / floor)))
         top = lower(GRADED_END, end)
         graded = q < top * (1.0 - 1e-12)
+        goes = q < w[STOP, i]
         near, part, eta = lower(wall, top), w[GRADED_PART, i], w[ETA, i]
         most = full_ex(0.1 * full_ln(near / top))
         stops = most - eta < 1.3 * part
@@ -130,11 +147,11 @@ def set_step(w: Lanes, nodes: Lanes, k: int) -> None:
         far = select(stops, near, top * (to_4 * to_4 * to_2))
         h = select(wall - q > 1.3 * w[PLAIN_STEP, i], w[PLAIN_STEP, i], wall - q)
         plain = select(q + h >= wall * (1.0 - 1e-13), wall, q + h)
-        by = select(graded, to - eta, h)
+        by = select(goes, select(graded, to - eta, h), 0.0)
         w[ETA, i] = to
         w[GRADED, i] = select(graded, top, 0.0)
         w[STEP_FROM, i], w[STEP_BY, i] = select(graded, eta, q), by
-        w[STEP_TO, i] = select(graded, far, plain)
+        w[STEP_TO, i] = select(goes, select(graded, far, plain), q)
         # without a kick the first step is closed analytically
         w[WEIGHED_BY, i] = select((w[KICK, i] <= 0.0) & (first > 0.5), 0.0, by)
         nodes[SIXTH_STEP * k, i] = q
@@ -201,13 +218,14 @@ def rates(
 
 
 def march(w: Lanes, nodes: Lanes, trace: Lanes, steps: int) -> None:
-    """March from S, X and WORK to END, and record where every step begins.
+    """March from S, X and WORK to STOP, or until a step passes LIMIT; record where steps begin.
 
-    STEEPEST is the largest x/x_pk that any stage has met.
+    A lane that would pass LIMIT stays where that step begins; S_PAST is where it leads. STEEPEST is
+    the largest x/x_pk on the way.
     """
     n = lanes()
     for i in range(n):
-        w[STEEPEST, i] = 0.0
+        w[STEEPEST, i] = w[ENDED, i] = w[S_PAST, i] = w[Q_FROM, i] = w[Q_TO, i] = 0.0
     for k in range(steps):
         o, t = SIXTH_STEP * k + 1, SIXTH_TRACE * k
         first_stage(w, nodes, trace, o, t)
@@ -249,7 +267,7 @@ def first_stage(w: Lanes, nodes: Lanes, trace: Lanes, o: int, t: int) -> None:
         dw = stress * dx
         trace[t, i], trace[t + 1, i], trace[t + 2, i] = w[S, i], x, w[WORK, i]
         trace[t + 3, i], trace[t + 4, i] = stress, slope
-        w[STEEPEST, i] = upper(w[STEEPEST, i], r)
+        w[STEEPEST, i] = upper(w[STEEPEST, i], select(w[ENDED, i] > 0.5, 0.0, r))
         w[RATE_1, i] = dx
         w[SUM_S, i], w[SUM_X, i], w[SUM_W, i] = 11.0 * ds, 11.0 * dx, 11.0 * dw
         w[AT, i] = w[X, i] + dx / 3.0
@@ -296,7 +314,46 @@ def next_stages(w: Lanes, nodes: Lanes, o: int) -> None:
         w[AT, i] = w[X, i] + (due + 72.0 * w[RATE_4, i] - 64.0 * dx) / 44.0
     for i in range(n):
         ds, dx, dw, r = rates_at(w, nodes, n4, i)
-        w[STEEPEST, i] = upper(w[STEEPEST, i], r)
-        w[S, i] = w[S, i] + (w[SUM_S, i] + 11.0 * ds) / 120.0
-        w[X, i] = w[X, i] + (w[SUM_X, i] + 11.0 * dx) / 120.0
-        w[WORK, i] = w[WORK, i] + (w[SUM_W, i] + 11.0 * dw) / 120.0
+        s = w[S, i] + (w[SUM_S, i] + 11.0 * ds) / 120.0
+        ended = w[ENDED, i] > 0.5
+        stays = ended | (s >= w[LIMIT, i])
+        w[S_PAST, i] = select(ended, w[S_PAST, i], s)
+        w[Q_FROM, i] = select(ended, w[Q_FROM, i], nodes[o - 1, i])
+        w[Q_TO, i] = select(ended, w[Q_TO, i], nodes[o - 1 + SIXTH_STEP, i])
+        w[ENDED, i] = select(stays, 1.0, 0.0)
+        w[STEEPEST, i] = upper(w[STEEPEST, i], select(stays, 0.0, r))
+        w[RATE_S, i] = ds
+        w[S, i] = select(stays, w[S, i], s)
+        x, work = w[X, i] + (w[SUM_X, i] + 11.0 * dx) / 120.0, w[WORK, i]
+        w[X, i] = select(stays, w[X, i], x)
+        w[WORK, i] = select(stays, work, work + (w[SUM_W, i] + 11.0 * dw) / 120.0)
+
+
+def land(w: Lanes, laws: Table, nodes: Lanes, trace: Lanes) -> None:
+    """Go on from where lanes have ended to LIMIT, a part of a step: S, X, WORK and END_AT there.
+
+    Newton's method on the length of the part, as `tension_march` cuts a step.
+    """
+    n = lanes()
+    for i in range(n):
+        w[S_FROM, i], w[X_FROM, i], w[WORK_FROM, i] = w[S, i], w[X, i], w[WORK, i]
+        w[Q_AT, i] = w[STEP_FROM, i] = w[Q_FROM, i]
+        w[Q_SPAN, i] = w[Q_TO, i] - w[Q_FROM, i]
+        w[PART, i] = (w[LENGTH, i] - w[S, i]) / (w[S_PAST, i] - w[S, i])
+        w[GRADED, i], w[LIMIT, i] = 0.0, FARTHEST
+    find_piece(w, laws)
+    for _ in range(LANDINGS):
+        for i in range(n):
+            w[S, i], w[X, i], w[WORK, i] = w[S_FROM, i], w[X_FROM, i], w[WORK_FROM, i]
+            w[ENDED, i] = 0.0
+            by = w[PART, i] * w[Q_SPAN, i]
+            w[STEP_BY, i] = w[WEIGHED_BY, i] = by
+            w[END_AT, i] = w[STEP_FROM, i] + by
+        for place in range(5):
+            lay_place(w, nodes, MOST_SIXTH, place)
+        first_stage(w, nodes, trace, SIXTH_STEP * MOST_SIXTH + 1, SIXTH_TRACE * MOST_SIXTH)
+        next_stages(w, nodes, SIXTH_STEP * MOST_SIXTH + 1)
+        for i in range(n):
+            w[PART, i] = w[PART, i] * (1.0 - (w[S, i] - w[LENGTH, i]) / w[RATE_S, i])
+    for i in range(n):
+        w[LIMIT, i] = w[LENGTH, i]

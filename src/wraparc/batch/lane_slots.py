@@ -143,11 +143,36 @@ GROSS_SLOTS = READ_SLOTS + 10
     RATE_4,
     RATE_5,
     RATE_6,
-    G_AT_FIRST,  # the search: g and g + x_c/l at first, and the last try
+    RATE_S,  # of arc by the last stage
+    X_AT_FIRST,
+    STOP,  # Q that the mesh is laid to; END is where it would end
+    # ... where the arc ends: 1 once it has, 1e300 or the length where it does, arc past it ...
+    ENDED,
+    LIMIT,
+    S_PAST,
+    Q_FROM,  # Q where the step begins and ends in which it ends, and the part of it
+    Q_TO,
+    Q_SPAN,
+    PART,
+    S_FROM,
+    X_FROM,
+    WORK_FROM,
+    END_AT,
+    # ... the search: g and g + x_c/l at first, the last try, slope of the miss by z
+    G_AT_FIRST,
     SUM_AT_FIRST,
     Z_LAST,
     MISS_LAST,
     SLOPE,
-    X_AT_FIRST,
-) = range(GROSS_SLOTS, GROSS_SLOTS + 25)
-SLOTS = GROSS_SLOTS + 25
+    # ... of two unknowns, z and ln T1: the second, its first value, its miss, what they were last
+    LOG_TENSION,
+    LOG_AT_FIRST,
+    MISS_2,
+    MISS_2_LAST,
+    LOG_LAST,
+    J_11,
+    J_12,
+    J_21,
+    J_22,
+) = range(GROSS_SLOTS, GROSS_SLOTS + 47)
+SLOTS = GROSS_SLOTS + 47

@@ -72,7 +72,7 @@ def solve_precisely(
     parts
         What is wanted, of all arcs or of each.
     starts
-        Where searches begin, shape (n, 7), see `row.STARTS`; it decides speed only.
+        Where searches begin, shape (n, 6), see `row.STARTS`; it decides speed only.
     """
     given, n = arcs.inputs(), len(arcs)
     wanted = np.broadcast_to(np.asarray(parts, dtype=np.int64), (n,)).copy()

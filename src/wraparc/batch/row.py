@@ -105,8 +105,8 @@ PLACES = {
 
 #: where the searches of a row begin, nan where nothing is known: entry creep ratios [-] of the
 #: operating point, of the creep limit, of the tested slip and of the least tension; the slope of
-#: ln s by the first, the entry tension of the last [N], and g + x_c/l of the first (`lane_solve`)
-STARTS = 7
+#: ln s by the first, and the entry tension of the last [N]
+STARTS = 6
 
 
 def geometry_of(given: Buffer) -> Geometry:

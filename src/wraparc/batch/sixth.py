@@ -1,115 +1,124 @@
-"""Operating points of the precise setting by the kernel's march in the lanes.
+"""The kernel's march in the lanes for the precise setting: operating points and capacities.
 
-The search begins with what the engineering setting has found and meets the tensions as closely as
-the scalar kernel does, on its mesh; :mod:`wraparc.batch.sixth_read` reads the profile.
+Searches begin with what the engineering setting has found and end as near as those of the scalar
+kernel do, on its mesh; :mod:`wraparc.batch.sixth_read` reads the profile of an operating point.
 """
 
 from __future__ import annotations
 
-from math import log, nan
+from math import exp
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.effort import mesh_steps
-from wraparc.arc.kernel.quantities import RECORD, SOLVED, Buffer, parameters_at, zeros
-from wraparc.arc.kernel.tension_march import start_of
+from wraparc.arc.kernel.effort import is_far, mesh_steps
+from wraparc.arc.kernel.gross_slip import plateau_capacity
+from wraparc.arc.kernel.quantities import RECORD, Buffer, parameters_at, zeros
+from wraparc.arc.kernel.search import LARGEST_LOG, TOLERANCE
 from wraparc.arc.kernel.tension_table import FIRST
 from wraparc.batch.arcs import Arcs, Array
-from wraparc.batch.elementwise import (
-    LANES,
-    Lanes,
-    anywhere,
-    full_ex,
-    full_ln,
-    lanes,
-    lower,
-    memory,
-    select,
-    upper,
-)
+from wraparc.batch.elementwise import LANES, Lanes, lanes, memory
+from wraparc.batch.lane_kernel import LEAST, SLIP
 from wraparc.batch.lane_law import LaneLaws
-from wraparc.batch.lane_sixth import MOST_SIXTH, SIXTH_STEP, SIXTH_TRACE, lay_steps, march
+from wraparc.batch.lane_sixth import (
+    MOST_SIXTH,
+    SIXTH_STEP,
+    SIXTH_TRACE,
+    land,
+    lay_steps,
+    march,
+)
 from wraparc.batch.lane_slots import (
     END,
-    G_AT_FIRST,
-    GRADED_PART,
-    KICK,
+    END_AT,
+    GOAL,
     LENGTH,
+    LIMIT,
+    LOG_TENSION,
     MISS,
-    MISS_LAST,
-    P1,
-    PLAIN_STEP,
-    RADIUS,
-    RATIO,
-    ROW,
-    SHEAR,
-    SLOPE,
+    MISS_2,
+    PULL,
     SLOTS,
-    SMALLEST,
-    SUM_AT_FIRST,
-    WORK,
-    X_AT_FIRST,
-    Z_LAST,
+    STEEPEST,
+    STOP,
     G,
-    S,
-    X,
-    Z,
 )
 from wraparc.batch.laws import law_of
 from wraparc.batch.native import compiled
 from wraparc.batch.precise import POINTS, STEPS
 from wraparc.batch.row import FOUND_NUMBERS, geometry_of, load_of
+from wraparc.batch.sixth_begin import set_out, set_tension, sort_by_size, take
 from wraparc.batch.sixth_read import tell
+from wraparc.batch.sixth_search import correct, correct_both, miss_arc, miss_goal
 from wraparc.friction.compact import KNOTS, CompactLaw
 
 Flags = NDArray[np.bool_]
 
-ROUNDS = 8  # of the search: 3 are usual
-NEAR = 1e-11  # of ln(s/L), where it ends
-FAR = 1e30
-NODES = SIXTH_STEP * MOST_SIXTH
-TRACES = SIXTH_TRACE * MOST_SIXTH
+ROUNDS = 9  # of a search: 3 or 4 are usual, of two unknowns 5 or 6
+NODES = SIXTH_STEP * (MOST_SIXTH + 1)
+TRACES = SIXTH_TRACE * (MOST_SIXTH + 1)
+BEYOND, BEYOND_LOG = 1.02, 0.02  # what has been found, that a mesh is laid to
 
 
-def solve_in_sixth(arcs: Arcs, laws: LaneLaws, starts: Array, found: Array) -> Flags:
-    """Solve operating points from where they begin (`row.STARTS`) into rows of results.
+def solve_in_sixth(arcs: Arcs, laws: LaneLaws, begun: Array, found: Array) -> Flags:
+    """Solve operating points from what has been found of them (`BEGUN`) into rows of results.
 
     Returns which of them are solved: driving arcs by knots whose slip grows all along, and stays
     short of the peak.
     """
     done = np.zeros(len(arcs), dtype=bool)
-    fit = np.isfinite(starts[:, 0]) & (arcs.laws.kind[arcs.law] == KNOTS)
-    which = np.flatnonzero(fit)
+    which = np.flatnonzero(np.isfinite(begun[:, 0]) & (arcs.laws.kind[arcs.law] == KNOTS))
     if not len(which):
         return done
-    some = arcs.rows(which)
-    scratch = (np.zeros(k * LANES) for k in (SLOTS, NODES, TRACES))
-    buffers = (np.zeros(FIRST + 1), np.zeros(RECORD * (2 * POINTS + MOST_SIXTH)))
+    buffer = np.zeros(RECORD * (2 * POINTS + MOST_SIXTH))
     out, solved = np.empty((len(which), FOUND_NUMBERS)), np.zeros(len(which), dtype=bool)
-    rows, mesh = laws.row[some.law].astype(float), (STEPS, POINTS)
-    compiled(sixth_rows, contract=True)(
-        some.inputs(), some.laws.arrays, some.law, laws.numbers, rows, mesh, starts[which],
-        *scratch, *buffers, out, solved,
-    )  # fmt: skip
+    given = _given(arcs.rows(which), laws, begun[which])
+    compiled(tension_rows, contract=True)(*given, (STEPS, POINTS), buffer, out, solved)
     done[which] = solved
     found[which[solved]] = out[solved]
     return done
 
 
-def sixth_rows(
+def carry_in_sixth(arcs: Arcs, laws: LaneLaws, what: int, begun: Array) -> Array:
+    """ln(T1/T2) carried at the creep limit (CREEP) or at the largest tested slip (SLIP).
+
+    With LEAST the entry tension at which the pull is carried at the creep limit [N]. From what has
+    been found of it, shape (n,); nan where the lanes do not find it. The second column is the
+    largest ln(T1/T2) with the friction of the plateau all along.
+    """
+    out = np.full((len(arcs), 2), np.nan)
+    which = np.flatnonzero(np.isfinite(begun[:, 0]) & (arcs.laws.kind[arcs.law] == KNOTS))
+    if len(which):
+        found = np.full((len(which), 2), np.nan)
+        given = _given(arcs.rows(which), laws, begun[which])
+        compiled(carried_rows, contract=True)(*given, STEPS, what, found)
+        out[which] = found
+    return out
+
+
+def _given(arcs: Arcs, laws: LaneLaws, begun: Array) -> tuple[Any, ...]:
+    """What both entries begin with."""
+    rows = laws.row[arcs.law].astype(float)
+    scratch = (np.zeros(k * LANES) for k in (SLOTS, NODES, TRACES))
+    return (
+        arcs.inputs(), arcs.laws.arrays, arcs.law, laws.numbers, rows, begun, *scratch,
+        np.zeros(FIRST + 1),
+    )  # fmt: skip
+
+
+def tension_rows(
     given: Any,
     bank: Any,
     which: Any,
     laws_: Any,
     rows: Any,
-    mesh: Any,
-    starts: Any,
+    begun: Any,
     w_: Any,
     nodes_: Any,
     trace_: Any,
     table_: Any,
+    mesh: Any,
     out_: Any,
     found: Any,
     done: Any,
@@ -123,125 +132,103 @@ def sixth_rows(
     laws, table, out = memory(laws_, "tables"), memory(table_, "table"), memory(out_, "out")
     n, count, points = lanes(), len(rows), mesh[1]
     fine, order = zeros(count), zeros(count)
-    sort_by_size(given, bank, which, mesh[0], fine, order)
+    sort_by_size(given, bank, which, begun, mesh[0], fine, order)
     for first in range(0, count, n):
         for i in range(n):
             j = int(order[min(first + i, count - 1)])
-            take(
-                law_of(bank, which[j]),
-                given[j],
-                fine[j],
-                rows[j],
-                starts[j],
-                w,
-                i,
-                table,
-            )
+            law = law_of(bank, which[j])
+            take(law, given[j], fine[j], rows[j], begun[j], w, i, table)
         steps = lay_steps(w, laws, nodes)
         for _ in range(ROUNDS):
             for i in range(n):
                 j = int(order[min(first + i, count - 1)])
                 set_out(law_of(bank, which[j]), given[j], nodes, w, i, table)
             march(w, nodes, trace, steps)
+            miss_arc(w)
             if not correct(w):
                 break
         for i in range(min(n, count - first)):
             j = int(order[first + i])
-            done[j] = tell(
-                law_of(bank, which[j]),
-                given[j],
-                w,
-                nodes,
-                trace,
-                i,
-                points,
-                table,
-                out,
-                found[j],
-            )
+            law = law_of(bank, which[j])
+            done[j] = tell(law, given[j], w, nodes, trace, i, points, table, out, found[j])
 
 
-def sort_by_size(
-    given: Any, bank: Any, which: Any, steps: int, fine: Buffer, order: Buffer
+def carried_rows(
+    given: Any,
+    bank: Any,
+    which: Any,
+    laws_: Any,
+    rows: Any,
+    begun: Any,
+    w_: Any,
+    nodes_: Any,
+    trace_: Any,
+    table_: Any,
+    mesh: int,
+    what: int,
+    found: Any,
 ) -> None:
-    """Fineness of the mesh of every row, and an order of rows by the steps that they take.
+    """Find capacities, see `carry_in_sixth`; compiled only."""
+    w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
+    laws, table = memory(laws_, "tables"), memory(table_, "table")
+    n, count = lanes(), len(rows)
+    fine, order = zeros(count), zeros(count)
+    sort_by_size(given, bank, which, begun, mesh, fine, order)
+    for first in range(0, count, n):
+        for i in range(n):
+            j = int(order[min(first + i, count - 1)])
+            take(law_of(bank, which[j]), given[j], fine[j], rows[j], begun[j], w, i, table)
+            aim(given[j], begun[j], what, w, i)
+        steps = lay_steps(w, laws, nodes)
+        for tries in range(ROUNDS):
+            for i in range(n):
+                j = int(order[min(first + i, count - 1)])
+                set_out(law_of(bank, which[j]), given[j], nodes, w, i, table)
+            march(w, nodes, trace, steps)
+            land(w, laws, nodes, trace)
+            miss_goal(w, nodes, 1.0 if what == SLIP else 0.0)
+            if what != LEAST:
+                if not correct(w):
+                    break
+            elif correct_both(w, tries):
+                for i in range(n):
+                    j = int(order[min(first + i, count - 1)])
+                    set_tension(law_of(bank, which[j]), given[j], w, i, table)
+                steps = lay_steps(w, laws, nodes)
+            else:
+                break
+        for i in range(min(n, count - first)):
+            j = int(order[first + i])
+            accept(law_of(bank, which[j]), given[j], fine[j], mesh, what, w, i, found[j])
 
-    A block takes as many steps as its longest lane.
-    """
-    places = zeros(MOST_SIXTH + 1)
-    keys = zeros(len(fine))
-    for j in range(len(fine)):
-        load = load_of(given[j])
-        par = parameters_at(load.entry_tension, geometry_of(given[j]))
-        fine[j] = mesh_steps(law_of(bank, which[j]), par, steps)
-        size = fine[j] * (0.75 + log(load.entry_tension / load.exit_tension) / 1.44)
-        keys[j] = min(size, MOST_SIXTH - 1.0)
-        places[int(keys[j]) + 1] += 1.0
-    for k in range(MOST_SIXTH):
-        places[k + 1] += places[k]
-    for j in range(len(fine)):
-        key = int(keys[j])
-        order[int(places[key])] = float(j)
-        places[key] += 1.0
+
+def aim(given: Buffer, begun: Buffer, what: int, w: Lanes, i: int) -> None:
+    """What a lane is to meet at the exit nip, on a mesh that does not end before it."""
+    load = load_of(given)
+    w[END, i], w[LIMIT, i] = LARGEST_LOG, w[LENGTH, i]
+    w[STOP, i] = min(BEYOND * begun[3] + BEYOND_LOG, LARGEST_LOG)
+    w[GOAL, i] = load.slip_max if what == SLIP else load.creep_limit
+    w[PULL, i] = load.entry_tension - load.exit_tension
 
 
-def take(
+def accept(
     law: CompactLaw,
     given: Buffer,
     fine: float,
-    row: float,
-    starts: Buffer,
+    mesh: int,
+    what: int,
     w: Lanes,
     i: int,
-    table: Buffer,
+    found: Buffer,
 ) -> None:
-    """Fill a lane."""
-    load = load_of(given)
-    par = parameters_at(load.entry_tension, geometry_of(given))
-    w[ROW, i], w[RADIUS, i], w[LENGTH, i] = row, par.radius, par.length
-    w[SHEAR, i], w[P1, i], w[KICK, i] = par.shear, par.entry_pressure, par.kick
-    w[RATIO, i] = par.entry_tension * par.compliance
-    w[END, i] = log(load.entry_tension / load.exit_tension)
-    w[GRADED_PART, i], w[PLAIN_STEP, i] = 1.0 / (0.75 * fine), 1.44 / fine
-    w[G, i] = w[G_AT_FIRST, i] = starts[0]
-    w[SUM_AT_FIRST, i], w[SLOPE, i] = starts[6], starts[4] * starts[6]
-    w[Z, i] = w[Z_LAST, i] = w[MISS_LAST, i] = w[MISS, i] = 0.0
-    w[X_AT_FIRST, i] = 0.0
-    if par.kick > 0.0:
-        begin = start_of(law, par, 0.0, table)
-        w[X_AT_FIRST, i] = begin[3]
-
-
-def set_out(law: CompactLaw, given: Buffer, nodes: Lanes, w: Lanes, i: int, table: Buffer) -> None:
-    """Where a lane's march begins; without a kick at the end of the first step."""
-    w[S, i], w[X, i], w[WORK, i] = 0.0, w[X_AT_FIRST, i], 0.0
-    if w[KICK, i] > 0.0:
-        return
-    table[FIRST] = nodes[SIXTH_STEP, i]
-    par = parameters_at(load_of(given).entry_tension, geometry_of(given))
-    status, _, s, x, work = start_of(law, par, w[G, i], table)
-    w[S, i], w[X, i], w[WORK, i] = s if status == SOLVED else nan, x, work
-
-
-def correct(w: Lanes) -> bool:
-    """One step of z towards s = L, a secant after the first; whether any lane is on its way.
-
-    z is the logarithm of (g + x_c/l) over its first value. A lane that has arrived stays there.
-    """
-    n = lanes()
-    left = 0
-    for i in range(n):
-        z, g, total = w[Z, i], w[G_AT_FIRST, i], w[SUM_AT_FIRST, i]
-        miss = full_ln(upper(w[S, i], SMALLEST) / w[LENGTH, i])
-        here = upper(miss, -miss) <= NEAR
-        secant = (miss - w[MISS_LAST, i]) / (z - w[Z_LAST, i])
-        sound = (secant < 0.0) & (secant > -FAR)  # not before there are two tries
-        slope = select(sound, secant, w[SLOPE, i])
-        w[SLOPE, i] = slope
-        w[MISS, i] = miss
-        w[MISS_LAST, i], w[Z_LAST, i] = miss, select(here, w[Z_LAST, i], z)
-        z = select(here, z, z - lower(upper(miss / slope, -1.0), 1.0))
-        w[Z, i] = z
-        w[G, i] = g + total * (full_ex(z) - 1.0)
-        left = left + select(here, 0, 1)
-    return anywhere(left > 0)
+    """Write what a lane has found, if it has and was fit to."""
+    tension = exp(w[LOG_TENSION, i])
+    par = parameters_at(tension, geometry_of(given))
+    met = abs(w[MISS, i]) <= TOLERANCE
+    if what == LEAST:
+        met = max(abs(w[MISS, i]), abs(w[MISS_2, i])) <= 10.0 * TOLERANCE
+        met = met and fine == mesh_steps(law, par, mesh)
+    else:
+        found[1] = plateau_capacity(law, par.entry_pressure, par.length / par.radius)
+    if met and w[STEEPEST, i] <= 1.0 and w[G, i] >= 0.0 and not is_far(law, par):
+        found[0] = tension if what == LEAST else w[END_AT, i]
