@@ -16,8 +16,9 @@ import pytest
 
 import wraparc
 from wraparc.arc.kernel.butcher import to_last
-from wraparc.batch import native
+from wraparc.batch import native, sixth
 from wraparc.batch.lane_kernel import solve_rows as lane_rows
+from wraparc.batch.lane_sixth import march
 from wraparc.batch.precise import capacity_rows, tension_rows
 
 RUN = """
@@ -208,3 +209,13 @@ def test_one_process_compiles_a_state_at_a_time(
         fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
     with open(lock, "ab") as other:
         fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def test_the_scalar_kernel_is_never_contracted() -> None:
+    """A function is handed to numba once: where the lanes call it, it is to stay as it is."""
+    entries = (tension_rows, capacity_rows, sixth.tension_rows, sixth.carried_rows, lane_rows)
+    of_kernel = {f for entry in entries[:2] for f in native.called(entry)}
+    of_lanes = {f for entry in entries[2:] for f in native.called(entry)}
+    assert of_kernel & of_lanes
+    assert not any(map(native.contracts, of_kernel - {tension_rows, capacity_rows}))
+    assert native.contracts(march)

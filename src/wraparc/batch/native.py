@@ -30,6 +30,7 @@ _PLAIN = (int, float, str, bool, type(None))
 #: The one switch of what reaches into numba's private parts (`underlay.optimised_once`): set this
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
 AS_IT_IS = "WRAPARC_NUMBA_AS_IT_IS"
+_OF_LANES = ("wraparc.batch.lane_", "wraparc.batch.sixth")
 _SETTING = Lock()  # of numba's one place for code on disk
 
 
@@ -51,8 +52,8 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
     entry
         A plain function. It and all that it calls in its own top-level package are compiled.
     contract
-        Whether a product and a sum may be rounded once (a fused operation). Without, results are
-        bit for bit those of the interpreter.
+        Whether a product and a sum may be rounded once (a fused operation) in functions of the
+        lanes. Without, results are bit for bit those of the interpreter.
 
     Raises
     ------
@@ -67,15 +68,13 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
 
     from wraparc.batch import underlay
 
-    options: dict[str, Any] = {
-        "error_model": "numpy",
-        "fastmath": {"contract"} if contract else False,
-    }
     functions = tuple(called(entry))
     replaced = set(map(id, underlay.REPLACED))
     for function in functions[1:]:
         if id(function) not in replaced:
-            register_jitable(**options, no_cfunc_wrapper=True, no_cpython_wrapper=True)(function)
+            own = _options(contract and contracts(function))
+            register_jitable(**own, no_cfunc_wrapper=True, no_cpython_wrapper=True)(function)
+    options = _options(contract)
     name = fingerprint(functions, options)
     dispatcher = _cached(entry, {"nogil": True, **options}, name)
 
@@ -93,6 +92,19 @@ def compiled(entry: FunctionType, *, contract: bool = False) -> Callable[..., An
         return dispatcher(*arguments)
 
     return run
+
+
+def contracts(function: Callable[..., Any]) -> bool:
+    """Whether a function is one of the lanes.
+
+    Those of the scalar kernel stay as they are in every entry: a function is handed to numba once
+    for all entries of a process.
+    """
+    return function.__module__.startswith(_OF_LANES)
+
+
+def _options(contract: bool) -> dict[str, Any]:
+    return {"error_model": "numpy", "fastmath": {"contract"} if contract else False}
 
 
 def pays(rows: int, few: int) -> bool:
@@ -203,7 +215,14 @@ def fingerprint(functions: tuple[FunctionType, ...], options: object = None) -> 
     digest = hashlib.sha256()
     for below in (underlay, series):
         digest.update(Path(str(below.__file__)).read_bytes())
-    about = (numba.__version__, llvmlite.__version__, sys.version, platform.machine(), options)
+    about = (
+        numba.__version__,
+        llvmlite.__version__,
+        sys.version,
+        platform.machine(),
+        _OF_LANES,
+        options,
+    )
     digest.update(repr((about, _as_it_is())).encode())
     for function in functions:
         constants = {k: v for k, v in _globals(function).items() if _is_plain(v)}
