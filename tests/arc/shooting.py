@@ -183,6 +183,7 @@ def _missed(arc: WrapArc, result: ArcResult) -> float:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", MatrixRankWarning)
         warnings.filterwarnings("ignore", ".*problem is probably stiff")
+        warnings.filterwarnings("ignore", ".*larger nsteps is needed")
         try:
             miss = misses(arc, result)
         except StiffError:

@@ -6,7 +6,7 @@ of (s, q, slip, creep, shear stress, friction work), see :mod:`wraparc.arc.kerne
 
 from __future__ import annotations
 
-from math import exp, nan, sqrt
+from math import exp, expm1, nan, sqrt
 
 from wraparc.arc.kernel.layer_march import friction_of_creep
 from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters
@@ -113,7 +113,7 @@ def _stress_slope(
 ) -> float:
     """D tau/ds [Pa/m] at one end of the way between two records, in the piece of law between."""
     q, tau, slip = out[at + 1], out[at + 4], 0.5 * (out[a + 2] + out[b + 2])
-    w = g + par.entry_tension * (1.0 - exp(q)) * par.compliance
+    w = g + par.entry_tension * -expm1(q) * par.compliance
     if slip == 0.0:
         return w / par.shear if par.shear > 0.0 else 0.0
     sign = 1.0 if slip > 0.0 else -1.0
@@ -130,16 +130,16 @@ def _stress_slope(
 def active_length(out: Buffer, count: int) -> float:
     """Length of the exit part of the arc that takes 99 % of the tension change [m]."""
     end = RECORD * (count - 1)
-    change = 1.0 - exp(out[end + 1])
+    change = -expm1(out[end + 1])
     if change == 0.0:
         return 0.0
     i = count - 1
-    while i > 0 and (1.0 - exp(out[RECORD * i + 1])) / change > 0.01:
+    while i > 0 and -expm1(out[RECORD * i + 1]) / change > 0.01:
         i -= 1
     if i == count - 1:
         return 0.0
-    a = (1.0 - exp(out[RECORD * i + 1])) / change
-    b = (1.0 - exp(out[RECORD * (i + 1) + 1])) / change
+    a = -expm1(out[RECORD * i + 1]) / change
+    b = -expm1(out[RECORD * (i + 1) + 1]) / change
     w = (0.01 - a) / (b - a) if b != a else 1.0
     s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i])
     return out[end] - s

@@ -6,7 +6,7 @@
 
 from __future__ import annotations
 
-from math import ceil, exp, inf, log, nan, sqrt
+from math import ceil, exp, expm1, inf, log, nan, sqrt
 from typing import NamedTuple
 
 from wraparc.arc.kernel.capacity import carry
@@ -175,7 +175,7 @@ def _turns(law: CompactLaw, par: Parameters, found: Found) -> bool:
 
 def loss_miss(law: CompactLaw, par: Parameters, shot: Shot) -> float:
     """Miss of loss = (T1 - T2) (g + (T1 - T2)/(2 EA')), relative to the energies in it."""
-    pull = par.entry_tension * (1.0 - exp(shot.log_tension))
+    pull = par.entry_tension * -expm1(shot.log_tension)
     exact = pull * (shot.creep_ratio + 0.5 * pull * par.compliance)
     entry_stress, _ = friction_of_creep(law, par, par.entry_tension, par.kick)
     leaving, entering = 0.5 * par.shear * shot.stress**2, 0.5 * par.shear * entry_stress**2

@@ -8,7 +8,7 @@ belongs to a creep is solved for at every stage.
 
 from __future__ import annotations
 
-from math import inf, log, nan
+from math import inf, log, nan, sqrt
 
 from wraparc.arc.kernel.butcher import (
     to_end,
@@ -169,3 +169,22 @@ def cell_step(
     part = abs(last - first) / (1.0 + CELL_PARTS * min(shear, 6.0))
     left = last - here if rate > 0.0 else here - first
     return min(part, max(1.02 * left, 0.0) + 0.01 * part) / abs(rate)
+
+
+def cell_lag(
+    law: CompactLaw,
+    par: Parameters,
+    segment: int,
+    branch: int,
+    q: float,
+    slip: float,
+    friction: float,
+) -> float:
+    """Shear-lag length sqrt(dx / (dmu p B C)) of what is ahead in a cell of a table [m]."""
+    ahead = law.slips[branch + 1] - slip
+    if ahead <= 0.0:
+        return inf
+    p = pressure_at(par, q)
+    change = friction_at(law, segment, branch, law.slips[branch + 1], p)[0] - friction
+    stiffness = abs(change) * p * par.width * par.compliance
+    return sqrt(ahead / stiffness) if stiffness > 0.0 else inf

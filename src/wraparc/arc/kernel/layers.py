@@ -29,8 +29,11 @@ from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED, UNSOLVED, Parameter
 from wraparc.friction.compact import CompactLaw
 
 FLOOR = 1e-9  # of creep near rest in the creep of the layers: what it changes is its square
+NOISE = 100.0  # miss of a held tension, in `Case.close`, that steps leave
 FILLED = 3.0  # relative miss of the arc's length, in tolerances of a step: what steps leave
+HALVINGS = 12  # of lambda, between layers that do not come to an end and such that fill too little
 NEARBY = 8  # secants from the layers of nearly the same arc
+LEAST_TENSION = 1e-6  # of T1, where layers part
 LARGEST_RATIO = 1.0  # of creep at the entry
 
 
@@ -135,6 +138,7 @@ def _layer(
     held = par.entry_tension if towards < 0.0 else case.exit_tension
     free = towards > 0.0 and held != held
     miss, rest_last, miss_last = 0.0, 0.0, 0.0
+    least, tried = part[1] / c + LEAST_TENSION * par.entry_tension, inf
     there = Arrival(False, 0.0, part[0], part[1])
     for i in range(40):
         to, goal = TO_CREEP, par.kick
@@ -150,14 +154,19 @@ def _layer(
             return True, there.arrived, rest, there
         miss = rest - there.ratio / c - held
         # what the steps leave moves the end of a long march about
-        noise = towards > 0.0 and i > 2 and abs(miss) <= 10.0 * case.close
+        noise = i > 2 and abs(miss) <= NOISE * case.close
         if abs(miss) <= case.close or (noise and abs(miss) > 0.1 * abs(miss_last)):
             break
         new = rest - miss
         if i > 0 and miss != miss_last:
             new = rest - miss * (rest - rest_last) / (miss - miss_last)
+        if new <= least:  # no tension would be left where the layers part
+            if rest <= least:
+                return True, False, rest, there  # and with next to none it is more than is held
+            new = least if tried == inf else 0.5 * (rest + tried)
+            tried = least
         rest_last, miss_last, rest = rest, miss, new
-    return True, abs(miss) <= 100.0 * case.close, rest, there
+    return True, abs(miss) <= NOISE * case.close, rest, there
 
 
 def solve_layers(
@@ -229,6 +238,8 @@ def _less_rest(law: CompactLaw, par: Parameters, case: Case, first: Layers) -> t
         low, f_low, rest = high, f_high, best.rest_tension
     side = 0
     for i in range(100):
+        if f_low == inf and i >= HALVINGS:
+            break  # nothing between too long and too short
         z = 0.5 * (low + high)
         if f_low < inf and f_low != f_high and i % 8 < 7:
             z = (low * f_high - high * f_low) / (f_high - f_low)

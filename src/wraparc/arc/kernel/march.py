@@ -11,9 +11,9 @@ another piece, it is cut at the boundary (:mod:`wraparc.arc.kernel.cut`).
 
 from __future__ import annotations
 
-from math import exp, inf, nan
+from math import expm1, inf, nan
 
-from wraparc.arc.kernel.creep_step import cell_step, creep_step, slip_at_entry
+from wraparc.arc.kernel.creep_step import cell_lag, cell_step, creep_step, slip_at_entry
 from wraparc.arc.kernel.cut import (
     LOWER_EDGE,
     NEXT_BRANCH,
@@ -44,6 +44,8 @@ MOST_CUTS = 200  # of a mesh step
 WILD_LOG_STEP, WILD_SLIP = 1.0, 1e4  # of ln T in a step, and [m]: no step is like this
 FARTHEST_SLIP = 1e3  # [m]
 LARGEST_LOG_STEP = 0.12  # of tension, in one step: keeps a piece of law near where it holds
+FEW_STEPS = 0.05  # of a cell of a table, in one step: looked at
+PART_OF_LAG = 0.3  # of the shear-lag length of a cell, in one step: misses some 1e-8
 NEAREST = 1e-7  # of the arc, to a point of no slip: nearer the slope of friction does not count
 
 
@@ -120,6 +122,12 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             if abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi**MESH_POWER) > cell:
                 reach = xi**MESH_POWER + cell / (abs(k[1]) * span)
                 h = reach ** (1.0 / MESH_POWER) - xi
+            reach = span * ((xi + h) ** MESH_POWER - xi**MESH_POWER)
+            if abs(k[1]) * reach > FEW_STEPS * cell:
+                # nor where friction, stepping up, makes creep grow manifold within a step
+                lag = cell_lag(law, par, segment, branch, q, abs(x), abs(k[0]) * par.radius)
+                if reach > PART_OF_LAG * lag:
+                    h = (xi**MESH_POWER + PART_OF_LAG * lag / span) ** (1.0 / MESH_POWER) - xi
             if span * ((xi + h) ** MESH_POWER - xi**MESH_POWER) > most:
                 h = (xi**MESH_POWER + most / span) ** (1.0 / MESH_POWER) - xi
         steep = most == most
@@ -257,7 +265,7 @@ def _to_zero_slip(
             a = 0.0 if stage == 0 else (h if stage == 3 else 0.5 * h)
             weight = h / 6.0 if stage in (0, 3) else h / 3.0
             qs, xs = q + a * dq1, max(x + a * dx1, 0.0)
-            rate = sign * (g + par.entry_tension * (1.0 - exp(qs)) * par.compliance)
+            rate = sign * (g + par.entry_tension * -expm1(qs) * par.compliance)
             if rate >= 0.0:
                 return 0, 0.0, 0.0, 0.0, count
             r = rates(law, par, g, segment, branch, sign, qs, sign * xs)
@@ -276,7 +284,7 @@ def _to_zero_slip(
         if len(out) > 0:
             record(law, par, out, count, s, State(q, sign * x, work, segment, branch, sign))
             count += 1
-    rate = sign * (g + par.entry_tension * (1.0 - exp(q)) * par.compliance)
+    rate = sign * (g + par.entry_tension * -expm1(q) * par.compliance)
     if rate >= 0.0:
         return 0, 0.0, 0.0, 0.0, count
     ds = kick * h**4 / -rate
@@ -363,7 +371,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
         if sign * g < 0.0 and law.kind in (KNOTS, PIECES):
             status, s, q, work, n = _to_zero_slip(law, par, g, steps, out, count)
             if status == 1:
-                rate = g + par.entry_tension * (1.0 - exp(q)) * par.compliance
+                rate = g + par.entry_tension * -expm1(q) * par.compliance
                 cell = (length - s) / steps**MESH_POWER
                 gone = _leave(law, par, rate, q, cell)
                 state = State(

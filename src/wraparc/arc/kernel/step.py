@@ -12,7 +12,7 @@ C = 1/EA', c = h/G. Steps are sixth order (J. C. Butcher, J. Austral. Math. Soc.
 
 from __future__ import annotations
 
-from math import exp
+from math import exp, expm1
 
 from wraparc.arc.kernel.butcher import (
     to_end,
@@ -47,11 +47,16 @@ def rates(
 ) -> tuple[float, float, float]:
     """dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law."""
     radius, shear = par.radius, par.shear
-    e = exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
+    if abs(q) < 0.1:  # tension lost, in T1: the difference would lose its digits
+        lost = -expm1(q)
+        e = 1.0 - lost
+    else:
+        e = exp(min(max(q, -LARGEST_LOG), LARGEST_LOG))
+        lost = 1.0 - e
     p = par.entry_pressure * e
     mu, mu_x, mu_p = friction_at(law, segment, branch, x * sign, p)
     dq = -mu / radius
-    dx = g + par.entry_tension * (1.0 - e) * par.compliance
+    dx = g + par.entry_tension * lost * par.compliance
     if shear > 0.0:
         sp = shear * p
         dx = (dx + sp * (mu + p * mu_p) * mu / radius) / (1.0 + sp * mu_x)

@@ -734,10 +734,12 @@ const TO_CREEP = 1;
 const TO_RATIO = 0;
 const KINK_TOLERANCE = 0.01;
 const MOST_STEPS = 800;
+const NOISE = 100.0;
 const FILLED = 3.0;
 const SOLVED = 0;
 const LARGEST_RATIO = 1.0;
 const BREAKAWAY = 1;
+const HALVINGS = 12;
 const UNSOLVED = 2;
 const RECORD = 6;
 const LARGEST_LOG = 50.0;
@@ -748,6 +750,8 @@ const LARGEST_LOG_STEP = 0.12;
 const NEAREST = 1e-7;
 const STEEP = 0.5;
 const CELL_PARTS = 3.0;
+const FEW_STEPS = 0.05;
+const PART_OF_LAG = 0.3;
 const WILD_LOG_STEP = 1.0;
 const WILD_SLIP = 10000.0;
 const MOST_CUTS = 200;
@@ -791,7 +795,6 @@ const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
 const NODES = 400;
 const KINKS = 200;
-const HALVINGS = 50;
 const NEXT_SLIP = 1e-300;
 const PEAK_TOLERANCE = 1e-6;
 const GOLDEN = 0.6180339887498949;
@@ -1797,6 +1800,8 @@ export function layers___layer(law, par, case_, rest, part, towards) {
   let miss = 0.0;
   let rest_last = 0.0;
   let miss_last = 0.0;
+  let least = part[1] / c + 1e-6 * par.entry_tension;
+  let tried = Infinity;
   let there = new Arrival(false, 0.0, part[0], part[1]);
   for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
     i = each1;
@@ -1828,7 +1833,7 @@ export function layers___layer(law, par, case_, rest, part, towards) {
       return [true, there.arrived, rest, there];
     }
     miss = rest - there.ratio / c - held;
-    noise = towards > 0.0 && i > 2 && Math.abs(miss) <= 10.0 * case_.close;
+    noise = i > 2 && Math.abs(miss) <= NOISE * case_.close;
     if (Math.abs(miss) <= case_.close || (noise && Math.abs(miss) > 0.1 * Math.abs(miss_last))) {
       break;
     }
@@ -1836,9 +1841,16 @@ export function layers___layer(law, par, case_, rest, part, towards) {
     if (i > 0 && miss !== miss_last) {
       new_ = rest - (miss * (rest - rest_last)) / (miss - miss_last);
     }
+    if (new_ <= least) {
+      if (rest <= least) {
+        return [true, false, rest, there];
+      }
+      new_ = tried === Infinity ? least : 0.5 * (rest + tried);
+      tried = least;
+    }
     [rest_last, miss_last, rest] = [rest, miss, new_];
   }
-  return [true, Math.abs(miss) <= 100.0 * case_.close, rest, there];
+  return [true, Math.abs(miss) <= NOISE * case_.close, rest, there];
 }
 
 /** Both layers at one lambda, `z`; `rest` is a first guess of T_r. */
@@ -1985,6 +1997,9 @@ export function layers___less_rest(law, par, case_, first) {
   let side = 0;
   for (let each2 = 0, end2 = 100; each2 < end2; each2++) {
     i = each2;
+    if (f_low === Infinity && i >= HALVINGS) {
+      break;
+    }
     z = 0.5 * (low + high);
     if (f_low < Infinity && f_low !== f_high && modulo(i, 8) < 7) {
       z = (low * f_high - high * f_low) / (f_high - f_low);
@@ -2171,17 +2186,23 @@ export function march__record(law, par, out, count, s, state) {
 
 /** dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law. */
 export function step__rates(law, par, g, segment, branch, sign, q, x) {
-  let sp;
+  let e, lost, sp;
   let radius = par.radius;
   let shear = par.shear;
-  let e = Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
+  if (Math.abs(q) < 0.1) {
+    lost = -Math.expm1(q);
+    e = 1.0 - lost;
+  } else {
+    e = Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
+    lost = 1.0 - e;
+  }
   let p = par.entry_pressure * e;
   const found1 = compact__friction_at(law, segment, branch, x * sign, p);
   let mu = found1[0];
   let mu_x = found1[1];
   let mu_p = found1[2];
   let dq = -mu / radius;
-  let dx = g + par.entry_tension * (1.0 - e) * par.compliance;
+  let dx = g + par.entry_tension * lost * par.compliance;
   if (shear > 0.0) {
     sp = shear * p;
     dx = (dx + (sp * (mu + p * mu_p) * mu) / radius) / (1.0 + sp * mu_x);
@@ -2221,6 +2242,18 @@ export function creep_step__cell_step(law, par, g, segment, branch, sign, q, x) 
   let part = Math.abs(last - first) / (1.0 + CELL_PARTS * min(shear, 6.0));
   let left = rate > 0.0 ? last - here : here - first;
   return min(part, max(1.02 * left, 0.0) + 0.01 * part) / Math.abs(rate);
+}
+
+/** Shear-lag length sqrt(dx / (dmu p B C)) of what is ahead in a cell of a table [m]. */
+export function creep_step__cell_lag(law, par, segment, branch, q, slip, friction) {
+  let ahead = law.slips[branch + 1] - slip;
+  if (ahead <= 0.0) {
+    return Infinity;
+  }
+  let p = step__pressure_at(par, q);
+  let change = compact__friction_at(law, segment, branch, law.slips[branch + 1], p)[0] - friction;
+  let stiffness = Math.abs(change) * p * par.width * par.compliance;
+  return stiffness > 0.0 ? Math.sqrt(ahead / stiffness) : Infinity;
 }
 
 /** `slip_at_entry` with a first guess of slip over creep, 1 for none. */
@@ -2620,6 +2653,7 @@ export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut
     j1,
     jacobian,
     k,
+    lag,
     low,
     most,
     p,
@@ -2662,6 +2696,21 @@ export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut
       if (Math.abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER) > cell) {
         reach = xi ** MESH_POWER + cell / (Math.abs(k[1]) * span);
         h = reach ** (1.0 / MESH_POWER) - xi;
+      }
+      reach = span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER);
+      if (Math.abs(k[1]) * reach > FEW_STEPS * cell) {
+        lag = creep_step__cell_lag(
+          law,
+          par,
+          segment,
+          branch,
+          q,
+          Math.abs(x),
+          Math.abs(k[0]) * par.radius,
+        );
+        if (reach > PART_OF_LAG * lag) {
+          h = (xi ** MESH_POWER + (PART_OF_LAG * lag) / span) ** (1.0 / MESH_POWER) - xi;
+        }
       }
       if (span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER) > most) {
         h = (xi ** MESH_POWER + most / span) ** (1.0 / MESH_POWER) - xi;
@@ -3158,7 +3207,7 @@ export function march___to_zero_slip(law, par, g, steps, out, count) {
       weight = stage === 0 || stage === 3 ? h / 6.0 : h / 3.0;
       qs = q + a * dq1;
       xs = max(x + a * dx1, 0.0);
-      rate = sign * (g + par.entry_tension * (1.0 - Math.exp(qs)) * par.compliance);
+      rate = sign * (g + par.entry_tension * -Math.expm1(qs) * par.compliance);
       if (rate >= 0.0) {
         return [0, 0.0, 0.0, 0.0, count];
       }
@@ -3185,7 +3234,7 @@ export function march___to_zero_slip(law, par, g, steps, out, count) {
       count += 1;
     }
   }
-  rate = sign * (g + par.entry_tension * (1.0 - Math.exp(q)) * par.compliance);
+  rate = sign * (g + par.entry_tension * -Math.expm1(q) * par.compliance);
   if (rate >= 0.0) {
     return [0, 0.0, 0.0, 0.0, count];
   }
@@ -3235,7 +3284,7 @@ export function march__sweep(law, par, g, steps, points, out) {
       work = found1[3];
       n = found1[4];
       if (status === 1) {
-        rate = g + par.entry_tension * (1.0 - Math.exp(q)) * par.compliance;
+        rate = g + par.entry_tension * -Math.expm1(q) * par.compliance;
         cell = (length - s) / steps ** MESH_POWER;
         gone = march___leave(law, par, rate, q, cell);
         state = new State(
@@ -4253,7 +4302,7 @@ export function search__refine(law, par, aim, z, steps) {
 
 /** Miss of loss = (T1 - T2) (g + (T1 - T2)/(2 EA')), relative to the energies in it. */
 export function answer__loss_miss(law, par, shot) {
-  let pull = par.entry_tension * (1.0 - Math.exp(shot.log_tension));
+  let pull = par.entry_tension * -Math.expm1(shot.log_tension);
   let exact = pull * (shot.creep_ratio + 0.5 * pull * par.compliance);
   const found1 = layer_march__friction_of_creep(law, par, par.entry_tension, par.kick);
   let entry_stress = found1[0];
@@ -4613,7 +4662,7 @@ export function layer_profile___record_kinks(law, par, rest, g, path, origin, to
     }
     low = 0.0;
     high = 1.0;
-    for (let each2 = 0, end2 = HALVINGS; each2 < end2; each2++) {
+    for (let each2 = 0, end2 = 50; each2 < end2; each2++) {
       part = 0.5 * (low + high);
       const found3 = layer_march__layer_step(law, par, rest, u, w, part * h);
       v = found3[0];
@@ -4928,7 +4977,7 @@ export function profile___stress_slope(law, par, g, out, a, b, at) {
   let q = out[at + 1];
   let tau = out[at + 4];
   let slip = 0.5 * (out[a + 2] + out[b + 2]);
-  let w = g + par.entry_tension * (1.0 - Math.exp(q)) * par.compliance;
+  let w = g + par.entry_tension * -Math.expm1(q) * par.compliance;
   if (slip === 0.0) {
     return par.shear > 0.0 ? w / par.shear : 0.0;
   }
@@ -5044,19 +5093,19 @@ export function profile__peak_stress(law, par, g, out, count) {
 /** Length of the exit part of the arc that takes 99 % of the tension change [m]. */
 export function profile__active_length(out, count) {
   let end = RECORD * (count - 1);
-  let change = 1.0 - Math.exp(out[end + 1]);
+  let change = -Math.expm1(out[end + 1]);
   if (change === 0.0) {
     return 0.0;
   }
   let i = count - 1;
-  while (i > 0 && (1.0 - Math.exp(out[RECORD * i + 1])) / change > 0.01) {
+  while (i > 0 && -Math.expm1(out[RECORD * i + 1]) / change > 0.01) {
     i -= 1;
   }
   if (i === count - 1) {
     return 0.0;
   }
-  let a = (1.0 - Math.exp(out[RECORD * i + 1])) / change;
-  let b = (1.0 - Math.exp(out[RECORD * (i + 1) + 1])) / change;
+  let a = -Math.expm1(out[RECORD * i + 1]) / change;
+  let b = -Math.expm1(out[RECORD * (i + 1) + 1]) / change;
   let w = b !== a ? (0.01 - a) / (b - a) : 1.0;
   let s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i]);
   return out[end] - s;
