@@ -93,11 +93,13 @@ def _carry_far(
         if outcome != SOLVED:
             break
         miss = layers.entry_tension - t
-        if mesh == steps and (geometry.kick_coefficient == 0.0 or abs(miss) < ALIKE * t):
+        fixed = geometry.kick_coefficient == 0.0
+        if mesh == steps and (fixed or abs(miss) < max(ALIKE, _tolerance(mesh)) * t):
             t = layers.entry_tension
             return SOLVED, t, shot_of_layers(law, parameters_at(t, geometry), layers)
-        if mesh != steps and (geometry.kick_coefficient == 0.0 or abs(miss) < 1e-4 * t):
-            mesh, t_last = steps, 0.0
+        if mesh != steps and (fixed or abs(miss) < 1e-4 * t):
+            mesh, t, t_last = steps, layers.entry_tension, 0.0
+            continue
         new = t + miss
         if t_last > 0.0 and miss != miss_last:
             new = t - miss * (t - t_last) / (miss - miss_last)

@@ -31,7 +31,8 @@ from wraparc.friction.compact import CompactLaw
 FLOOR = 1e-9  # of creep near rest in the creep of the layers: what it changes is its square
 NOISE = 100.0  # miss of a held tension, in `Case.close`, that steps leave
 FILLED = 3.0  # relative miss of the arc's length, in tolerances of a step: what steps leave
-HALVINGS = 12  # of lambda, between layers that do not come to an end and such that fill too little
+HALVINGS = 4  # of lambda, between layers that come to no end and such that fill too little
+MARGIN = 4.0  # times what these grew by with the last of them
 NEARBY = 8  # secants from the layers of nearly the same arc
 LEAST_TENSION = 1e-6  # of T1, where layers part
 LARGEST_RATIO = 1.0  # of creep at the entry
@@ -236,10 +237,10 @@ def _less_rest(law: CompactLaw, par: Parameters, case: Case, first: Layers) -> t
         fall = (f_low - f_high) / (high - low)
         reach = min(max(1.1 * f_high / fall, 0.5), 12.0) if 0.0 < fall < inf else 2.0
         low, f_low, rest = high, f_high, best.rest_tension
-    side = 0
+    side, rise = 0, inf
     for i in range(100):
-        if f_low == inf and i >= HALVINGS:
-            break  # nothing between too long and too short
+        if f_low == inf and i >= HALVINGS and f_high + MARGIN * rise * (high - low) < 0.0:
+            break  # layers come to no end where these do not fill the arc yet
         z = 0.5 * (low + high)
         if f_low < inf and f_low != f_high and i % 8 < 7:
             z = (low * f_high - high * f_low) / (f_high - f_low)
@@ -255,6 +256,7 @@ def _less_rest(law: CompactLaw, par: Parameters, case: Case, first: Layers) -> t
             low, f_low, side = z, f, 1
         else:
             f_low *= 0.5 if side < 0 else 1.0
+            rise = max(f - f_high, 0.0) / (high - z)
             high, f_high, side = z, f, -1
     good = best.solved and abs(best.length / par.length - 1.0) < 10.0 * tolerance
     return (SOLVED if good else UNSOLVED), best
