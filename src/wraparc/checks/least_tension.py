@@ -9,6 +9,7 @@ from functools import cached_property
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.arc.kernel.least_slack import highest_tight
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import grip_of, rises
@@ -224,7 +225,8 @@ def _least_for_slip(arc: WrapArc, limit: float) -> float:
 
 def _pull_of(arc: WrapArc) -> Pull:
     tight, tested = max(arc.entry_tension, arc.exit_tension), arc.law.tested
-    top = tested.pressure_max * arc.width * arc.radius if tested is not None else 1e3 * tight
+    largest = math.nan if tested is None else tested.pressure_max
+    top = highest_tight(largest, arc.width * arc.radius, tight)
     return Pull(abs(arc.effective_tension), tight, top)
 
 

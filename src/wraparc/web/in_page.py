@@ -12,6 +12,7 @@ from typing import NamedTuple
 from wraparc.arc.constant_friction import wrap_factor
 from wraparc.arc.kernel.answer import CAPACITIES, find_capacities
 from wraparc.arc.kernel.gross_slip import Grip, Line
+from wraparc.arc.kernel.least_slack import highest_tight
 from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
     CapacityNumbers,
@@ -262,9 +263,7 @@ def asked_of(
     entry, leaving = arc.entry_tension, arc.exit_tension
     tight, slack, area = max(entry, leaving), min(entry, leaving), grip.area
     end = leaving if criteria.behind or entry >= leaving else entry
-    top = 1e3 * tight
-    if limits.tested_pressure_max == limits.tested_pressure_max:
-        top = limits.tested_pressure_max * area
+    top = highest_tight(limits.tested_pressure_max, area, tight)
     of, by_slip = Pull(abs(entry - leaving), tight, top), nan
     geometry = geometry_of(arc, law.onset_compliance)
     if limits.tested_slip < given.creep_limit:

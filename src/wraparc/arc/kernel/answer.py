@@ -27,7 +27,7 @@ from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_cap
 from wraparc.arc.kernel.layer_march import STEP_TOLERANCE, friction_of_creep
 from wraparc.arc.kernel.layer_profile import KINKS, NODES, trace_layers
 from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
-from wraparc.arc.kernel.least_slack import least_slack
+from wraparc.arc.kernel.least_slack import highest_tight, least_slack
 from wraparc.arc.kernel.quantities import (
     BREAKAWAY,
     NO_SHOT,
@@ -112,12 +112,13 @@ def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the othe
     if goal < plateau_capacity(law, tight, par.length / par.radius):
         found = _by_marches(law, par, goal, steps)
         if found.outcome != BREAKAWAY:
-            if _resolved(law, par, found):
+            holds_on = _held_throughout(law, par, found)
+            if holds_on and _resolved(law, par, found):
                 return found
             other = by_layers(law, par, goal)
             if other.outcome == SOLVED:
                 return other
-            outcome = found.outcome if _held_throughout(law, par, found) else UNSOLVED
+            outcome = found.outcome if holds_on else UNSOLVED
             return Found(outcome, found.z, found.shot, found.layers, found.steps)
     z = largest_effort(law, par)
     shot, _ = shoot_from(law, par, z, steps, 0, zeros(0))
@@ -148,9 +149,7 @@ def _resolved(law: CompactLaw, par: Parameters, found: Found) -> bool:
     """Whether a march has met its aim on a mesh fine enough for the law."""
     if found.outcome != SOLVED:
         return jumps(law) and par.shear == 0.0
-    if loss_miss(law, par, found.shot) >= LOSS_MISS:
-        return False
-    return _held_throughout(law, par, found)
+    return loss_miss(law, par, found.shot) < LOSS_MISS
 
 
 def _held_throughout(law: CompactLaw, par: Parameters, found: Found) -> bool:
@@ -165,7 +164,7 @@ def _held_throughout(law: CompactLaw, par: Parameters, found: Found) -> bool:
 
 def _turns(law: CompactLaw, par: Parameters, found: Found) -> bool:
     """Whether slip passes through zero in a march: a law that jumps would hold the belt there."""
-    out = zeros(RECORD * (TURNS + 4 * mesh_steps(law, par, found.steps) + 600))
+    out = zeros(_march_size(law, par, found.steps, TURNS))
     _, count = shoot_from(law, par, found.z, found.steps, TURNS, out)
     low = high = 0.0
     for i in range(count):
@@ -247,7 +246,12 @@ def profile_size(law: CompactLaw, found: Answer, points: int) -> int:
     """Numbers that the records of `trace` need: points, nodes and kinks."""
     if found.z != found.z:
         return RECORD * (points + 2 * (NODES + KINKS) + 10)
-    return RECORD * (points + 4 * mesh_steps(law, found.par, found.steps) + 600)
+    return _march_size(law, found.par, found.steps, points)
+
+
+def _march_size(law: CompactLaw, par: Parameters, steps: int, points: int) -> int:
+    """Numbers that the records of a march need."""
+    return RECORD * (points + 4 * mesh_steps(law, par, steps) + 600)
 
 
 def trace(
@@ -335,8 +339,7 @@ def find_capacities_near(
         if outcome == SOLVED:
             by_creep = abs(shot.log_tension)
         if parts & LEAST and outcome == SOLVED and pull > 1e-6 * tight:
-            tested = load.pressure_max * geometry.width * geometry.radius
-            top = tested if tested == tested else 1e3 * tight
+            top = highest_tight(load.pressure_max, geometry.width * geometry.radius, tight)
             if z == z and begin.entry == begin.entry:
                 entry, z = begin.entry, begin.least
             least, most = least_slack(

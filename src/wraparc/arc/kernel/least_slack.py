@@ -14,9 +14,18 @@ from wraparc.arc.kernel.layers import NO_LAYERS
 from wraparc.arc.kernel.quantities import Geometry
 from wraparc.friction.compact import CompactLaw
 
+HIGHEST = 1e3  # times the tight side, where no largest pressure is given
 PULL_TOLERANCE = 2e-9  # relative: what the steps of layers leave
 GOLDEN = 0.6180339887498949
 NEAR_TOP = 0.08  # of ln(tension): so near its top the pull is a parabola
+
+
+def highest_tight(pressure_max: float, area: float, tight: float) -> float:
+    """Largest tight-side tension that is looked at [N]: that of the largest tested pressure.
+
+    `area` is B R; without a tested range a thousand times the present one.
+    """
+    return pressure_max * area if pressure_max == pressure_max else HIGHEST * tight
 
 
 def least_slack(

@@ -739,7 +739,8 @@ const FILLED = 3.0;
 const SOLVED = 0;
 const LARGEST_RATIO = 1.0;
 const BREAKAWAY = 1;
-const HALVINGS = 12;
+const HALVINGS = 4;
+const MARGIN = 4.0;
 const UNSOLVED = 2;
 const RECORD = 6;
 const LARGEST_LOG = 50.0;
@@ -812,6 +813,7 @@ const MEET_STEPS = 12;
 const MOST_ROUNDS = 30;
 const ALIKE = 1e-9;
 const SLOW_ROUNDS = 8;
+const HIGHEST = 1000.0;
 const NEAR_TOP = 0.08;
 const PULL_TOLERANCE = 2e-9;
 const TESTED_SLIP = 4;
@@ -1995,9 +1997,10 @@ export function layers___less_rest(law, par, case_, first) {
     rest = best.rest_tension;
   }
   let side = 0;
+  let rise = Infinity;
   for (let each2 = 0, end2 = 100; each2 < end2; each2++) {
     i = each2;
-    if (f_low === Infinity && i >= HALVINGS) {
+    if (f_low === Infinity && i >= HALVINGS && f_high + MARGIN * rise * (high - low) < 0.0) {
       break;
     }
     z = 0.5 * (low + high);
@@ -2019,6 +2022,7 @@ export function layers___less_rest(law, par, case_, first) {
       side = 1;
     } else {
       f_low *= side < 0 ? 0.5 : 1.0;
+      rise = max(f - f_high, 0.0) / (high - z);
       high = z;
       f_high = f;
       side = -1;
@@ -4339,10 +4343,15 @@ export function answer___by_marches(law, par, goal, steps) {
   return found;
 }
 
+/** Numbers that the records of a march need. */
+export function answer___march_size(law, par, steps, points) {
+  return RECORD * (points + 4 * effort__mesh_steps(law, par, steps) + 600);
+}
+
 /** Whether slip passes through zero in a march: a law that jumps would hold the belt there. */
 export function answer___turns(law, par, found) {
   let high, i, low;
-  let out = zeros(RECORD * (TURNS + 4 * effort__mesh_steps(law, par, found.steps) + 600));
+  let out = zeros(answer___march_size(law, par, found.steps, TURNS));
   const found1 = effort__shoot_from(law, par, found.z, found.steps, TURNS, out);
   let count = found1[1];
   low = high = 0.0;
@@ -4370,15 +4379,12 @@ export function answer___resolved(law, par, found) {
   if (found.outcome !== SOLVED) {
     return effort__jumps(law) && par.shear === 0.0;
   }
-  if (answer__loss_miss(law, par, found.shot) >= LOSS_MISS) {
-    return false;
-  }
-  return answer___held_throughout(law, par, found);
+  return answer__loss_miss(law, par, found.shot) < LOSS_MISS;
 }
 
 /** Effort at which the exit tension is met. */
 export function answer__solve_tension(law, par, exit_tension, steps) {
-  let creep, end, far, found, held, other, outcome, shot, still, z;
+  let creep, end, far, found, held, holds_on, other, outcome, shot, still, z;
   let goal = par.side * Math.log(par.entry_tension / exit_tension);
   if (effort__jumps(law)) {
     const found1 = stick__held_exit(law, par, exit_tension);
@@ -4409,14 +4415,15 @@ export function answer__solve_tension(law, par, exit_tension, steps) {
   if (goal < gross_slip__plateau_capacity(law, tight, par.length / par.radius)) {
     found = answer___by_marches(law, par, goal, steps);
     if (found.outcome !== BREAKAWAY) {
-      if (answer___resolved(law, par, found)) {
+      holds_on = answer___held_throughout(law, par, found);
+      if (holds_on && answer___resolved(law, par, found)) {
         return found;
       }
       other = answer__by_layers(law, par, goal);
       if (other.outcome === SOLVED) {
         return other;
       }
-      outcome = answer___held_throughout(law, par, found) ? found.outcome : UNSOLVED;
+      outcome = holds_on ? found.outcome : UNSOLVED;
       return new Found(outcome, found.z, found.shot, found.layers, found.steps);
     }
   }
@@ -4567,7 +4574,7 @@ export function answer__profile_size(law, found, points) {
   if (found.z !== found.z) {
     return RECORD * (points + 2 * (NODES + KINKS) + 10);
   }
-  return RECORD * (points + 4 * effort__mesh_steps(law, found.par, found.steps) + 600);
+  return answer___march_size(law, found.par, found.steps, points);
 }
 
 /** Write one point of a profile, see wraparc.arc.kernel.march.record. */
@@ -5299,7 +5306,7 @@ export function capacity__carry_from(law, geometry, entry, aim, guess, steps) {
 
 /** `carry` of a long braking pulley: T1 is what its layers hand on, and sets only the kick. */
 export function capacity___carry_far(law, geometry, tight, aim, steps) {
-  let miss, new_, outcome, par;
+  let fixed, miss, new_, outcome, par;
   let t = 0.6 * tight;
   let mesh = MEET_STEPS;
   let t_last = 0.0;
@@ -5314,7 +5321,8 @@ export function capacity___carry_far(law, geometry, tight, aim, steps) {
       break;
     }
     miss = layers.entry_tension - t;
-    if (mesh === steps && (geometry.kick_coefficient === 0.0 || Math.abs(miss) < ALIKE * t)) {
+    fixed = geometry.kick_coefficient === 0.0;
+    if (mesh === steps && (fixed || Math.abs(miss) < max(ALIKE, capacity___tolerance(mesh)) * t)) {
       t = layers.entry_tension;
       return [
         SOLVED,
@@ -5322,9 +5330,11 @@ export function capacity___carry_far(law, geometry, tight, aim, steps) {
         layers__shot_of_layers(law, quantities__parameters_at(t, geometry), layers),
       ];
     }
-    if (mesh !== steps && (geometry.kick_coefficient === 0.0 || Math.abs(miss) < 0.0001 * t)) {
+    if (mesh !== steps && (fixed || Math.abs(miss) < 0.0001 * t)) {
       mesh = steps;
+      t = layers.entry_tension;
       t_last = 0.0;
+      continue;
     }
     new_ = t + miss;
     if (t_last > 0.0 && miss !== miss_last) {
@@ -5551,6 +5561,11 @@ export function capacity__carry(law, geometry, tight, aim, z, steps) {
     return [SOLVED, z_met, entry, shot];
   }
   return capacity___carry_bracketed(law, geometry, tight, aim, steps);
+}
+
+/** Largest tight-side tension that is looked at [N]: that of the largest tested pressure. */
+export function least_slack__highest_tight(pressure_max, area, tight) {
+  return pressure_max === pressure_max ? pressure_max * area : HIGHEST * tight;
 }
 
 /** Pull carried at a creep limit with a held entry tension [N], and what to go on from. */
@@ -5782,19 +5797,7 @@ export function gross_slip__largest_ratio(law, geometry, tight, softening, steps
 
 /** `find_capacities` where it is known about where they are. */
 export function answer__find_capacities_near(law, geometry, load, parts, steps, begin) {
-  let by_creep,
-    by_slip,
-    entry,
-    gross,
-    gross_creep,
-    least,
-    most,
-    outcome,
-    shot,
-    softening,
-    tested,
-    top,
-    z;
+  let by_creep, by_slip, entry, gross, gross_creep, least, most, outcome, shot, softening, top, z;
   let tight = max(load.entry_tension, load.exit_tension);
   let pull = Math.abs(load.entry_tension - load.exit_tension);
   by_creep = by_slip = gross = gross_creep = least = most = NaN;
@@ -5815,8 +5818,7 @@ export function answer__find_capacities_near(law, geometry, load, parts, steps, 
       by_creep = Math.abs(shot.log_tension);
     }
     if (parts & LEAST && outcome === SOLVED && pull > 1e-6 * tight) {
-      tested = load.pressure_max * geometry.width * geometry.radius;
-      top = tested === tested ? tested : 1000.0 * tight;
+      top = least_slack__highest_tight(load.pressure_max, geometry.width * geometry.radius, tight);
       if (z === z && begin.entry === begin.entry) {
         entry = begin.entry;
         z = begin.least;
@@ -6181,10 +6183,7 @@ export function in_page__asked_of(law, arc, grip, least, limits, given, criteria
   let slack = min(entry, leaving);
   let area = grip.area;
   let end = criteria.behind || entry >= leaving ? leaving : entry;
-  let top = 1000.0 * tight;
-  if (limits.tested_pressure_max === limits.tested_pressure_max) {
-    top = limits.tested_pressure_max * area;
-  }
+  let top = least_slack__highest_tight(limits.tested_pressure_max, area, tight);
   let of = new Pull(Math.abs(entry - leaving), tight, top);
   let by_slip = NaN;
   let geometry = summary__geometry_of(arc, law.onset_compliance);
