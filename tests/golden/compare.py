@@ -9,7 +9,10 @@ from typing import Any, NamedTuple
 
 #: Errors of the solution itself and small differences of large numbers: mostly rounding, which on
 #: another machine has other digits.
-ERRORS = {"identity_error", "tension_error", "speed_error", "excess", "per_percent"}
+ERRORS = {
+    "identity_error", "tension_error", "speed_error", "excess", "per_percent", "gear_loss",
+    "losses",
+}  # fmt: skip
 _NOTHING = 1e-7
 _NOT_FINITE = ("nan", "inf", "-inf")
 
@@ -98,7 +101,11 @@ def _of_lists(old: list[Any], new: list[Any], tolerance: float, place: str) -> I
 def _of_texts(old: list[str], new: list[str], tolerance: float, place: str) -> Iterator[Difference]:
     """Compare the numbers of two texts; the last digit shown may turn with the tolerance."""
     pairs = zip(old, new, strict=False)
-    if tolerance and len(old) == len(new) and all(_reads_the_same(*pair) for pair in pairs):
+    if (
+        tolerance
+        and len(old) == len(new)
+        and all(_reads_the_same(*pair, tolerance) for pair in pairs)
+    ):
         return
     for what, i, j, k, m in SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
         if what != "equal":
@@ -106,7 +113,7 @@ def _of_texts(old: list[str], new: list[str], tolerance: float, place: str) -> I
             yield Difference(kind, f"{place}[{i}]", old[i:j], new[k:m])
 
 
-def _reads_the_same(old: str, new: str) -> bool:
+def _reads_the_same(old: str, new: str, tolerance: float) -> bool:
     if old == new:
         return True
     (before, _, unit), (after, _, other) = old.partition(" "), new.partition(" ")
@@ -115,7 +122,8 @@ def _reads_the_same(old: str, new: str) -> bool:
     except InvalidOperation:
         return False  # words that are answers
     step = Decimal(1).scaleb(int(a.as_tuple().exponent))
-    return unit == other and (abs(a - b) <= step or max(abs(a), abs(b)) < _NOTHING)
+    near = max(step, Decimal(tolerance) * max(abs(a), abs(b)))
+    return unit == other and (abs(a - b) <= near or max(abs(a), abs(b)) < _NOTHING)
 
 
 def _same(old: Any, new: Any, tolerance: float, scale: float, key: str) -> bool:
