@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.of_drive import escaped, origin
 from wraparc.checks.rules import RULES
-from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.conditions import SCALED
-from wraparc.provenance import Kind
+from wraparc.provenance import Kind, Provenance
 
 
 def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
@@ -67,17 +67,13 @@ def data(drive: Drive, pulley: Pulley) -> Check:
     found: dict[str, list[str]] = {}
     for kind, what in _weak_sources(drive, pulley):
         found.setdefault(kind, []).append(what)
-    law, friction = lagging.source_of("law").kind.value, f"The friction of {lagging.name} is"
-    words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
-    untested = lagging.law.tested is None
-    words += [f"{friction} given without tests."] if untested else []
+    grounds, words = law_words(lagging)
     words += [
         f"{kind.capitalize()}: {', '.join(dict.fromkeys(found[kind]))}."
-        for kind in ("illustrative", "calibrated", "estimated")
+        for kind in WEAK_KINDS
         if kind in found
     ]
-    ground = {law: True, "untested": untested} | dict.fromkeys(found, True)
-    worst = next((word for kind, word in _GROUNDS.items() if ground.get(kind)), "")
+    worst = next((word for kind, word in GROUNDS.items() if kind in (*grounds, *found)), "")
     return Check(
         name="data",
         title="Data that the answer stands on",
@@ -87,6 +83,15 @@ def data(drive: Drive, pulley: Pulley) -> Check:
         says=escaped(" ".join(words)),
         binding=False,
     )
+
+
+def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
+    """Return on what grounds the friction of a lagging stands, and the sentences about them."""
+    law, friction = lagging.source_of("law").kind.value, f"The friction of {lagging.name} is"
+    words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
+    untested = lagging.law.tested is None
+    words += [f"{friction} given without tests."] if untested else []
+    return [law, *(["untested"] if untested else [])], words
 
 
 def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
@@ -101,13 +106,21 @@ def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
     if pulley.across is not None and belt.in_plane_shear_stiffness is None:
         yield "estimated", "in-plane shear stiffness of the belt"
     for what, source in (*told, ("the belt", belt.provenance)):
-        if source.note.startswith("estimated"):
-            yield "estimated", what
-        if source.kind in (Kind.ILLUSTRATIVE, Kind.CALIBRATED):
-            yield source.kind.value, what
+        yield from ((kind, what) for kind in weaknesses(source))
 
 
-_GROUNDS = {
+def weaknesses(source: Provenance) -> Iterator[str]:
+    """Yield in what ways a number from a source is weak."""
+    if source.note.startswith("estimated"):
+        yield "estimated"
+    if source.kind in (Kind.ILLUSTRATIVE, Kind.CALIBRATED):
+        yield source.kind.value
+
+
+#: In the order in which they are told.
+WEAK_KINDS = ("illustrative", "calibrated", "estimated")
+#: What the answer then stands on, the weakest first.
+GROUNDS = {
     "illustrative": "on illustrative data",
     "untested": "on friction without tests",
     "estimated": "on estimated data",

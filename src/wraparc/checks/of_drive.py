@@ -128,8 +128,8 @@ def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
         place=Place(pulley.name),
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
         short="pulley too small",
-        says=f"Pulley {pulley.name}, {{value}}, is smaller than the least drive pulley of belt "
-        f"{belt.name}, {{limit}}.",
+        says=f"Pulley {escaped(pulley.name)}, {{value}}, is smaller than the least drive pulley of "
+        f"belt {escaped(belt.name)}, {{limit}}.",
         remedy="Take a larger pulley, or a belt that bends over this one.",
     )
 

@@ -53,7 +53,7 @@ class Block:
     @property
     def shape_factor(self) -> float:
         """S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip."""
-        return self.width / ((4.0 if self.shape == "square" else 2.0) * self.height)
+        return shape_factor(self.shape == "square", self.width, self.height)
 
 
 def compression_modulus(elastic_modulus: float, block: Block) -> float:
@@ -80,7 +80,22 @@ def compression_modulus(elastic_modulus: float, block: Block) -> float:
     Mech. Engrs. 173 (1959) 111-122; P. B. Lindley, "Engineering Design with Natural
     Rubber", MRPRA Technical Bulletin, 4th ed. (1978), for k by hardness.
     """
-    s2, k = block.shape_factor**2, block.stiffening
-    if block.shape == "square":
-        return block.contact_fraction * elastic_modulus * (1.0 + 2.0 * k * s2)
-    return block.contact_fraction * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2)
+    square = block.shape == "square"
+    return block_modulus(
+        elastic_modulus, square, block.width, block.height, block.stiffening, block.contact_fraction
+    )
+
+
+def shape_factor(square: bool, width: float, height: float) -> float:
+    """S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip."""
+    return width / ((4.0 if square else 2.0) * height)
+
+
+def block_modulus(
+    elastic_modulus: float, square: bool, width: float, height: float, k: float, contact: float
+) -> float:
+    """Effective compression modulus by plain numbers, see `compression_modulus` [Pa]."""
+    s2 = shape_factor(square, width, height) ** 2
+    if square:
+        return contact * elastic_modulus * (1.0 + 2.0 * k * s2)
+    return contact * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2)
