@@ -17,8 +17,9 @@ from javascript.translate import translate
 from wraparc.arc import profile
 from wraparc.arc.kernel import answer
 from wraparc.checks import numbers
+from wraparc.drive import compression
 from wraparc.saving import save_file
-from wraparc.web import in_page
+from wraparc.web import in_page, pulls
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
@@ -27,6 +28,11 @@ BIOME = ROOT / "node_modules" / ".bin" / "biome"
 ENTRIES = (
     in_page.quick,
     in_page.judged,
+    pulls.overridden,
+    pulls.fault_of,
+    in_page.described,
+    in_page.unjudged,
+    compression.block_modulus,
     numbers.held_alike,
     numbers.kept,
     numbers.margin_of,

@@ -478,6 +478,42 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
     assert levels == {"OK", "ATTENTION", "FAILS"}
 
 
+#: Choices on the drive page, by their field.
+CHOICES = (
+    ("#f-pulley-0-lagging", "full-ceramic"), ("#condition", "1"), ("#condition", "3"),
+    ("#f-belt-preset", "Flexsteel ST1000"), ("#f-take_up-kind", "fixed"),
+    ("#f-design_standard-name", "DIN 22101"), ("#f-pulley-0-lagging", "medium-ceramic"),
+)  # fmt: skip
+
+
+def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Path) -> None:
+    # expected: what `wraparc solve` says of the same drive
+    page = visitor.open("drive")
+    page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+    page.evaluate(PAINTED)
+    page.route("**/api/v1/**", lambda route: None)
+    for name in ("Take-up", "Design standard"):
+        page.locator("summary", has_text=name).first.click()
+    file = tmp_path / "chosen.toml"
+    for field, choice in CHOICES:
+        page.select_option(field, choice)
+        wait_for(lambda: page.evaluate(JUDGED))
+        visitor.painted()
+        chosen = page.evaluate("import('/static/base/design.js').then((m) => m.app.doc)")
+        file.write_text(document_text(chosen, TRAIN_FILE), "utf-8")
+        told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
+        said = page.locator("#verdict .verdict .headline").inner_text()
+        verdict = told["verdict"]
+        assert said.partition(" ")[2] == f"{verdict['word']} {verdict['headline']}"
+        creep = display(told["arcs"][0]["exit_creep"], "length", digits=RESULT_DIGITS)
+        assert key_figure(visitor, "Creep at exit") == creep
+        rows = page.locator("#drive .t-checks tbody tr")
+        judged = [c for c in verdict["checks"] if c["level"] != "NOT CHECKED"]
+        titles = [row.partition("\t")[0] for row in rows.all_inner_texts()]
+        assert titles == [c["title"] for c in judged if c["name"] != "data"]
+    page.unroute_all(behavior="ignoreErrors")
+
+
 def test_server_that_finds_other_numbers_is_shown_and_told(calculator: Calculator) -> None:
     visitor = Visitor(calculator[0], calculator[1].address)
     page = visitor.open("drive")

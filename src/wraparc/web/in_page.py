@@ -76,6 +76,28 @@ class Given(NamedTuple):
     steepest_fall: float
 
 
+def described(given: Given) -> tuple[float, float]:
+    """Entry and exit tension of an arc by its numbers [N]."""
+    arc = description_of(given)
+    return arc.entry_tension, arc.exit_tension
+
+
+#: Why the page cannot judge an arc.
+STEEP, IDLE, UNUSUAL = 1, 2, 3
+
+
+def unjudged(law: CompactLaw, given: Given) -> int:
+    """Why the page cannot judge an arc; 0 where it can."""
+    arc = description_of(given)
+    if refused(law, arc, given.steepest_fall):
+        return STEEP
+    if idles(arc.entry_tension, arc.exit_tension):
+        return IDLE
+    sizes = usual_sizes(given.width, given.modulus, given.speed, given.diameter)
+    usual = usual_tension(arc.entry_tension, arc.width)
+    return 0 if sizes and usual and usual_tension(arc.exit_tension, arc.width) else UNUSUAL
+
+
 class Quick(NamedTuple):
     """One arc as the page shows it."""
 

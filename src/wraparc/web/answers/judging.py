@@ -121,7 +121,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
         least_name=least_name(result),
         counterweight=drive.criteria.take_up.counterweight(1.0),
         cases=cases,
-        checks=[_words(c) for c in first if not c.place.load_case],
+        checks=[words_of(c) for c in first if not c.place.load_case],
     )
 
 
@@ -168,15 +168,16 @@ def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:
 def _either(solved: list[Check], broken: list[Check]) -> Iterator[Words]:
     """Yield what is checked of an arc however it ends, each once."""
     here, there = set(map(_key, solved)), set(map(_key, broken))
-    yield from (_words(c, "breakaway") for c in broken if _key(c) not in here)
-    yield from (_words(c, "" if _key(c) in there else "solved") for c in solved)
+    yield from (words_of(c, "breakaway") for c in broken if _key(c) not in here)
+    yield from (words_of(c, "" if _key(c) in there else "solved") for c in solved)
 
 
 def _key(check: Check) -> tuple[str, str, bool]:
     return check.name, check.title, check.miss is None
 
 
-def _words(check: Check, when: str = "") -> Words:
+def words_of(check: Check, when: str = "") -> Words:
+    """Return a check without its numbers."""
     names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
     fields = {name: getattr(check, name) for name in (*names, "remedy", "binding", "advises")}
     miss = None if check.miss is None else Miss(**check.miss._asdict())

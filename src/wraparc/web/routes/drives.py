@@ -5,7 +5,18 @@ from typing import Annotated
 from fastapi import File, Form, Query, Request, Response, UploadFile
 
 from wraparc.errors import shown
-from wraparc.web.answers import across, catalogue, compare, documents, drives, form, texts, trains
+from wraparc.web.answers import (
+    across,
+    book,
+    catalogue,
+    compare,
+    documents,
+    drives,
+    form,
+    texts,
+    trains,
+)
+from wraparc.web.answers.book_parts import Book
 from wraparc.web.answers.shown import Answer, Data, DriveKind
 from wraparc.web.errors import refused
 from wraparc.web.examples import examples
@@ -51,6 +62,12 @@ def schema() -> form.Form:
 def whole_catalogue() -> catalogue.Catalogue:
     """Belts, laggings, design values, examples."""
     return catalogue.whole()
+
+
+@api.get("/book")
+def whole_book() -> Book:
+    """What a page puts drives of one pulley together from itself."""
+    return book.book()
 
 
 @api.get("/catalogue/laggings/{name}", response_model=catalogue.LaggingAnswer)

@@ -707,6 +707,23 @@ export class Judged {
   }
 }
 
+export class Pulls {
+  constructor(entry_tension, exit_tension, effective_tension, torque, power) {
+    this.entry_tension = entry_tension;
+    this.exit_tension = exit_tension;
+    this.effective_tension = effective_tension;
+    this.torque = torque;
+    this.power = power;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry_tension;
+    yield this.exit_tension;
+    yield this.effective_tension;
+    yield this.torque;
+    yield this.power;
+  }
+}
+
 const LEAST_TENSION = 0.1;
 const MOST_TENSION = 1000000000.0;
 const OVERRUN = 1.25;
@@ -825,6 +842,11 @@ const _TOLERANCE = 1e-10;
 const _STEPS = 24;
 const _SETTLED = 0.0001;
 const ROUNDS = 6;
+const SEVERAL_PULLS = 1;
+const ALL_THREE = 2;
+const TOO_FEW = 3;
+const NO_SPEED = 4;
+const UNUSUAL = 3;
 const HELD = 0.1;
 const BEHIND = 1000000000.0;
 
@@ -6289,6 +6311,114 @@ export function in_page__judged(law, given, tested, criteria, points) {
     criteria.fixed ? entry + leaving : held,
     in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria),
   );
+}
+
+/** How many quantities are given that fix the effective tension. */
+export function pulls__pulls(of) {
+  let count = of.effective_tension === of.effective_tension ? 1 : 0;
+  count += of.torque === of.torque ? 1 : 0;
+  return count + (of.power === of.power ? 1 : 0);
+}
+
+/** How many independent quantities are given. */
+export function pulls__families(of) {
+  let count = of.entry_tension === of.entry_tension ? 1 : 0;
+  count += of.exit_tension === of.exit_tension ? 1 : 0;
+  return count + (pulls__pulls(of) > 0 ? 1 : 0);
+}
+
+/** Effective tension that is given, nan where it is not [N]. */
+export function pulls__pull_given(of, diameter, speed) {
+  if (of.effective_tension === of.effective_tension) {
+    return of.effective_tension;
+  }
+  if (of.torque === of.torque) {
+    return load_case__pull_of_torque(of.torque, diameter);
+  }
+  return load_case__pull_of_power(of.power, speed);
+}
+
+/** Sum of the tensions that are given, nan where they are not [N]. */
+export function pulls__both_tensions(of, diameter, speed) {
+  let pull = pulls__pull_given(of, diameter, speed);
+  let entry = of.entry_tension;
+  let leaving = of.exit_tension;
+  let first = entry === entry ? entry : leaving + pull;
+  return first + (leaving === leaving ? leaving : entry - pull);
+}
+
+/** Tensions of a pulley with those of a load case put over them. */
+export function pulls__overridden(of, over, fixed, diameter, speed) {
+  let both;
+  if (pulls__families(over) >= 2) {
+    return over;
+  }
+  let pull = pulls__pull_given(over, diameter, speed);
+  if (fixed && pull === pull && pulls__pulls(over) === 1) {
+    both = pulls__both_tensions(of, diameter, speed);
+    if (both !== both) {
+      return over;
+    }
+    return new Pulls(0.5 * both + 0.5 * pull, 0.5 * both - 0.5 * pull, NaN, NaN, NaN);
+  }
+  let entry = over.entry_tension;
+  let leaving = over.exit_tension;
+  let taken = pulls__pulls(over) > 0;
+  return new Pulls(
+    entry === entry ? entry : of.entry_tension,
+    leaving === leaving ? leaving : of.exit_tension,
+    taken ? over.effective_tension : of.effective_tension,
+    taken ? over.torque : of.torque,
+    taken ? over.power : of.power,
+  );
+}
+
+/** What is wrong with the tensions that are given; 0 where nothing is. */
+export function pulls__fault_of(of, speed) {
+  if (pulls__pulls(of) > 1) {
+    return SEVERAL_PULLS;
+  }
+  if (pulls__families(of) > 2) {
+    return ALL_THREE;
+  }
+  if (pulls__families(of) < 2) {
+    return TOO_FEW;
+  }
+  return of.power === of.power && speed !== speed ? NO_SPEED : 0;
+}
+
+/** Entry and exit tension of an arc by its numbers [N]. */
+export function in_page__described(given) {
+  let arc = in_page__description_of(given);
+  return [arc.entry_tension, arc.exit_tension];
+}
+
+/** Why the page cannot judge an arc; 0 where it can. */
+export function in_page__unjudged(law, given) {
+  let arc = in_page__description_of(given);
+  if (in_page__refused(law, arc, given.steepest_fall)) {
+    return 1;
+  }
+  if (numbers__idles(arc.entry_tension, arc.exit_tension)) {
+    return 2;
+  }
+  let sizes = numbers__usual_sizes(given.width, given.modulus, given.speed, given.diameter);
+  let usual = numbers__usual_tension(arc.entry_tension, arc.width);
+  return sizes && usual && numbers__usual_tension(arc.exit_tension, arc.width) ? 0 : UNUSUAL;
+}
+
+/** S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip. */
+export function compression__shape_factor(square, width, height) {
+  return width / ((square ? 4.0 : 2.0) * height);
+}
+
+/** Effective compression modulus by plain numbers, see `compression_modulus` [Pa]. */
+export function compression__block_modulus(elastic_modulus, square, width, height, k, contact) {
+  let s2 = compression__shape_factor(square, width, height) ** 2;
+  if (square) {
+    return contact * elastic_modulus * (1.0 + 2.0 * k * s2);
+  }
+  return contact * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2);
 }
 
 /** Whether one take-up can hold both tensions. */

@@ -4,7 +4,8 @@ import { app, look, redraw, take, watch } from "./base/design.js";
 import { keepDraft, opened, ownDraft } from "./base/drafts.js";
 import { ask, complain, Refused, told } from "./base/server.js";
 import { Header, listen } from "./frame/header.js";
-import { Main, offerDraft, openDraft, PAGES, present } from "./frame/pages.js";
+import { Main, offerDraft, openDraft, present } from "./frame/pages.js";
+import { PAGES } from "./frame/registry.js";
 import { solve } from "./pages/drive/solving.js";
 import { h, render } from "./vendor/preact.js";
 

@@ -184,6 +184,12 @@ export interface Judging {
     checks: Words[];
     asks: Ask[];
   }[];
+  /** Of a drive that the page has put together: what is said where load cases contradict the
+   * take-up, what that holds, and names for the words. */
+  odd?: Words | null;
+  held?: string;
+  names?: Record<string, string>;
+  kinds?: string[];
 }
 /** A number of the document that the page may move. */
 export interface Input {
@@ -263,4 +269,73 @@ export interface ChartLook {
   height?: number;
   xlabel?: string;
   onpick?: (part: number) => void;
+}
+
+/** Numbers as JSON has them: those that it has none for are words. */
+export type Number_ = number | string;
+/** What drives of one pulley are put together from: see web/answers/book.py. */
+export interface Book {
+  levels: Level[];
+  laggings: Record<string, BookLagging>;
+  belts: Record<string, BookBelt>;
+  words: Record<string, Words[]>;
+  asks: Record<string, Ask>;
+  standards: {
+    rows: {
+      standard: string;
+      surface: string;
+      condition: string;
+      friction: Number_;
+      rule: string;
+    }[];
+    manual: Record<string, { angle: Number_; factor: Number_; rule: string }[]>;
+    own: string;
+    silent: Record<string, string>;
+  };
+  grounds: Record<string, string>;
+  weak_kinds: string[];
+  more_creep: Record<string, number>;
+  least_names: Record<string, string>;
+  heads: { checks: Table; least: Record<string, Table> };
+  usual: Record<string, number>;
+  belt_keys: string[];
+  design: string;
+  own: Record<string, any>;
+}
+export interface BookBelt {
+  kind: string;
+  modulus: number;
+  rating: number;
+  least_pulley_diameter: Number_;
+  weak: string[];
+}
+export interface BookLagging {
+  name: string;
+  surface: string;
+  first: string;
+  laws: Record<string, BookLaw>;
+  thickness: number;
+  shear_modulus: Number_;
+  compression_modulus: Number_;
+  wear_coefficient: Number_;
+  bond_strength: Number_;
+  fatigue_limit: Number_;
+  block: {
+    elastic_modulus: number;
+    square: boolean;
+    width: number;
+    height: Number_;
+    stiffening: number;
+    contact_fraction: number;
+  } | null;
+}
+export interface BookLaw {
+  condition: string;
+  law: Record<string, number | number[]>;
+  steepest_fall: number;
+  tested: Record<string, Number_> | null;
+  grounds: string[];
+  told: string[];
+  weak: { key: string; what: string; kinds: string[] }[];
+  checks: Words[];
 }

@@ -12,7 +12,7 @@ const base64 = (bytes) =>
 const through = async (bytes, stream) =>
   new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
 /** @param {any} value */
-const packed = async (value) => {
+export const packed = async (value) => {
   const bytes = new TextEncoder().encode(JSON.stringify(value));
   return base64(await through(bytes, new CompressionStream("deflate-raw")));
 };
@@ -60,16 +60,5 @@ export async function openLink() {
   } catch {
     note("The link holds no design that can be read: it may have been cut short.", true);
     return false;
-  }
-}
-/** Put the link on the clipboard; false where the browser allows it only over HTTPS. */
-export async function copyLink() {
-  const { doc: d, units: u, pulley: p, case: c } = app;
-  const link = `${location.origin}/#/drive/${await packed({ d, u, p, c })}`;
-  try {
-    await navigator.clipboard.writeText(link);
-    return "";
-  } catch {
-    return link;
   }
 }

@@ -85,7 +85,14 @@ export const split = (text) => {
 export function si(text, dimension) {
   const q = split(text);
   const f = q ? factor(q.unit, dimension) : undefined;
-  return !q || f === undefined ? Number.NaN : q.number * f;
+  return !q || f === undefined ? Number.NaN : times(q.written, f);
+}
+/** A number as written, times a factor; a power of ten only moves the point.
+ * @param {string} written @param {number} f */
+function times(written, f) {
+  const [digits, power = "0"] = written.toLowerCase().split("e");
+  const ten = Math.round(Math.log10(f));
+  return +`1e${ten}` === f ? +`${digits}e${+power + ten}` : +written * f;
 }
 /** @param {number} v */
 export const trim = (v, n = 6) => String(+(+v).toPrecision(n));

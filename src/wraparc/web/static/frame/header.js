@@ -1,21 +1,23 @@
 // The head of the page: pages, units, undo, the menus File and Report.
-import { copyLink, turnTo } from "../base/address.js";
+import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { drafts, draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
-import { act, note } from "../base/server.js";
+import { act } from "../base/server.js";
 import { h } from "../vendor/preact.js";
 import { download, newDrive, openExample, report } from "./files.js";
-import { openDraft, PAGES } from "./pages.js";
+import { openDraft } from "./pages.js";
+import { PAGES } from "./registry.js";
 
 /** @import { Children, Units } from "../types.d.ts" */
 
+const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
 const head = { project: "", number: "", revision: "", author: "", paper: "a4" };
 
 export const Header = () => [
   h(
     "div",
     { class: "brand", key: "brand" },
-    h("img", { src: "/static/icon.svg", alt: "", width: 26, height: 26 }),
+    h("img", { src: icon.href, alt: "", width: 26, height: 26 }),
     " ",
     h("b", {}, "wraparc"),
   ),
@@ -27,7 +29,7 @@ export const Header = () => [
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
     menu("file", "File", fileMenu()),
-    menu("report", "Report", reportMenu()),
+    PAGES.saved && menu("report", "Report", reportMenu()),
   ),
 ];
 /** @param {string} name */
@@ -119,36 +121,19 @@ function choose() {
   );
   input.click();
 }
-async function link_() {
-  const left = await copyLink();
-  if (!left) return note("The link is on the clipboard; it holds the whole design.");
-  const mark = (/** @type {any} */ e) => e.currentTarget.select();
-  const box = {
-    type: "text",
-    readOnly: true,
-    value: left,
-    "aria-label": "Link",
-    onFocus: mark,
-    id: "link",
-  };
-  note([
-    "This browser lets a page use the clipboard only over HTTPS. ",
-    "The link, to be copied with Ctrl+C: ",
-    h("input", box),
-  ]);
-  requestAnimationFrame(() => document.getElementById("link")?.focus());
-}
 function fileMenu() {
   const kept = otherDrafts();
   return [
     item("New drive", newDrive),
-    item("Open a drive or lagging file …", choose),
+    item(PAGES.saved ? "Open a drive or lagging file …" : "Open a drive file …", choose),
     item("Download the drive file", download),
-    item("Save in the database …", () => {
-      turnTo("saved");
-      redraw();
-    }),
-    item("Copy a link to this design", link_),
+    PAGES.saved &&
+      item("Save in the database …", () => {
+        turnTo("saved");
+        redraw();
+      }),
+    PAGES.saved &&
+      item("Copy a link to this design", async () => (await import("./link.js")).copied()),
     item("Print", () => print()),
     h("p", { class: "help", key: "examples" }, "Examples"),
     app.catalogue.examples.map((x) => item(x.title, () => openExample(x.name))),

@@ -1,29 +1,11 @@
-// The pages by name, and the frame that holds them.
+// The frame that holds the pages.
 import { app, redraw, take } from "../base/design.js";
 import { draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
 import { complain } from "../base/server.js";
-import { DrivePage } from "../pages/drive.js";
 import { Component, h } from "../vendor/preact.js";
+import { PAGES } from "./registry.js";
 
-/** @import { Children } from "../types.d.ts" */
 /** @import { Draft } from "../base/drafts.js" */
-/**
- * A page; all but the first are fetched when they are looked at.
- * @typedef {{Page: () => Children, update?: () => void}} View
- * @typedef {{title: string, view?: View, load?: () => Promise<View>}} Page
- */
-
-/** @type {Record<string, Page>} */
-export const PAGES = {
-  drive: { title: "Drive", view: { Page: DrivePage } },
-  compare: { title: "Compare", load: () => import("../pages/compare.js") },
-  across: { title: "Across the width", load: () => import("../pages/across.js") },
-  tests: { title: "Tests", load: () => import("../pages/tests.js") },
-  train: { title: "Train", load: () => import("../pages/train.js") },
-  events: { title: "Events", load: () => import("../pages/events.js") },
-  study: { title: "Study", load: () => import("../pages/study.js") },
-  saved: { title: "Saved", load: () => import("../pages/saved.js") },
-};
 /** The page that is looked at; undefined while it is on its way. */
 export function present() {
   const page = PAGES[app.page];

@@ -26,7 +26,7 @@ const FIRST = [
 /** @param {Now} now @returns {Children[]} */
 export function conveyor(now) {
   if (app.doc.conveyor) return given(now);
-  if (app.doc.train || app.doc.pulley.length > 1) return [];
+  if (app.doc.train || app.doc.pulley.length > 1 || !section("conveyor").length) return [];
   const describe = () => {
     const pulley = Object.fromEntries(
       Object.entries(app.doc.pulley[0]).filter(([key]) => !TENSIONS.includes(key)),

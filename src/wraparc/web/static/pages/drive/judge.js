@@ -8,6 +8,7 @@ import {
   numbers__order_of as orderOf,
 } from "../../kernel.js";
 import { moved, numbersOf } from "./own.js";
+import { put } from "./wording.js";
 import { headline, listed } from "./words.js";
 
 /** @import { Asked } from "./numbers.js" */
@@ -32,11 +33,19 @@ const SAME = 1e-7;
 export function asked(before, { judging }, doc) {
   const found = (judging?.cases ?? []).flatMap((of) => {
     const given = moved(before, of.prepared, doc, of.elsewhere);
-    const { law } = of.prepared;
-    return given ? [{ law, given, tested: of.tested, criteria: numbersOf(of.criteria) }] : [];
+    return given ? [arcOf(of, given)] : [];
   });
   return judging && found.length === judging.cases.length ? found : null;
 }
+/** @param {Judging["cases"][number]} of @param {Record<string, number>} given @returns {Asked} */
+const arcOf = ({ prepared, tested, criteria }, given) => ({
+  law: prepared.law,
+  given,
+  tested,
+  criteria: numbersOf(criteria),
+});
+/** The arcs of a drive as it is prepared. @param {Judging} judging */
+export const arcsOf = ({ cases }) => cases.map((of) => arcOf(of, numbersOf(of.prepared.given)));
 /**
  * Every check of a drive by the numbers of its arcs; null where it is for the server.
  * @param {Judging} judging @param {Design} doc @param {any[]} all @returns {Judged | null}
@@ -44,12 +53,14 @@ export function asked(before, { judging }, doc) {
 export function judge(judging, doc, all) {
   const found = judging.cases.map((of, i) => ({ of, numbers: all[i] }));
   const held = found.map((f) => f.numbers.held);
-  if (judging.take_up && !heldAlike(Math.min(...held), Math.max(...held))) return null;
+  const odd = judging.take_up && !heldAlike(Math.min(...held), Math.max(...held));
+  if (odd && !judging.odd) return null;
   const checks = found.flatMap(({ of, numbers }) => {
     const end = numbers.solved ? "solved" : "breakaway";
     const made = of.checks.filter((w) => !w.when || w.when === end);
     return made.map((w) => check(w, numbers, of.load_case, judging.levels));
   });
+  if (odd) checks.push(contradicts(judging, held));
   checks.push(...judging.checks.map((w) => check(w, found[0].numbers, "", judging.levels)));
   const arcs = found.map(({ of, numbers: n }) => {
     const numbers = { ...n.summary, ...n.capacities };
@@ -57,6 +68,15 @@ export function judge(judging, doc, all) {
     return { load_case, solved: n.solved, numbers, asks, asked: n.asked };
   });
   return { doc, checks, arcs, of: judging };
+}
+/** That the take-up cannot hold what load cases give. @param {Judging} judging
+ * @param {number[]} held */
+function contradicts({ odd, cases, levels }, held) {
+  const [least, most] = [Math.min(...held), Math.max(...held)];
+  const at = (/** @type {number} */ v) => cases[held.indexOf(v)].load_case;
+  const words = put(/** @type {Words} */ (odd), { least: at(least), most: at(most) });
+  words.more = { least: [least, "force"], most: [most, "force"] };
+  return check(words, { values: {}, limits: {} }, "", levels);
 }
 /** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
  * @returns {Check} */

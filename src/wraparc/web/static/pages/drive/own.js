@@ -3,7 +3,7 @@
 import { si } from "../../base/units.js";
 import { in_page__quick as quick } from "../../kernel.js";
 
-/** @import { Design, Input, Path, Prepared, QuickAnswer } from "../../types.d.ts" */
+/** @import { Design, Input, Judging, Path, Prepared, QuickAnswer } from "../../types.d.ts" */
 
 /** A document and what the server answered to it.
  * @typedef {{doc: Design, answer: QuickAnswer}} Solved */
@@ -46,32 +46,44 @@ export function moved(before, prepared, doc, elsewhere = []) {
 const finite = (v) => (Number.isFinite(v) ? v : null);
 
 /**
- * The answer for a document that differs from a solved one by moved numbers alone; null where it is
- * for the server.
+ * The answer for a document that differs from a solved one by moved numbers alone, or that the page
+ * has put together itself; null where it is for the server.
  * @param {Solved} base @param {Design} doc @param {number} points
  * @param {QuickAnswer | null} [judged] whose verdict stands until this one is judged
+ * @param {Judging["cases"][number] | null} [assembled] the arc as put together
  * @returns {QuickAnswer | null}
  */
-export function ownAnswer(base, doc, points, judged) {
-  const before = base.answer;
-  const given = moved(base.doc, before.prepared, doc);
+export function ownAnswer(base, doc, points, judged, assembled) {
+  const prepared = assembled?.prepared ?? base.answer.prepared;
+  const given = assembled ? numbersOf(prepared?.given ?? {}) : moved(base.doc, prepared, doc);
+  const { tested } = assembled ?? base.answer;
   const start = performance.now();
-  const found = given && quick(before.prepared?.law, given, before.tested, points);
+  const found = given && quick(prepared?.law, given, tested, points);
   performance.measure("own answer", { start });
   if (!found) return null;
-  const { summary, profile, outside, stretches } = found;
-  const names = Object.keys(before.numbers);
+  const other = assembled && { load_case: assembled.load_case, pulley: doc.pulley[0].name, tested };
   return {
-    ...before,
+    ...base.answer,
+    ...other,
     own: true,
-    status: found.solved ? "solved" : "breakaway",
     level: judged?.level ?? /** @type {any} */ (""),
     levels: judged?.levels ?? {},
-    verdict: judged?.verdict ?? before.verdict,
+    verdict: judged?.verdict ?? base.answer.verdict,
+    ...shownOf(found, Object.keys(base.answer.numbers)),
     creep_limit: given.creep_limit,
-    numbers: Object.fromEntries(names.map((name) => [name, finite(summary[name])])),
+  };
+}
+/** What the page shows of a solved arc. @param {any} found @param {string[]} [names] of numbers */
+export function shownOf({ solved, summary, profile, outside, stretches }, names) {
+  const listed = names ?? Object.keys(summary);
+  return {
+    status: solved ? "solved" : "breakaway",
+    numbers: Object.fromEntries(listed.map((name) => [name, finite(summary[name])])),
     profile: Object.fromEntries(Object.keys(profile).map((name) => [name, [...profile[name]]])),
-    outside: Array.from({ length: stretches }, (_, i) => [outside[2 * i], outside[2 * i + 1]]),
+    outside: Array.from(
+      { length: stretches },
+      (_, i) => /** @type {[number, number]} */ ([outside[2 * i], outside[2 * i + 1]]),
+    ),
   };
 }
 

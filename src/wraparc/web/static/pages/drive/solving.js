@@ -64,11 +64,6 @@ const POINTS = 120;
 /** What the server solved last: the page moves numbers from there.
  * @type {{doc: Design, answer: QuickAnswer, pulley: number, case: string} | null} */
 let base = null;
-/** The answer of the page itself, where only numbers have moved. */
-function ownNow() {
-  if (!base || base.pulley !== app.pulley || base.case !== app.case) return null;
-  return own?.ownAnswer(base, app.doc, POINTS, answer.judged && answer.quick) ?? null;
-}
 /** The solver of the page, fetched last.
  * @type {typeof import("./judging.js") | null} */
 let own = null;
@@ -84,7 +79,8 @@ export function solve() {
     openedAs = app.opened;
     answer.foreign = true;
   }
-  const found = ownNow();
+  const found =
+    base && !answer.foreign && own?.ownAnswer(base, POINTS, answer.judged && answer.quick);
   if (found) {
     Object.assign(answer, { quick: found, quickDoc: app.doc, foreign: false, slow: false });
     if (answer.problems.length) told([]);

@@ -1,0 +1,305 @@
+"""What a page needs to judge any drive of one pulley itself: laws, belts, rules and words.
+
+Everything comes from the functions that the server's own answers use: what depends on the drive is
+left open in the texts (``⟦pulley⟧``, ``⟦case⟧`` ...), and the numbers are those of the catalogue.
+`assemble.js` of the page puts a drive together from it as `judging` does on the server.
+"""
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+from wraparc import catalogue
+from wraparc.catalogue import design_friction
+from wraparc.checks import RULES, Level, judge, of_data, of_drive
+from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
+from wraparc.checks.least_tension import figures
+from wraparc.checks.of_arc import BALANCE
+from wraparc.conveyor import GRAVITY
+from wraparc.drive import (
+    CASE_KINDS,
+    CREEP_LIMIT,
+    DESIGN,
+    Belt,
+    DesignStandard,
+    Lagging,
+    SafetyFactors,
+    Sag,
+    TakeUp,
+)
+from wraparc.drive.conditions import DRY
+from wraparc.errors import InputError
+from wraparc.files import drive_from_document
+from wraparc.present.checks_table import check_table
+from wraparc.present.least_tension import least_name, least_table
+from wraparc.schema.source import Document
+from wraparc.web.answers.book_parts import (
+    Book,
+    BookBelt,
+    BookBlock,
+    BookLagging,
+    BookLaw,
+    BookTested,
+    DesignRow,
+    Heads,
+    ManualRow,
+    Standards,
+    Weak,
+)
+from wraparc.web.answers.book_words import HELD, PROBE, probe, with_criteria, words_by_key
+from wraparc.web.answers.judging import Ask, Words, words_of
+from wraparc.web.answers.prepared import Law
+from wraparc.web.answers.shown import tables
+
+#: Conditions that published values cover.
+CONDITIONS = ("dry", "wet", "wet and dirty")
+
+
+def book(document: Document | None = None) -> Book:
+    """Return what the catalogue has, and a drive document: its laggings and conditions.
+
+    Raises
+    ------
+    InputError
+        If a lagging of the document cannot be read.
+    """
+    found = _whole()
+    if document is None:
+        return found
+    own = document.get("lagging") or {}
+    conditions = dict.fromkeys(CONDITIONS) | dict(_named_conditions(document))
+    names = (*catalogue.lagging_names(), *own)
+    laggings = {name: _lagging(name, own, conditions) for name in names}
+    return found.model_copy(update={"laggings": laggings, "own": own})
+
+
+@cache
+def _whole() -> Book:
+    result = probe()
+    return Book(
+        levels=list(Level),
+        laggings={
+            name: _lagging(name, {}, dict.fromkeys(CONDITIONS))
+            for name in catalogue.lagging_names()
+        },
+        belts={belt.name: _belt(belt) for belt in catalogue.belts()},
+        words={key: [_bare(w) for w in found] for key, found in words_by_key()},
+        asks=_asks(),
+        standards=_standards(result.drive.pulleys[0].lagging),
+        grounds=dict(of_data.GROUNDS),
+        weak_kinds=list(of_data.WEAK_KINDS),
+        more_creep=of_drive.MORE_CREEP,
+        least_names={h: least_name(with_criteria(result, take_up=t)) for h, t in HELD.items()},
+        heads=_heads(),
+        usual={
+            "creep_limit": CREEP_LIMIT,
+            "gravity": GRAVITY,
+            "balance": BALANCE,
+            "sheave_ratio": TakeUp().sheave_ratio,
+            "start_factor": DesignStandard().start_factor,
+            "share": Sag.share,
+            **{kind: SafetyFactors().of(kind) for kind in CASE_KINDS},
+        },
+        belt_keys=list(Belt.LIMITS),
+        design=DESIGN,
+        own={},
+    )
+
+
+def _bare(words: Words) -> Words:
+    """Return words without those that the comparison of its numbers decides on."""
+    if words.miss is None:
+        return words
+    return words.model_copy(update={"level": Level.OK, "short": "", "says": "", "remedy": ""})
+
+
+def key_of(condition: Any) -> str:
+    """Return the text that a condition of a document is found by: its name, or its table."""
+    if isinstance(condition, str):
+        return condition
+    return json.dumps(condition, separators=(",", ":"), ensure_ascii=False)
+
+
+def _named_conditions(document: Document) -> Iterator[tuple[str, Any]]:
+    """Yield every condition that a document names."""
+    given = document.get("condition")
+    rows = [*(given if isinstance(given, list) else [given])]
+    rows += [t.get("condition") for t in document.get("pulley") or ()]
+    rows += [t.get("condition") for t in document.get("load_case") or ()]
+    yield from ((key_of(row), row) for row in rows if row is not None)
+
+
+def _lagging(name: str, own: Document, conditions: Mapping[str, Any]) -> BookLagging:
+    first = _read(name, own, None)
+    laws = {first.condition: _law(first)}
+    for key, condition in conditions.items():
+        try:
+            laws[key] = _law(_read(name, own, condition or key))
+        except InputError:  # nothing is known of it: a drive that asks for it is refused
+            continue
+    return BookLagging(
+        name=first.name,
+        surface=first.surface,
+        first=first.condition,
+        thickness=first.thickness,
+        shear_modulus=first.shear_modulus,
+        compression_modulus=first.compression_modulus,
+        wear_coefficient=_number(first.wear_coefficient),
+        bond_strength=_number(first.bond_strength),
+        fatigue_limit=_number(first.fatigue_limit),
+        block=_block(first),
+        laws=laws,
+    )
+
+
+def _read(name: str, own: Document, condition: Any) -> Lagging:
+    """Return a lagging as a drive file has it."""
+    pulley = {**PROBE["pulley"][0], "lagging": name}
+    more = {} if condition is None else {"condition": condition}
+    document = {**PROBE, "pulley": [pulley], "lagging": own, **more}
+    return drive_from_document(document).pulleys[0].lagging
+
+
+def _law(lagging: Lagging) -> BookLaw:
+    compact, tested = lagging.law.compact(), lagging.law.tested
+    grounds, told = of_data.law_words(lagging)
+    drive = probe().drive
+    at = drive.load_cases[-1], replace(drive.pulleys[0], lagging=lagging)
+    weak = (
+        Weak(key=k, what=f"{k.replace('_', ' ')} of {lagging.name}", kinds=[*of_data.weaknesses(v)])
+        for k, v in lagging.sources.items()
+        if k != "law"
+    )
+    return BookLaw(
+        condition=lagging.condition,
+        law=Law(
+            kind=compact.kind,
+            edges=list(compact.edges),
+            coefficients=list(compact.coefficients),
+            slips=list(compact.slips),
+            onset_compliance=compact.onset_compliance,
+        ),
+        steepest_fall=lagging.law.steepest_fall(),
+        tested=None
+        if tested is None
+        else BookTested(
+            pressure_min=tested.pressure_min,
+            pressure_max=tested.pressure_max,
+            slip_max=tested.slip_max,
+            slip_speed=_number(tested.slip_speed),
+        ),
+        grounds=grounds,
+        told=told,
+        weak=[w for w in weak if w.kinds],
+        checks=[words_of(check) for of in (of_data.condition, of_data.fit) for check in of(*at)],
+    )
+
+
+def _block(lagging: Lagging) -> BookBlock | None:
+    block, young = lagging.block, lagging.elastic_modulus
+    if block is None:
+        return None
+    return BookBlock(
+        elastic_modulus=3.0 * lagging.shear_modulus if young is None else young,
+        square=block.shape == "square",
+        width=block.width,
+        height=math.nan if block.height == lagging.thickness else block.height,
+        stiffening=block.stiffening,
+        contact_fraction=block.contact_fraction,
+    )
+
+
+def _belt(belt: catalogue.CatalogueBelt) -> BookBelt:
+    return BookBelt(
+        kind=belt.kind,
+        modulus=belt.modulus,
+        rating=belt.rating,
+        least_pulley_diameter=_number(belt.least_pulley_diameter),
+        weak=[*of_data.weaknesses(belt.provenance)],
+    )
+
+
+def _asks() -> dict[str, Ask]:
+    """Return what every check asks of the slack side, but for the tension."""
+    result = with_criteria(probe(), sag=Sag(spacing=3.0, line_mass=20.0))
+    belt = replace(result.drive.belt, largest_wrap_pressure=1e6)
+    drive = replace(result.drive, belt=belt, creep_limit=1.0)
+    arcs = (replace(arc, arc=replace(arc.arc, creep_limit=1.0)) for arc in result)
+    open_ = {"CEMA, friction 0.35 (rubber)": "⟦rule⟧", "1.25": "⟦safety⟧"}
+    found = {}
+    for figure in figures(type(result)(drive, tuple(arcs))):
+        title = figure.title
+        for given, place in open_.items():
+            title = title.replace(given, place)
+        found[figure.name] = Ask(
+            name=figure.name,
+            title=title,
+            what=RULES[figure.name].what,
+            place=str(figure.place),
+            binding=figure.binding,
+            at_least=figure.at_least,
+        )
+    return found
+
+
+def _standards(lagging: Lagging) -> Standards:
+    def by(standard: DesignStandard, take_up: TakeUp, wrap: float, **more: Any) -> Any:
+        return asked(standard, take_up, replace(lagging, **more), wrap)
+
+    rows = []
+    for value in design_friction():
+        if value.standard in ("CEMA", "DIN 22101"):
+            standard, condition = DesignStandard(name=value.standard), value.condition or DRY
+            rule = by(standard, TakeUp(), 3.0, surface=value.surface, condition=condition).rule
+            rows.append(
+                DesignRow(
+                    standard=value.standard,
+                    surface=value.surface,
+                    condition=value.condition,
+                    friction=value.friction[0],
+                    rule=rule,
+                )
+            )
+    fixed, plain = TakeUp(kind="fixed"), DesignStandard()
+    manual = {
+        key: [
+            ManualRow(
+                angle=angle,
+                factor=factor,
+                rule=by(plain, fixed, math.radians(angle), surface=surface).rule,
+            )
+            for angle, factor in MANUAL_WRAP_FACTORS[key]
+        ]
+        for key, surface in {"bare": "bare", "lagged": "rubber"}.items()
+    }
+    own = by(DesignStandard(name="own", friction=0.35), TakeUp(), 3.0).rule
+    unknown = by(DesignStandard(name="DIN 22101"), TakeUp(), 3.0, condition="⟦condition⟧").why_not
+    return Standards(
+        rows=rows,
+        manual=manual,
+        own=own.replace("0.35", "⟦friction⟧"),
+        silent={
+            "surface": by(plain, TakeUp(), 3.0, surface="", name="⟦lagging⟧").why_not,
+            "condition": unknown.replace("rubber", "⟦surface⟧"),
+            "manual": by(plain, fixed, 1.0).why_not,
+        },
+    )
+
+
+def _heads() -> Heads:
+    checks = tables(lambda system: [check_table(judge(probe()), system)], ["checks"])[0]
+    notes = {text: text.split(" Not checked: ")[0] for text in (checks.note.si, checks.note.us)}
+    bare = checks.note.model_copy(update={"si": notes[checks.note.si], "us": notes[checks.note.us]})
+    least = {}
+    for held, take_up in HELD.items():
+        of = with_criteria(probe(), take_up=take_up)
+        found = tables(lambda system, of=of: [least_table(of, system)], ["least"])[0]  # type: ignore[misc]
+        least[held] = found.model_copy(update={"rows": []})
+    return Heads(checks=checks.model_copy(update={"rows": [], "note": bare}), least=least)
+
+
+def _number(value: float | None) -> float:
+    return math.nan if value is None else value

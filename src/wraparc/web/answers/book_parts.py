@@ -1,0 +1,129 @@
+"""The form of the book: laws, belts, rules and words for a page that judges drives itself."""
+
+from typing import Any
+
+from wraparc.checks import Level
+from wraparc.web.answers.judging import Ask, Words
+from wraparc.web.answers.prepared import Law, Plain
+from wraparc.web.answers.shown import Table
+
+
+class Weak(Plain):
+    """A number that an answer does not safely rest on, and in what ways it is weak."""
+
+    key: str
+    what: str
+    kinds: list[str]
+
+
+class BookBelt(Plain):
+    """A belt of the catalogue [SI]."""
+
+    kind: str
+    modulus: float
+    rating: float
+    least_pulley_diameter: float
+    weak: list[str]
+
+
+class BookTested(Plain):
+    """Range that a law was tested in [Pa, Pa, m, m/s]."""
+
+    pressure_min: float
+    pressure_max: float
+    slip_max: float
+    slip_speed: float
+
+
+class BookLaw(Plain):
+    """A lagging in one condition."""
+
+    condition: str
+    law: Law
+    steepest_fall: float
+    tested: BookTested | None
+    grounds: list[str]
+    told: list[str]
+    weak: list[Weak]
+    checks: list[Words]
+
+
+class BookBlock(Plain):
+    """Blocks that the compression modulus follows from; without a height they are as thick."""
+
+    elastic_modulus: float
+    square: bool
+    width: float
+    height: float
+    stiffening: float
+    contact_fraction: float
+
+
+class BookLagging(Plain):
+    """A lagging [SI], its laws by condition; `first` is the one it has where none is named."""
+
+    name: str
+    surface: str
+    first: str
+    thickness: float
+    shear_modulus: float
+    compression_modulus: float
+    wear_coefficient: float
+    bond_strength: float
+    fatigue_limit: float
+    block: BookBlock | None
+    laws: dict[str, BookLaw]
+
+
+class DesignRow(Plain):
+    """Friction that a standard designs with, and the rule in words."""
+
+    standard: str
+    surface: str
+    condition: str
+    friction: float
+    rule: str
+
+
+class ManualRow(Plain):
+    """Factor of the table of manual take-ups from a wrap angle on [deg, -]."""
+
+    angle: float
+    factor: float
+    rule: str
+
+
+class Standards(Plain):
+    """How design standards ask for a slack side; `silent` says why one asks for none."""
+
+    rows: list[DesignRow]
+    manual: dict[str, list[ManualRow]]
+    own: str
+    silent: dict[str, str]
+
+
+class Heads(Plain):
+    """Tables without their rows."""
+
+    checks: Table
+    least: dict[str, Table]
+
+
+class Book(Plain):
+    """All of it."""
+
+    levels: list[Level]
+    laggings: dict[str, BookLagging]
+    belts: dict[str, BookBelt]
+    words: dict[str, list[Words]]
+    asks: dict[str, Ask]
+    standards: Standards
+    grounds: dict[str, str]
+    weak_kinds: list[str]
+    more_creep: dict[str, float]
+    least_names: dict[str, str]
+    heads: Heads
+    usual: dict[str, float]
+    belt_keys: list[str]
+    design: str
+    own: dict[str, Any]

@@ -1,0 +1,182 @@
+// A judged drive as an answer of the server tells one, for what the page has put together itself.
+import { app } from "../../base/design.js";
+import { digits, percent } from "../../base/units.js";
+import { leastTold } from "./least.js";
+import { filled } from "./wording.js";
+import { checkTable, quantity, verdictOf } from "./words.js";
+
+/** @import { Book, FullAnswer, FullArc, Judging, QuickAnswer } from "../../types.d.ts" */
+/** @import { Table, TableRow } from "../../types.d.ts" */
+/** @import { Judged } from "./judge.js" */
+
+/** Numbers of an arc that stand in tables, by the table. @type {[string, string, string[]][]} */
+const TABLES = [
+  [
+    "capacity",
+    "Capacity",
+    [
+      ...["creep_limit_capacity", "creep_limit_margin", "equivalent_friction"],
+      ...["tested_slip_capacity", "tested_slip_margin", "gross_slip_capacity"],
+      ...["gross_slip_margin", "least_exit_tension", "largest_effective_tension"],
+    ],
+  ],
+  [
+    "answer",
+    "Result",
+    [
+      ...["exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip"],
+      ...["peak_shear_angle", "peak_shear_stress", "mean_friction", "active_arc", "k_factor"],
+      ...["entry_tension", "exit_tension", "effective_tension", "tension_ratio"],
+    ],
+  ],
+  [
+    "energy",
+    "Energy",
+    [
+      ...["transmitted_power", "sliding_power", "shear_loss", "power_loss", "efficiency"],
+      ...["frictional_energy", "wear_rate"],
+    ],
+  ],
+];
+/** A value with its unit; what has no bound or is none is said. @param {string} name
+ * @param {number} v */
+function told(name, v) {
+  const { dimension } = app.form.glossary[name];
+  if (name === "efficiency") return percent(v, 4);
+  return dimension === "number" ? digits(v) : quantity(v, dimension);
+}
+/** @param {Record<string, number>} numbers @returns {Table[]} */
+const tablesOf = (numbers) =>
+  TABLES.map(([key, title, names]) => {
+    const known = names.filter(
+      (n) => app.form.glossary[n] && !Number.isNaN(numbers[n] ?? Number.NaN),
+    );
+    const rows = known.map((name) => {
+      const { title, symbol } = app.form.glossary[name];
+      return row(name, title, symbol, [told(name, numbers[name])]);
+    });
+    return { key, title, heads: { si: [""], us: [""] }, note: "", rows };
+  });
+/** @param {string} name @param {string} title @param {string} symbol @param {string[]} cells
+ * @param {any} [note] @param {any} [level] @returns {TableRow} */
+const row = (name, title, symbol, cells, note = "", level = null) => ({
+  ...{ name, title, symbol, note, level },
+  values: { si: cells, us: cells },
+});
+
+/** All load cases side by side. @param {Judged} judged @returns {Table | null} */
+function summaryOf(judged) {
+  if (judged.arcs.length < 2) return null;
+  const rows = judged.arcs.map(({ load_case, solved, numbers: n }) => {
+    const { level, short } = verdictOf(judged, load_case);
+    const forces = [quantity(n.entry_tension, "force"), quantity(n.exit_tension, "force")];
+    const creep = solved ? quantity(n.exit_creep, "length") : "–";
+    return row("", load_case, "", [...forces, digits(n.tension_ratio), creep], short, level);
+  });
+  const heads = ["T1", "T2", "T1/T2", "creep"];
+  return {
+    key: "summary",
+    title: "All load cases",
+    heads: { si: heads, us: heads },
+    note: "",
+    rows,
+  };
+}
+
+/**
+ * The answer of a drive that the page has put together, in the units looked at.
+ * @param {Judged} judged @param {Judging} of @param {Book} book @returns {FullAnswer}
+ */
+export function wholeOf(judged, of, book) {
+  const { heads } = book;
+  const least = heads.least[of.held ?? "slack"];
+  /** @param {any} text @returns {string} */
+  const open = (text) =>
+    typeof text === "string" ? filled(text, of.names ?? {}) : open(text?.[app.units] ?? "");
+  const table = { ...least, title: open(least.title), note: open(least.note) };
+  const least_tension = leastTold(judged, /** @type {any} */ ({ table }));
+  const verdict = verdictOf(judged);
+  if (least_tension) verdict.sentences.unshift(least_tension.sentence);
+  const arcs = judged.arcs.map((arc) => arcOf(judged, arc, of));
+  const worst = arcs.find((a) => a.level === verdict.level) ?? arcs[0];
+  return {
+    verdict,
+    governing: { pulley: worst.pulley, load_case: worst.load_case },
+    arcs,
+    conditions: null,
+    checks: checkTable(judged, heads.checks),
+    least_tension,
+    summary: summaryOf(judged),
+    sources: (of.kinds ?? []).map((kind) => ({ kind })),
+    remarks: remarksOf(of),
+    judging: of,
+  };
+}
+/** @param {Judged} judged @param {Judged["arcs"][number]} arc @param {Judging} of
+ * @returns {FullArc} */
+function arcOf(judged, { load_case, solved, numbers }, of) {
+  const { level, levels, short } = verdictOf(judged, load_case);
+  const c = /** @type {Judging["cases"][number]} */ (
+    of.cases.find((x) => x.load_case === load_case)
+  );
+  return {
+    pulley: of.names?.pulley ?? "",
+    load_case,
+    status: solved ? "solved" : "breakaway",
+    status_text: "",
+    ...{ level, levels, short, numbers: finite(numbers) },
+    creep_limit: +c.prepared.given.creep_limit,
+    profile: {},
+    tested: c.tested,
+    outside: [],
+    tables: tablesOf(numbers).filter((t) => t.rows.length > 0),
+    table_sources: [],
+    paper: null,
+  };
+}
+/** Numbers as JSON has them: none for what there is none of or has no bound.
+ * @param {Record<string, number>} of @returns {Record<string, any>} */
+const finite = (of) =>
+  Object.fromEntries(Object.entries(of).map(([k, v]) => [k, Number.isFinite(v) ? v : null]));
+/** Sentences about the data that an answer stands on. @param {Judging} of */
+export const remarksOf = (of) =>
+  of.checks
+    .filter((c) => c.name === "data" && c.says)
+    .map((c) => c.says.replace(/\{\{|\}\}/g, (brace) => brace[0]));
+/** The same in both systems of units: texts as pairs. @template T @param {() => T} make
+ * @returns {T} */
+export function inBoth(make) {
+  const { units } = app;
+  app.units = "si";
+  const si = make();
+  app.units = "us";
+  const us = make();
+  app.units = units;
+  return paired(si, us);
+}
+/** @param {any} a @param {any} b @param {string} [key] @returns {any} */
+function paired(a, b, key = "") {
+  if (key === "values") return { si: a.si, us: b.us };
+  if (typeof a === "string") return a === b ? a : { si: a, us: b };
+  if (Array.isArray(a)) return a.map((x, i) => paired(x, b[i]));
+  if (typeof a !== "object" || a === null) return a;
+  return Object.fromEntries(Object.keys(a).map((k) => [k, paired(a[k], b[k], k)]));
+}
+/** The first answer to an arc that nothing was solved of. @param {Judging} of
+ * @param {Judging["cases"][number]} c @returns {QuickAnswer} */
+export const firstAnswer = (of, c) => ({
+  sequence: 0,
+  pulley: of.names?.pulley ?? "",
+  load_case: c.load_case,
+  status: "solved",
+  level: /** @type {any} */ (""),
+  levels: {},
+  creep_limit: +c.prepared.given.creep_limit,
+  numbers: {},
+  profile: {},
+  tested: c.tested,
+  outside: [],
+  verdict: { level: /** @type {any} */ (""), headline: "", sentences: [] },
+  remarks: remarksOf(of),
+  prepared: null,
+});
