@@ -86,8 +86,9 @@ headless = $(shell command -v chromium-headless-shell || command -v chrome-headl
 browser = $(or $(headless),$(shell command -v chromium || command -v chromium-browser || command -v google-chrome))
 initdb = $(firstword $(wildcard /usr/lib/postgresql/*/bin/initdb) $(shell command -v initdb))
 npm = $(shell command -v npm)
+firefox = $(shell command -v firefox-esr || command -v firefox)
 turkish = $(or $(wildcard /usr/share/i18n/locales/tr_TR),$(shell locale -a 2>/dev/null | grep tr_TR))
-lacking = $(if $(browser),,chromium) $(if $(initdb),,postgresql) $(if $(npm),,nodejs npm) \
+lacking = $(if $(browser),,chromium) $(if $(firefox),,firefox-esr) $(if $(initdb),,postgresql) $(if $(npm),,nodejs npm) \
   $(if $(turkish),,locales)
 
 install = test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
@@ -96,7 +97,7 @@ install = test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
 
 # Chromium without its windows does the same tests at half the cost; where it cannot be had, the
 # whole of it does.
-system: ## install Chromium, PostgreSQL, Node.js and locales for the gate where they are missing
+system: ## install Chromium, Firefox, PostgreSQL, Node.js and locales for the gate where they are missing
 	@test -n "$(headless)" || { $(call install,chromium-headless-shell); } 2>/dev/null || true
 	@test -z "$(strip $(lacking))" || { \
 	  echo "== system: installing $(strip $(lacking))"; $(call install,$(lacking)); } || \
@@ -106,8 +107,9 @@ tests: dev system
 	@echo "== tests: pytest, warnings are errors"
 	@$(BIN)/python -m pytest --no-header -n $(WORKERS) --dist loadfile --no-loadscope-reorder -W error
 
-kernel: dev ## translate the solver anew into the page, after a change of arc/kernel or friction/compact
+kernel: dev ## make the solver of the page and the page of one file anew, after a change of either
 	@$(BIN)/python tools/page_kernel.py
+	@node tools/page_bundle.mjs
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"

@@ -68,6 +68,9 @@ COMMANDS: dict[str, Command] = {
         "wraparc.cli.field:field", "Show speeds to measure, alarm levels and wear of a drive."
     ),
     "serve": Command("wraparc.cli.serve:serve", "Open the calculator in the browser."),
+    "page": Command(
+        "wraparc.cli.page:page", "Write the calculator as one HTML file: no server, no network."
+    ),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 

@@ -1,0 +1,82 @@
+"""``wraparc page``: the calculator as one file."""
+
+import os
+
+import click
+
+from wraparc.cli.options import check_outputs
+from wraparc.cli.output import STANDARD_OUTPUT
+from wraparc.cli.pipe import say
+from wraparc.errors import InputError, Problem
+from wraparc.saving import save_file
+from wraparc.schema.source import parse, read_text
+
+SUFFIXES = (".html", ".htm")
+
+
+@click.command()
+@click.argument("file", type=click.Path(), required=False)
+@click.option(
+    "-o",
+    "--output",
+    required=True,
+    metavar="FILE",
+    help="The page, .html; - prints it.",
+)
+def page(file: str | None, output: str) -> int:
+    """Write the calculator as one HTML file, beginning with a drive FILE or an example.
+
+    It opens by a double click and computes by itself: no server, no network, no Python. It opens
+    and saves drive files, which the command line solves to the same numbers.
+    """
+    check_outputs({"--output": (output, SUFFIXES)}, [file] if file else [])
+    require_pages()
+    text = made_page(file)
+    if output == STANDARD_OUTPUT:
+        say(text, end="")
+        return 0
+    save_file(output, text)
+    click.echo(f"Wrote {output}", err=True)
+    return 0
+
+
+def require_pages() -> None:
+    """Say what to install where the pages cannot be made."""
+    from importlib.util import find_spec
+
+    from wraparc.errors import MissingExtraError
+
+    if find_spec("pydantic") is None:
+        raise MissingExtraError("pydantic", "web")
+
+
+#: Files that are no drives, by a key that only they have.
+_OTHERS = {
+    "axis": "a study, whose drive a page can show",
+    "sampling": "a study, whose drive a page can show",
+    "candidates": "a file of wraparc choose",
+    "rig": "a plan of shear tests",
+    "record": "a record of a measured drive",
+    "law": "a lagging, which a drive file can name",
+}
+
+
+def _refuse_others(file: str) -> None:
+    document = parse(read_text(file), file)
+    kind = next((words for key, words in _OTHERS.items() if key in document), "")
+    if kind and "pulley" not in document:
+        remedy = "Give the file of a drive: it has a [belt] table and a [[pulley]] table."
+        raise InputError(Problem(file=file, message=f"is {kind}, and no drive", remedy=remedy))
+
+
+def made_page(file: str | None) -> str:
+    """Return the page of a drive file, or of the first example."""
+    from wraparc.web.opening import opened
+    from wraparc.web.page_file import file_of, first_example, page_file
+
+    if file is None:
+        return page_file(*first_example())
+    _refuse_others(file)
+    document = opened(file)
+    name = os.path.basename(file).removesuffix(".toml")
+    return page_file(document, name, file_of(document, read_text(file)))

@@ -1,0 +1,5 @@
+// The pages that the file has.
+import { DrivePage } from "../static/pages/drive.js";
+
+/** @type {typeof import("../static/frame/registry.js").PAGES} */
+export const PAGES = { drive: { title: "Drive", view: { Page: DrivePage } } };

@@ -1,0 +1,86 @@
+// What the server answers, answered in the file: by the same modules and from the same data.
+import { app } from "../static/base/design.js";
+import { Advice, note, Refused } from "../static/base/server.js";
+import { in_page__quick as quick } from "../static/kernel.js";
+import { assemble } from "../static/pages/drive/assemble.js";
+import { beside } from "../static/pages/drive/beside.js";
+import { arcsOf, judge } from "../static/pages/drive/judge.js";
+import { numbersOfAll } from "../static/pages/drive/numbers.js";
+import { shownOf } from "../static/pages/drive/own.js";
+import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
+import { verdictOf } from "../static/pages/drive/words.js";
+import { documentOf, rewritten, textOf } from "./toml.js";
+
+export * from "../static/base/server.js";
+
+/** @import { Design, Judging } from "../static/types.d.ts" */
+
+const data = JSON.parse(document.getElementById("data")?.textContent ?? "{}");
+/** The text that the present design was read from, and its document then. */
+let source = { text: "", document: /** @type {any} */ (null), opened: 0 };
+/** @param {string} text @param {any} document */
+function from(text, document) {
+  source = { text, document, opened: app.opened + 1 };
+  return document;
+}
+
+/** @param {Design} doc @returns {Judging} */
+function prepared(doc) {
+  const { judging, problems } = assemble(doc, data.book);
+  if (!judging) throw new Refused(problems, 422);
+  return judging;
+}
+/** @param {string} message */
+const refused = (message) => new Refused([{ path: "", message, sentence: message }], 422);
+const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
+
+/** @type {Record<string, (asked: any) => any>} */
+const ANSWERS = {
+  schema: () => data.form,
+  catalogue: () => data.catalogue,
+  about: () => data.about,
+  book: () => data.book,
+  start: () => ({ ...data.start, document: from(data.start.toml, data.start.document) }),
+  "solve/fast"({ document, load_case, points, sequence }) {
+    const judging = prepared(document);
+    const arc = judging.cases.find((c) => c.load_case === load_case) ?? judging.cases[0];
+    const [asked] = arcsOf({ ...judging, cases: [arc] });
+    const found = quick(asked.law, asked.given, asked.tested, points);
+    const numbers = found && numbersOfAll([asked]);
+    const judged = numbers && judge({ ...judging, cases: [arc] }, document, numbers);
+    if (!judged) throw refused(UNSOLVED);
+    const { level, levels, ...verdict } = inBoth(() => verdictOf(judged, arc.load_case));
+    const first = { ...firstAnswer(judging, arc), ...shownOf(found), sequence };
+    return { ...first, level, levels, verdict: { ...verdict, level } };
+  },
+  async solve({ document }) {
+    const judging = prepared(document);
+    const numbers = await beside(arcsOf(judging));
+    const judged = numbers && judge(judging, document, numbers);
+    if (!judged) throw refused(UNSOLVED);
+    return inBoth(() => wholeOf(judged, judging, data.book));
+  },
+  "toml/read": ({ toml, name }) => ({ document: from(toml, documentOf(toml, name)) }),
+  "toml/write"({ document }) {
+    const known = source.opened === app.opened ? source : { text: "", document: null };
+    const kept = known.document && rewritten(known.text, known.document, document);
+    if (known.document && !kept && known.text.includes("#"))
+      note("The comments of the file that was opened are not kept: too much has changed.");
+    return { name: "", toml: kept ?? textOf(document) };
+  },
+};
+/** As of the server. @param {string} path @param {any} [asked] @param {any} [_how]
+ * @returns {Promise<any>} */
+export async function ask(path, asked, _how) {
+  const [first, name] = path.split("/");
+  if (first === "examples") {
+    const { toml, document } = data.examples[name];
+    return { document: from(toml, document) };
+  }
+  if (!ANSWERS[path]) throw new Advice("This needs the calculator of wraparc serve.");
+  return structuredClone(await ANSWERS[path](asked));
+}
+/** No file is made here but the drive itself. @returns {Promise<[Blob, string]>} */
+export async function askFile() {
+  throw new Advice("Reports are made by wraparc report, or in wraparc serve.");
+}

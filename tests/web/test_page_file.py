@@ -1,0 +1,352 @@
+"""The calculator of one file, opened from the disk with no network: the numbers of the command."""
+
+import base64
+import hashlib
+import json
+import re
+import subprocess
+from collections.abc import Iterator
+from html import unescape
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from cli.running import wraparc
+from web.browser import Visitor, axe, browser
+from web.calculators import wait_for
+from web.firefox import Firefox, firefox
+from wraparc.arc import solve
+from wraparc.checks import judge
+from wraparc.files import load_drive
+from wraparc.present.checks_table import check_table
+from wraparc.present.least_tension import least_sentence
+from wraparc.schema.source import parse
+from wraparc.units import RESULT_DIGITS, System, display
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = ROOT / "examples"
+#: Largest size of a page [bytes].
+MOST = 400_000
+HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
+OWN = (
+    'condition = { name = "dusty", friction_factor = 0.8 }\n'
+    + HEAD.replace('lagging = "diamond-rubber"', 'lagging = "ours"')
+    + """
+[lagging.ours]
+surface = "rubber"
+thickness = "11 mm"
+shear_modulus = "2.2 MPa"
+bond_strength = "0.6 bar"
+law = { kind = "elastic-plastic", friction = 0.55, stiffness = "60 kPa/mm" }
+"""
+)
+#: Drives, with the levels of their verdicts.
+DRIVES: dict[str, tuple[str, str]] = {
+    "attention": (HEAD, "ATTENTION"),
+    "kept": (
+        HEAD.partition("# The tensions above")[0].replace('"60 kN"', '"92 kN"')
+        + '[take_up]\nkind = "gravity"\n[sag]\nidler_spacing = "3 m"\nline_mass = "22 kg/m"\n',
+        "OK",
+    ),
+    "over its rating": (
+        HEAD.replace('"150 kN"', '"230 kN"').replace('"60 kN"', '"99 kN"'),
+        "FAILS",
+    ),
+    "breakaway": (HEAD.replace('exit_tension = "60 kN"', 'exit_tension = "2 kN"'), "FAILS"),
+    "wet and dry": ('condition = ["dry", "wet"]\n' + HEAD, "ATTENTION"),
+    "braking, US units": ((EXAMPLES / "downhill-braking.toml").read_text("utf-8"), "OK"),
+    "steel cord": ((EXAMPLES / "steel-cord-drive.toml").read_text("utf-8"), "ATTENTION"),
+    "contradicted take-up": (
+        HEAD.replace("[[load_case]]", '[take_up]\nkind = "fixed"\n[[load_case]]', 1)
+        + '[design_standard]\nname = "DIN 22101"\nbinding = true\n',
+        "ATTENTION",
+    ),
+}
+DRIVES["own lagging, dusty"] = OWN, "ATTENTION"
+READY = "html:not(.stale) #drive .t-capacity"
+
+
+@pytest.fixture(scope="module")
+def chrome() -> Iterator[Browser]:
+    with browser() as found:
+        yield found
+
+
+@pytest.fixture
+def page_of(chrome: Browser, tmp_path: Path) -> Iterator[Any]:
+    """A function that writes the page of a drive and opens it from the disk, without a network."""
+    visits = []
+
+    def opened(text: str, name: str = "drive") -> Page:
+        file, html = tmp_path / f"{name}.toml", tmp_path / f"{name}.html"
+        file.write_text(text, "utf-8")
+        assert wraparc("page", str(file), "-o", str(html))[0] == 0
+        visitor = Visitor(chrome, html.as_uri(), offline=True)
+        visits.append(visitor)
+        visitor.page.goto(html.as_uri())
+        visitor.page.wait_for_selector(READY)
+        return visitor.page
+
+    yield opened
+    for visitor in visits:
+        visitor.context.close()
+        assert visitor.wrong == []
+        assert visitor.elsewhere == []
+
+
+def figure(page: Page, name: str) -> str:
+    """Return a key figure as shown."""
+    found = page.locator("#drive .figures > div").filter(has=page.locator(f"dt:text-is('{name}')"))
+    return str(found.locator("b").inner_text())
+
+
+def assert_shows_what_solve_says(page: Page, file: Path) -> str:
+    """Compare what a page shows with `wraparc solve`; return the level."""
+    told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
+    verdict, arc = told["verdict"], told["arcs"][0]
+    result = solve(load_drive(file), raise_on_failure=False)
+    systems: tuple[System, System] = ("si", "us")
+    for system in systems:
+        page.get_by_label(system.upper(), exact=True).check(force=True)
+        found = judge(result)
+        said = page.locator("#verdict .verdict .headline").inner_text()
+        assert said.partition(" ")[2] == f"{verdict['word']} {found.headline(system)}"
+        sentences = page.locator("#verdict .verdict li").all_inner_texts()
+        assert sentences == [least_sentence(result, system), *found.sentences(system)]
+        rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
+        shown = [row.split("\t")[:4] for row in rows]
+        assert shown == [[r.title, *r.values] for r in check_table(found, system).rows]
+        creep = display(arc["exit_creep"], "length", system, digits=RESULT_DIGITS)
+        expected = creep if arc["status"] == "solved" else "–"
+        assert figure(page, "Creep at exit") == expected
+    page.get_by_label("SI", exact=True).check(force=True)
+    assert figure(page, "Margin to the creep limit") == display(
+        arc["creep_limit_margin"], "number", digits=RESULT_DIGITS
+    )
+    return str(verdict["level"])
+
+
+@pytest.mark.parametrize("name", DRIVES)
+def test_page_from_the_disk_shows_what_solve_says(page_of: Any, tmp_path: Path, name: str) -> None:
+    # expected: the command line, to the last digit it prints
+    text, level = DRIVES[name]
+    page = page_of(text)
+    assert assert_shows_what_solve_says(page, tmp_path / "drive.toml") == level
+
+
+#: What a page shows of its answer, for a browser that only runs scripts.
+SHOWN = """
+const texts = (of) => [...document.querySelectorAll(of)].map((e) => e.innerText.trim());
+if (!document.querySelector("html:not(.stale) #drive .t-capacity")) return null;
+return {
+  headline: texts("#verdict .verdict .headline")[0],
+  sentences: texts("#verdict .verdict li"),
+  rows: [...document.querySelectorAll("#drive .t-checks tbody tr")].map((row) =>
+    [...row.cells].slice(0, 4).map((cell) => cell.textContent)),
+  creep: texts("#drive .figures b")[0],
+};
+"""
+MOVE = """
+const slider = document.querySelector("[aria-label='Exit tension, slider']");
+slider.value = +slider.value + 40;
+slider.dispatchEvent(new Event("input", { bubbles: true }));
+"""
+EXIT = "return document.querySelector('#f-pulley-0-exit_tension').value;"
+
+
+@pytest.mark.processes
+def test_firefox_shows_from_the_disk_what_solve_says(tmp_path: Path) -> None:
+    # expected: the command line; after a moved slider too
+    profile = tmp_path / "profile"
+    profile.mkdir()
+    with firefox(profile) as browser:
+        for name in ("attention", "breakaway", "braking, US units", "wet and dry", "kept"):
+            file, html = tmp_path / "drive.toml", tmp_path / "drive.html"
+            file.write_text(DRIVES[name][0], "utf-8")
+            assert wraparc("page", str(file), "-o", str(html))[0] == 0
+            browser.open(html.as_uri())
+            assert_is_what_solve_says(browser, file, "us" if "US" in name else "si")
+        before = browser.run(SHOWN)
+        browser.run(MOVE)
+        wait_for(lambda: browser.run(SHOWN) not in (None, before))
+        moved = browser.run(EXIT)
+        assert moved != "92"
+        file.write_text(DRIVES["kept"][0].replace('"92 kN"', f'"{moved} kN"'), "utf-8")
+        assert_is_what_solve_says(browser, file, "si")
+
+
+def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> None:
+    found = []
+    wait_for(lambda: found.append(browser.run(SHOWN)) or found[-1])
+    result = solve(load_drive(file), raise_on_failure=False)
+    verdict, shown = judge(result), found[-1]
+    headline = f"{verdict.word} {verdict.headline(system)}"
+    assert shown["headline"].partition(" ")[2].strip() == headline
+    sentences = [least_sentence(result, system), *verdict.sentences(system)]
+    assert shown["sentences"] == sentences
+    # the balance is what the search leaves, and each browser has an exponential of its own
+    rest = [row for row in shown["rows"] if "balance" not in row[0]]
+    rows = check_table(verdict, system).rows
+    assert rest == [[r.title, *r.values] for r in rows if "balance" not in r.title]
+
+
+def saved(page: Page, into: Path) -> str:
+    """Save the drive of a page; return its text."""
+    with page.expect_download() as download:
+        page.click("#file > summary")
+        page.get_by_role("button", name="Download the drive file").click()
+    download.value.save_as(into)
+    return into.read_text("utf-8")
+
+
+def test_what_is_moved_and_saved_is_solved_alike_and_keeps_its_comments(
+    page_of: Any, tmp_path: Path
+) -> None:
+    page = page_of(HEAD)
+    page.get_by_label("Exit tension, slider", exact=True).focus()
+    for _ in range(9):
+        page.keyboard.press("ArrowRight")
+    page.select_option("#condition", label="wet")
+    page.select_option("#f-pulley-0-lagging", "full-ceramic")
+    page.select_option("#f-belt-preset", "Plylon Plus 1250/5")
+    page.wait_for_selector(READY)
+    file = tmp_path / "saved.toml"
+    text = saved(page, file)
+    assert_shows_what_solve_says(page, file)
+    document = parse(text)
+    assert document["condition"] == "wet"
+    assert document["pulley"][0]["lagging"] == "full-ceramic"
+    assert document["belt"]["preset"] == "Plylon Plus 1250/5"
+    assert document["pulley"][0]["exit_tension"] != "60 kN"
+    # every line of the file but those that changed, with its comment
+    kept = [line for line in HEAD.splitlines() if line in text.splitlines()]
+    assert len(HEAD.splitlines()) - len(kept) == 3
+    assert "# T2, set by the take-up" in text
+
+
+def test_saved_file_is_opened_again(page_of: Any, tmp_path: Path) -> None:
+    page = page_of(HEAD)
+    other = tmp_path / "other.toml"
+    other.write_text(DRIVES["braking, US units"][0], "utf-8")
+    with page.expect_file_chooser() as asked:
+        page.click("#file > summary")
+        page.get_by_role("button", name="Open a drive file").click()
+    asked.value.set_files(other)
+    expect(page.locator("#results h2").first).to_have_text("Downhill conveyor, braking drive")
+    page.wait_for_selector(READY)
+    assert_shows_what_solve_says(page, other)
+    assert saved(page, tmp_path / "again.toml") == other.read_text("utf-8")
+
+
+def test_a_drive_typed_from_nothing_is_solved(page_of: Any, tmp_path: Path) -> None:
+    page = page_of(HEAD)
+    page.click("#file > summary")
+    page.get_by_role("button", name="New drive", exact=True).click()
+    expect(page.locator("#results")).to_contain_text("These numbers are still needed")
+    typed = {
+        "pulley-0-entry_tension": "120", "pulley-0-exit_tension": "60", "belt-width": "1000 mm",
+        "pulley-0-diameter": "630", "pulley-0-wrap_angle": "190", "belt-modulus": "12000",
+    }  # fmt: skip
+    for key, value in typed.items():
+        page.fill(f"#f-{key}", value)
+    page.select_option("#f-pulley-0-lagging", "medium-ceramic")
+    page.wait_for_selector(READY)
+    file = tmp_path / "typed.toml"
+    saved(page, file)
+    assert_shows_what_solve_says(page, file)
+    page.fill("#f-pulley-0-diameter", "0")
+    expect(page.locator("#f-pulley-0-diameter-e")).to_contain_text(
+        "must be between 1 mm and 1000 m"
+    )
+
+
+HOSTILE = "</script><script>alert(1)</script><!--'\"&⟦belt⟧{value}"
+
+
+def test_hostile_names_stay_names(page_of: Any) -> None:
+    title = json.dumps(HOSTILE, ensure_ascii=False)
+    text = HEAD.replace('"Head drive, ROM conveyor"', title).replace('"head"', title)
+    text = text.replace("pulley.head.", f"pulley.{title}.")
+    page = page_of(text)
+    dialogs: list[str] = []
+    page.on("dialog", lambda dialog: dialogs.append(dialog.message))
+    expect(page.locator("#results h2").first).to_have_text(HOSTILE)
+    expect(page.locator("#verdict .headline").first).to_contain_text(f"Pulley {HOSTILE}")
+    assert dialogs == []
+
+
+def test_page_is_accessible(page_of: Any) -> None:
+    page = page_of(HEAD)
+    page.evaluate(axe())
+    tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
+    found = page.evaluate("(tags) => axe.run({ runOnly: tags })", tags)
+    assert [(v["id"], v["nodes"][0]["html"]) for v in found["violations"]] == []
+
+
+def made(*arguments: str) -> str:
+    code, out, _ = wraparc("page", *arguments, "-o", "-")
+    assert code == 0
+    return out
+
+
+def test_file_is_small_runs_its_own_scripts_alone_and_reaches_nothing() -> None:
+    for example in sorted(EXAMPLES.glob("*.toml")):
+        if wraparc("page", str(example), "-o", "-")[0] == 0:
+            assert len(made(str(example)).encode("utf-8")) < MOST
+    html = made()
+    policy = unescape(re.findall(r'Content-Security-Policy" content="([^"]*)"', html)[0])
+    rules = {rule.split()[0]: rule.split()[1:] for rule in policy.split("; ")}
+    scripts = re.findall(r"<script(?: id=\"solver\")?>(.*?)</script>", html, re.S)
+    assert rules["script-src"] == [digest(script) for script in scripts]
+    assert rules["style-src"] == [
+        digest(s) for s in re.findall(r"<style>(.*?)</style>", html, re.S)
+    ]
+    for nothing in ("default-src", "connect-src", "base-uri", "form-action"):
+        assert rules[nothing] == ["'none'"]
+    assert rules["worker-src"] == ["blob:"]
+    assert (
+        re.findall(r"""(?:src|href)=["']?(?!data:|#)[^"'\s>]+""", html.partition("<body>")[0]) == []
+    )
+    assert "https://" not in html
+
+
+def digest(text: str) -> str:
+    hashed = hashlib.sha256(text.encode("utf-8")).digest()
+    return f"'sha256-{base64.b64encode(hashed).decode('ascii')}'"
+
+
+def test_bundle_is_what_its_source_gives() -> None:
+    done = subprocess.run(
+        ["node", "tools/page_bundle.mjs", "--check"],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("file", "says"),
+    [
+        ("tandem-fabric.toml", "several pulleys on one belt are not solved in"),
+        ("uphill-conveyor.toml", "the pull of a conveyor is not found in"),
+        ("worn-head-drive-fabric.toml", "what is uneven across the width is not solved in"),
+        ("studies/wet-dry.toml", "is a study"),
+        ("nowhere.toml", "No such file"),
+    ],
+)
+def test_what_a_page_cannot_solve_is_told_and_nothing_is_written(
+    tmp_path: Path, file: str, says: str
+) -> None:
+    code, _, error = wraparc("page", str(EXAMPLES / file), "-o", str(tmp_path / "page.html"))
+    assert code == 2
+    assert says in error
+    assert "Traceback" not in error
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_no_page_is_written_where_none_can_stand(tmp_path: Path) -> None:
+    code, _, error = wraparc("page", "-o", str(tmp_path / "none" / "page.html"))
+    assert (code, "there is no folder" in error) == (2, True)
+    code, _, error = wraparc("page", "-o", str(tmp_path / "page.pdf"))
+    assert (code, "must be .html or .htm" in error) == (2, True)

@@ -1,0 +1,67 @@
+// The calculator of one file: the modules of the page bundled with what answers them there.
+import { readFile, writeFile } from "node:fs/promises";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "..");
+const here = join(root, "src/wraparc/web/one_file");
+const pages = join(root, "src/wraparc/web/static");
+/** Modules that are others in the file. */
+const INSTEAD = {
+  "base/server.js": "server.js",
+  "frame/opening.js": "opening.js",
+  "frame/registry.js": "registry.js",
+  "pages/drive/beside.js": "beside.js",
+};
+/** Modules of the first script, which the second finds there. */
+const SHARED = ["kernel.js", "pages/drive/numbers.js"].map((name) => join(pages, name));
+const instead = {
+  name: "instead",
+  setup({ onResolve, onLoad }) {
+    onResolve({ filter: /^\./ }, ({ path, importer, resolveDir }) => {
+      const found = resolve(resolveDir, path);
+      if (SHARED.includes(found)) return { path: found, namespace: "shared" };
+      for (const [name, other] of Object.entries(INSTEAD)) {
+        const mine = join(here, other);
+        if (found === join(pages, name) && importer !== mine) return { path: mine };
+      }
+      return undefined;
+    });
+    onLoad({ filter: /.*/, namespace: "shared" }, () => ({ contents: "module.exports = solver;" }));
+  },
+};
+const common = {
+  bundle: true,
+  minify: true,
+  write: false,
+  charset: "utf8",
+  format: "iife",
+  target: ["chrome109", "firefox115", "safari16.4"],
+  legalComments: "none",
+  absWorkingDir: root,
+};
+/** @param {string} name @param {object} how */
+async function built(name, how) {
+  const { outputFiles } = await build({ ...common, ...how, entryPoints: [join(here, name)] });
+  return outputFiles[0].text;
+}
+const made = {
+  "solver.js": await built("solver.js", { globalName: "solver" }),
+  "page.js": await built("main.js", { plugins: [instead] }),
+  "page.css": await built("style.css", {}),
+};
+const folder = join(here, "built");
+const check = process.argv.includes("--check");
+let stale = false;
+for (const [name, text] of Object.entries(made)) {
+  const file = join(folder, name);
+  const held = await readFile(file, "utf-8").catch(() => "");
+  if (held === text) continue;
+  stale = true;
+  if (!check) await writeFile(file, text);
+}
+if (check && stale) {
+  process.stderr.write(`${folder} is not what its source gives: make kernel\n`);
+  process.exit(1);
+}
