@@ -26,7 +26,7 @@ sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building tools
 
 .DEFAULT_GOAL := help
-.PHONY: help demo serve test dev format lint types docs installed system tests kernel bench lock clean
+.PHONY: help demo serve test dev format lint types docs site installed system tests kernel bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -97,6 +97,12 @@ install = test "$$(id -u)" = 0 && command -v apt-get >/dev/null && \
 
 # Chromium without its windows does the same tests at half the cost; where it cannot be had, the
 # whole of it does.
+site: dev ## documentation, examples and calculator as a static site in build/site
+	@echo "== site: documentation, examples, calculator"
+	@$(BIN)/python -W ignore -m sphinx -W --keep-going -n -q -E -b html -t site -d build/doctrees-site docs build/site
+	@$(BIN)/python tools/site_pages.py build/site
+	@echo "site: build/site/index.html"
+
 system: ## install Chromium, Firefox, PostgreSQL, Node.js and locales for the gate where they are missing
 	@test -n "$(headless)" || { $(call install,chromium-headless-shell); } 2>/dev/null || true
 	@test -z "$(strip $(lacking))" || { \

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+import site_pages
 from cli.running import wraparc
 from web.browser import Visitor, axe, browser
 from web.calculators import wait_for
@@ -178,8 +179,13 @@ def test_firefox_shows_from_the_disk_what_solve_says(tmp_path: Path) -> None:
 
 
 def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> None:
-    found = []
-    wait_for(lambda: found.append(browser.run(SHOWN)) or found[-1])
+    found: list[Any] = []
+
+    def complete() -> bool:
+        found.append(browser.run(SHOWN))
+        return found[-1] is not None
+
+    wait_for(complete)
     result = solve(load_drive(file), raise_on_failure=False)
     verdict, shown = judge(result), found[-1]
     headline = f"{verdict.word} {verdict.headline(system)}"
@@ -350,3 +356,39 @@ def test_no_page_is_written_where_none_can_stand(tmp_path: Path) -> None:
     assert (code, "there is no folder" in error) == (2, True)
     code, _, error = wraparc("page", "-o", str(tmp_path / "page.pdf"))
     assert (code, "must be .html or .htm" in error) == (2, True)
+
+
+def test_a_report_carries_the_page_of_its_drive(tmp_path: Path) -> None:
+    # expected: what is put over the file by options is in the page, as in the note
+    note, html = tmp_path / "note.md", tmp_path / "note.html"
+    told = ("--set", 'pulley.head.exit_tension="70 kN"', "--creep-limit", "9 mm")
+    code, _, said = wraparc(
+        "report", str(EXAMPLES / "head-drive-fabric.toml"), "-o", str(note),
+        "--page", str(html), *told, "--conditions", "wet",
+    )  # fmt: skip
+    assert code == 0
+    assert said.splitlines()[-1] == f"Wrote {html}"
+    data = json.loads(re.findall(r'id="data">(.*?)</script>', html.read_text("utf-8"), re.S)[0])
+    document = data["start"]["document"]
+    assert document["pulley"][0]["exit_tension"] == "70 kN"
+    assert (document["creep_limit"], document["condition"]) == ("9 mm", ["wet"])
+    assert parse(data["start"]["toml"]) == document
+
+
+def test_no_note_is_written_where_its_page_cannot_be(tmp_path: Path) -> None:
+    file = str(EXAMPLES / "tandem-fabric.toml")
+    out = str(tmp_path / "note.md"), "--page", str(tmp_path / "note.html")
+    code, _, error = wraparc("report", file, "-o", *out)
+    assert (code, "several pulleys" in error) == (2, True)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_site_has_calculator_and_examples(tmp_path: Path) -> None:
+    site_pages.write(tmp_path)
+    listed = (tmp_path / "examples" / "index.html").read_text("utf-8")
+    links = re.findall(r'href="([^"]*)"', listed)
+    there = {link for link in links if (tmp_path / "examples" / link).is_file()}
+    assert set(links) - there == {"../index.html"}  # the documentation
+    assert {f"{path.stem}.toml" for path in EXAMPLES.glob("*.toml")} <= there
+    assert "head-drive-fabric.html" in there
+    assert "tandem-fabric.html" not in there

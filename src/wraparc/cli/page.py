@@ -1,6 +1,7 @@
 """``wraparc page``: the calculator as one file."""
 
 import os
+from collections.abc import Sequence
 
 import click
 
@@ -31,13 +32,17 @@ def page(file: str | None, output: str) -> int:
     """
     check_outputs({"--output": (output, SUFFIXES)}, [file] if file else [])
     require_pages()
-    text = made_page(file)
+    save_page(output, made_page(file))
+    return 0
+
+
+def save_page(output: str, text: str) -> None:
+    """Write a page to a file, or print it."""
     if output == STANDARD_OUTPUT:
         say(text, end="")
-        return 0
+        return
     save_file(output, text)
     click.echo(f"Wrote {output}", err=True)
-    return 0
 
 
 def require_pages() -> None:
@@ -69,14 +74,31 @@ def _refuse_others(file: str) -> None:
         raise InputError(Problem(file=file, message=f"is {kind}, and no drive", remedy=remedy))
 
 
-def made_page(file: str | None) -> str:
-    """Return the page of a drive file, or of the first example."""
+def made_page(
+    file: str | None,
+    overrides: Sequence[str] = (),
+    conditions: Sequence[str] = (),
+    creep_limit: str | None = None,
+) -> str:
+    """Return the page of a drive file, or of the first example.
+
+    `overrides`, `conditions` and `creep_limit` are put over what the file says, as by ``--set``,
+    ``--conditions`` and ``--creep-limit``.
+    """
+    from wraparc.files import overridden
+    from wraparc.files.conditions import asking
     from wraparc.web.opening import opened
     from wraparc.web.page_file import file_of, first_example, page_file
 
     if file is None:
         return page_file(*first_example())
     _refuse_others(file)
-    document = opened(file)
+    document = overridden(opened(file), overrides, file=file)
+    document = asking(document, conditions) if conditions else document
+    if creep_limit is not None:
+        pulleys = [
+            {k: v for k, v in pulley.items() if k != "creep_limit"} for pulley in document["pulley"]
+        ]
+        document = {**document, "creep_limit": creep_limit, "pulley": pulleys}
     name = os.path.basename(file).removesuffix(".toml")
     return page_file(document, name, file_of(document, read_text(file)))

@@ -12,6 +12,8 @@ from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
 from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
 from wraparc.cli.output import STANDARD_OUTPUT
+from wraparc.cli.page import SUFFIXES as PAGES
+from wraparc.cli.page import made_page, require_pages, save_page
 from wraparc.cli.pipe import say
 from wraparc.cli.solve import (
     METHODS,
@@ -58,6 +60,12 @@ SUFFIXES = (".pdf", ".xlsx", ".md")
 @click.option("--author", default="", metavar="TEXT", help="Who prepared it.")
 @click.option("--date", metavar="TEXT", help="Date to print; today unless given.")
 @click.option(
+    "--page",
+    "page_file",
+    metavar="FILE",
+    help="Write the drive as a calculator of one file too, .html, to go with the document.",
+)
+@click.option(
     "--paper",
     type=click.Choice(PAPERS),
     help="Paper; A4, with US units US Letter.",
@@ -76,6 +84,7 @@ def report(
     revision: str,
     author: str,
     date: str | None,
+    page_file: str | None,
     paper: Paper | None,
 ) -> int:
     """Write the calculation note of a drive FILE: PDF to sign, Excel workbook or Markdown.
@@ -83,7 +92,7 @@ def report(
     Inputs and where they came from, assumptions, equations, results by both methods, pictures,
     checks against limits, a box to sign.
     """
-    check_outputs({"--output": (output, SUFFIXES)}, [file])
+    check_outputs({"--output": (output, SUFFIXES), "--page": (page_file, PAGES)}, [file])
     head = _head(
         title=title,
         project=project,
@@ -94,10 +103,16 @@ def report(
         file=printable(os.path.basename(file))[-120:],
         paper=paper or ("us-letter" if units == "us" else "a4"),
     )
-    read = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))
+    asked = named_conditions(conditions)
+    read = load_drive_or_train(file, overrides=settings, conditions=asked)
+    if page_file is not None:
+        require_pages()
+    carried = None if page_file is None else made_page(file, settings, asked, creep_limit)
     results, train = _solved(read, file, case, creep_limit)
     in_time = _in_time(file, settings)
     _write(output, results, head, units, train, in_time)
+    if page_file is not None and carried is not None:
+        save_page(page_file, carried)
     code = exit_code(results[0] if train is None else train)
     if in_time is not None and code == SOLVED:
         from wraparc.checks import judge_run
