@@ -35,6 +35,7 @@ from wraparc.batch.row import TENSIONS
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
+from wraparc.friction import IntegralLog
 
 LAGGINGS = [lagging(name, law) for name, law in LAWS.items()]
 SHIPPED = [load_lagging(name) for name in ("diamond-rubber", "medium-ceramic", "full-ceramic")]
@@ -148,7 +149,7 @@ def test_engineering_accuracy(lag: Lagging) -> None:
     )
 
 
-def test_engineering_leaves_other_laws_and_braking_to_the_scalar_kernel(
+def test_engineering_leaves_other_laws_to_the_scalar_kernel(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(precise, "pays", lambda *_: True)
@@ -157,7 +158,7 @@ def test_engineering_leaves_other_laws_and_braking_to_the_scalar_kernel(
     exact = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False, setting=Setting.PRECISE)
     np.testing.assert_array_equal(near["status"], exact["status"])
     np.testing.assert_allclose(near["exit_creep"], exact["exit_creep"], rtol=1e-4, atol=1e-12)
-    others = ~np.array([a.law in (RUBBER, SOFTENING) and a.side > 0.0 for a in arcs])
+    others = ~np.array([a.law in (RUBBER, SOFTENING) for a in arcs])
     np.testing.assert_array_equal(near["exit_creep"][others], exact["exit_creep"][others])
 
 
@@ -229,8 +230,8 @@ def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(precise, "compiled", watched)
     monkeypatch.setattr(precise, "FEW", 3)
     monkeypatch.setattr(precise, "FEW_WITH_CAPACITIES", 0)
-    braking = [arc for arc in random_arcs(3, 21) if arc.side < 0.0][:4]
-    arcs = columns_of(braking, LAGGINGS)
+    others = [arc for arc in random_arcs(3, 21) if not isinstance(arc.law, IntegralLog)][:4]
+    arcs = columns_of(others, LAGGINGS)
     few = solve_arcs(arcs.rows(slice(0, 3)), capacities=False).found
     assert asked == []
     more = solve_arcs(arcs, capacities=False).found

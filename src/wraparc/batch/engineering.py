@@ -38,6 +38,7 @@ from wraparc.batch.least import search_least
 from wraparc.batch.native import available, compiled
 from wraparc.batch.plateau import Plateaus
 from wraparc.batch.precise import solve_precisely
+from wraparc.batch.sixth_braking import SURELY, brake_rows
 
 Flags = NDArray[np.bool_]
 Solved = tuple[Array, Flags]  # rows of `FOUND`, and which are near enough
@@ -48,7 +49,6 @@ ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with
 SMALLEST_LOG_RATIO = 1e-5
 MESH = slot.MESHES[1]  # where the coarse one is not enough, and for laws that fall: no kink is cut
 NO_LIMIT = 1e300
-SURELY = 1.01  # times the slip speed of the tests: above it by more than the accuracy of a batch
 
 _INPUT = {name: k for k, name in enumerate(row.INPUTS)}
 _FOUND = {place: k for k, place in enumerate(FOUND)}
@@ -350,6 +350,7 @@ class LaneBatch:
         unsure = self.softens & (self.left & (answer.CREEP_LIMIT | answer.TESTED_SLIP) > 0)
         self.left[unsure] |= answer.GROSS_SLIP
         self.left &= parts | (answer.GROSS_SLIP if parts & answer.CAPACITIES else 0)
+        self._brake()
         which = np.flatnonzero(self.left)
         if not len(which):
             return
@@ -359,6 +360,12 @@ class LaneBatch:
             these = (left & part) > 0
             for place in places:
                 self.found[which[these], place] = done[these, place]
+
+    def _brake(self) -> None:
+        """Operating points of braking pulleys: many in the lanes, few in the interpreter."""
+        wanted = (self.left & row.TENSIONS > 0) & (self.of("side") < 0.0)
+        done = brake_rows(self.arcs, self.laws, wanted, self.found)
+        self.left[done] &= ~row.TENSIONS
 
 
 def _near(out: Array, what: int) -> Flags:

@@ -1,11 +1,12 @@
 """The kernel's own march in tension (:mod:`wraparc.arc.kernel.tension_march`) in the lanes.
 
 The same sixth-order steps on the same mesh, each lane on its own, so that the numbers are those of
-the scalar kernel to rounding. Made for driving arcs whose slip stays short of the peak of an
-integral-log law. A lane that has reached its end takes steps of no length beside the others.
+the scalar kernel to rounding. Made for slip that keeps its direction and stays short of the peak of
+an integral-log law. A lane that has reached its end takes steps of no length beside the others.
 
 A step is kept as the Q it begins at and five places (0, 1/3, 1/2, 2/3, 1) of `PLACE` numbers:
-1/x_pk, R/mu_pk, (T1 - T) C, c p (mu + p mu_p), c p p mu x_pk'/x_pk, c p mu/x_pk, mu p, and dQ.
+1/x_pk, R/mu_pk, |T1 - T| C, sigma c p (mu + p mu_p), sigma c p p mu x_pk'/x_pk, c p mu/x_pk, mu p,
+and dQ.
 """
 
 from __future__ import annotations
@@ -64,6 +65,7 @@ from wraparc.batch.lane_slots import (
     S_FROM,
     S_PAST,
     SHEAR,
+    SIDE,
     SMALLEST,
     STEEPEST,
     STEP_BY,
@@ -88,7 +90,7 @@ SIXTH_TRACE = 5  # recorded where steps begin: s, slip, work, shear stress, slop
 MOST_SIXTH = 320  # steps that there is room for
 LANDINGS = 5  # of Newton's method, each with a step of its own
 FARTHEST = 1e300
-INWARDS = 1.0 - 1e-13  # of a pressure: the piece of the law that a step goes into
+INWARDS = 1e-13  # of a pressure: the piece of the law that a step goes into
 
 
 def lay_steps(w: Lanes, laws: Table, nodes: Lanes) -> int:
@@ -118,7 +120,8 @@ def find_piece(w: Lanes, laws: Table) -> None:
     """The piece of the law that the step from Q_AT goes into."""
     n = lanes()
     for i in range(n):
-        p = w[P1, i] * full_ex(-w[Q_AT, i]) * INWARDS
+        side = w[SIDE, i]
+        p = w[P1, i] * full_ex(-side * w[Q_AT, i]) * (1.0 - side * INWARDS)
         low, high = w[LOW, i], w[HIGH, i]
         w[ABOVE, i], w[BELOW, i] = select(p > high, 1.0, 0.0), select(p < low, 1.0, 0.0)
         w[INSIDE, i] = inside = lower(upper(p, low), high)
@@ -133,8 +136,12 @@ def set_step(w: Lanes, nodes: Lanes, k: int) -> None:
     first = 1.0 if k == 0 else 0.0
     for i in range(n):
         q, end = w[Q_AT, i], w[END, i]
-        floor = select(w[ABOVE, i] > 0.5, w[HIGH, i], w[CELL_AT, i])
-        wall = select(w[BELOW, i] > 0.5, end, lower(end, full_ln(w[P1, i] / floor)))
+        falls, above, below = w[SIDE, i] > 0.0, w[ABOVE, i] > 0.5, w[BELOW, i] > 0.5
+        floor = select(above, w[HIGH, i], w[CELL_AT, i])
+        ceiling = select(below, w[LOW, i], w[CELL_AT + 1, i])
+        way = select(falls, w[P1, i] / floor, ceiling / w[P1, i])
+        last = select(falls, below, above)
+        wall = select(last, end, lower(end, full_ln(way)))
         top = lower(GRADED_END, end)
         graded = q < top * (1.0 - 1e-12)
         goes = q < w[STOP, i]
@@ -163,13 +170,13 @@ def lay_place(w: Lanes, nodes: Lanes, k: int, place: int) -> None:
     o = SIXTH_STEP * k + 1 + PLACE * place
     part = 0.0 if place == 0 else (1.0 if place == 4 else (1.0 + place) / 6.0)
     for i in range(n):
-        top, shear = w[GRADED, i], w[SHEAR, i]
+        top, side, shear = w[GRADED, i], w[SIDE, i], w[SHEAR, i]
         e = w[STEP_FROM, i] + part * w[STEP_BY, i]
         e_2 = e * e
         e_4 = e_2 * e_2
         e_9 = e_4 * e_4 * e
         graded = top > 0.0
-        fall = full_ex(-select(graded, top * e_9 * e, e))
+        fall = full_ex(-side * select(graded, top * e_9 * e, e))
         p = w[P1, i] * fall
         above, below = w[ABOVE, i] > 0.5, w[BELOW, i] > 0.5
         t = select(above, w[HIGH, i], select(below, w[LOW, i], p)) - w[CELL_AT, i]
@@ -186,9 +193,9 @@ def lay_place(w: Lanes, nodes: Lanes, k: int, place: int) -> None:
         soft = shear * traction * inverse
         nodes[o, i] = inverse
         nodes[o + 1, i] = w[RADIUS, i] / friction
-        nodes[o + 2, i] = w[RATIO, i] * (1.0 - fall)
-        nodes[o + 3, i] = shear * p * (friction + friction_p)
-        nodes[o + 4, i] = soft * slip_p
+        nodes[o + 2, i] = w[RATIO, i] * side * (1.0 - fall)
+        nodes[o + 3, i] = side * shear * p * (friction + friction_p)
+        nodes[o + 4, i] = side * soft * slip_p
         nodes[o + 5, i] = soft
         nodes[o + 6, i] = traction
         nodes[o + 7, i] = w[WEIGHED_BY, i] * select(graded, 10.0 * top * e_9, 1.0)

@@ -124,6 +124,7 @@ READ_SLOTS = SOLVE_SLOTS + 11
 GROSS_SLOTS = READ_SLOTS + 10
 
 (
+    SIDE,  # 1 driving, -1 braking
     GRADED_PART,  # of eta, a graded step of the kernel's mesh
     PLAIN_STEP,  # of Q, a step past the graded ones
     ETA,  # where a step begins, and Q there
@@ -174,5 +175,5 @@ GROSS_SLOTS = READ_SLOTS + 10
     J_12,
     J_21,
     J_22,
-) = range(GROSS_SLOTS, GROSS_SLOTS + 47)
-SLOTS = GROSS_SLOTS + 47
+) = range(GROSS_SLOTS, GROSS_SLOTS + 48)
+SLOTS = GROSS_SLOTS + 48

@@ -73,7 +73,7 @@ def solve_in_sixth(arcs: Arcs, laws: LaneLaws, begun: Array, found: Array) -> Fl
         return done
     buffer = np.zeros(RECORD * (2 * POINTS + MOST_SIXTH))
     out, solved = np.empty((len(which), FOUND_NUMBERS)), np.zeros(len(which), dtype=bool)
-    given = _given(arcs.rows(which), laws, begun[which])
+    given = given_of(arcs.rows(which), laws, begun[which])
     compiled(tension_rows, contract=True)(*given, (STEPS, POINTS), buffer, out, solved)
     done[which] = solved
     found[which[solved]] = out[solved]
@@ -91,14 +91,14 @@ def carry_in_sixth(arcs: Arcs, laws: LaneLaws, what: int, begun: Array) -> Array
     which = np.flatnonzero(np.isfinite(begun[:, 0]) & (arcs.laws.kind[arcs.law] == KNOTS))
     if len(which):
         found = np.full((len(which), 2), np.nan)
-        given = _given(arcs.rows(which), laws, begun[which])
+        given = given_of(arcs.rows(which), laws, begun[which])
         compiled(carried_rows, contract=True)(*given, STEPS, what, found)
         out[which] = found
     return out
 
 
-def _given(arcs: Arcs, laws: LaneLaws, begun: Array) -> tuple[Any, ...]:
-    """What both entries begin with."""
+def given_of(arcs: Arcs, laws: LaneLaws, begun: Array) -> tuple[Any, ...]:
+    """What all entries begin with."""
     rows = laws.row[arcs.law].astype(float)
     scratch = (np.zeros(k * LANES) for k in (SLOTS, NODES, TRACES))
     return (

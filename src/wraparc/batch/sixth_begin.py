@@ -6,7 +6,7 @@ from math import exp, log, nan
 from typing import Any
 
 from wraparc.arc.kernel.effort import mesh_steps
-from wraparc.arc.kernel.quantities import SOLVED, Buffer, parameters_at, zeros
+from wraparc.arc.kernel.quantities import SOLVED, Buffer, Parameters, parameters_at, zeros
 from wraparc.arc.kernel.tension_march import start_of
 from wraparc.arc.kernel.tension_table import FIRST
 from wraparc.batch.elementwise import Lanes
@@ -27,6 +27,7 @@ from wraparc.batch.lane_slots import (
     RATIO,
     ROW,
     SHEAR,
+    SIDE,
     SLOPE,
     STOP,
     SUM_AT_FIRST,
@@ -93,13 +94,18 @@ def take(
 def set_tension(law: CompactLaw, given: Buffer, w: Lanes, i: int, table: Buffer) -> None:
     """What follows from the entry tension of a lane."""
     par = parameters_at(exp(w[LOG_TENSION, i]), geometry_of(given))
-    w[RADIUS, i], w[LENGTH, i] = par.radius, par.length
-    w[SHEAR, i], w[P1, i], w[KICK, i] = par.shear, par.entry_pressure, par.kick
-    w[RATIO, i] = par.entry_tension * par.compliance
+    put(par, w, i)
     w[X_AT_FIRST, i] = 0.0
     if par.kick > 0.0:
         begin = start_of(law, par, 0.0, table)
         w[X_AT_FIRST, i] = begin[3]
+
+
+def put(par: Parameters, w: Lanes, i: int) -> None:
+    """Numbers of an arc into a lane."""
+    w[SIDE, i], w[RADIUS, i], w[LENGTH, i] = par.side, par.radius, par.length
+    w[SHEAR, i], w[P1, i], w[KICK, i] = par.shear, par.entry_pressure, par.kick
+    w[RATIO, i] = par.entry_tension * par.compliance
 
 
 def set_out(law: CompactLaw, given: Buffer, nodes: Lanes, w: Lanes, i: int, table: Buffer) -> None:
@@ -107,7 +113,12 @@ def set_out(law: CompactLaw, given: Buffer, nodes: Lanes, w: Lanes, i: int, tabl
     w[S, i], w[X, i], w[WORK, i] = 0.0, w[X_AT_FIRST, i], 0.0
     if w[KICK, i] > 0.0:
         return
-    table[FIRST] = nodes[SIXTH_STEP, i]
     par = parameters_at(exp(w[LOG_TENSION, i]), geometry_of(given))
+    leave(law, par, nodes, w, i, table)
+
+
+def leave(law: CompactLaw, par: Parameters, nodes: Lanes, w: Lanes, i: int, table: Buffer) -> None:
+    """Where the march of an arc without a kick begins: at the end of the first step."""
+    table[FIRST] = nodes[SIXTH_STEP, i]
     status, _, s, x, work = start_of(law, par, w[G, i], table)
     w[S, i], w[X, i], w[WORK, i] = s if status == SOLVED else nan, x, work

@@ -83,9 +83,11 @@ def record_some(
     last, peak, steep, mean = find_places(end, first, nodes, trace, i)
     if last == 0:
         return 0
-    begins = -log(1.0 - ACTIVE_SHARE * (1.0 - exp(-end)))
-    enters = log(par.entry_pressure / load.pressure_max)
-    leaves = log(par.entry_pressure / load.pressure_min)
+    tension = load.entry_tension + ACTIVE_SHARE * (load.exit_tension - load.entry_tension)
+    side = par.side
+    begins = side * log(par.entry_tension / tension)
+    enters = side * log(par.entry_pressure / load.pressure_max)
+    leaves = side * log(par.entry_pressure / load.pressure_min)
     for k in range(RECORD):
         out[k] = 0.0
     if first == 0:
@@ -107,7 +109,7 @@ def record_some(
             if recorded < k:
                 record_point(law, par, q, start[1], start[2], start[3], out, count)
                 count += 1
-            segment = segment_of(law, par.entry_pressure * exp(-0.5 * (q + q1)))
+            segment = segment_of(law, par.entry_pressure * exp(-0.5 * side * (q + q1)))
             count = record_step(
                 law, par, gamma, segment, RISE, start, stop, points, table, out, count
             )

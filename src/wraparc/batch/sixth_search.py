@@ -48,6 +48,7 @@ from wraparc.batch.lane_slots import (
 
 NEAR = 1e-11  # of a miss, where a search ends
 FAR = 1e30
+ASTRAY = 30.0  # a miss, as a logarithm, of a try that led nowhere
 ASIDE = 1e-4  # of z and of ln T1, to see how the misses change
 
 
@@ -91,6 +92,7 @@ def correct(w: Lanes) -> bool:
         secant = (miss - w[MISS_LAST, i]) / (z - w[Z_LAST, i])
         # not before there are two tries
         sound = (secant * w[SLOPE, i] > 0.0) & (size_of(secant) < FAR)
+        sound &= size_of(w[MISS_LAST, i]) < ASTRAY
         slope = select(sound, secant, w[SLOPE, i])
         w[SLOPE, i] = slope
         w[MISS_LAST, i], w[Z_LAST, i] = miss, select(here, w[Z_LAST, i], z)

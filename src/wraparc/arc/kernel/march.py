@@ -239,7 +239,7 @@ def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) ->
     return State(q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign)
 
 
-def _to_zero_slip(
+def to_zero_slip(
     law: CompactLaw, par: Parameters, g: float, steps: int, out: Buffer, count: int
 ) -> tuple[int, float, float, float, int]:
     """March while the creep of the kick is used up, with creep as the independent variable.
@@ -369,7 +369,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
             record(law, par, out, 0, 0.0, state)
             count = 1
         if sign * g < 0.0 and law.kind in (KNOTS, PIECES):
-            status, s, q, work, n = _to_zero_slip(law, par, g, steps, out, count)
+            status, s, q, work, n = to_zero_slip(law, par, g, steps, out, count)
             if status == 1:
                 rate = g + par.entry_tension * -expm1(q) * par.compliance
                 cell = (length - s) / steps**MESH_POWER

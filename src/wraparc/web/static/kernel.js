@@ -3189,7 +3189,7 @@ export function creep_step__slip_at_entry(law, par, creep, q) {
 }
 
 /** March while the creep of the kick is used up, with creep as the independent variable. */
-export function march___to_zero_slip(law, par, g, steps, out, count) {
+export function march__to_zero_slip(law, par, g, steps, out, count) {
   let a,
     branch,
     dq1,
@@ -3303,7 +3303,7 @@ export function march__sweep(law, par, g, steps, points, out) {
       count = 1;
     }
     if (sign * g < 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
-      const found1 = march___to_zero_slip(law, par, g, steps, out, count);
+      const found1 = march__to_zero_slip(law, par, g, steps, out, count);
       status = found1[0];
       s = found1[1];
       q = found1[2];
