@@ -23,6 +23,8 @@ from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
 
 PEAK_STEPS = 12  # mesh steps of a first search of the largest ratio; decides speed only
+NEARBY = 0.02  # of effort, around an earlier result
+EDGE = 5e-4  # of effort: nearer to the end of where it was sought a peak may lie beyond
 _NO_SLACK = 50.0  # miss of a place where the slack side has no tension left
 _ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-10, 1.6
 
@@ -195,26 +197,59 @@ def gross_slip(
     fine = mesh_steps(law, parameters_at(tight, geometry), steps)
     table = zeros(table_size(LARGEST_LOG, 2 * fine))
     entry = tight if side > 0.0 else tight * exp(-guess)
-    best, creep, z, last, miss_last, change = guess, 0.0, -inf, 0.0, 0.0, inf
-    for i in range(40):
-        par = parameters_at(entry, geometry)
-        new, creep, z = _peak_of(law, par, z, steps, table)
-        before, change, best = abs(change), new - best, new
+    coarse = min(PEAK_STEPS, steps)
+    mesh = steps if side > 0.0 else coarse
+    best, creep, z, before = guess, 0.0, -inf, inf
+    for _ in range(40):
+        new, creep, z = _peak_of(law, parameters_at(entry, geometry), z, mesh, table)
+        change, best = abs(new - best), new
         # a flat peak is found to some 1e-6 only: no use in going on where changes stop falling
-        stalled = i > 7 and before < 1e-5 and abs(change) > 0.5 * before
-        if side > 0.0 or abs(change) < 1e-8 or stalled:
+        done = change < 1e-8 or (before < 1e-5 and change > 0.5 * before)
+        if side > 0.0 or (mesh == steps and done):
             break
-        # braking: ln T1 = ln T2 - best(T1), by secants after the first substitution
-        aim = log(tight) - best
-        miss = aim - log(entry)
-        if i > 0 and miss != miss_last:
-            aim = log(entry) - miss * (log(entry) - last) / (miss - miss_last)
-        last, miss_last = log(entry), miss
-        entry = exp(aim)
+        before = change
+        if mesh != steps and change < 1e-2:
+            mesh, before = steps, inf
+        # at its peak the ratio does not change with effort: the tight side is met with that held
+        entry, best = _entry_at(law, geometry, tight, z, entry, best, mesh, table)
     return best, creep, entry, z
 
 
-def _peak_of(  # noqa: C901 - one search, in order of effort
+def _entry_at(
+    law: CompactLaw,
+    geometry: Geometry,
+    tight: float,
+    z: float,
+    entry: float,
+    ratio: float,
+    steps: int,
+    table: Buffer,
+) -> tuple[float, float]:
+    """Entry tension of a braking pulley that carries `tight` at an effort, and ln(T2/T1)."""
+    t = t_last = log(entry)
+    miss_last = 0.0
+    for i in range(8):
+        miss = log(tight) - ratio - t
+        if abs(miss) < 1e-9:
+            break
+        new = t + miss
+        if i > 0 and miss != miss_last:
+            new = t - miss * (t - t_last) / (miss - miss_last)
+        t_last, miss_last, t = t, miss, new
+        par = parameters_at(exp(t), geometry)
+        ratio, _ = carried_ratio(law, par, z, steps, _opened(law, par, steps, table))
+    return exp(t), ratio
+
+
+def _opened(law: CompactLaw, par: Parameters, steps: int, table: Buffer) -> Buffer:
+    """`table` opened for marches in tension, or none where they do not apply."""
+    if not applies(law, par):
+        return zeros(0)
+    open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+    return table
+
+
+def _peak_of(
     law: CompactLaw,
     par: Parameters,
     near: float,
@@ -223,21 +258,13 @@ def _peak_of(  # noqa: C901 - one search, in order of effort
 ) -> tuple[float, float, float]:
     """Largest ln(tight/slack) over effort, the creep there [m] and the effort.
 
-    `near` narrows the search to the neighbourhood of an earlier result.
+    `near` narrows the search to the neighbourhood of an earlier result, moved as the peak asks.
     """
     coarse = min(PEAK_STEPS, steps)
     top = largest_effort(law, par)
-    if jumps(law):
-        low, high = 0.0, top
-    else:
-        low, high = effort_of(par, par.side * 1e-5), top
-    width = 1e-2
-    if near > -inf:
-        low, high, width = max(low, near - 0.2), min(high, near + 0.2), 1e-2
-    buffer = zeros(0)
-    if applies(law, par):
-        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, coarse), table)
-        buffer = table
+    low, high = (0.0 if jumps(law) else effort_of(par, par.side * 1e-5)), top
+    buffer = _opened(law, par, coarse, table)
+    z, reach = near, NEARBY
     if near == -inf:
         # static and residual friction may each have a maximum: which is the larger?
         parts, best, at = 8, -inf, 0
@@ -248,18 +275,21 @@ def _peak_of(  # noqa: C901 - one search, in order of effort
                 best, at = value, i
         span = (high - low) / parts
         low, high = low + span * max(at - 1, 0), low + span * min(at + 1, parts)
-    z, shot = climb(law, par, low, high, width, coarse, buffer)
-    value, _ = carried_ratio(law, par, high, coarse, buffer)
-    if value > value_of(par, shot, TENSION):
-        z = high
+        z, shot = climb(law, par, low, high, 1e-2, coarse, buffer)
+        value, _ = carried_ratio(law, par, high, coarse, buffer)
+        if value > value_of(par, shot, TENSION):
+            z = high
+        reach = 0.03
     # sought on the coarse mesh, told on the fine one; a sharp peak is sought there again
-    if len(buffer) > 0:
-        open_table(law, par, LARGEST_LOG, mesh_steps(law, par, steps), table)
+    buffer = _opened(law, par, steps, table)
     best, shot = carried_ratio(law, par, high, steps, buffer)
     if z < high:
         end, near_end = best, shot
-        low, top = max(low, z - 0.03), min(high, z + 0.03)
-        z, shot = climb(law, par, low, top, 2e-4, steps, buffer)
+        left = right = z  # sought farther out while the peak lies at an end of where it was sought
+        while not (left < z - EDGE or left == low) or not (z + EDGE < right or right == high):
+            left, right = max(low, z - reach), min(high, z + reach)
+            z, shot = climb(law, par, left, right, 2e-4, steps, buffer)
+            reach *= 4.0
         best = value_of(par, shot, TENSION)
         # the coarse mesh misjudges a maximum that hardly rises towards the end
         if end > best:

@@ -811,6 +811,7 @@ const TURNS = 60;
 const LEAST_TURN = 1e-9;
 const BALANCE = 1e-8;
 const PEAK_STEPS = 12;
+const EDGE = 0.0005;
 const NODES = 400;
 const KINKS = 200;
 const NEXT_SLIP = 1e-300;
@@ -4473,27 +4474,25 @@ export function answer__answer(law, geometry, load, steps) {
   return new Answer(outcome, par, z, shot, layers, marched);
 }
 
+/** `table` opened for marches in tension, or none where they do not apply. */
+export function gross_slip___opened(law, par, steps, table) {
+  if (!tension_table__applies(law, par)) {
+    return zeros(0);
+  }
+  tension_table__open_table(law, par, 8.0, effort__mesh_steps(law, par, steps), table);
+  return table;
+}
+
 /** Largest ln(tight/slack) over effort, the creep there [m] and the effort. */
 export function gross_slip___peak_of(law, par, near, steps, table) {
-  let at, best, end, high, i, low, near_end, parts, shot, span, value, z;
+  let at, best, end, i, left, near_end, parts, right, shot, span, value;
   let coarse = min(PEAK_STEPS, steps);
   let top = effort__largest_effort(law, par);
-  if (effort__jumps(law)) {
-    low = 0.0;
-    high = top;
-  } else {
-    low = effort__effort_of(par, par.side * 1e-5);
-    high = top;
-  }
-  let width = 0.01;
-  if (near > -Infinity) {
-    [low, high, width] = [max(low, near - 0.2), min(high, near + 0.2), 0.01];
-  }
-  let buffer = zeros(0);
-  if (tension_table__applies(law, par)) {
-    tension_table__open_table(law, par, 8.0, effort__mesh_steps(law, par, coarse), table);
-    buffer = table;
-  }
+  let low = effort__jumps(law) ? 0.0 : effort__effort_of(par, par.side * 1e-5);
+  let high = top;
+  let buffer = gross_slip___opened(law, par, coarse, table);
+  let z = near;
+  let reach = 0.02;
   if (near === -Infinity) {
     parts = 8;
     best = -Infinity;
@@ -4510,28 +4509,32 @@ export function gross_slip___peak_of(law, par, near, steps, table) {
     }
     span = (high - low) / parts;
     [low, high] = [low + span * max(at - 1, 0), low + span * min(at + 1, parts)];
+    const found3 = search__climb(law, par, low, high, 0.01, coarse, buffer);
+    z = found3[0];
+    shot = found3[1];
+    const found4 = search__carried_ratio(law, par, high, coarse, buffer);
+    value = found4[0];
+    if (value > effort__value_of(par, shot, TENSION)) {
+      z = high;
+    }
+    reach = 0.03;
   }
-  const found3 = search__climb(law, par, low, high, width, coarse, buffer);
-  z = found3[0];
-  shot = found3[1];
-  const found4 = search__carried_ratio(law, par, high, coarse, buffer);
-  value = found4[0];
-  if (value > effort__value_of(par, shot, TENSION)) {
-    z = high;
-  }
-  if (buffer.length > 0) {
-    tension_table__open_table(law, par, 8.0, effort__mesh_steps(law, par, steps), table);
-  }
+  buffer = gross_slip___opened(law, par, steps, table);
   const found5 = search__carried_ratio(law, par, high, steps, buffer);
   best = found5[0];
   shot = found5[1];
   if (z < high) {
     end = best;
     near_end = shot;
-    [low, top] = [max(low, z - 0.03), min(high, z + 0.03)];
-    const found6 = search__climb(law, par, low, top, 0.0002, steps, buffer);
-    z = found6[0];
-    shot = found6[1];
+    left = right = z;
+    while (!(left < z - EDGE || left === low) || !(z + EDGE < right || right === high)) {
+      left = max(low, z - reach);
+      right = min(high, z + reach);
+      const found6 = search__climb(law, par, left, right, 0.0002, steps, buffer);
+      z = found6[0];
+      shot = found6[1];
+      reach *= 4.0;
+    }
     best = effort__value_of(par, shot, TENSION);
     if (end > best) {
       best = end;
@@ -4542,39 +4545,72 @@ export function gross_slip___peak_of(law, par, near, steps, table) {
   return [best, par.side * shot.creep, z];
 }
 
+/** Entry tension of a braking pulley that carries `tight` at an effort, and ln(T2/T1). */
+export function gross_slip___entry_at(law, geometry, tight, z, entry, ratio, steps, table) {
+  let i, miss, new_, par, t, t_last;
+  t = t_last = Math.log(entry);
+  let miss_last = 0.0;
+  for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
+    i = each1;
+    miss = Math.log(tight) - ratio - t;
+    if (Math.abs(miss) < 1e-9) {
+      break;
+    }
+    new_ = t + miss;
+    if (i > 0 && miss !== miss_last) {
+      new_ = t - (miss * (t - t_last)) / (miss - miss_last);
+    }
+    [t_last, miss_last, t] = [t, miss, new_];
+    par = quantities__parameters_at(Math.exp(t), geometry);
+    const found2 = search__carried_ratio(
+      law,
+      par,
+      z,
+      steps,
+      gross_slip___opened(law, par, steps, table),
+    );
+    ratio = found2[0];
+  }
+  return [Math.exp(t), ratio];
+}
+
 /** Largest tension ratio of a held tight side over entry creep ratios below 1. */
 export function gross_slip__gross_slip(law, geometry, tight, guess, steps) {
-  let aim, before, i, miss, new_, par, stalled;
+  let change, done, new_;
   let side = geometry.side;
   let fine = effort__mesh_steps(law, quantities__parameters_at(tight, geometry), steps);
   let table = zeros(tension_table__table_size(8.0, 2 * fine));
   let entry = side > 0.0 ? tight : tight * Math.exp(-guess);
+  let coarse = min(PEAK_STEPS, steps);
+  let mesh = side > 0.0 ? steps : coarse;
   let best = guess;
   let creep = 0.0;
   let z = -Infinity;
-  let last = 0.0;
-  let miss_last = 0.0;
-  let change = Infinity;
+  let before = Infinity;
   for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
-    i = each1;
-    par = quantities__parameters_at(entry, geometry);
-    const found2 = gross_slip___peak_of(law, par, z, steps, table);
+    const found2 = gross_slip___peak_of(
+      law,
+      quantities__parameters_at(entry, geometry),
+      z,
+      mesh,
+      table,
+    );
     new_ = found2[0];
     creep = found2[1];
     z = found2[2];
-    [before, change, best] = [Math.abs(change), new_ - best, new_];
-    stalled = i > 7 && before < 1e-5 && Math.abs(change) > 0.5 * before;
-    if (side > 0.0 || Math.abs(change) < 1e-8 || stalled) {
+    [change, best] = [Math.abs(new_ - best), new_];
+    done = change < 1e-8 || (before < 1e-5 && change > 0.5 * before);
+    if (side > 0.0 || (mesh === steps && done)) {
       break;
     }
-    aim = Math.log(tight) - best;
-    miss = aim - Math.log(entry);
-    if (i > 0 && miss !== miss_last) {
-      aim = Math.log(entry) - (miss * (Math.log(entry) - last)) / (miss - miss_last);
+    before = change;
+    if (mesh !== steps && change < 0.01) {
+      mesh = steps;
+      before = Infinity;
     }
-    last = Math.log(entry);
-    miss_last = miss;
-    entry = Math.exp(aim);
+    const found3 = gross_slip___entry_at(law, geometry, tight, z, entry, best, mesh, table);
+    entry = found3[0];
+    best = found3[1];
   }
   return [best, creep, entry, z];
 }
