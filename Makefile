@@ -115,7 +115,6 @@ tests: dev system
 
 kernel: dev ## make the solver of the page and the page of one file anew, after a change of either
 	@$(BIN)/python tools/page_kernel.py
-	@node tools/page_bundle.mjs
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"

@@ -1,7 +1,7 @@
 """The solver of the page: the plain functions of Python, translated.
 
-``python tools/page_kernel.py`` writes `web/static/kernel.js` anew; with ``--check`` it only says
-whether the file is what the source gives.
+``python tools/page_kernel.py`` writes `web/static/kernel.js` anew, and the page of one file that it
+is bundled into; with ``--check`` it only says whether the file is what the source gives.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from wraparc.web import in_page, pulls
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
+BUNDLE = ROOT / "tools" / "page_bundle.mjs"
 BIOME = ROOT / "node_modules" / ".bin" / "biome"
 #: What the page calls; whatever these call comes along.
 ENTRIES = (
@@ -76,7 +77,8 @@ def main() -> int:
     text = module()
     if not parser.parse_args().check:
         save_file(str(FILE), text)
-        return 0
+        # the page of one file carries it
+        return subprocess.run(["node", str(BUNDLE)], cwd=ROOT, check=False).returncode  # noqa: S603, S607
     same = FILE.is_file() and FILE.read_text("utf-8") == text
     if not same:
         sys.stderr.write(f"{FILE.relative_to(ROOT)} is not what its source gives: make kernel\n")

@@ -235,3 +235,36 @@ def test_drives_of_any_choice_are_put_together_as_by_the_server() -> None:
     assert wrong == {}
     assert judged > 60
     assert refused > 5
+
+
+#: Values that no drive has, by the place that both tell.
+WRONG: list[tuple[str, Any]] = [
+    ("pulley.head.diameter", "0 mm"), ("pulley.head.diameter", "800"), ("belt.width", "12 kN"),
+    ("pulley.head.wrap_angle", "800 deg"), ("pulley.head.creep_limit", "0 mm"),
+    ("belt.speed", "0 m/s"), ("belt.rating", "-1 kN/m"), ("take_up.kind", "spring"),
+    ("take_up.after", "tail"), ("design_standard.friction", 0.3), ("design_standard.name", "own"),
+    ("safety_factor.running", 0.9), ("sag.idler_spacing", "0 m"), ("pulley.head.torque", "5 kN m"),
+    ("pulley.head.lagging", "velvet"), ("belt.preset", "Goodbelt"), ("condition", "icy"),
+    ("pulley.head.recovery", "yes"), ("load_case", [{"name": "design"}]),
+]  # fmt: skip
+
+
+def test_what_the_server_refuses_the_page_refuses() -> None:
+    documents = []
+    for path, value in WRONG:
+        document = deepcopy(DRIVES["head-drive-fabric"])
+        *tables, key = path.split(".")
+        table: Any = document
+        for name in tables:
+            table = table["pulley"][0] if name == "pulley" else table
+            table = table if name in ("pulley", "head") else table.setdefault(name, {})
+        table[key] = value
+        if "sag" in document:
+            document["sag"]["line_mass"] = "20 kg/m"
+        documents.append(document)
+    for (path, value), document, found in zip(WRONG, documents, assembled(documents), strict=True):
+        with pytest.raises(InputError):
+            read(document)
+        told = [problem["path"] for problem in found["problems"]]
+        assert told, (path, value)
+        assert path.split(".")[0] in told[0], (path, told)

@@ -1,5 +1,6 @@
 // Drive files as text: read and written by a library, changed in place so that comments stay.
 import { parse, stringify, TomlDate } from "smol-toml";
+import { get } from "../static/base/design.js";
 import { Advice } from "../static/base/server.js";
 
 /** @import { Path } from "../static/types.d.ts" */
@@ -40,7 +41,7 @@ export function rewritten(text, before, after) {
   const wanted = bare(after);
   if (same(before, wanted)) return text;
   try {
-    const found = edited(text, [...changes(before, wanted)]);
+    const found = edited(text, [...changes(before, wanted)], wanted);
     return same(plain(parse(found)), wanted) ? found : null;
   } catch {
     return null;
@@ -166,22 +167,34 @@ function endOfString(text, from, quote) {
   return at + quote.length;
 }
 
-/** @param {string} text @param {Change[]} all */
-function edited(text, all) {
+/** @param {string} text @param {Change[]} all @param {any} wanted */
+function edited(text, all, wanted) {
   let now = text.endsWith("\n") || !text ? text : `${text}\n`;
-  for (const change of all) now = once(now, change);
+  for (const change of all) now = once(now, change, wanted);
   return now;
 }
 /** @param {Path} a @param {Path} b */
 const leads = (a, b) => a.length <= b.length && a.every((key, i) => key === b[i]);
-/** @param {string} text @param {Change} change */
-function once(text, { path, value }) {
+/** @param {string} text @param {Change} change @param {any} wanted */
+function once(text, { path, value }, wanted) {
   const { places, sections } = placesOf(text);
-  const place = places.find((p) => same(p.path, path));
-  if (place && value === undefined) return text.slice(0, place.line[0]) + text.slice(place.line[1]);
-  if (place) return text.slice(0, place.value[0]) + inline(value) + text.slice(place.value[1]);
-  if (places.some((p) => leads(p.path, path)) || value === undefined)
-    throw new Error("within a value, or a whole table that goes");
+  const place = places.find((p) => leads(p.path, path));
+  if (place && place.path.length < path.length) {
+    const whole = inline(get(wanted, place.path)); // the value that it is a part of
+    return text.slice(0, place.value[0]) + whole + text.slice(place.value[1]);
+  }
+  if (place && value !== undefined)
+    return text.slice(0, place.value[0]) + inline(value) + text.slice(place.value[1]);
+  if (value === undefined) {
+    const parts = places.filter((p) => leads(path, p.path));
+    if (!parts.length || sections.some((s) => leads(path, s.path)))
+      throw new Error("a table with a heading of its own goes");
+    const left = emptied(path, sections, wanted);
+    return parts.reduceRight(
+      (now, p, i) => now.slice(0, p.line[0]) + (i ? "" : left) + now.slice(p.line[1]),
+      text,
+    );
+  }
   const last = path[path.length - 1];
   const table = isHolder(value) && !Array.isArray(value);
   if (typeof last === "number")
@@ -192,14 +205,26 @@ function once(text, { path, value }) {
   if (table && path.length === 1) return `${text}\n[${key(last)}]\n${lines(value)}`;
   if (Array.isArray(value) && value.every(isHolder))
     return `${text}${value.map((row) => `\n[[${path.map(key).join(".")}]]\n${lines(row)}`).join("")}`;
-  const section = sections
-    .filter((s) => leads(s.path, path))
-    .reduce((a, b) => (b.path.length >= a.path.length ? b : a));
+  const section = sectionOf(path, sections);
   const rest = path.slice(section.path.length);
   if (rest.some((k) => typeof k === "number")) throw new Error("in a row that has no table");
   const line = `${rest.map(key).join(".")} = ${inline(value)}\n`;
   return text.slice(0, section.end) + line + text.slice(section.end);
 }
+/** What stays of a table that loses its last key. @param {Path} path @param {Section[]} sections
+ * @param {any} wanted */
+function emptied(path, sections, wanted) {
+  const parent = path.slice(0, -1);
+  const left = get(wanted, parent);
+  if (!isHolder(left) || Object.keys(left).length || sections.some((s) => same(s.path, parent)))
+    return "";
+  return `${parent.slice(sectionOf(parent, sections).path.length).map(key).join(".")} = {}\n`;
+}
+/** The section that a key belongs to. @param {Path} path @param {Section[]} sections */
+const sectionOf = (path, sections) =>
+  sections
+    .filter((s) => leads(s.path, path))
+    .reduce((a, b) => (b.path.length >= a.path.length ? b : a));
 /** @param {string | number} k */
 const key = (k) => (/^[\w-]+$/.test(String(k)) ? String(k) : JSON.stringify(String(k)));
 /** @param {any} value @returns {string} */

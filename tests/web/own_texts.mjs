@@ -1,0 +1,9 @@
+// Drive files changed in place: texts and documents as JSON come in, new texts go out.
+import { readFileSync } from "node:fs";
+import { documentOf, rewritten, textOf } from "../../src/wraparc/web/one_file/toml.js";
+
+const told = JSON.parse(readFileSync(0, "utf-8")).map(({ text, after }) => ({
+  kept: rewritten(text, documentOf(text, ""), after),
+  anew: textOf(after),
+}));
+process.stdout.write(JSON.stringify(told));
