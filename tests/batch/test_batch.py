@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arc.drives import LAWS, RUBBER, SOFTENING, integral_log, random_arc
+from arc.drives import LAWS, integral_log, random_arc
 from batch.batches import columns_of, designs, lagging
 from wraparc.arc import Distributed, Status, WrapArc
 from wraparc.arc.kernel import answer, search
@@ -35,7 +35,7 @@ from wraparc.batch.row import TENSIONS
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
-from wraparc.friction import IntegralLog
+from wraparc.friction import Constant, IntegralLog
 
 LAGGINGS = [lagging(name, law) for name, law in LAWS.items()]
 SHIPPED = [load_lagging(name) for name in ("diamond-rubber", "medium-ceramic", "full-ceramic")]
@@ -158,7 +158,7 @@ def test_engineering_leaves_other_laws_to_the_scalar_kernel(
     exact = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False, setting=Setting.PRECISE)
     np.testing.assert_array_equal(near["status"], exact["status"])
     np.testing.assert_allclose(near["exit_creep"], exact["exit_creep"], rtol=1e-4, atol=1e-12)
-    others = ~np.array([a.law in (RUBBER, SOFTENING) for a in arcs])
+    others = ~np.array([isinstance(a.law, Constant | IntegralLog) for a in arcs])
     np.testing.assert_array_equal(near["exit_creep"][others], exact["exit_creep"][others])
 
 
@@ -230,7 +230,7 @@ def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(precise, "compiled", watched)
     monkeypatch.setattr(precise, "FEW", 3)
     monkeypatch.setattr(precise, "FEW_WITH_CAPACITIES", 0)
-    others = [arc for arc in random_arcs(3, 21) if not isinstance(arc.law, IntegralLog)][:4]
+    others = [a for a in random_arcs(3, 21) if not isinstance(a.law, Constant | IntegralLog)][:4]
     arcs = columns_of(others, LAGGINGS)
     few = solve_arcs(arcs.rows(slice(0, 3)), capacities=False).found
     assert asked == []

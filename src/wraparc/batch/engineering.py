@@ -12,6 +12,7 @@ from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED
 from wraparc.batch import lane_slots as slot
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array, Integers
+from wraparc.batch.constant import solve_constant
 from wraparc.batch.elementwise import LANES, Lanes
 from wraparc.batch.lane_kernel import (
     CREEP,
@@ -350,7 +351,9 @@ class LaneBatch:
         unsure = self.softens & (self.left & (answer.CREEP_LIMIT | answer.TESTED_SLIP) > 0)
         self.left[unsure] |= answer.GROSS_SLIP
         self.left &= parts | (answer.GROSS_SLIP if parts & answer.CAPACITIES else 0)
-        self._brake()
+        for solve in (solve_constant, self._brake):
+            solved = solve(self.arcs, self.left & row.TENSIONS > 0, self.found)
+            self.left[solved] &= ~row.TENSIONS
         which = np.flatnonzero(self.left)
         if not len(which):
             return
@@ -361,11 +364,8 @@ class LaneBatch:
             for place in places:
                 self.found[which[these], place] = done[these, place]
 
-    def _brake(self) -> None:
-        """Operating points of braking pulleys: many in the lanes, few in the interpreter."""
-        wanted = (self.left & row.TENSIONS > 0) & (self.of("side") < 0.0)
-        done = brake_rows(self.arcs, self.laws, wanted, self.found)
-        self.left[done] &= ~row.TENSIONS
+    def _brake(self, arcs: Arcs, wanted: Flags, found: Array) -> Flags:
+        return brake_rows(arcs, self.laws, wanted & (self.of("side") < 0.0), found)
 
 
 def _near(out: Array, what: int) -> Flags:
