@@ -35,7 +35,7 @@ from wraparc.batch.lane_kernel import (
 )
 from wraparc.batch.lane_law import LaneLaws
 from wraparc.batch.laws import LawBank
-from wraparc.batch.least import search_least
+from wraparc.batch.least import Least, search_least
 from wraparc.batch.native import available, compiled
 from wraparc.batch.plateau import Plateaus
 from wraparc.batch.precise import solve_precisely
@@ -53,7 +53,7 @@ NO_LIMIT = 1e300
 
 _INPUT = {name: k for k, name in enumerate(row.INPUTS)}
 _FOUND = {place: k for k, place in enumerate(FOUND)}
-_BEGUN = [_FOUND[name] for name in (slot.G, slot.G_Z, slot.SLOPE_Z, slot.END, slot.TENSION)]
+BEGUN_PLACES = [_FOUND[name] for name in (slot.G, slot.G_Z, slot.SLOPE_Z, slot.END, slot.TENSION)]
 _MAIN = (
     (row.EXIT_CREEP, slot.EXIT_CREEP),
     (row.EXIT_SLIP, slot.EXIT_X),
@@ -68,20 +68,7 @@ _MAIN = (
 
 
 def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flags]:
-    """Rows of results (see `row`), and which arcs the scalar kernel had to do.
-
-    Parameters
-    ----------
-    arcs
-        The arcs.
-    parts
-        What is wanted.
-
-    Returns
-    -------
-    found, handed_over
-        Shapes (n, 21) and (n,).
-    """
+    """Rows of results (see `row`) that are wanted, and which arcs the scalar kernel had to do."""
     batch = LaneBatch(arcs)
     batch.find(parts)
     batch.cap_by_gross(batch.found)
@@ -274,8 +261,8 @@ class LaneBatch:
 
     def _begun(self, what: int, which: Integers | slice, out: Array) -> None:
         """Keep where the kernel's march in the lanes may begin."""
-        begun = self.begun.setdefault(what, np.full((len(self.left), len(_BEGUN)), np.nan))
-        begun[which] = out[:, _BEGUN]
+        begun = self.begun.setdefault(what, np.full((len(self.left), len(BEGUN_PLACES)), np.nan))
+        begun[which] = out[:, BEGUN_PLACES]
 
     def _slip_speed(self, kept: Integers | slice) -> None:
         """Bound the slip speed from below, by the mean over the arc.
@@ -318,22 +305,25 @@ class LaneBatch:
         self.starts[which[good], 3] = out[good, _FOUND[slot.G]]
         self.starts[which[good], 5] = found[good]
         if not self.to_begin:
-            self._find_most(which[~good], top)
+            self._find_most(which[~good])
 
-    def _find_most(self, which: Integers, top: Array) -> None:
+    def _find_most(self, which: Integers) -> None:
         """Largest pull at the creep limit, or the least tension where that is no easy search."""
-        limit, pull = self.of("creep_limit")[which], self.pull[which]
+        found = self.search_most(which)
+        self.found[which, row.LEAST_SLACK] = found.least - self.pull[which]
+        self.found[which, row.MOST_PULL] = found.most
+        self.left[which[~found.good]] |= answer.LEAST
+
+    def search_most(self, which: Integers) -> Least:
+        """Search along the tension for what `_find_most` finds."""
+        limit = self.of("creep_limit")[which]
 
         def pull_within(log_tension: Array, rows: Integers, fine: bool) -> tuple[Array, Flags]:
-            tension = np.exp(log_tension)
-            some = which[rows]
+            tension, some = np.exp(log_tension), which[rows]
             out, good = self.solve(some, self.rows(some, limit[rows], tension), CREEP, fine)
             return -tension * np.expm1(-out[:, _FOUND[slot.END]]), good
 
-        found = search_least(pull_within, pull, top[which])
-        self.found[which, row.LEAST_SLACK] = found.least - pull
-        self.found[which, row.MOST_PULL] = found.most
-        self.left[which[~found.good]] |= answer.LEAST
+        return search_least(pull_within, self.pull[which], self.top[which])
 
     def cap_by_gross(self, found: Array) -> None:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""

@@ -7,11 +7,13 @@ import numpy as np
 from wraparc.arc.kernel import answer
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array, Integers
-from wraparc.batch.engineering import LaneBatch
+from wraparc.batch.engineering import BEGUN_PLACES, LaneBatch
 from wraparc.batch.lane_kernel import CREEP, LEAST, SLIP, TENSIONS
 from wraparc.batch.native import available, pays
 from wraparc.batch.precise import FEW, solve_precisely
 from wraparc.batch.sixth import carry_in_sixth, solve_in_sixth
+
+BESIDE = 0.02  # of ln tension, from pull to pull
 
 
 def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> Array:
@@ -68,3 +70,39 @@ def carry(batch: LaneBatch, found: Array, left: Integers) -> None:
         flat = np.isfinite(plateau) & ~batch.softens
         found[flat, row.GROSS_CAPACITY], found[flat, row.GROSS_CREEP] = plateau[flat], np.inf
         left[flat] &= ~answer.GROSS_SLIP
+    find_most(batch, found, left)
+
+
+def find_most(batch: LaneBatch, found: Array, left: Integers) -> None:
+    """Find largest pulls where no tension carries what is asked, of laws flat past their peak.
+
+    At the top of the parabola through three pulls near to where the engineering setting finds the
+    largest, twice; at the highest tension, if it is there.
+    """
+    asked = batch.fit & batch.asks_pull & ~batch.softens & (left & answer.LEAST > 0)
+    which = np.flatnonzero(asked)
+    near = batch.search_most(which)
+    none = near.good & np.isfinite(near.most)
+    which, at, high = which[none], near.top[none], np.log(batch.top[which[none]])
+
+    def pulls(*log_tensions: Array) -> Array:
+        """Pulls at the creep limit, all at once; a row for each of the tensions."""
+        rows, tension = np.tile(which, len(log_tensions)), np.exp(np.concatenate(log_tensions))
+        limit = batch.of("creep_limit")[rows]
+        out, good = batch.solve(rows, batch.rows(rows, limit, tension), CREEP)
+        begun = np.where(good[:, None], out[:, BEGUN_PLACES], np.nan)
+        carried = carry_in_sixth(batch.arcs.rows(rows), batch.laws, CREEP, begun)
+        return (-tension * np.expm1(-carried[:, 0])).reshape(len(log_tensions), -1)
+
+    inside = at < high - BESIDE
+    middle, good = np.where(inside, at, high), inside | (at >= high)
+    for _ in range(2 if len(which) else 0):
+        before, here, after = pulls(middle - BESIDE, middle, middle + BESIDE * inside)
+        bend = before - 2.0 * here + after
+        move = np.where(inside, 0.5 * (before - after) / bend, 0.0)
+        good &= np.where(inside, (bend < 0.0) & (np.abs(move) < 2.0), before <= here)
+        middle = np.minimum(middle + np.where(good, move, 0.0) * BESIDE, high)
+    (most,) = pulls(middle)
+    good &= most < batch.pull[which]
+    found[which[good], row.MOST_PULL] = most[good]
+    left[which[good]] &= ~answer.LEAST

@@ -30,11 +30,12 @@ ROUNDS, NEAR = 40, 1e-7  # of false position, and of ln pull
 
 
 class Least(NamedTuple):
-    """Tight-side tension that is least, or the largest pull [N], nan for the other; shapes (n,)."""
+    """What is found, shapes (n,): tight-side tensions and pulls [N]."""
 
-    least: Array
-    most: Array
+    least: Array  # the least tension, nan where there is none
+    most: Array  # the largest pull, nan where there is a least tension
     good: Flags
+    top: Array  # ln of the tension of the largest pull
 
 
 def search_least(pull_within: Pull, pull: Array, highest: Array) -> Least:
@@ -59,7 +60,7 @@ def search_least(pull_within: Pull, pull: Array, highest: Array) -> Least:
     least[inside], found = _root(pull_within, inside, low[inside], top[inside], pull[inside])
     good[inside[~found]] = False
     most[~good | (away > 0.0)] = np.nan
-    return Least(np.exp(least), most, good)
+    return Least(np.exp(least), most, good, top)
 
 
 def _top(pull_within: Pull, low: Array, high: Array) -> tuple[Array, Array, Flags]:
