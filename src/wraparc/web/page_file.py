@@ -20,7 +20,7 @@ from wraparc.schema.source import Document, parse
 from wraparc.train import Train
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
-from wraparc.web.answers import book, catalogue
+from wraparc.web.answers import book, catalogue, compare
 from wraparc.web.answers.documents import json_like, read
 from wraparc.web.answers.form import form
 from wraparc.web.examples import examples
@@ -118,6 +118,11 @@ def _data(document: Document, name: str, text: str) -> dict[str, Any]:
         "form": _form(document),
         "catalogue": _plain(whole.model_copy(update={"examples": kept, "design_friction": []})),
         "book": _plain(book.book(plain)),
+        "compare": {
+            "columns": [_plain(c) for c in compare.columns() if not c.key.startswith("cost")],
+            "remarks": {"laggings": [compare.SAME, compare.OF_LAGGINGS], "belts": [compare.SAME]},
+            "neighbours": compare.NEIGHBOURS,
+        },
         "start": {"name": name, "file": name, "document": plain, "toml": text},
         "examples": {
             key: {"document": json_like(e.document), "toml": e.text} for key, e in found.items()

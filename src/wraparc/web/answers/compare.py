@@ -24,7 +24,8 @@ from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import CompareRequest
 from wraparc.web.errors import ToldProblem, told
 
-_NEIGHBOURS = 4
+#: Belts of each carcass that are compared.
+NEIGHBOURS = 4
 #: Columns: key, title, which is better.
 _COLUMNS = (
     ("creep", "Creep at exit", "low"),
@@ -132,14 +133,19 @@ def compare(asked: CompareRequest) -> CompareAnswer:
         currency=asked.currency,
         years=asked.years,
         present=present,
-        columns=[
-            Column(key=key, title=title, better=better, meaning=_meaning(key))
-            for key, title, better in _COLUMNS
-        ],
+        columns=columns(),
         rows=rows,
-        remarks=texts(lambda _: _remarks(asked, case)),
+        remarks=texts(lambda _: remarks(asked, case)),
         not_possible=impossible,
     )
+
+
+def columns() -> list[Column]:
+    """Return what is compared."""
+    return [
+        Column(key=key, title=title, better=better, meaning=_meaning(key))
+        for key, title, better in _COLUMNS
+    ]
 
 
 def _candidates(asked: CompareRequest, drive: Drive, pulley: str) -> Iterable[_Candidate]:
@@ -200,7 +206,7 @@ def _neighbours(drive: Drive) -> list[str]:
     for kind in dict.fromkeys(b.kind for b in catalogue.belts()):
         rows = [b for b in catalogue.belts() if b.kind == kind]
         rows.sort(key=lambda b: abs(math.log(b.rating / rating)))
-        found += sorted(rows[:_NEIGHBOURS], key=lambda b: (b.rating, b.name))
+        found += sorted(rows[:NEIGHBOURS], key=lambda b: (b.rating, b.name))
     return [b.name for b in found]
 
 
@@ -322,16 +328,16 @@ def _meaning(key: str) -> str:
     return entry.meaning if entry else ""
 
 
-def _remarks(asked: CompareRequest, case: LoadCase) -> list[str]:
-    remarks = [
-        "Width, speed, pulley and tensions stay as they are; only what is compared changes.",
-    ]
-    if asked.what == "laggings":
-        remarks.append("The thickness is that of each lagging, and the diameter stays over it.")
-    else:
-        remarks.append("The price of the belts is not known here and not counted.")
+def remarks(asked: CompareRequest, case: LoadCase) -> list[str]:
+    """Return what to know about a comparison."""
+    found = [SAME, OF_LAGGINGS if asked.what == "laggings" else OF_BELTS]
     if asked.tariff is not None:
-        remarks.append(
+        found.append(
             f"Energy is that lost to creep in load case {case.name}, {asked.hours:g} hours a year."
         )
-    return remarks
+    return found
+
+
+SAME = "Width, speed, pulley and tensions stay as they are; only what is compared changes."
+OF_LAGGINGS = "The thickness is that of each lagging, and the diameter stays over it."
+OF_BELTS = "The price of the belts is not known here and not counted."

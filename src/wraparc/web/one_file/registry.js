@@ -1,5 +1,9 @@
 // The pages that the file has.
+import * as compare from "../static/pages/compare.js";
 import { DrivePage } from "../static/pages/drive.js";
 
 /** @type {typeof import("../static/frame/registry.js").PAGES} */
-export const PAGES = { drive: { title: "Drive", view: { Page: DrivePage } } };
+export const PAGES = {
+  drive: { title: "Drive", view: { Page: DrivePage } },
+  compare: { title: "Compare", view: compare },
+};

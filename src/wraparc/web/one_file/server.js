@@ -9,6 +9,7 @@ import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
 import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
+import { compared } from "./comparing.js";
 import { documentOf, rewritten, textOf } from "./toml.js";
 
 export * from "../static/base/server.js";
@@ -60,6 +61,7 @@ const ANSWERS = {
     if (!judged) throw refused(UNSOLVED);
     return inBoth(() => wholeOf(judged, judging, data.book));
   },
+  compare: (asked) => compared(asked, data),
   "toml/read": ({ toml, name }) => ({ document: from(toml, documentOf(toml, name)) }),
   "toml/write"({ document }) {
     const known = source.opened === app.opened ? source : { text: "", document: null };

@@ -177,6 +177,7 @@ export interface Judging {
   checks: Words[];
   cases: {
     load_case: string;
+    condition?: string;
     prepared: Prepared;
     elsewhere: Path[];
     tested: Arc["tested"];

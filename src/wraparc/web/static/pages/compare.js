@@ -2,6 +2,7 @@
 import { app, change, redraw, set } from "../base/design.js";
 import { act, ask, later, note, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
+import { PAGES } from "../frame/registry.js";
 import { badge, list, refused, scroll } from "../parts/answers.js";
 import { place } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
@@ -85,7 +86,7 @@ function said() {
   const money = a.currency ? ` in ${a.currency}` : "";
   const what = `${a.rows.length} ${asked.what}`;
   const where = `Pulley ${a.pulley}, load case ${a.load_case}`;
-  return `${where}; ${what}. Costs over ${a.years} years${money}.`;
+  return `${where}; ${what}.${a.years ? ` Costs over ${a.years} years${money}.` : ""}`;
 }
 function bar() {
   const what = ["laggings", "belts"].map((w) =>
@@ -110,10 +111,14 @@ function bar() {
     "div",
     { class: "bar", key: "bar" },
     h("fieldset", { class: "switch" }, h("legend", { class: "away" }, "What to compare"), what),
-    amount("years", "Years", 3),
-    amount("hours", "Hours a year", 6),
-    amount("tariff", "Price of a kWh", 6),
-    amount("currency", "Currency", 5),
+    ...(PAGES.saved // who asks a server is told what it costs
+      ? [
+          amount("years", "Years", 3),
+          amount("hours", "Hours a year", 6),
+          amount("tariff", "Price of a kWh", 6),
+          amount("currency", "Currency", 5),
+        ]
+      : []),
   );
 }
 /** @param {Partial<typeof asked>} more */

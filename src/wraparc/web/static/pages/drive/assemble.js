@@ -325,6 +325,7 @@ function caseOf(said, c, bookLaw, book) {
   const { checks, asks } = wordsOf(of);
   return {
     load_case: c.name,
+    condition: bookLaw.condition,
     prepared: { law: bookLaw.law, given, inputs: [] },
     elsewhere: [],
     tested: tested && {

@@ -60,7 +60,8 @@ export function ownAnswer(base, doc, points, judged, assembled) {
   const start = performance.now();
   const found = given && quick(prepared?.law, given, tested, points);
   performance.measure("own answer", { start });
-  if (!given || !found?.summary.effective_tension) return null; // without a pull all that is left is noise
+  // without a pull all that is left is noise
+  if (!given || !found?.summary.effective_tension) return null;
   const other = assembled && { load_case: assembled.load_case, pulley: doc.pulley[0].name, tested };
   return {
     ...base.answer,

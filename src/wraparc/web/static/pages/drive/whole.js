@@ -64,6 +64,36 @@ const row = (name, title, symbol, cells, note = "", level = null) => ({
   values: { si: cells, us: cells },
 });
 
+/** Numbers that an arc was found from, by their names in the glossary. */
+const GIVEN = {
+  belt_width: "width",
+  belt_modulus: "modulus",
+  belt_speed: "speed",
+  diameter: "diameter",
+  wrap_angle: "wrap_angle",
+  lagging_thickness: "thickness",
+  shear_modulus: "shear_modulus",
+  compression_modulus: "compression_modulus",
+  creep_limit: "creep_limit",
+};
+/** What an arc was found from: a sheet of paper has no form. @param {Judging} of
+ * @param {Judging["cases"][number]} c @returns {Table} */
+function inputsOf({ names }, { prepared: { given }, condition }) {
+  const numbers = Object.entries(GIVEN).map(
+    ([name, key]) => /** @type {const} */ ([name, +given[key]]),
+  );
+  const lagging = `${names?.lagging} (${condition})`;
+  const rows = numbers
+    .filter(([name, v]) => !Number.isNaN(v) && app.form.glossary[name])
+    .map(([name, v]) => {
+      const { title, symbol } = app.form.glossary[name];
+      return row(name, title, symbol, [Number.isFinite(v) ? told(name, v) : "rigid"]);
+    });
+  const words = [row("", "Belt", "", [names?.belt ?? ""]), row("", "Lagging", "", [lagging])];
+  const heads = { si: [""], us: [""] };
+  return { key: "inputs", title: "Inputs", heads, note: "", rows: [...words, ...rows] };
+}
+
 /** All load cases side by side. @param {Judged} judged @returns {Table | null} */
 function summaryOf(judged) {
   if (judged.arcs.length < 2) return null;
@@ -129,7 +159,7 @@ function arcOf(judged, { load_case, solved, numbers }, of) {
     profile: {},
     tested: c.tested,
     outside: [],
-    tables: tablesOf(numbers).filter((t) => t.rows.length > 0),
+    tables: [...tablesOf(numbers).filter((t) => t.rows.length > 0), inputsOf(of, c)],
     table_sources: [],
     paper: null,
   };

@@ -1,0 +1,137 @@
+// The same drive with every lagging of the catalogue, or with belts of neighbouring rating.
+import { app, set } from "../static/base/design.js";
+import { dimensionOf, percent } from "../static/base/units.js";
+import { assemble } from "../static/pages/drive/assemble.js";
+import { beside } from "../static/pages/drive/beside.js";
+import { arcsOf, judge } from "../static/pages/drive/judge.js";
+import { leastOf } from "../static/pages/drive/least.js";
+import { inBoth } from "../static/pages/drive/whole.js";
+import { quantity, verdictOf } from "../static/pages/drive/words.js";
+
+/** @import { Design, Judging } from "../static/types.d.ts" */
+/** @typedef {{path: string, value: any}[]} Change */
+
+/** What a belt of the catalogue brings itself. */
+const OF_BELT = ["name", "kind", "modulus", "rating", "least_pulley_diameter"];
+const OWN = ["sources", "provenance"];
+
+/**
+ * As the server compares, but for what it costs.
+ * @param {{document: Design, load_case: string | null, what: string}} asked
+ * @param {any} data of the file
+ */
+export async function compared({ document: doc, load_case, what }, data) {
+  const rows = [];
+  const not_possible = [];
+  const arcs = [];
+  for (const { name, changed, change } of what === "belts" ? belts(doc, data) : laggings(doc)) {
+    const { judging, problems } = assemble(changed, data.book);
+    if (judging) arcs.push({ name, changed, change, judging: alone(judging, load_case) });
+    else not_possible.push({ name, problems });
+  }
+  for (const { name, changed, change, judging } of arcs) {
+    const numbers = await beside(arcsOf(judging));
+    const judged = numbers && judge(judging, changed, numbers);
+    if (judged) rows.push(rowOf(name, what, judged, judging, change, doc));
+    else not_possible.push({ name, problems: [{ path: "", message: "no answer was found" }] });
+  }
+  const { columns, remarks } = data.compare;
+  const [first] = arcs;
+  return {
+    pulley: doc.pulley[0].name,
+    load_case: first?.judging.cases[0].load_case ?? "",
+    ...{ columns, rows, not_possible, remarks: remarks[what] },
+  };
+}
+/** One load case of a drive. @param {Judging} judging @param {string | null} load_case */
+function alone(judging, load_case) {
+  const found = judging.cases.find((c) => c.load_case === load_case) ?? judging.cases[0];
+  return { ...judging, take_up: false, cases: [found] };
+}
+/** @param {Design} doc */
+const nameOf = (doc) => doc.pulley[0].lagging?.preset ?? doc.pulley[0].lagging;
+/** @param {Design} doc */
+function* laggings(doc) {
+  const own = nameOf(doc);
+  const names = app.catalogue.laggings.map((l) => l.name);
+  if (!names.includes(own)) yield { name: own, changed: doc, change: [] };
+  for (const name of names) {
+    const path = `pulley.${JSON.stringify(doc.pulley[0].name)}.lagging`;
+    const changed = name === own ? doc : set(doc, ["pulley", 0, "lagging"], name);
+    yield { name, changed, change: name === own ? [] : [{ path, value: name }] };
+  }
+}
+/** @param {Design} doc @param {any} data */
+function* belts(doc, data) {
+  const own = doc.belt.preset ?? doc.belt.name ?? "belt";
+  const names = neighbours(doc, data);
+  if (!names.includes(own)) yield { name: own, changed: doc, change: [] };
+  for (const name of names) {
+    const kept = Object.entries(doc.belt).filter(([k]) => ![...OF_BELT, ...OWN].includes(k));
+    const changed = { ...doc, belt: { ...Object.fromEntries(kept), preset: name } };
+    const gone = [...OF_BELT, ...OWN].map((k) => ({ path: `belt.${k}`, value: null }));
+    const change = [{ path: "belt.preset", value: name }, ...gone];
+    yield name === own ? { name, changed: doc, change: [] } : { name, changed, change };
+  }
+}
+/** Belts of each carcass whose rating is nearest, in the order of rating. @param {Design} doc
+ * @param {any} data @returns {string[]} */
+function neighbours(doc, data) {
+  const { judging } = assemble(doc, data.book);
+  if (!judging) return [];
+  const [{ criteria, prepared }] = judging.cases;
+  const tight = judging.cases.map((c) => Math.max(.../** @type {any} */ (c).tensions));
+  const rating = +criteria.rating || Math.max(...tight) / +prepared.given.width;
+  const all = Object.entries(/** @type {Record<string, any>} */ (data.book.belts));
+  return [...new Set(all.map(([, b]) => b.kind))].flatMap((kind) => {
+    const near = all.filter(([, b]) => b.kind === kind);
+    near.sort(([, a], [, b]) => far(a, rating) - far(b, rating));
+    const found = near.slice(0, data.compare.neighbours);
+    found.sort(([m, a], [n, b]) => a.rating - b.rating || (m < n ? -1 : 1));
+    return found.map(([name]) => name);
+  });
+}
+/** @param {{rating: number}} belt @param {number} rating */
+const far = (belt, rating) => Math.abs(Math.log(belt.rating / rating));
+
+/** @param {string} name @param {string} what @param {import("../static/pages/drive/judge.js").Judged} judged
+ * @param {Judging} judging @param {Change} change @param {Design} doc */
+function rowOf(name, what, judged, judging, change, doc) {
+  const [{ solved, numbers: n, load_case }] = judged.arcs;
+  const { level, short } = verdictOf(judged, load_case);
+  const lagging = app.catalogue.laggings.find((l) => l.name === name);
+  const belt = app.catalogue.belts.find((b) => b.name === name);
+  const of = solved ? Math.abs(n.exit_creep) / +judging.cases[0].prepared.given.creep_limit : none;
+  const known = (/** @type {number} */ v) => (solved ? v : none);
+  return {
+    ...{ name, level, short, change, condition: conditionOf(doc), cost_note: "" },
+    title: (what === "belts" ? belt?.kind : lagging?.title) ?? "",
+    kind: what === "belts" ? "" : (lagging?.kind ?? ""),
+    source: (what === "belts" ? belt : lagging)?.source ?? "",
+    present: change.length === 0,
+    cells: {
+      creep: cell("exit_creep", known(Math.abs(n.exit_creep))),
+      of_limit: share(of),
+      peak_shear_stress: cell("peak_shear_stress", known(n.peak_shear_stress)),
+      peak_shear_angle: cell("peak_shear_angle", known(n.peak_shear_angle)),
+      margin: cell("creep_limit_margin", n.creep_limit_margin),
+      least_slack: cell("least_exit_tension", leastOf(judged)?.tension ?? none),
+      power_loss: cell("power_loss", known(n.power_loss)),
+      outside: share(known(n.outside_tested_share)),
+    },
+  };
+}
+const none = Number.NaN;
+/** @param {Design} doc */
+const conditionOf = (doc) => (typeof doc.condition === "string" ? doc.condition : "");
+/** @param {string} name @param {number} v */
+function cell(name, v) {
+  const text = () => quantity(v, dimensionOf(name)) || "-";
+  const found = inBoth(() => ({ values: { si: text(), us: text() } })).values;
+  return { value: Number.isFinite(v) ? v : null, ...found };
+}
+/** @param {number} v */
+function share(v) {
+  const text = Number.isFinite(v) ? percent(v) : "-";
+  return { value: Number.isFinite(v) ? v : null, si: text, us: text };
+}
