@@ -33,11 +33,11 @@ def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
     visitor.load(UPHILL)
     names = [case.name for case in load_drive(UPHILL).load_cases]
     assert names == ["full", "empty", "start", "stop"]
-    picked = page.locator("#pick-case option")
+    picked = page.locator("#cases button")
     expect(picked).to_have_count(len(names))
-    page.select_option("#pick-case", index=3)
+    picked.nth(3).click()
     visitor.solved()
-    expect(page.locator("#pick-case option:checked")).to_contain_text("stop")
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("stop")
 
     # out: the tensions of the case on the screen stand in their fields
     page.get_by_role("button", name="Give the tensions themselves").click()
@@ -56,7 +56,7 @@ def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
         page.fill(f"#f-conveyor-{key}", text)
         page.press(f"#f-conveyor-{key}", "Tab")
     visitor.solved()
-    expect(page.locator("#pick-case option")).to_have_count(len(names))
+    expect(picked).to_have_count(len(names))
     doc = page.evaluate("() => JSON.parse(localStorage.getItem('wraparc.drafts'))[0].doc")
     assert set(doc["conveyor"]) == set(TYPED)
     # a wrong value is told at its field, with what is allowed

@@ -222,7 +222,14 @@ def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> No
     ).json()
     headline = page.locator("#verdict .headline").first
     for case in ("design", "empty", "start"):
-        page.locator("#pick-case").select_option(index=("design", "empty", "start").index(case))
+        chip = page.locator("#cases button").filter(has_text=case)
+        chip.click()
+        expect(chip).to_have_attribute("aria-pressed", "true")
+        arc = next(a for a in answer["arcs"] if a["load_case"] == case)
+        share = abs(arc["numbers"]["exit_creep"]) / arc["creep_limit"]
+        expect(chip).to_contain_text(f"{case} {100 * share:.3g} %")
+        sign = {"OK": "✓", "ATTENTION": "▲", "FAILS": "✕"}[arc["level"]]
+        expect(chip).to_contain_text(sign)
         expect(page.locator("#verdict .chosen")).to_contain_text(f"load case {case}")
         expect(headline).to_contain_text(answer["verdict"]["headline"]["si"])
         expect(page.locator("#verdict")).to_contain_text(answer["verdict"]["sentences"][0]["si"])

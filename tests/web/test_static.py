@@ -76,13 +76,13 @@ def test_every_module_and_style_is_used() -> None:
 
 def test_first_page_is_small_and_fetched_at_once() -> None:
     # what the first page loads, packed as the server sends it, with the styles of every page (61 kB
-    # with across, events and conveyor; it was 59); every module is named in the
-    # index, so that none waits for another that imports it
+    # with across, events and conveyor, 64 with load cases to press; it was 59); every module is
+    # named in the index, so that none waits for another that imports it
     first = imported("main.js", STATIC_IMPORT)
     index = (STATIC / "index.html").read_text("utf-8")
     assert set(re.findall(r"/static/([\w/]+\.js)", index)) == first
     whole = {"index.html", *first, *(name(p) for p in FILES if p.suffix == ".css")}
-    assert sum(len(gzip.compress((STATIC / n).read_bytes(), 9)) for n in whole) < 64_000
+    assert sum(len(gzip.compress((STATIC / n).read_bytes(), 9)) for n in whole) < 64_500
 
 
 @pytest.fixture

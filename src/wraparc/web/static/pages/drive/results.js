@@ -264,28 +264,47 @@ const keyFigures = (arc) =>
     figures(arc),
   );
 
-/** Choice of pulley and load case, where there are several. */
+/** Choice of pulley and load case, where there are several: each case with what it comes to. */
 function picks() {
-  const full = known();
   const names = app.doc.pulley.map((p) => p.name || "");
-  const cases = full ? [...new Set(full.arcs.map((a) => a.load_case))] : caseNames(app.doc);
-  const short = (/** @type {string} */ c) => {
-    const arc = full?.arcs.find((a) => a.load_case === c && a.pulley === names[app.pulley]);
-    return arc ? `: ${arc.short}` : "";
+  const arcs = known()?.arcs;
+  const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
+  const at = Math.max(0, cases.indexOf(app.case || cases[0]));
+  const to = (/** @type {number} */ i) => look({ case: i ? cases[i] : "" });
+  /** @param {string} name @param {number} i */
+  const chip = (name, i) => {
+    const arc = arcs?.find((a) => a.load_case === name && a.pulley === names[app.pulley]);
+    const share = arc?.status === "solved" && Math.abs(arc.numbers.exit_creep) / arc.creep_limit;
+    const creeps = share ? percent(share) : arc?.short;
+    return h(
+      "button",
+      {
+        type: "button",
+        key: name,
+        "aria-pressed": i === at,
+        onClick: () => to(i),
+        title: share ? `Creep is ${creeps} of its limit: ${arc?.short}` : "",
+      },
+      arc ? badge(arc.level, `${name} ${creeps}`) : name,
+    );
   };
+  const many = cases.length > MANY;
   return h(
     "span",
     { class: "inline" },
     pick("pick-pulley", "Pulley", names, app.pulley, (i) => look({ pulley: i })),
-    pick(
-      "pick-case",
-      "Load case",
-      cases.map((c) => c + short(c)),
-      Math.max(0, cases.indexOf(app.case || cases[0])),
-      (i) => look({ case: i ? cases[i] : "" }),
-    ),
+    many && pick("pick-case", "Load case", cases, at, to),
+    !many && cases.length > 1 && ["Load case ", h("span", CASES, cases.map(chip))],
   );
 }
+const MANY = 8; // load cases: more are a list
+const CASES = {
+  id: "cases",
+  class: "inline cases",
+  role: "group",
+  "aria-label": "Load case",
+  key: "cases",
+};
 /** @param {string} id @param {string} label @param {string[]} texts @param {number} at
  * @param {(i: number) => void} put */
 const pick = (id, label, texts, at, put) =>
