@@ -53,9 +53,9 @@ def capacity_rows(
         capacities_of_row(law_of(bank, which[i]), given[i], parts[i], steps, found[i], starts[i])
 
 
-#: rows of a chunk that are left to the interpreter: one takes 5 ms to 25 ms, with capacities 50 ms
+#: rows of a chunk that are left to the interpreter: one takes 5 ms to 25 ms, with capacities 10 ms
 #: to 150 ms; to load the compiled code takes 1 s, to compile it 10 s to 40 s
-FEW, FEW_WITH_CAPACITIES = 20, 4
+FEW, FEW_WITH_CAPACITIES = 20, 12
 
 
 def solve_precisely(
