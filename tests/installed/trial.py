@@ -190,6 +190,9 @@ def web() -> None:
     serve = partial(serving.run, settings, tell=lambda known: started.put(known.address))
     Thread(target=serve, daemon=True).start()
     _ask(started.get())
+    wraparc("page", DRIVE, "-o", "page.html")
+    page = Path("page.html").read_text("utf-8")
+    assert json.dumps(Path(DRIVE).read_text("utf-8"), ensure_ascii=False)[1:60] in page
 
 
 def _ask(address: str) -> None:

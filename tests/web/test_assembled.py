@@ -268,3 +268,52 @@ def test_what_the_server_refuses_the_page_refuses() -> None:
         told = [problem["path"] for problem in found["problems"]]
         assert told, (path, value)
         assert path.split(".")[0] in told[0], (path, told)
+
+
+JUNK: list[Any] = [
+    None,
+    [],
+    {},
+    5,
+    -1.5,
+    "x",
+    "",
+    True,
+    "5 kN",
+    ["dry"],
+    [{}],
+    {"name": "a"},
+    "1e999 m",
+]
+
+
+def spoilt(document: Data, pick: random.Random) -> Data:
+    """Return a document with junk in some place."""
+    after = deepcopy(document)
+    node: Any = after
+    while True:
+        keys: list[Any] = list(node) if isinstance(node, dict) else list(range(len(node)))
+        key = pick.choice(keys)
+        inner = node[key]
+        if not isinstance(inner, dict | list) or not inner or pick.random() < 0.3:
+            node[key] = pick.choice(JUNK)
+            return after
+        node = inner
+
+
+def test_junk_is_refused_and_never_thrown_over() -> None:
+    # expected: Python's reader; the page refuses all that it refuses
+    pick = random.Random(3)  # noqa: S311 - documents to try, no secrets
+    documents = [spoilt(some_drive(pick), pick) for _ in range(400)]
+    wrong: dict[int, Any] = {}
+    refused = 0
+    for i, (document, found) in enumerate(zip(documents, assembled(documents), strict=True)):
+        try:
+            read(document)
+        except InputError as error:
+            refused += 1
+            # what is said of sources decides on no number
+            if not found["problems"] and ".sources." not in str(error):
+                wrong[i] = str(error), document
+    assert wrong == {}
+    assert refused > 100

@@ -51,8 +51,9 @@ def require_pages() -> None:
 
     from wraparc.errors import MissingExtraError
 
-    if find_spec("pydantic") is None:
-        raise MissingExtraError("pydantic", "web")
+    for library in ("pydantic", "fastapi"):  # as the answers of the server do
+        if find_spec(library) is None:
+            raise MissingExtraError(library, "web")
 
 
 #: Files that are no drives, by a key that only they have.

@@ -10,6 +10,7 @@ import {
 } from "../../kernel.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { Reader } from "./reading.js";
+import { checkShape } from "./shape.js";
 import { standardOf } from "./standard.js";
 import { dataWords, filled, general, named, wordsOf } from "./wording.js";
 
@@ -60,6 +61,7 @@ function read(doc, book) {
     ratio: r.number("take_up", ["take_up", "sheave_ratio"]),
   };
   const name = r.text(["pulley", 0, "name"], true);
+  if (doc.take_up?.after === "") r.wrong(["take_up", "after"], "must not be empty");
   if (takeUp.after && takeUp.after !== name)
     r.wrong(["take_up", "after"], `no such pulley; the pulley is "${name}"`);
   if (takeUp.after && takeUp.kind === "fixed")
@@ -251,6 +253,9 @@ function lawOf(r, entry, condition, at) {
 export function assemble(doc, book) {
   const not = beyond(doc);
   if (not) return { judging: null, problems: [{ path: "", message: not, sentence: not }] };
+  const shape = new Reader(doc);
+  checkShape(shape);
+  if (shape.problems.length) return { judging: null, problems: shape.problems };
   const said = read(doc, book);
   const { r, lagging, cases } = said;
   const main = Array.isArray(doc.condition) ? doc.condition[0] : doc.condition;

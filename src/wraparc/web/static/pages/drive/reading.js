@@ -37,7 +37,7 @@ export class Reader {
     const key = String(path[path.length - 1]);
     const of = spec(section, key);
     const value = get(this.doc, path);
-    if (value == null || value === "") {
+    if (value == null) {
       if (of.required) this.wrong(path, "missing");
       return none;
     }
@@ -55,8 +55,9 @@ export class Reader {
   /** One of some words. @param {string} section @param {Path} path @returns {string} */
   choice(section, path) {
     const of = spec(section, String(path[path.length - 1]));
-    const value = get(this.doc, path) ?? "";
-    if (value === "" || of.options?.includes(value)) return value;
+    const value = get(this.doc, path);
+    if (value == null) return "";
+    if (of.options?.includes(value)) return value;
     this.wrong(path, `must be one of ${of.options?.join(", ")}`);
     return "";
   }
