@@ -32,6 +32,7 @@ from wraparc.batch import (
 from wraparc.batch.arcs import arcs_of_table
 from wraparc.batch.native import available, compiled
 from wraparc.batch.row import TENSIONS
+from wraparc.batch.solve import CHUNK
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
@@ -183,6 +184,16 @@ def test_no_cut_changes_a_bit(setting: Setting, monkeypatch: pytest.MonkeyPatch)
     for i in order[:5]:
         alone = solve_arcs(arcs.rows(slice(i, i + 1)), setting=setting)
         np.testing.assert_array_equal(whole.found[i : i + 1], alone.found)
+
+
+def test_the_last_few_of_many_precise_rows_are_not_interpreted() -> None:
+    """A batch of a chunk and five rows: in which of the two a row stands changes no bit."""
+    n = CHUNK["precise"] + 5
+    arcs = arcs_of_table(designs(n, 23), SHIPPED[0])
+    whole = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False).found
+    turned = np.roll(np.arange(n), 5)
+    again = solve_arcs(arcs.rows(turned), setting=Setting.PRECISE, capacities=False).found
+    np.testing.assert_array_equal(again, whole[turned])
 
 
 def test_many_laws_are_cut_with_their_chunk() -> None:

@@ -16,7 +16,7 @@ from wraparc.batch.sixth import carry_in_sixth, solve_in_sixth
 BESIDE = 0.02  # of ln tension, from pull to pull
 
 
-def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> Array:
+def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING, of: int | None = None) -> Array:
     """Rows of results (see :mod:`wraparc.batch.row`) of the precise setting.
 
     The kernel's march in the lanes does what it is made for. The rest is left to the scalar kernel,
@@ -28,10 +28,13 @@ def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> Array:
         The arcs.
     parts
         What is wanted.
+    of
+        Arcs of the whole batch, if these are a chunk of it: few are left to the interpreter, but
+        not the last few of many.
     """
     batch = LaneBatch(arcs)
     batch.find(parts, to_begin=True)
-    if not (available() and pays(len(arcs), FEW) and parts & row.TENSIONS):
+    if not (available() and pays(len(arcs) if of is None else of, FEW) and parts & row.TENSIONS):
         return solve_precisely(arcs, parts, batch.starts)
     found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
     left = np.full(len(arcs), parts)

@@ -111,7 +111,7 @@ def solve_arcs(
     found = np.empty((len(arcs), row.FOUND_NUMBERS))
 
     def run(which: slice) -> None:
-        found[which] = _chunk(arcs.rows(which), setting, parts)
+        found[which] = _chunk(arcs.rows(which), setting, parts, len(arcs))
 
     share_chunks(run, len(arcs), CHUNK[setting.value], threads, progress)
     return BatchResult(arcs, found)
@@ -178,10 +178,10 @@ def _tell(progress: Progress | None, done: int, total: int) -> None:
         progress(done, total)
 
 
-def _chunk(arcs: Arcs, setting: Setting, parts: int) -> Array:
+def _chunk(arcs: Arcs, setting: Setting, parts: int, of: int) -> Array:
     used = np.unique(arcs.law)
     if len(used) < len(arcs.laws) > len(arcs):
         arcs = arcs.with_laws(used)
     if setting is Setting.PRECISE:
-        return solve_from_lanes(arcs, parts)
+        return solve_from_lanes(arcs, parts, of)
     return solve_in_lanes(arcs, parts)[0]
