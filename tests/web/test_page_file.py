@@ -397,11 +397,11 @@ def test_site_has_calculator_and_examples(tmp_path: Path) -> None:
     assert "tandem-fabric.html" not in there
 
 
-@pytest.mark.parametrize("name", ["attention", "kept", "braking, US units", "breakaway"])
+@pytest.mark.parametrize("name", ["attention", "kept", "braking, US units", "breakaway", "wet"])
 @pytest.mark.parametrize("what", ["laggings", "belts"])
 def test_comparison_is_that_of_the_server(page_of: Any, name: str, what: Any) -> None:
     # expected: the server's own comparison, without what it costs
-    text = DRIVES[name][0]
+    text = 'condition = "wet"\n' + HEAD if name == "wet" else DRIVES[name][0]
     page = page_of(text)
     page.click("#nav-compare")
     page.get_by_label(what.capitalize(), exact=True).check(force=True)

@@ -10,6 +10,7 @@ from wraparc.checks import Level, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.changes import with_belt, with_lagging
+from wraparc.drive.conditions import Condition
 from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
@@ -174,8 +175,8 @@ def _candidates(asked: CompareRequest, drive: Drive, pulley: str) -> Iterable[_C
 
 
 def _like(conditions: tuple[Lagging, ...], own: Lagging) -> Lagging:
-    """Return the lagging in the condition of the present one, else in its first."""
-    return next((c for c in conditions if c.condition == own.condition), conditions[0])
+    """Return the lagging in the condition of the present one: a wet drive is compared wet."""
+    return Condition(name=own.condition).of(conditions)
 
 
 def _belts(names: list[str] | None, drive: Drive) -> Iterable[_Candidate]:
