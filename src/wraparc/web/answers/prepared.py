@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from pydantic import ConfigDict
+from pydantic import ConfigDict, GetJsonSchemaHandler
 
 from wraparc.arc import WrapArc
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Tensions
@@ -32,6 +32,25 @@ class Plain(Answer):
     """Numbers, those that JSON has none for as words: Infinity, NaN."""
 
     model_config = ConfigDict(ser_json_inf_nan="strings")
+
+    @classmethod
+    def __get_pydantic_json_schema__(
+        cls, core: Any, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Return the form of it, in which a number may be a word."""
+        found = handler(core)
+        _name_words(handler.resolve_ref_schema(found))
+        return found
+
+
+def _name_words(form: Any) -> None:
+    """Say of every number in a JSON schema by which words it may be told."""
+    if isinstance(form, dict) and form.get("type") == "number":
+        del form["type"]
+        form["anyOf"] = [{"type": "number"}, {"enum": ["NaN", "Infinity", "-Infinity"]}]
+    elif isinstance(form, dict | list):
+        for part in form.values() if isinstance(form, dict) else form:
+            _name_words(part)
 
 
 class Law(Answer):
