@@ -235,6 +235,27 @@ def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> No
         expect(page.locator("#verdict")).to_contain_text(answer["verdict"]["sentences"][0]["si"])
 
 
+def test_number_typed_over_what_could_not_be_read_takes_the_unit_of_its_field(
+    visitor: Visitor,
+) -> None:
+    # expected: what the field has always asked for, a number; and no level beside a load case
+    # while a value cannot be used
+    page = visitor.open("drive")
+    visitor.solved()
+    field, chips = page.locator("#f-pulley-0-exit_tension"), page.locator("#cases")
+    expect(chips.locator(".badge")).to_have_count(3)
+    field.fill("abc")
+    field.press("Tab")
+    expect(page.locator("#f-pulley-0-exit_tension-e")).to_contain_text("plain number")
+    expect(chips.locator(".badge")).to_have_count(0)
+    field.fill("70")
+    field.press("Tab")
+    visitor.solved()
+    expect(page.locator("#f-pulley-0-exit_tension-e")).to_be_empty()
+    expect(chips.locator(".badge")).to_have_count(3)
+    assert kept(page)["pulley"][0]["exit_tension"] == "70 kN"
+
+
 def test_best_is_bold_only_where_everything_is_kept(visitor: Visitor) -> None:
     page = visitor.open("compare")
     rows = page.locator("#compare tbody tr")

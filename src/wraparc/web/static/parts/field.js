@@ -145,7 +145,9 @@ export class Field extends Component {
     if (s.kind === "number") return this.put(split(t) && !split(t)?.unit ? +t : text);
     if (s.kind !== "quantity" || !s.dimension) return this.put(text);
     const bare = !/[a-z%°"'µ]/i.test(t.replace(/\de[-+]?\d+/i, "0"));
-    return this.put(bare ? `${t} ${shownUnit}`.trim() : t);
+    // behind what could not be read there is no unit: that of the field, if it needs one
+    const needs = !shownUnit && factor("", s.dimension) === undefined;
+    return this.put(bare ? `${t} ${needs ? unit(s.dimension)[0] : shownUnit}`.trim() : t);
   }
   /** Text and unit that the box shows. @returns {[string, string]} */
   text() {

@@ -267,7 +267,7 @@ const keyFigures = (arc) =>
 /** Choice of pulley and load case, where there are several: each case with what it comes to. */
 function picks() {
   const names = app.doc.pulley.map((p) => p.name || "");
-  const arcs = known()?.arcs;
+  const arcs = answer.problems.length ? undefined : known()?.arcs;
   const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const at = Math.max(0, cases.indexOf(app.case || cases[0]));
   const to = (/** @type {number} */ i) => look({ case: i ? cases[i] : "" });
