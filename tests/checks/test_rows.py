@@ -16,6 +16,7 @@ from wraparc import Constant, Drive, Lagging, Tensions, TestedRange, load_laggin
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.check import Place
 from wraparc.drive import CaseKind, Criteria, DesignStandard, Fit, SafetyFactors, Sag, TakeUp
+from wraparc.drive.conditions import SCALED
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.provenance import Kind, Provenance
 
@@ -74,7 +75,7 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
         "design_standard",
         lambda: quiet(entry=130e3, leaving=60e3, criteria=Criteria(standard=DesignStandard(
             name="DIN 22101", condition="wet", start_factor=2.0, binding=True))),
-        Level.FAILS, 60e3, 2.0 * 70e3 / math.expm1(0.35 * math.pi), "for 2 times the pull",
+        Level.FAILS, 60e3, 2.0 * 70e3 / math.expm1(0.35 * math.pi), "asks for at 2 times the pull",
     ),
     (
         "creep", lambda: quiet(creep_limit=1e-4), Level.ATTENTION, math.nan, 1e-4, "Creeps",
@@ -154,6 +155,26 @@ def test_a_row_alone_governs(
     assert governing.margin < 0.0
     if name not in ("usual_sizes",):
         assert governing.source
+
+
+@pytest.mark.parametrize(("name", "make"), [row[:2] for row in ROWS])
+def test_names_in_braces_are_names(name: str, make: Callable[[], Drive]) -> None:
+    # expected: what is told of the same drive under plain names, with the names as given
+    def told(lag: str, case: str, condition: str) -> list[str]:
+        made = make()
+        pulley = made.pulleys[0]
+        scaled = {SCALED: Provenance(Kind.MEASURED, source="x")}
+        named = replace(
+            pulley.lagging, name=lag, condition=condition, sources=scaled, notes=(condition,)
+        )
+        cases = (replace(made.load_cases[0], name=case),)
+        verdict = judged(replace(made, pulleys=(replace(pulley, lagging=named),), load_cases=cases))
+        return [c.sentence(system) for c in verdict.listed for system in ("si", "us")]
+
+    plain = "\n".join(told("NAME", "CASE", "STATE"))
+    for word, given in (("NAME", "{value} {x}"), ("CASE", "{0}"), ("STATE", "{}")):
+        plain = plain.replace(word, given)
+    assert "\n".join(told("{value} {x}", "{0}", "{}")) == plain
 
 
 def test_a_belt_at_190_per_cent_of_its_rating_fails() -> None:

@@ -175,8 +175,8 @@ def _worst_place(
         ("uneven_pressure", "Largest wrap pressure across the width, tested",
          result.largest_pressure, None if tested is None else tested.pressure_max, "pressure",
          tests_of(pulley) if tested else "",
-         f"{strip} presses with {{value}}, above the {{limit}} that lagging {lagging.name} was "
-         "tested to.", "pressure above tests"),
+         f"{strip} presses with {{value}}, above the {{limit}} that lagging "
+         f"{escaped(lagging.name)} was tested to.", "pressure above tests"),
         ("uneven_face_pressure", "Pressure on the pulley face across the width",
          result.largest_pressure, drive.belt.largest_wrap_pressure, "pressure",
          origin(drive.belt.source_of("largest_wrap_pressure")),

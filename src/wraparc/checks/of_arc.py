@@ -106,7 +106,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
     chosen = "" if criteria.standard.name else " No standard was chosen: CEMA was taken."
     start = ""
     if criteria.standard.start_factor != 1.0 and case.kind == "running":
-        start = f" for {criteria.standard.start_factor:g} times the pull"
+        start = f" at {criteria.standard.start_factor:g} times the pull"
     return judged(
         standard_rule(criteria),
         f"Slack side by {found.rule}",
@@ -282,8 +282,8 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
         "length",
         source=tests_of(pulley),
         short="slip beyond tests",
-        says=f"The slip {{value}} is beyond the {{limit}} that lagging {pulley.lagging.name} was "
-        "tested to: there the friction is an extrapolation.",
+        says="The slip {value} is beyond the {limit} that lagging "
+        f"{escaped(pulley.lagging.name)} was tested to: there the friction is an extrapolation.",
         remedy="Raise the slack-side tension, or test the lagging to this slip.",
         place=place,
     )
@@ -304,8 +304,8 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
             source=tests_of(pulley),
             short="slips faster than tests",
             says="The belt slips at up to {value}, where the tests of lagging "
-            f"{pulley.lagging.name} ran at {{limit}}: how its friction changes with speed is not "
-            "known.",
+            f"{escaped(pulley.lagging.name)} ran at {{limit}}: how its friction changes with "
+            "speed is not known.",
             remedy="Test the lagging at this speed, or keep a larger safety factor.",
             binding=False,
             place=place,

@@ -29,7 +29,8 @@ def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
             f"Lagging {lagging.name} was not tested {lagging.condition}: its law is a tested one "
             f"scaled as a whole ({lagging.notes[-1]})."
         ),
-        remedy=f"Test the lagging {lagging.condition}, or keep more slack-side tension in hand.",
+        remedy=f"Test the lagging {escaped(lagging.condition)}, or keep more slack-side tension in "
+        "hand.",
         binding=False,
     )
 

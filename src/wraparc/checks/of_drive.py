@@ -184,7 +184,8 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
             source=tests_of(pulley),
             short=f"pressure {more} tests",
             says=f"The wrap pressure {{value}} is {more} the {{limit}} that lagging "
-            f"{pulley.lagging.name} was tested to: there the friction is an extrapolation.",
+            f"{escaped(pulley.lagging.name)} was tested to: there the friction is an "
+            "extrapolation.",
             remedy=remedy,
             place=place,
         )
