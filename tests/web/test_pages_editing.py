@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from cli.running import wraparc
 from web.browser import Calculator, Visitor
-from web.calculators import document
+from web.calculators import document, wait_for
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -233,6 +233,26 @@ def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> No
         expect(page.locator("#verdict .chosen")).to_contain_text(f"load case {case}")
         expect(headline).to_contain_text(answer["verdict"]["headline"]["si"])
         expect(page.locator("#verdict")).to_contain_text(answer["verdict"]["sentences"][0]["si"])
+
+
+def test_late_word_on_a_load_case_does_not_bring_it_back(visitor: Visitor) -> None:
+    # expected: the case that is pressed, when the server's word on another comes after it
+    page = visitor.open("drive")
+    visitor.solved()
+    chips, chosen = page.locator("#cases button"), page.locator("#verdict .chosen")
+    held: list[Route] = []
+    page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
+    chips.filter(has_text="empty").click()
+    expect(chosen).to_contain_text("load case empty")
+    wait_for(lambda: page.evaluate("true") and held)
+    chips.filter(has_text="start").click()
+    expect(chosen).to_contain_text("load case start")
+    held.pop(0).continue_()
+    wait_for(lambda: page.evaluate("true") and held)  # the one behind it
+    with page.expect_response("**/api/v1/solve/fast"):
+        held.pop(0).continue_()
+    visitor.painted()
+    expect(chosen).to_contain_text("load case start")
 
 
 def test_number_typed_over_what_could_not_be_read_takes_the_unit_of_its_field(

@@ -131,7 +131,8 @@ async function quickOnce(doc) {
     const found = await ask("solve/fast", { document: doc, ...arc, ...how });
     if (found.sequence === 1) performance.mark("answered");
     base = { ...of, answer: found };
-    take(found, doc === app.doc && !wanted ? doc : null);
+    const looked = of.pulley === app.pulley && of.case === app.case;
+    take(found, doc === app.doc && looked && !wanted ? doc : null);
     if (doc === app.doc) told([]);
     settle();
   } catch (x) {
