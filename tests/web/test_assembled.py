@@ -317,3 +317,34 @@ def test_junk_is_refused_and_never_thrown_over() -> None:
                 wrong[i] = str(error), document
     assert wrong == {}
     assert refused > 100
+
+
+@pytest.mark.parametrize("junk", ["x", "-5", "1,5 m", True])
+def test_junk_in_every_field_is_refused(junk: Any) -> None:
+    # expected: Python's reader, of every number, choice and switch that the form has for a drive
+    documents: dict[str, Data] = {}
+    for section in form().sections:
+        if section.key in ("conveyor", "train", "lagging", "load_case") or "." in section.title:
+            continue
+        for field in section.fields:
+            keys: list[Any] = [part for part in field.path.split(".") if part]
+            if field.kind not in ("quantity", "number", "choice", "flag") or len(keys) > 2:
+                continue
+            document = deepcopy(SHIPPED["head-drive-fabric"])
+            node: Any = document
+            if len(keys) == 2:
+                node = document.setdefault(keys[0].removesuffix("[]"), {})
+                node = node[0] if keys[0].endswith("[]") else node
+            node[keys[-1]] = junk
+            documents[field.path] = document
+    assert len(documents) > 25
+    wrong = {}
+    for (path, document), found in zip(
+        documents.items(), assembled(list(documents.values())), strict=True
+    ):
+        try:
+            read(document)
+        except InputError as error:
+            if not found["problems"]:
+                wrong[path] = str(error)
+    assert wrong == {}

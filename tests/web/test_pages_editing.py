@@ -25,6 +25,9 @@ def clerk(calculator: Calculator) -> Iterator[Visitor]:
     assert found.wrong == []
 
 
+LOAD = ("entry_tension", "exit_tension", "effective_tension", "power", "torque")
+
+
 def kept(page: Page) -> Any:
     """Return the design of the newest draft that the browser keeps."""
     return json.loads(page.evaluate("localStorage.getItem('wraparc.drafts')"))[0]["doc"]
@@ -239,6 +242,7 @@ def test_late_word_on_a_load_case_does_not_bring_it_back(visitor: Visitor) -> No
     # expected: the case that is pressed, when the server's word on another comes after it
     page = visitor.open("drive")
     visitor.solved()
+    page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
     chips, chosen = page.locator("#cases button"), page.locator("#verdict .chosen")
     held: list[Route] = []
     page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
@@ -253,6 +257,46 @@ def test_late_word_on_a_load_case_does_not_bring_it_back(visitor: Visitor) -> No
         held.pop(0).continue_()
     visitor.painted()
     expect(chosen).to_contain_text("load case start")
+
+
+def test_load_given_by_other_numbers_is_the_same_load(visitor: Visitor) -> None:
+    # expected: Te = T1 - T2, power Te v, torque Te D/2, of 150 kN and 60 kN, 3 m/s, 800 mm; the
+    # headline of every load case as it was
+    page = visitor.open("drive")
+    visitor.solved()
+    headline, chips = page.locator("#verdict .headline").first, page.locator("#cases")
+    before = headline.inner_text(), chips.inner_text()
+
+    def given() -> dict[str, str]:
+        pulley = kept(page)["pulley"][0]
+        return {key: pulley[key] for key in LOAD if key in pulley}
+
+    pair = page.get_by_label("Load given by")
+    for k, expected in enumerate(
+        (
+            {"entry_tension": "150 kN", "effective_tension": "90 kN"},
+            {"exit_tension": "60 kN", "effective_tension": "90 kN"},
+            {"entry_tension": "150 kN", "power": "270 kW"},
+            {"exit_tension": "60 kN", "power": "270 kW"},
+            {"entry_tension": "150 kN", "torque": "36 kN m"},
+            {"exit_tension": "60 kN", "torque": "36 kN m"},
+            {"entry_tension": "150 kN", "exit_tension": "60 kN"},
+        )
+    ):
+        pair.select_option(index=(k + 1) % 7)
+        expect(page.locator(f"#f-pulley-0-{list(expected)[1]}")).not_to_have_value("")
+        visitor.solved()
+        assert given() == expected
+        assert (headline.inner_text(), chips.inner_text()) == before
+    # in gross slip too, where what was solved is another state
+    page.fill("#f-pulley-0-exit_tension", "4")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    visitor.solved()
+    expect(headline).to_contain_text("FAILS")
+    pair.select_option(index=1)
+    expect(page.locator("#f-pulley-0-effective_tension")).to_have_value("146")
+    visitor.solved()
+    expect(headline).to_contain_text("FAILS")
 
 
 def test_number_typed_over_what_could_not_be_read_takes_the_unit_of_its_field(

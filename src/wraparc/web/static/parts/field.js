@@ -68,7 +68,7 @@ function places(range, f, now) {
 }
 /** @param {Spec} s */
 function allowed({ dimension, allowed: text, least, most }) {
-  if (!dimension || text == null) return "";
+  if (!dimension || !text) return "";
   const [u, f] = unit(dimension);
   const end = (/** @type {number} */ v) => `${trim(v / f, 4)} ${u}`.trim();
   const from = least != null && least > 0 && `from ${end(least)}`;

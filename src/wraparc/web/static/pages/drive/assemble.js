@@ -105,6 +105,7 @@ function beltOf(r, book) {
   const modulus = over("modulus", preset?.modulus);
   if (Number.isNaN(modulus) && belt.modulus == null && !belt.preset)
     r.wrong(["belt", "modulus"], "missing");
+  number("in_plane_shear_stiffness"); // of no number here, and refused where it is none
   return {
     width: number("width"),
     speed: number("speed"),

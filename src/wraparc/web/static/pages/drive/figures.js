@@ -55,7 +55,11 @@ function lateFigures(arc) {
   const idle = arc.numbers.effective_tension === 0;
   const found = known()?.least_tension;
   const least = found
-    ? { value: words(found.shown), small: "every binding check kept", level: found.level }
+    ? {
+        value: words(found.shown),
+        small: words(found.shown) === "none" ? "keeps every check" : "every binding check kept",
+        level: found.level,
+      }
     : { value: "–", small: idle ? "no pull to carry" : "" };
   const ratio = m.creep_limit_capacity;
   return [

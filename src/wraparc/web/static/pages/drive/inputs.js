@@ -2,7 +2,6 @@
 
 import { app, change, edit, get, set } from "../../base/design.js";
 import { freeName, nameCheck, renameCase, renamePulley } from "../../base/names.js";
-import { written } from "../../base/units.js";
 import { choose } from "../../parts/choose.js";
 import { field, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
@@ -31,10 +30,10 @@ const group = (title, rows) => h("fieldset", { key: title }, h("legend", {}, tit
 
 /** The load of a pulley: of the conveyor, of the train, or as given. @param {number} i
  * @param {Now} now */
-const loadOf = (i, now) => [...(app.doc.conveyor ? [] : load(i, now)), ...conveyor(now)];
+const loadOf = (i, now) => [...(app.doc.conveyor ? [] : load(i)), ...conveyor(now)];
 
-/** Which two of tension, pull, power and torque are given. @param {number} i @param {Now} now */
-function load(i, now) {
+/** Which two of tension, pull, power and torque are given. @param {number} i */
+function load(i) {
   const p = app.doc.pulley[i];
   const given = TENSIONS.filter((t) => p[t] !== undefined);
   if (app.doc.train && !given.length)
@@ -47,7 +46,7 @@ function load(i, now) {
   const pick = choose(
     PAIRS.indexOf(found || PAIRS[0]),
     PAIRS.map((pair, k) => [k, keysOf(pair).map(sign).join(" and ")]),
-    (k) => give(i, keysOf(PAIRS[+k]), now),
+    (k) => give(i, keysOf(PAIRS[+k])),
     `pair-${i}`,
   );
   return [
@@ -63,19 +62,8 @@ function load(i, now) {
 }
 /** @param {string} key */
 const sign = (key) => tensionSpec(key).symbol || tensionSpec(key).title;
-/**
- * Give the same load by two other numbers.
- * @param {number} i @param {string[]} keys @param {Now} now
- */
-function give(i, keys, now) {
-  const next = { ...app.doc.pulley[i] };
-  const numbers = now();
-  for (const t of TENSIONS) if (!keys.includes(t)) delete next[t];
-  for (const t of keys)
-    if (next[t] == null && numbers && Number.isFinite(numbers[t]))
-      next[t] = written(numbers[t], tensionSpec(t).dimension || "force", 5);
-  change(set(app.doc, ["pulley", i], next));
-}
+/** Give the same load by two other numbers. @param {number} i @param {string[]} keys */
+const give = async (i, keys) => change((await import("./load.js")).givenBy(app.doc, i, keys));
 
 /** @param {number} i */
 function pulley(i) {

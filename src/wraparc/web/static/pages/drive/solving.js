@@ -1,7 +1,6 @@
 // Answers: one arc while the hand moves, by the page itself where it can; all once it rests.
 import { app, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
-import { si } from "../../base/units.js";
 import { mark } from "../../parts/problems.js";
 
 /** @import { Design, FullAnswer, FullArc, Problem, QuickAnswer } from "../../types.d.ts" */
@@ -35,16 +34,15 @@ export const wholeArc = () =>
     (a) => a.pulley === answer.quick?.pulley && a.load_case === answer.quick?.load_case,
   );
 /**
- * Numbers of a pulley by the last answer, if they are of the present document.
+ * Tensions of a pulley by the last answer, if that is of the present document and of a state that
+ * is.
  * @param {number} i
  */
 export function nowOf(i) {
   const { quick, quickDoc } = answer;
-  const pulley = app.doc.pulley[i];
-  if (!quick || quickDoc !== app.doc || quick.pulley !== pulley.name) return null;
-  const { entry_tension, exit_tension, effective_tension, transmitted_power } = quick.numbers;
-  const torque = (effective_tension * si(pulley.diameter, "length")) / 2;
-  return { entry_tension, exit_tension, effective_tension, power: transmitted_power, torque };
+  const { name } = app.doc.pulley[i];
+  if (!quick || quickDoc !== app.doc || quick.pulley !== name) return null;
+  return quick.status === "solved" ? quick.numbers : null;
 }
 
 /** @type {() => void} */

@@ -149,6 +149,8 @@ function arcOf(judged, { load_case, solved, numbers }, of) {
   const c = /** @type {Judging["cases"][number]} */ (
     of.cases.find((x) => x.load_case === load_case)
   );
+  // in gross slip there is no state at rest to tell of
+  const told = tablesOf(numbers).filter((t) => solved || t.key === "capacity");
   return {
     pulley: of.names?.pulley ?? "",
     load_case,
@@ -159,7 +161,7 @@ function arcOf(judged, { load_case, solved, numbers }, of) {
     profile: {},
     tested: c.tested,
     outside: [],
-    tables: [...tablesOf(numbers).filter((t) => t.rows.length > 0), inputsOf(of, c)],
+    tables: [...told.filter((t) => t.rows.length > 0), inputsOf(of, c)],
     table_sources: [],
     paper: null,
   };
