@@ -249,6 +249,23 @@ def test_saved_file_is_opened_again(page_of: Any, tmp_path: Path) -> None:
     assert saved(page, tmp_path / "again.toml") == other.read_text("utf-8")
 
 
+def test_what_is_left_to_the_program_is_no_failure(page_of: Any) -> None:
+    # expected: `wraparc solve` finds nothing wrong with either drive, and the page does not judge
+    page = page_of(HEAD)
+    page.wait_for_selector(READY)
+    alert = page.locator("#results [role=alert]")
+    page.fill("#f-pulley-0-exit_tension", "150")  # as T1: an idle pulley
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    expect(alert).to_contain_text("NOT CHECKED Not solved in this page")
+    expect(alert).not_to_contain_text("FAILS")
+    with page.expect_file_chooser() as asked:
+        page.click("#file > summary")
+        page.get_by_role("button", name="Open a drive file").click()
+    asked.value.set_files(EXAMPLES / "tandem-fabric.toml")
+    expect(alert).to_contain_text("Several pulleys on one belt are not solved in this page")
+    expect(alert).not_to_contain_text("still needed")
+
+
 def test_a_drive_typed_from_nothing_is_solved(page_of: Any, tmp_path: Path) -> None:
     page = page_of(HEAD)
     page.click("#file > summary")

@@ -84,6 +84,8 @@ export interface Problem {
   path: string;
   message: string;
   sentence?: string;
+  /** Of a drive that is right and that a page without a server does not solve. */
+  beyond?: boolean;
 }
 export interface Verdict {
   level: Level;

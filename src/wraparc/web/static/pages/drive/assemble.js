@@ -253,7 +253,8 @@ function lawOf(r, entry, condition, at) {
  */
 export function assemble(doc, book) {
   const not = beyond(doc);
-  if (not) return { judging: null, problems: [{ path: "", message: not, sentence: not }] };
+  if (not)
+    return { judging: null, problems: [{ path: "", message: not, sentence: not, beyond: true }] };
   const shape = new Reader(doc);
   checkShape(shape);
   if (shape.problems.length) return { judging: null, problems: shape.problems };
@@ -268,7 +269,9 @@ export function assemble(doc, book) {
   const steep = made.findIndex((m) => unjudged(m.prepared.law, m.prepared.given));
   if (steep >= 0) {
     const { law, given } = made[steep].prepared;
-    r.wrong(steepPath(doc, cases[steep]), NOT_HERE[unjudged(law, given)]);
+    const why = unjudged(law, given);
+    r.wrong(steepPath(doc, cases[steep]), NOT_HERE[why]);
+    r.problems[r.problems.length - 1].beyond = why > 1;
   }
   if (r.problems.length || !usual) return { judging: null, problems: r.problems };
   return { judging: judgingOf(said, usual, made, book), problems: [] };

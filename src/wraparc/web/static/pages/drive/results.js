@@ -178,6 +178,14 @@ function whatIsWrong(before) {
   const empty = answer.problems.filter(toFillIn);
   const n = answer.problems.length - empty.length;
   const below = before ? "; the answer below is of the last drive that could" : "";
+  const not = answer.problems.filter((p) => p.beyond);
+  if (not.length)
+    return h(
+      "div",
+      { class: "verdict" },
+      h("p", { class: "headline" }, badge("NOT CHECKED"), ` Not solved in this page${below}.`),
+      list(not.map(sentence)),
+    );
   const values = n === 1 ? "One value" : `${n} values`;
   const shown = answer.unplaced.length ? answer.unplaced : answer.problems;
   if (n > 0)
@@ -223,7 +231,8 @@ function verdicts(arc) {
   if (!several && arc.level) return [h("div", { key: "governing" }, verdict(arc.verdict))];
   if (!full || answer.foreign)
     return [h("p", { class: "help", key: "governing" }, "All load cases are being solved."), own];
-  const solving = h("p", { class: "help" }, "All is being solved anew; before the change:");
+  const now = answer.problems.length ? "Before" : "All is being solved anew; before";
+  const solving = h("p", { class: "help" }, `${now} the change:`);
   return [
     h(
       "div",
