@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc.kernel import answer
+from wraparc.arc.kernel.least_slack import HIGHEST
 from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED
 from wraparc.batch import lane_slots as slot
 from wraparc.batch import row
@@ -99,7 +100,7 @@ class LaneBatch:
         pressure = self.of("entry_tension") / (self.of("width") * self.of("radius"))
         self.asks_pull = self.pull > 1e-6 * self.of("entry_tension")
         top = self.of("pressure_max") * self.of("width") * self.of("radius")
-        self.top = np.where(np.isnan(top), 1e3 * self.of("entry_tension"), top)
+        self.top = np.where(np.isnan(top), HIGHEST * self.of("entry_tension"), top)
         softens = self.of("steepest_fall") < 0.0
         refused = self.of("shear") * pressure * self.of("steepest_fall") <= -1.0
         self.found[:, row.OUTCOME] = np.where(refused, REFUSED, SOLVED)

@@ -260,12 +260,12 @@ def _peak_of(
 
     `near` narrows the search to the neighbourhood of an earlier result, moved as the peak asks.
     """
-    coarse = min(PEAK_STEPS, steps)
     top = largest_effort(law, par)
     low, high = (0.0 if jumps(law) else effort_of(par, par.side * 1e-5)), top
-    buffer = _opened(law, par, coarse, table)
     z, reach = near, NEARBY
     if near == -inf:
+        coarse = min(PEAK_STEPS, steps)
+        buffer = _opened(law, par, coarse, table)
         # static and residual friction may each have a maximum: which is the larger?
         parts, best, at = 8, -inf, 0
         for i in range(parts + 1):

@@ -4485,15 +4485,15 @@ export function gross_slip___opened(law, par, steps, table) {
 
 /** Largest ln(tight/slack) over effort, the creep there [m] and the effort. */
 export function gross_slip___peak_of(law, par, near, steps, table) {
-  let at, best, end, i, left, near_end, parts, right, shot, span, value;
-  let coarse = min(PEAK_STEPS, steps);
+  let at, best, buffer, coarse, end, i, left, near_end, parts, right, shot, span, value;
   let top = effort__largest_effort(law, par);
   let low = effort__jumps(law) ? 0.0 : effort__effort_of(par, par.side * 1e-5);
   let high = top;
-  let buffer = gross_slip___opened(law, par, coarse, table);
   let z = near;
   let reach = 0.02;
   if (near === -Infinity) {
+    coarse = min(PEAK_STEPS, steps);
+    buffer = gross_slip___opened(law, par, coarse, table);
     parts = 8;
     best = -Infinity;
     at = 0;

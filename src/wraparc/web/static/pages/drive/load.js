@@ -1,5 +1,5 @@
 // The same load given by two other numbers, found from those of the drive file alone.
-import { get, set } from "../../base/design.js";
+import { set } from "../../base/design.js";
 import { note } from "../../base/server.js";
 import { si, written } from "../../base/units.js";
 import {
@@ -34,8 +34,8 @@ export function givenBy(doc, i, keys) {
   const fixed = doc.take_up?.kind === "fixed";
   /** @param {any} of @returns {Record<string, number>} */
   const all = (of) => {
-    const tension = Number.isNaN(of.entry_tension + of.exit_tension);
-    const pull = tension ? pullOf(of, diameter, speed) : of.entry_tension - of.exit_tension;
+    const ends = of.entry_tension - of.exit_tension;
+    const pull = Number.isNaN(ends) ? pullOf(of, diameter, speed) : ends;
     const both = bothOf(of, diameter, speed);
     return {
       entry_tension: (both + pull) / 2,
@@ -69,8 +69,7 @@ export function givenBy(doc, i, keys) {
       return;
     const both = Object.fromEntries(ends.map((key) => [key, own[key] ?? text(key, was[key])]));
     const rest = Object.fromEntries(Object.entries(own).filter(([key]) => !TENSIONS.includes(key)));
-    const at = ["load_case", k, "pulley", name];
-    if (get(doc, at)) changed = set(changed, at, { ...rest, ...both });
+    changed = set(changed, ["load_case", k, "pulley", name], { ...rest, ...both });
   });
   return changed;
 }
