@@ -5,6 +5,7 @@ import hashlib
 import json
 import re
 import subprocess
+import zlib
 from collections.abc import Iterator
 from html import unescape
 from pathlib import Path
@@ -388,7 +389,8 @@ def test_a_report_carries_the_page_of_its_drive(tmp_path: Path) -> None:
     )  # fmt: skip
     assert code == 0
     assert said.splitlines()[-1] == f"Wrote {html}"
-    data = json.loads(re.findall(r'id="data">(.*?)</script>', html.read_text("utf-8"), re.S)[0])
+    packed = re.findall(r'id="data">(.*?)</script>', html.read_text("utf-8"), re.S)[0]
+    data = json.loads(zlib.decompress(base64.b64decode(packed)))
     document = data["start"]["document"]
     assert document["pulley"][0]["exit_tension"] == "70 kN"
     assert (document["creep_limit"], document["condition"]) == ("9 mm", ["wet"])

@@ -9,6 +9,7 @@ import hashlib
 import html
 import json
 import re
+import zlib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -72,13 +73,17 @@ def page_file(document: Document, name: str, text: str) -> str:
         "title": html.escape(str(document.get("title") or name)),
         "icon": f"data:image/svg+xml;base64,{icon}",
         "style": style,
-        # no text of a drive ends the element that holds it
-        "data": data.replace("<", "\\u003c"),
+        "data": packed(data),
         "solver": solver,
         "program": program,
     }
     frame = (_FOLDER / "page.html").read_text("utf-8")
     return _PLACE.sub(lambda found: parts[found[1]], frame)
+
+
+def packed(text: str) -> str:
+    """Return a text compressed, in letters that end no element; browsers have the way back."""
+    return base64.b64encode(zlib.compress(text.encode("utf-8"), 9)).decode("ascii")
 
 
 @cache

@@ -16,7 +16,14 @@ export * from "../static/base/server.js";
 
 /** @import { Design, Judging } from "../static/types.d.ts" */
 
-const data = JSON.parse(document.getElementById("data")?.textContent ?? "{}");
+/** What the file knows, unpacked. @type {any} */
+let data = null;
+const unpacked = (async () => {
+  const letters = atob(document.getElementById("data")?.textContent ?? "");
+  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  data = JSON.parse(await new Response(plain).text());
+})();
 /** The text that the present design was read from, and its document then. */
 let source = { text: "", document: /** @type {any} */ (null), opened: 0 };
 /** @param {string} text @param {any} document */
@@ -74,6 +81,7 @@ const ANSWERS = {
 /** As of the server. @param {string} path @param {any} [asked] @param {any} [_how]
  * @returns {Promise<any>} */
 export async function ask(path, asked, _how) {
+  await unpacked;
   const [first, name] = path.split("/");
   if (first === "examples") {
     const { toml, document } = data.examples[name];
