@@ -39,7 +39,6 @@ ENTRIES = (
     numbers.margin_of,
     numbers.order_of,
     answer.answer,
-    answer.at_gross_slip,
     answer.profile_of,
     answer.profile_size,
     answer.find_capacities,

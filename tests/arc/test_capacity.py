@@ -197,11 +197,9 @@ def test_gross_slip_of_a_softening_law_is_the_largest_ratio_there_is(
     below = solve(replace(arc, exit_tension=tight * math.exp(-0.9999 * ratio)))
     assert below.status is Status.SOLVED
     assert below.exit_creep < creep
-    # just above it nothing carries, and the answer is the largest ratio
+    # just above it nothing carries
     above = solve(replace(arc, exit_tension=tight * math.exp(-1.0001 * ratio)))
     assert above.status is Status.BREAKAWAY
-    assert math.log(above.tension_ratio) == pytest.approx(ratio, rel=1e-6)
-    assert above.exit_creep == pytest.approx(creep, rel=0.01)
 
 
 def test_a_ratio_that_hardly_rises_any_more_is_largest_at_the_highest_creep() -> None:
@@ -259,13 +257,14 @@ def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
         result = Compiled(points=18).solve(asked)
         assert result.status is Status.BREAKAWAY
         assert not result.within_creep_limit
-        # the tight side is kept, and the slack side falls as far as it can
-        found = max(result.tension_ratio, 1 / result.tension_ratio)
-        tight = max(result.entry_tension, result.exit_tension)
-        assert tight == pytest.approx(tight_of(arc), rel=1e-7)
-        assert gross**0.97 < found <= gross * (1 + 1e-6)
-        ends = result.profile.tension[[0, -1]]
-        assert ends == pytest.approx([result.entry_tension, result.exit_tension], rel=1e-9)
+        # the tensions are those asked for, and no state between them is told
+        told = {name: value for name, value in result.scalars().items() if value == value}
+        asked_for = {"entry_tension", "exit_tension", "tension_ratio", "effective_tension"}
+        assert told.keys() == asked_for | told.keys() & vars(result.capacities).keys()
+        assert (result.entry_tension, result.exit_tension) == (
+            asked.entry_tension, asked.exit_tension,
+        )  # fmt: skip
+        assert len(result.profile) == 0
         assert result.capacities.gross_slip_capacity == pytest.approx(gross, rel=1e-7)
         assert result.capacities.gross_slip_margin == pytest.approx(0.5, rel=1e-7)
 

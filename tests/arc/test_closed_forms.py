@@ -325,7 +325,6 @@ def test_scaling_width_and_tensions_changes_nothing(name: str, factor: float) ->
 def test_no_friction_carries_nothing(law: FrictionLaw) -> None:
     result = Distributed().solve(replace(ARC, law=law))
     assert result.status is Status.BREAKAWAY
-    assert result.tension_ratio - 1 <= 1e-6 * math.pi * (1 + 2e-6)
     assert result.capacities.gross_slip_capacity - 1 == pytest.approx(1e-6 * math.pi, rel=1e-5)
     assert result.capacities.creep_limit_capacity - 1 <= 1e-6 * math.pi * (1 + 2e-6)
 

@@ -121,7 +121,7 @@ def test_the_paper_march_has_no_least_tension() -> None:
     assert told.level is Level.ATTENTION
     assert not any("least slack-side" in s for s in told.sentences)
     broken = solve(drive(150e3, 2e3), method=PaperMarch(), raise_on_failure=False)
-    assert any("the largest the friction can carry is" in s for s in verdict(broken).sentences)
+    assert "Gross slip" in verdict(broken).headline
 
 
 def test_a_surface_without_design_values_is_not_compared() -> None:

@@ -11,8 +11,11 @@ const told = (value) =>
   );
 
 function solved({ law, geometry, load, steps, points, parts }) {
-  let found = kernel.answer__answer(law, geometry, load, steps);
-  if (found.outcome === 1) found = kernel.answer__at_gross_slip(law, geometry, load, steps);
+  const found = kernel.answer__answer(law, geometry, load, steps);
+  const capacities = parts
+    ? [...kernel.answer__find_capacities(law, geometry, load, parts, steps)]
+    : [];
+  if (found.outcome !== 0) return { outcome: found.outcome, capacities };
   const out = new Float64Array(kernel.answer__profile_size(law, found, points));
   const [shot, count] = kernel.answer__profile_of(law, found, load.exit_tension, points, out);
   const { pressure_min, pressure_max, slip_max } = load;
@@ -26,7 +29,7 @@ function solved({ law, geometry, load, steps, points, parts }) {
     outside: kernel.profile__share_outside(
       found.par, out, count, pressure_min, pressure_max, slip_max,
     ),
-    capacities: parts ? [...kernel.answer__find_capacities(law, geometry, load, parts, steps)] : [],
+    capacities,
   };
 }
 process.stdout.write(told(read(readFileSync(0, "utf-8")).map(solved)));

@@ -16,12 +16,11 @@ from wraparc.arc import WrapArc
 from wraparc.arc.kernel.answer import (
     CAPACITIES,
     answer,
-    at_gross_slip,
     find_capacities,
     profile_of,
     profile_size,
 )
-from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, zeros
+from wraparc.arc.kernel.quantities import RECORD, SOLVED, zeros
 from wraparc.arc.profile import active_length, peak_stress, share_outside
 
 STEPS, POINTS = 24, 120
@@ -53,11 +52,11 @@ def in_python(arc: WrapArc, capacities: bool) -> Data:
     """Return what the kernel finds, interpreted."""
     law, geometry, load = arc.law.compact(), arc.geometry(), arc.load()
     found = answer(law, geometry, load, STEPS)
-    if found.outcome == BREAKAWAY:
-        found = at_gross_slip(law, geometry, load, STEPS)
+    carried = find_capacities(law, geometry, load, CAPACITIES, STEPS) if capacities else ()
+    if found.outcome != SOLVED:
+        return {"outcome": found.outcome, "capacities": list(carried)}
     out = zeros(profile_size(law, found, POINTS))
     shot, count = profile_of(law, found, load.exit_tension, POINTS, out)
-    carried = find_capacities(law, geometry, load, CAPACITIES, STEPS) if capacities else ()
     tested = load.pressure_min, load.pressure_max, load.slip_max
     return {
         "outcome": found.outcome,
@@ -107,13 +106,17 @@ def apart(here: Data, there: Data) -> dict[str, float]:
 
     Infinite where they end otherwise. A column of the profile has the size of its largest number.
     """
-    if (here["outcome"], here["count"]) != (there["outcome"], there["count"]):
+    if (here["outcome"], here.get("count")) != (there["outcome"], there.get("count")):
         return {"outcome": math.inf}
+    pairs = zip(here["capacities"], there["capacities"], strict=True)
+    carried = {f"capacities {i}": _relative(x, y) for i, (x, y) in enumerate(pairs)}
+    if here["outcome"] != SOLVED:
+        return carried
     a, b = (np.reshape(x["records"], (-1, RECORD)) for x in (here, there))
     size = np.abs(a).max(axis=0)
     columns = np.abs(a - b).max(axis=0) / np.where(size > 0.0, size, 1.0)
-    found = {f"record {i}": float(miss) for i, miss in enumerate(columns)}
-    for name in ("shot", "peak", "capacities"):
+    found = carried | {f"record {i}": float(miss) for i, miss in enumerate(columns)}
+    for name in ("shot", "peak"):
         pairs = zip(here[name], there[name], strict=True)
         found |= {f"{name} {i}": _relative(x, y) for i, (x, y) in enumerate(pairs)}
     found["active"] = _relative(here["active"], there["active"])

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -50,14 +51,13 @@ class AcrossSolver:
         """
         even = start.even if start is not None and start.wide.arc is wide.arc else None
         even = even or Distributed(capacities=False).solve(wide.arc)
-        mesh = mesh_of(wide, even, self.steps)
-        system = System(wide, mesh, self.marches)
-        begin = started(wide, even, mesh)
         if even.status is not Status.SOLVED:
             broken = even.status is Status.BREAKAWAY
             status = AcrossStatus.BREAKAWAY if broken else AcrossStatus.UNSOLVED
-            none = Found(replace(system, amount=0.0), begin, False, 0)
-            return _result(none, even, status)
+            return _without_state(wide, even, status)
+        mesh = mesh_of(wide, even, self.steps)
+        system = System(wide, mesh, self.marches)
+        begin = started(wide, even, mesh)
         if start is not None and start.status.solved:
             found = newton(system, _from(start, mesh))
             if found.solved:
@@ -200,6 +200,29 @@ def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult
         exit_guide_force=float(wide.shear_stiffness * edges[-1]),
         identity_error=_identity_error(wide, drift, fields, work[-1]),
         iterations=found.iterations,
+    )
+
+
+def _without_state(wide: WideArc, even: ArcResult, status: AcrossStatus) -> AcrossResult:
+    """Result where not even the even belt finds a state: nan all over."""
+    strips, nan = np.full(wide.strips, math.nan), math.nan
+    given: dict[str, Any] = {f.name: nan for f in fields(AcrossResult)}
+    rows = np.tile(strips, (2, 1))
+    return AcrossResult(
+        **given
+        | {
+            "status": status,
+            "wide": wide,
+            "even": even,
+            "angle": np.array([0.0, wide.arc.wrap_angle]),
+            "fields": Fields(**{f.name: rows for f in fields(Fields)}),
+            "friction_force": strips,
+            "entry_creep_ratio": strips,
+            "span_tension": strips,
+            "static_tension": strips,
+            "slack": None,
+            "iterations": 0,
+        }
     )
 
 

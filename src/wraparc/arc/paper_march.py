@@ -55,7 +55,9 @@ class PaperMarch:
         march = _March(arc, math.ceil(arc.length / self.segment))
         goal = arc.side * math.log(arc.entry_tension / arc.exit_tension)
         status, share = _search(march, goal)
-        return march.result(self.name, status, share)
+        if not status.solved:
+            return ArcResult.without_state(status, self.name, arc, Capacities())
+        return march.result(self.name, share)
 
 
 def _search(march: _March, goal: float) -> tuple[Status, float]:  # noqa: C901
@@ -159,7 +161,7 @@ class _March:
                 tension = max(tension + tau * arc.width * step, 1e-9 * arc.exit_tension)
         return rows
 
-    def result(self, name: str, status: Status, share: float) -> ArcResult:
+    def result(self, name: str, share: float) -> ArcResult:
         """Complete result of the march with a global creep towards the slack side [m]."""
         arc = self.arc
         remaining, tension, creep, slip, stress = np.array(self.walk(share)[::-1]).T
@@ -192,7 +194,7 @@ class _March:
         )
         top = float(abs(stress[peak]))
         return ArcResult(
-            status=status,
+            status=Status.SOLVED,
             method=name,
             arc=arc,
             profile=profile,

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from enum import StrEnum
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -161,8 +162,8 @@ class Energy:
 class ArcResult(Viewable):
     """The complete answer for one arc.
 
-    A breakaway has the same fields: they describe the belt at the largest tension ratio that the
-    friction can carry, with `status` saying so.
+    An arc that is not solved has no state: its profile is empty and its numbers are nan, all but
+    the tensions asked for and, on a breakaway, the capacities.
 
     Attributes
     ----------
@@ -175,7 +176,7 @@ class ArcResult(Viewable):
     profile
         Quantities along the arc.
     entry_tension, exit_tension
-        Tensions of the solution [N]; on breakaway the slack side differs from the one asked for.
+        Tensions asked for [N]; the paper's march, which starts at the exit, misses T1 by its steps.
     exit_creep, creep_shrinkage, creep_compression, creep_global
         Creep at the exit and its three parts [m].
     exit_slip
@@ -218,6 +219,24 @@ class ArcResult(Viewable):
     stuck_arc: float
     capacities: Capacities
     energy: Energy
+
+    @classmethod
+    def without_state(
+        cls, status: Status, method: str, arc: WrapArc, capacities: Capacities
+    ) -> ArcResult:
+        """Return the answer for an arc that is not solved."""
+        empty = np.zeros(0)
+        given: dict[str, Any] = {f.name: nan for f in fields(cls)} | {
+            "status": status,
+            "method": method,
+            "arc": arc,
+            "profile": Profile(*(empty for _ in fields(Profile))),
+            "entry_tension": arc.entry_tension,
+            "exit_tension": arc.exit_tension,
+            "capacities": capacities,
+            "energy": Energy(),
+        }
+        return cls(**given)
 
     @property
     def tension_ratio(self) -> float:

@@ -16,7 +16,6 @@ from wraparc.arc.wrap_arc import WrapArc
 nan = math.nan
 #: Numbers that a result has from others of it.
 DERIVED = ("effective_tension", "tension_ratio", "k_factor")
-STATUS = {SOLVED: Status.SOLVED, BREAKAWAY: Status.BREAKAWAY}
 
 
 @dataclass(frozen=True)
@@ -74,7 +73,10 @@ def result_of(
     count: int,
     capacities: Capacities,
 ) -> ArcResult:
-    """Return the result of an arc that the kernel has solved and traced."""
+    """Return the result of an arc that the kernel has answered, and traced where it is solved."""
+    if found.outcome != SOLVED:
+        status = Status.BREAKAWAY if found.outcome == BREAKAWAY else Status.UNSOLVED
+        return ArcResult.without_state(status, method, arc, capacities)
     told = summary_of(
         arc.law.compact(), arc.described(), arc.law.tested, found, out, count
     )._asdict()
@@ -82,7 +84,7 @@ def result_of(
     for name in DERIVED:
         del told[name]
     return ArcResult(
-        status=STATUS.get(found.outcome, Status.UNSOLVED),
+        status=Status.SOLVED,
         method=method,
         arc=arc,
         profile=_profile(arc, found.par.entry_tension, out, count, found.shot.stuck_length),

@@ -16,12 +16,11 @@ from wraparc.arc.kernel.answer import (
     Answer,
     Carried,
     answer,
-    at_gross_slip,
     profile_of,
     profile_size,
 )
 from wraparc.arc.kernel.effort import jumps
-from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer, Geometry, Load, zeros
+from wraparc.arc.kernel.quantities import RECORD, SOLVED, Buffer, Geometry, Load, zeros
 from wraparc.arc.kernel.stick import onset_stress
 from wraparc.arc.profile import active_length, peak_stress, share_outside
 from wraparc.friction import TestedRange
@@ -117,10 +116,10 @@ def kicked_loose(law: CompactLaw, geometry: Geometry, pressure: float) -> bool:
 def operating_point(
     law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int
 ) -> tuple[Answer, Buffer, int]:
-    """Solution of an arc, or its gross slip, with its profile and the number of records."""
+    """Solution of an arc with its profile and the number of records; none where it has none."""
     found = answer(law, geometry, load, steps)
-    if found.outcome == BREAKAWAY:
-        found = at_gross_slip(law, geometry, load, steps)
+    if found.outcome != SOLVED:
+        return found, zeros(0), 0
     out = zeros(profile_size(law, found, points))
     shot, count = profile_of(law, found, load.exit_tension, points, out)
     return found._replace(shot=shot), out, count
@@ -171,14 +170,16 @@ def summary_of(
     out: Buffer,
     count: int,
 ) -> Summary:
-    """Reported numbers of an arc that is solved and traced; nan where there is none."""
+    """Reported numbers of an arc that is solved and traced; nan where there is none.
+
+    An arc that is not solved has the tensions asked for, and no number of a state.
+    """
+    if found.outcome != SOLVED:
+        return _asked_alone(arc)
     par, shot = found.par, found.shot
-    radius, entry = par.radius, par.entry_tension
+    radius, entry, exit_tension = par.radius, par.entry_tension, arc.exit_tension
     q, g, work = shot.log_tension, shot.creep_ratio, shot.work
-    # on breakaway of a braking pulley the exit tension is the one held
-    leaving = entry * exp(q)
-    exit_tension = arc.exit_tension if found.outcome == SOLVED else leaving
-    pull = entry - leaving
+    pull = entry - entry * exp(q)
     peak, where = peak_stress(law, par, g, out, count)
     active = active_length(out, count)
     outside = nan
@@ -194,7 +195,6 @@ def summary_of(
     kept = 0.5 * shear * (shot.stress * shot.stress - out[4] * out[4])
     exact = pull * (g + 0.5 * pull * compliance)
     lost = work + kept
-    # at a breakaway the surface may run away from the belt altogether
     speed = arc.belt_speed / (1.0 - g) if g < 1.0 else nan
     part = arc.width * lost / abs(pull) if abs(pull) > 1e-6 * arc.entry_tension else nan
     return Summary(
@@ -227,6 +227,15 @@ def summary_of(
         identity_error=abs(arc.width * lost - exact)
         / max(abs(exact), 1e-6 * arc.entry_tension * abs(g), 1e-300),
     )
+
+
+def _asked_alone(arc: Description) -> Summary:
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    return Summary(
+        entry, leaving, entry - leaving, entry / leaving,
+        nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan, nan,
+        nan, nan, nan, nan, nan, nan, nan, nan,
+    )  # fmt: skip
 
 
 class CapacityNumbers(NamedTuple):

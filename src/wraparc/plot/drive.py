@@ -2,6 +2,7 @@
 
 import textwrap
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import judge
@@ -11,6 +12,14 @@ from wraparc.plot.profiles import draw_profiles
 from wraparc.plot.pulley import draw_pulley
 from wraparc.units import System, display
 from wraparc.version import __version__
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_NOTHING = (
+    "The whole wrap slips: no creep, slip or shear stress\nalong it carries these tensions, and "
+    "none is drawn."
+)
 
 
 def plot_drive(
@@ -47,7 +56,7 @@ def plot_arc(
     Parameters
     ----------
     results
-        The arc by one method or by two.
+        The arc by one method or by two; what is not solved has no profile to draw.
     system
         Units to show.
     quantity
@@ -64,20 +73,26 @@ def plot_arc(
         # the drawing has an aspect of its own, so it does not take part in the grid
         drawing = figure.add_axes((0.02, 0.385, 0.43, 0.53))
         draw_pulley(drawing, results[0], system, quantity)
-        indent = 0.02 if len(results) == 1 else 0.095
-        height = 0.045 * len(results)
-        budget = figure.add_axes((indent, 0.29 - height, 0.45 - indent, height))
-        draw_budget(budget, results, system)
-        rows = figure.add_gridspec(
-            4, 1, hspace=0.34, left=0.535, right=0.935, top=0.885, bottom=0.125
-        )
-        axes = [figure.add_subplot(rows[i]) for i in range(4)]
-        draw_profiles(axes, results, system)
-        figure.align_ylabels(axes)
+        if results[0].status.solved:
+            _draw_along(figure, [r for r in results if r.status.solved], system)
+        else:
+            figure.text(0.535, 0.6, _NOTHING, fontsize=10, va="center")
         figure.text(0.02, 0.965, _title(results[0], title), fontsize=13, weight="bold")
         figure.text(0.02, 0.932, caption(results[0], system), fontsize=10)
         figure.text(0.02, 0.018, _foot(remarks), fontsize=7.5, color="#444444", va="bottom")
         return Picture(figure)
+
+
+def _draw_along(figure: "Figure", results: Sequence[ArcResult], system: System) -> None:
+    """Draw the creep by source at the left, below the pulley, and the profiles at the right."""
+    indent = 0.02 if len(results) == 1 else 0.095
+    height = 0.045 * len(results)
+    budget = figure.add_axes((indent, 0.29 - height, 0.45 - indent, height))
+    draw_budget(budget, results, system)
+    rows = figure.add_gridspec(4, 1, hspace=0.34, left=0.535, right=0.935, top=0.885, bottom=0.125)
+    axes = [figure.add_subplot(rows[i]) for i in range(4)]
+    draw_profiles(axes, results, system)
+    figure.align_ylabels(axes)
 
 
 def plot_pulley(result: ArcResult, system: System = "si") -> Picture:
@@ -123,7 +138,7 @@ def caption(result: ArcResult, system: System) -> str:
     """Return the answer in one line."""
     if result.status is Status.BREAKAWAY:
         ratio = display(result.tension_ratio, "number", digits=3)
-        return f"Breakaway: the friction cannot carry this load. Drawn slipping, T1/T2 = {ratio}."
+        return f"Breakaway: the friction cannot carry this load, T1/T2 = {ratio}."
     creep = display(abs(result.exit_creep), "length", system, digits=3)
     limit = display(result.arc.creep_limit, "length", system, digits=3)
     within = "within" if result.within_creep_limit else "more than"

@@ -31,7 +31,8 @@ def draw_pulley(
     """Draw the pulley of an arc into axes.
 
     The belt comes in at the top and the pulley turns clockwise; the lagging is coloured by the
-    magnitude of a quantity of the profile, dark where it is large.
+    magnitude of a quantity of the profile, dark where it is large. In gross slip there is no
+    profile, and it stays without colour.
 
     Parameters
     ----------
@@ -56,11 +57,13 @@ def draw_pulley(
     ax.set_aspect("equal")
     ax.axis("off")
     _draw_body(ax)
-    _draw_lagging(ax, result, system, quantity)
+    if result.status.solved:
+        _draw_lagging(ax, result, system, quantity)
     _draw_belt(ax, result)
     for entry in (True, False):
         _draw_tension(ax, result, system, entry=entry)
-    _draw_zones(ax, result)
+    if result.status.solved:
+        _draw_zones(ax, result)
     _draw_rotation(ax, result)
     ax.margins(0.02)
     ax.autoscale_view()

@@ -67,12 +67,11 @@ def alone(drive: Drive, arc: ArcResult) -> DriveResult:
 
 def _breakaway(result: ArcResult, system: System) -> Iterator[str]:
     c, arc = result.capacities, result.arc
-    asked = arc.entry_tension / arc.exit_tension
-    ratio, creep = result.tension_ratio, result.exit_creep
-    if not math.isnan(c.gross_slip_capacity):
-        ratio, creep = c.gross_slip_capacity, c.gross_slip_creep
-        if arc.side < 0.0:
-            ratio = 1.0 / ratio
+    if math.isnan(c.gross_slip_capacity):
+        return  # the paper's march finds no capacities
+    ratio, creep = c.gross_slip_capacity, c.gross_slip_creep
+    if arc.side < 0.0:
+        ratio = 1.0 / ratio
     end = "approached as creep grows without bound (an extrapolation of the friction law)"
     if independent_of_slip(arc.law):
         end = "with the whole wrap slipping"
@@ -81,8 +80,8 @@ def _breakaway(result: ArcResult, system: System) -> Iterator[str]:
         end = f"at a creep of {creep_text} (an extrapolation of the friction law)"
     most = "largest" if arc.side > 0.0 else "smallest"
     yield (
-        f"Asked for T1/T2 = {named('tension_ratio', asked)}; the {most} the friction can carry is "
-        f"{named('tension_ratio', ratio)}, {end}."
+        f"Asked for T1/T2 = {named('tension_ratio', result.tension_ratio)}; "
+        f"the {most} the friction can carry is {named('tension_ratio', ratio)}, {end}."
     )
     if not math.isnan(c.creep_limit_capacity):
         limit = c.creep_limit_capacity if arc.side > 0.0 else 1.0 / c.creep_limit_capacity

@@ -38,16 +38,20 @@ class Drawing:
 def pulley_drawing(result: ArcResult, system: System) -> Drawing:
     """Return the pulley of an arc, its wrap coloured by shear stress."""
     arc = result.arc
+    stress, place = result.peak_shear_stress, result.peak_shear_position
     tensions = (named("tension", t, system) for t in (arc.entry_tension, arc.exit_tension))
     alt = (
         f"Pulley {arc.pulley}, {arc.duty}: belt wrapped over "
-        f"{named('wrap_angle', arc.wrap_angle, system)}, tension "
-        f"{' to '.join(tensions)}. The lagging is "
-        f"coloured by shear stress, which peaks at "
-        f"{named('peak_shear_stress', result.peak_shear_stress, system)}, "
-        f"{named('peak_shear_position', result.peak_shear_position, system)} from the entry nip."
+        f"{named('wrap_angle', arc.wrap_angle, system)}, tension {' to '.join(tensions)}."
     )
-    caption = f"{started(belongs(result))}: shear stress of the lagging."
+    caption = f"{started(belongs(result))}: the whole wrap slips, and no stress is drawn."
+    if result.status.solved:
+        alt += (
+            " The lagging is coloured by shear stress, which peaks at "
+            f"{named('peak_shear_stress', stress, system)}, "
+            f"{named('peak_shear_position', place, system)} from the entry nip."
+        )
+        caption = f"{started(belongs(result))}: shear stress of the lagging."
     return Drawing(lambda: plot_pulley(result, system), caption, alt, 0.5)
 
 

@@ -266,12 +266,10 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     position = first.arcs.index(worst)
     arcs = tuple(r.arcs[position] for r in results)
     solved = tuple(r for r in arcs if r.status.solved)
-    drawn = solved or arcs[:1]
     pulleys = [r for r in first if r.arc.load_case == worst.arc.load_case]
     pictures = [pulley_drawing(r, system) for r in pulleys[:_MOST_PULLEYS_DRAWN]]
     if worst.status.solved:
-        pictures.append(budget_drawing(drawn, system))
-    pictures.append(profile_drawing(drawn, system))
+        pictures += [budget_drawing(solved, system), profile_drawing(solved, system)]
     yield Section(f"Governing arc: {belongs(worst)}", drawings=tuple(pictures))
     tables = []
     if solved:

@@ -222,7 +222,10 @@ class _Workbook:
     def _profile(self) -> None:
         """Write the profile of the arc that governs, by every method, with charts beside it."""
         worst = self.results[0].governing
+        if not worst.status.solved:
+            return
         arcs = [r.arcs[self.results[0].arcs.index(worst)] for r in self.results]
+        arcs = [arc for arc in arcs if arc.status.solved]
         names = [name for name, _ in worst.profile.columns()]
         heads, columns = [], []
         for arc in arcs:

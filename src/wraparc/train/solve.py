@@ -392,6 +392,8 @@ def _passage(member: Member, arc: ArcResult) -> Passage | None:
 
 def _tension_error(setup: Setup, arcs: Sequence[ArcResult]) -> float:
     """Largest relative miss between what leaves a pulley and what the next one takes."""
+    if not all(arc.status.solved for arc in arcs):
+        return nan
     misses = []
     for i, arc in enumerate(arcs):
         leaving = float(arc.profile.tension[-1]) + setup.system.runs[i]

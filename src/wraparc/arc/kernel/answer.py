@@ -18,12 +18,11 @@ from wraparc.arc.kernel.effort import (
     first_guess,
     is_far,
     jumps,
-    largest_effort,
     mesh_steps,
     ratio_of,
     shoot_from,
 )
-from wraparc.arc.kernel.gross_slip import gross_slip, largest_ratio, plateau_capacity
+from wraparc.arc.kernel.gross_slip import largest_ratio, plateau_capacity
 from wraparc.arc.kernel.layer_march import STEP_TOLERANCE, friction_of_creep
 from wraparc.arc.kernel.layer_profile import KINKS, NODES, trace_layers
 from wraparc.arc.kernel.layers import NO_LAYERS, Layers, shot_of_layers, solve_layers
@@ -69,7 +68,7 @@ class Found(NamedTuple):
     ----------
     outcome
         SOLVED; STUCK: the belt does not slip anywhere (z is good to the precision of a difference
-        only); BREAKAWAY, see `gross_slip`; UNSOLVED.
+        only); BREAKAWAY: no effort meets the tension; UNSOLVED.
     z
         Effort; -inf where nothing drives the arc, nan where it is solved by layers.
     shot
@@ -120,9 +119,7 @@ def solve_tension(  # noqa: C901 - the ways an arc is solved, one after the othe
                 return other
             outcome = found.outcome if holds_on else UNSOLVED
             return Found(outcome, found.z, found.shot, found.layers, found.steps)
-    z = largest_effort(law, par)
-    shot, _ = shoot_from(law, par, z, steps, 0, zeros(0))
-    return Found(BREAKAWAY, z, shot, NO_LAYERS, steps)
+    return Found(BREAKAWAY, -inf, NO_SHOT, NO_LAYERS, steps)
 
 
 def _by_marches(law: CompactLaw, par: Parameters, goal: float, steps: int) -> Found:
@@ -231,15 +228,6 @@ def answer(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answe
         good = outcome in (SOLVED, STUCK) and abs(miss) <= BALANCE
         outcome = SOLVED if good else UNSOLVED
     return Answer(outcome, par, z, shot, layers, marched)
-
-
-def at_gross_slip(law: CompactLaw, geometry: Geometry, load: Load, steps: int) -> Answer:
-    """The arc of a breakaway with the largest tension ratio that it can carry."""
-    tight = max(load.entry_tension, load.exit_tension)
-    guess = geometry.side * log(load.entry_tension / load.exit_tension)
-    _, _, entry, z = gross_slip(law, geometry, tight, 0.5 * guess, steps)
-    par = parameters_at(entry, geometry)
-    return Answer(BREAKAWAY, par, z, NO_SHOT, NO_LAYERS, steps)
 
 
 def profile_size(law: CompactLaw, found: Answer, points: int) -> int:

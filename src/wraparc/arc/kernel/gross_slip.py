@@ -171,27 +171,15 @@ def largest_ratio(
     supremum = plateau_capacity(law, tight / (width * radius), wrap)
     if not softening:
         return supremum, inf
-    best, creep, _, _ = gross_slip(law, geometry, tight, supremum, steps)
-    return best, creep
+    return _largest_over_effort(law, geometry, tight, supremum, steps)
 
 
-def gross_slip(
+def _largest_over_effort(
     law: CompactLaw, geometry: Geometry, tight: float, guess: float, steps: int
-) -> tuple[float, float, float, float]:
-    """Largest tension ratio of a held tight side over entry creep ratios below 1.
+) -> tuple[float, float]:
+    """Largest ln(tight/slack) of a held tight side over entry creep ratios below 1, and the creep.
 
-    Parameters
-    ----------
-    tight
-        Tension of the tight side [N].
-    guess
-        A guess of ln(tight/slack).
-
-    Returns
-    -------
-    ratio, creep, entry, z
-        ln(tight/slack), the exit creep towards the slack side [m], the entry tension [N] and the
-        effort there.
+    `guess` is one of ln(tight/slack), the creep is that at the exit, towards the slack side [m].
     """
     side = geometry.side
     fine = mesh_steps(law, parameters_at(tight, geometry), steps)
@@ -212,7 +200,7 @@ def gross_slip(
             mesh, before = steps, inf
         # at its peak the ratio does not change with effort: the tight side is met with that held
         entry, best = _entry_at(law, geometry, tight, z, entry, best, mesh, table)
-    return best, creep, entry, z
+    return best, creep
 
 
 def _entry_at(

@@ -810,8 +810,6 @@ const FINER = 8;
 const TURNS = 60;
 const LEAST_TURN = 1e-9;
 const BALANCE = 1e-8;
-const PEAK_STEPS = 12;
-const EDGE = 0.0005;
 const NODES = 400;
 const KINKS = 200;
 const NEXT_SLIP = 1e-300;
@@ -836,6 +834,8 @@ const NEAR_TOP = 0.08;
 const PULL_TOLERANCE = 2e-9;
 const TESTED_SLIP = 4;
 const GROSS_SLIP = 16;
+const PEAK_STEPS = 12;
+const EDGE = 0.0005;
 const _NO_SLACK = 50.0;
 const _GROWTH = 1.6;
 const _ROUNDS = 200;
@@ -4450,10 +4450,7 @@ export function answer__solve_tension(law, par, exit_tension, steps) {
       return new Found(outcome, found.z, found.shot, found.layers, found.steps);
     }
   }
-  z = effort__largest_effort(law, par);
-  const found3 = effort__shoot_from(law, par, z, steps, 0, zeros(0));
-  shot = found3[0];
-  return new Found(BREAKAWAY, z, shot, NO_LAYERS, steps);
+  return new Found(BREAKAWAY, -Infinity, NO_SHOT, NO_LAYERS, steps);
 }
 
 /** Operating point of an arc, judged by the balance T(phi) = T2. */
@@ -4472,159 +4469,6 @@ export function answer__answer(law, geometry, load, steps) {
     outcome = good ? SOLVED : UNSOLVED;
   }
   return new Answer(outcome, par, z, shot, layers, marched);
-}
-
-/** `table` opened for marches in tension, or none where they do not apply. */
-export function gross_slip___opened(law, par, steps, table) {
-  if (!tension_table__applies(law, par)) {
-    return zeros(0);
-  }
-  tension_table__open_table(law, par, 8.0, effort__mesh_steps(law, par, steps), table);
-  return table;
-}
-
-/** Largest ln(tight/slack) over effort, the creep there [m] and the effort. */
-export function gross_slip___peak_of(law, par, near, steps, table) {
-  let at, best, buffer, coarse, end, i, left, near_end, parts, right, shot, span, value;
-  let top = effort__largest_effort(law, par);
-  let low = effort__jumps(law) ? 0.0 : effort__effort_of(par, par.side * 1e-5);
-  let high = top;
-  let z = near;
-  let reach = 0.02;
-  if (near === -Infinity) {
-    coarse = min(PEAK_STEPS, steps);
-    buffer = gross_slip___opened(law, par, coarse, table);
-    parts = 8;
-    best = -Infinity;
-    at = 0;
-    for (let each1 = 0, end1 = parts + 1; each1 < end1; each1++) {
-      i = each1;
-      z = low + ((high - low) * i) / parts;
-      const found2 = search__carried_ratio(law, par, z, coarse, buffer);
-      value = found2[0];
-      if (value > best) {
-        best = value;
-        at = i;
-      }
-    }
-    span = (high - low) / parts;
-    [low, high] = [low + span * max(at - 1, 0), low + span * min(at + 1, parts)];
-    const found3 = search__climb(law, par, low, high, 0.01, coarse, buffer);
-    z = found3[0];
-    shot = found3[1];
-    const found4 = search__carried_ratio(law, par, high, coarse, buffer);
-    value = found4[0];
-    if (value > effort__value_of(par, shot, TENSION)) {
-      z = high;
-    }
-    reach = 0.03;
-  }
-  buffer = gross_slip___opened(law, par, steps, table);
-  const found5 = search__carried_ratio(law, par, high, steps, buffer);
-  best = found5[0];
-  shot = found5[1];
-  if (z < high) {
-    end = best;
-    near_end = shot;
-    left = right = z;
-    while (!(left < z - EDGE || left === low) || !(z + EDGE < right || right === high)) {
-      left = max(low, z - reach);
-      right = min(high, z + reach);
-      const found6 = search__climb(law, par, left, right, 0.0002, steps, buffer);
-      z = found6[0];
-      shot = found6[1];
-      reach *= 4.0;
-    }
-    best = effort__value_of(par, shot, TENSION);
-    if (end > best) {
-      best = end;
-      shot = near_end;
-      z = high;
-    }
-  }
-  return [best, par.side * shot.creep, z];
-}
-
-/** Entry tension of a braking pulley that carries `tight` at an effort, and ln(T2/T1). */
-export function gross_slip___entry_at(law, geometry, tight, z, entry, ratio, steps, table) {
-  let i, miss, new_, par, t, t_last;
-  t = t_last = Math.log(entry);
-  let miss_last = 0.0;
-  for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
-    i = each1;
-    miss = Math.log(tight) - ratio - t;
-    if (Math.abs(miss) < 1e-9) {
-      break;
-    }
-    new_ = t + miss;
-    if (i > 0 && miss !== miss_last) {
-      new_ = t - (miss * (t - t_last)) / (miss - miss_last);
-    }
-    [t_last, miss_last, t] = [t, miss, new_];
-    par = quantities__parameters_at(Math.exp(t), geometry);
-    const found2 = search__carried_ratio(
-      law,
-      par,
-      z,
-      steps,
-      gross_slip___opened(law, par, steps, table),
-    );
-    ratio = found2[0];
-  }
-  return [Math.exp(t), ratio];
-}
-
-/** Largest tension ratio of a held tight side over entry creep ratios below 1. */
-export function gross_slip__gross_slip(law, geometry, tight, guess, steps) {
-  let change, done, new_;
-  let side = geometry.side;
-  let fine = effort__mesh_steps(law, quantities__parameters_at(tight, geometry), steps);
-  let table = zeros(tension_table__table_size(8.0, 2 * fine));
-  let entry = side > 0.0 ? tight : tight * Math.exp(-guess);
-  let coarse = min(PEAK_STEPS, steps);
-  let mesh = side > 0.0 ? steps : coarse;
-  let best = guess;
-  let creep = 0.0;
-  let z = -Infinity;
-  let before = Infinity;
-  for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
-    const found2 = gross_slip___peak_of(
-      law,
-      quantities__parameters_at(entry, geometry),
-      z,
-      mesh,
-      table,
-    );
-    new_ = found2[0];
-    creep = found2[1];
-    z = found2[2];
-    [change, best] = [Math.abs(new_ - best), new_];
-    done = change < 1e-8 || (before < 1e-5 && change > 0.5 * before);
-    if (side > 0.0 || (mesh === steps && done)) {
-      break;
-    }
-    before = change;
-    if (mesh !== steps && change < 0.01) {
-      mesh = steps;
-      before = Infinity;
-    }
-    const found3 = gross_slip___entry_at(law, geometry, tight, z, entry, best, mesh, table);
-    entry = found3[0];
-    best = found3[1];
-  }
-  return [best, creep, entry, z];
-}
-
-/** The arc of a breakaway with the largest tension ratio that it can carry. */
-export function answer__at_gross_slip(law, geometry, load, steps) {
-  let entry, z;
-  let tight = max(load.entry_tension, load.exit_tension);
-  let guess = geometry.side * Math.log(load.entry_tension / load.exit_tension);
-  const found1 = gross_slip__gross_slip(law, geometry, tight, 0.5 * guess, steps);
-  entry = found1[2];
-  z = found1[3];
-  let par = quantities__parameters_at(entry, geometry);
-  return new Answer(BREAKAWAY, par, z, NO_SHOT, NO_LAYERS, steps);
 }
 
 /** Numbers that the records of `trace` need: points, nodes and kinks. */
@@ -4928,11 +4772,11 @@ export function answer__profile_of(law, found, exit_tension, points, out) {
   return [found.shot, points + 1];
 }
 
-/** Solution of an arc, or its gross slip, with its profile and the number of records. */
+/** Solution of an arc with its profile and the number of records; none where it has none. */
 export function summary__operating_point(law, geometry, load, steps, points) {
   let found = answer__answer(law, geometry, load, steps);
-  if (found.outcome === BREAKAWAY) {
-    found = answer__at_gross_slip(law, geometry, load, steps);
+  if (found.outcome !== SOLVED) {
+    return [found, zeros(0), 0];
   }
   let out = zeros(answer__profile_size(law, found, points));
   const found1 = answer__profile_of(law, found, load.exit_tension, points, out);
@@ -5035,6 +4879,40 @@ export function summary__stretches_outside(tested, columns, count) {
     }
   }
   return [found, pairs];
+}
+
+export function summary___asked_alone(arc) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  return new Summary(
+    entry,
+    leaving,
+    entry - leaving,
+    entry / leaving,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+    NaN,
+  );
 }
 
 /** D tau/ds [Pa/m] at one end of the way between two records, in the piece of law between. */
@@ -5216,16 +5094,18 @@ export function summary__spring_rate(axial_stiffness, length) {
 
 /** Reported numbers of an arc that is solved and traced; nan where there is none. */
 export function summary__summary_of(law, arc, tested, found, out, count) {
+  if (found.outcome !== SOLVED) {
+    return summary___asked_alone(arc);
+  }
   let par = found.par;
   let shot = found.shot;
   let radius = par.radius;
   let entry = par.entry_tension;
+  let exit_tension = arc.exit_tension;
   let q = shot.log_tension;
   let g = shot.creep_ratio;
   let work = shot.work;
-  let leaving = entry * Math.exp(q);
-  let exit_tension = found.outcome === SOLVED ? arc.exit_tension : leaving;
-  let pull = entry - leaving;
+  let pull = entry - entry * Math.exp(q);
   const found1 = profile__peak_stress(law, par, g, out, count);
   let peak = found1[0];
   let where = found1[1];
@@ -5837,9 +5717,149 @@ export function least_slack__least_slack(
   return least_slack___least_bracketed(law, geometry, pull, limit, tight_max, steps);
 }
 
+/** `table` opened for marches in tension, or none where they do not apply. */
+export function gross_slip___opened(law, par, steps, table) {
+  if (!tension_table__applies(law, par)) {
+    return zeros(0);
+  }
+  tension_table__open_table(law, par, 8.0, effort__mesh_steps(law, par, steps), table);
+  return table;
+}
+
+/** Largest ln(tight/slack) over effort, the creep there [m] and the effort. */
+export function gross_slip___peak_of(law, par, near, steps, table) {
+  let at, best, buffer, coarse, end, i, left, near_end, parts, right, shot, span, value;
+  let top = effort__largest_effort(law, par);
+  let low = effort__jumps(law) ? 0.0 : effort__effort_of(par, par.side * 1e-5);
+  let high = top;
+  let z = near;
+  let reach = 0.02;
+  if (near === -Infinity) {
+    coarse = min(PEAK_STEPS, steps);
+    buffer = gross_slip___opened(law, par, coarse, table);
+    parts = 8;
+    best = -Infinity;
+    at = 0;
+    for (let each1 = 0, end1 = parts + 1; each1 < end1; each1++) {
+      i = each1;
+      z = low + ((high - low) * i) / parts;
+      const found2 = search__carried_ratio(law, par, z, coarse, buffer);
+      value = found2[0];
+      if (value > best) {
+        best = value;
+        at = i;
+      }
+    }
+    span = (high - low) / parts;
+    [low, high] = [low + span * max(at - 1, 0), low + span * min(at + 1, parts)];
+    const found3 = search__climb(law, par, low, high, 0.01, coarse, buffer);
+    z = found3[0];
+    shot = found3[1];
+    const found4 = search__carried_ratio(law, par, high, coarse, buffer);
+    value = found4[0];
+    if (value > effort__value_of(par, shot, TENSION)) {
+      z = high;
+    }
+    reach = 0.03;
+  }
+  buffer = gross_slip___opened(law, par, steps, table);
+  const found5 = search__carried_ratio(law, par, high, steps, buffer);
+  best = found5[0];
+  shot = found5[1];
+  if (z < high) {
+    end = best;
+    near_end = shot;
+    left = right = z;
+    while (!(left < z - EDGE || left === low) || !(z + EDGE < right || right === high)) {
+      left = max(low, z - reach);
+      right = min(high, z + reach);
+      const found6 = search__climb(law, par, left, right, 0.0002, steps, buffer);
+      z = found6[0];
+      shot = found6[1];
+      reach *= 4.0;
+    }
+    best = effort__value_of(par, shot, TENSION);
+    if (end > best) {
+      best = end;
+      shot = near_end;
+      z = high;
+    }
+  }
+  return [best, par.side * shot.creep, z];
+}
+
+/** Entry tension of a braking pulley that carries `tight` at an effort, and ln(T2/T1). */
+export function gross_slip___entry_at(law, geometry, tight, z, entry, ratio, steps, table) {
+  let i, miss, new_, par, t, t_last;
+  t = t_last = Math.log(entry);
+  let miss_last = 0.0;
+  for (let each1 = 0, end1 = 8; each1 < end1; each1++) {
+    i = each1;
+    miss = Math.log(tight) - ratio - t;
+    if (Math.abs(miss) < 1e-9) {
+      break;
+    }
+    new_ = t + miss;
+    if (i > 0 && miss !== miss_last) {
+      new_ = t - (miss * (t - t_last)) / (miss - miss_last);
+    }
+    [t_last, miss_last, t] = [t, miss, new_];
+    par = quantities__parameters_at(Math.exp(t), geometry);
+    const found2 = search__carried_ratio(
+      law,
+      par,
+      z,
+      steps,
+      gross_slip___opened(law, par, steps, table),
+    );
+    ratio = found2[0];
+  }
+  return [Math.exp(t), ratio];
+}
+
+/** Largest ln(tight/slack) of a held tight side over entry creep ratios below 1, and the creep. */
+export function gross_slip___largest_over_effort(law, geometry, tight, guess, steps) {
+  let change, done, new_;
+  let side = geometry.side;
+  let fine = effort__mesh_steps(law, quantities__parameters_at(tight, geometry), steps);
+  let table = zeros(tension_table__table_size(8.0, 2 * fine));
+  let entry = side > 0.0 ? tight : tight * Math.exp(-guess);
+  let coarse = min(PEAK_STEPS, steps);
+  let mesh = side > 0.0 ? steps : coarse;
+  let best = guess;
+  let creep = 0.0;
+  let z = -Infinity;
+  let before = Infinity;
+  for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
+    const found2 = gross_slip___peak_of(
+      law,
+      quantities__parameters_at(entry, geometry),
+      z,
+      mesh,
+      table,
+    );
+    new_ = found2[0];
+    creep = found2[1];
+    z = found2[2];
+    [change, best] = [Math.abs(new_ - best), new_];
+    done = change < 1e-8 || (before < 1e-5 && change > 0.5 * before);
+    if (side > 0.0 || (mesh === steps && done)) {
+      break;
+    }
+    before = change;
+    if (mesh !== steps && change < 0.01) {
+      mesh = steps;
+      before = Infinity;
+    }
+    const found3 = gross_slip___entry_at(law, geometry, tight, z, entry, best, mesh, table);
+    entry = found3[0];
+    best = found3[1];
+  }
+  return [best, creep];
+}
+
 /** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
 export function gross_slip__largest_ratio(law, geometry, tight, softening, steps) {
-  let best, creep;
   let radius = geometry.radius;
   let wrap = geometry.wrap_angle;
   let width = geometry.width;
@@ -5847,10 +5867,7 @@ export function gross_slip__largest_ratio(law, geometry, tight, softening, steps
   if (!softening) {
     return [supremum, Infinity];
   }
-  const found1 = gross_slip__gross_slip(law, geometry, tight, supremum, steps);
-  best = found1[0];
-  creep = found1[1];
-  return [best, creep];
+  return gross_slip___largest_over_effort(law, geometry, tight, supremum, steps);
 }
 
 /** `find_capacities` where it is known about where they are. */
