@@ -304,6 +304,21 @@ def test_hostile_names_stay_names(page_of: Any) -> None:
     assert dialogs == []
 
 
+def test_pictures_are_taken_away_without_a_server(page_of: Any, tmp_path: Path) -> None:
+    # expected: the courses that the page draws, as the served page gives them
+    page = page_of(HEAD)
+    page.click("#export > summary")
+    with page.expect_download() as arriving:
+        page.get_by_role("button", name="Pictures of this page (SVG)").click()
+    arriving.value.save_as(tmp_path / "pictures.svg")
+    told = (tmp_path / "pictures.svg").read_text("utf-8")
+    for course in page.locator("#drive .plots path.line").all():
+        assert f'd="{course.get_attribute("d")}"' in told
+    assert not any(word in told for word in ("var(", "class=", "href"))
+    # what only a server makes is not offered
+    expect(page.get_by_text("Results (JSON)")).to_have_count(0)
+
+
 def test_page_is_accessible(page_of: Any) -> None:
     page = page_of(HEAD)
     page.evaluate(axe())

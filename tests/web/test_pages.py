@@ -316,7 +316,7 @@ def test_reports_of_the_page_are_those_of_the_drive_on_it(visitor: Visitor, tmp_
         ("Text (Markdown)", b"#"),
     ):
         if not page.locator("#head-author").is_visible():
-            page.locator("#report summary").click()
+            page.locator("#export summary").click()
         page.fill("#head-author", "E. Euler")
         with page.expect_download() as arriving:
             page.get_by_text(label).click()

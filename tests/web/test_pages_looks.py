@@ -140,7 +140,7 @@ def test_wrong_input_and_open_menus_are_accessible_too(calculator: Calculator) -
     page = visitor.open("drive")
     page.fill("#f-belt-width", "wide")
     page.wait_for_selector("#f-belt-width[aria-invalid=true]")
-    page.click("#report > summary")
+    page.click("#export > summary")
     assert violations(page) == []
     visitor.context.close()
 
@@ -218,7 +218,7 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
                 " || document.activeElement.parentElement.id"
             )
         )
-    for wanted in ("nav-drive", "nav-saved", "file", "report", "f-belt-preset", "f-belt-width"):
+    for wanted in ("nav-drive", "nav-saved", "file", "export", "f-belt-preset", "f-belt-width"):
         assert wanted in seen, wanted
     assert "Entry tension, slider" in seen
     page.locator("#file > summary").focus()

@@ -98,7 +98,9 @@ def solve(
         results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
     files: dict[str, Content] = {}
     if json_file:
-        files[json_file] = _json(results, file, train)
+        from wraparc.present.document import solved_json
+
+        files[json_file] = solved_json(results, train, file=file)
     if csv_file:
         files[csv_file] = _csv(results, units, decimal_comma)
     if plot_file and draw:
@@ -120,17 +122,6 @@ def solve_as_train(
     train = train_answer.with_case(train, load_case, file)
     limit = None if creep_limit is None else _limit(creep_limit)
     return train_answer.solve_all(train_answer.with_limit(train, limit), METHODS[method])
-
-
-def _json(results: Sequence[DriveResult], file: str, train: "TrainResult | None") -> str:
-    from wraparc.present.document import json_text, result_document
-
-    document = result_document(results, file=file)
-    if train is not None:
-        from wraparc.present.train_document import train_document
-
-        document["train"] = train_document(train)
-    return json_text(document)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:

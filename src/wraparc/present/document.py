@@ -6,7 +6,7 @@ import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -23,6 +23,9 @@ from wraparc.present.wear_table import life_data
 from wraparc.provenance import Provenance
 from wraparc.units import DIMENSION_TEXT
 from wraparc.version import __version__
+
+if TYPE_CHECKING:
+    from wraparc.train import TrainResult
 
 #: Counts up when a name goes or changes its meaning, not when one is added.
 DOCUMENT_FORMAT = 1
@@ -72,6 +75,28 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         "sources": sources_of(drive),
         "units": _units(arcs),
     }
+
+
+def solved_json(
+    results: Sequence[DriveResult], train: "TrainResult | None" = None, *, file: str = ""
+) -> str:
+    """Return a solved drive as JSON, as ``wraparc solve --json`` writes it.
+
+    Parameters
+    ----------
+    results
+        The drive solved by one method or by several.
+    train
+        The train whose drives these are, if they are of one.
+    file
+        Where the drive was read from.
+    """
+    document = result_document(results, file=file)
+    if train is not None:
+        from wraparc.present.train_document import train_document
+
+        document["train"] = train_document(train)
+    return json_text(document)
 
 
 def _uneven(result: DriveResult) -> list[Data]:

@@ -11,7 +11,16 @@ from starlette.formparsers import MultiPartParser
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 from wraparc.web.errors import PROBLEM_JSON, ApiError, refusal_of, request_problems
-from wraparc.web.routes import designs, drives, events, pages, reports, shear_tests, studies
+from wraparc.web.routes import (
+    designs,
+    drives,
+    events,
+    pages,
+    reports,
+    results,
+    shear_tests,
+    studies,
+)
 from wraparc.web.routes.parts import State
 from wraparc.web.security import UPLOAD_LIMIT, Door
 from wraparc.web.settings import Settings
@@ -51,7 +60,7 @@ def create_app(settings: Settings) -> FastAPI:
     )
     app.state.wraparc = state
     MultiPartParser.spool_max_size = UPLOAD_LIMIT  # what is uploaded never touches the disk
-    for part in (drives, designs, shear_tests, reports, studies, events, pages):
+    for part in (drives, designs, shear_tests, reports, results, studies, events, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)
     for kind in (InputError, ApiError, MissingExtraError, HTTPException, Exception):

@@ -238,6 +238,14 @@ class ReportRequest(Request):
     head: ReportHead = ReportHead()
 
 
+class ExportRequest(Request):
+    """A drive whose answer is wanted as a file."""
+
+    document: Document
+    units: System = "si"
+    name: Line = Field("drive", description="Name of the file, without its ending.")
+
+
 class FileChoices(Request):
     """What a machine file does not tell of itself."""
 
@@ -269,6 +277,9 @@ class TestFileRequest(Request):
     use: bool = True
     reason: Line = ""
     choices: FileChoices = FileChoices()
+    more: dict[str, Any] = Field(
+        {}, description="Other keys of its test in a plan: speed, temperature, lot ..."
+    )
     illustrative: bool = False
 
 
@@ -278,4 +289,7 @@ class FitRequest(Request):
     lagging: dict[str, Any]
     rig: dict[str, Any]
     fit: dict[str, Any] = {}
+    more: dict[str, Any] = Field(
+        {}, description="Other tables of the plan: columns, all_tests, uncertainty, report ..."
+    )
     accept_misfit: str = ""

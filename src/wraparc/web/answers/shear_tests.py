@@ -1,6 +1,7 @@
 """Machine files read and fitted; runs in a process of its own for every file."""
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -22,6 +23,7 @@ from wraparc.shear_test import (
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
 from wraparc.shear_test.plan_file import plan_from_document
+from wraparc.shear_test.plan_keys import PLAN
 from wraparc.web.answers.shown import (
     Answer,
     Data,
@@ -33,6 +35,7 @@ from wraparc.web.answers.shown import (
     sheet,
     tables,
 )
+from wraparc.web.answers.texts import PlanAnswer, plan_text
 from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
 from wraparc.web.errors import ToldProblem, told
 
@@ -193,7 +196,7 @@ def _test_table(file: str, said: TestFileRequest) -> Document:
     """Return the table of a test plan for what the user says of a file."""
     choices = said.choices.model_dump()
     choices["normal_force_column"] = choices.pop("normal_force")
-    given = {**said.model_dump(include=set(_TEST_KEYS)), **choices}
+    given = {**said.more, **said.model_dump(include=set(_TEST_KEYS)), **choices}
     if not said.use:
         given |= {"use": False, "reason": said.reason}
     return {"file": file, **{k: v for k, v in given.items() if v not in (None, "", {})}}
@@ -205,22 +208,34 @@ def guessed_pressure(name: str) -> str | None:
     return f"{found[1]} {_UNITS[found[2].lower()]}" if found else None
 
 
-def fit(asked: FitRequest, uploads: list[MachineFile]) -> FitAnswer:
-    """Fit the friction law; tests that cannot be used are named, the others go on."""
-    files = {f"{upload.id}: {upload.name}": upload for upload in uploads}
+def plan_file(asked: FitRequest, uploads: list[MachineFile]) -> PlanAnswer:
+    """The file of the test plan; it lies beside the files of the machine."""
+    plan = _plan(asked, [(upload.name, upload) for upload in uploads])
+    return plan_text(plan, PLAN, f"plan of {asked.lagging.get('name', 'a lagging')}", "plan")
+
+
+def _plan(asked: FitRequest, files: Sequence[tuple[str, MachineFile]]) -> Document:
+    """Return the test plan of files, each with the name that it has in it."""
     document: Data = {
         "format": 1,
         "lagging": _without_empty(asked.lagging),
         "rig": _without_empty(asked.rig),
-        "test": [_test_table(file, upload.said) for file, upload in files.items()],
     }
+    document |= {key: table for key, table in asked.more.items() if key not in document}
     options = _without_empty(asked.fit)
     document |= {"fit": options} if options else {}
-    if any(upload.said.illustrative for upload in uploads):
+    if any(upload.said.illustrative for _, upload in files):
         note = "virtual tests of a known law, no real product"
         origin = {"kind": "illustrative", "source": "virtual rig", "note": note}
         document["provenance"] = origin
-    plan = plan_from_document(document)
+    tests = [_test_table(file, upload.said) for file, upload in files]
+    return {**document, "test": tests}
+
+
+def fit(asked: FitRequest, uploads: list[MachineFile]) -> FitAnswer:
+    """Fit the friction law; tests that cannot be used are named, the others go on."""
+    files = {f"{upload.id}: {upload.name}": upload for upload in uploads}
+    plan = plan_from_document(_plan(asked, list(files.items())))
 
     def read(test: PlannedTest) -> MachineRecord:
         return read_machine_bytes(files[test.file].data, test.file, test.choices)

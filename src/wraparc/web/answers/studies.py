@@ -14,12 +14,14 @@ from wraparc.schema.emit import document_text
 from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads
 from wraparc.study.file import StudyFile, study_from_document
+from wraparc.study.keys import STUDY
 from wraparc.study.monte_carlo import Summary, summarise
 from wraparc.study.run import Run, part_designs, run_problems, run_study
 from wraparc.study.sensitivity import sensitivities
 from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Answer, Data, Sheet, plain, sheet
+from wraparc.web.answers.texts import PlanAnswer, file_stem, plan_text
 from wraparc.web.asked import StudyRequest
 from wraparc.web.progress import tell
 
@@ -43,6 +45,15 @@ class StudyResult(Sheet):
     pictures: dict[str, str]
     html: str
     parquet: bytes
+
+
+def text(asked: StudyRequest) -> PlanAnswer:
+    """The file of a study; it names the drive file that the page downloads."""
+    drive = f"{file_stem(asked.document.get('title'))}.toml"
+    title = asked.study.get("title")
+    head: Data = {} if title is None else {"title": title}
+    study: Data = head | {"drive": drive} | asked.study | {"drive": drive}
+    return plan_text(study, STUDY, title, "study")
 
 
 def check(asked: StudyRequest) -> Size:

@@ -10,6 +10,7 @@ from wraparc.schema.emit import document_text
 from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.shared_keys import FORMAT
 from wraparc.schema.source import Document, parse
+from wraparc.schema.tables import Table
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
 from wraparc.web.answers.documents import json_like, kind_of, read, without_none
@@ -36,6 +37,13 @@ class ReadAnswer(State):
 
 class WriteAnswer(State):
     """The text of a document."""
+
+    toml: str
+    name: str
+
+
+class PlanAnswer(Answer):
+    """A plan as the text of its file."""
 
     toml: str
     name: str
@@ -85,6 +93,12 @@ def write_toml(asked: DocumentRequest) -> WriteAnswer:
     return WriteAnswer(toml=text, name=f"{file_stem(document.get('title'))}.toml", **state)
 
 
+def plan_text(document: Document, table: Table, name: object, otherwise: str) -> PlanAnswer:
+    """Return a plan as its file; `name` is what it is called, `otherwise` where it has no name."""
+    text = document_text({"format": FORMAT, **without_none(document)}, table)
+    return PlanAnswer(toml=text, name=f"{file_stem(name, otherwise)}.toml")
+
+
 def _state(document: Document) -> Data:
     problems: tuple[Problem, ...] = ()
     try:
@@ -94,10 +108,10 @@ def _state(document: Document) -> Data:
     return {"kind": kind_of(document), "valid": not problems, "problems": told(problems)}
 
 
-def file_stem(title: object) -> str:
+def file_stem(title: object, otherwise: str = "drive") -> str:
     """Return a file name without ending for a title."""
     stem = _NAME.sub("-", title[:200]).strip("-").lower() if isinstance(title, str) else ""
-    return stem[:60].strip("-") or "drive"
+    return stem[:60].strip("-") or otherwise
 
 
 def read_lagging(asked: LaggingRequest) -> ReadLaggingAnswer:

@@ -7,7 +7,8 @@ from fastapi import File, Request, Response, UploadFile
 
 from wraparc.web.answers import shear_tests
 from wraparc.web.answers.shear_tests import MachineFile, ReadFile, ReadFiles
-from wraparc.web.answers.shown import Answer
+from wraparc.web.answers.shown import Answer, Data
+from wraparc.web.answers.texts import PlanAnswer
 from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
 from wraparc.web.errors import ApiError, told
 from wraparc.web.routes.parts import (
@@ -54,6 +55,7 @@ class FileAnswer(ReadFile):
     use: bool
     reason: str
     choices: FileChoices
+    more: Data
     illustrative: bool
 
     @classmethod
@@ -154,6 +156,15 @@ async def fit(request: Request, session: str, asked: FitRequest) -> Response:
     client = client_of(request)
     work = state.workers.long(client, shear_tests.fit, asked, files, limit=_FIT_LIMIT)
     return json_answer(await waited(request, work))
+
+
+@api.post("/{session}/plan", response_model=PlanAnswer)
+async def plan(request: Request, session: str, asked: FitRequest) -> Response:
+    """The test plan as a file, as `wraparc fit` reads it beside the files of the machine."""
+    state = state_of(request)
+    files = [upload.file for upload in state.sessions.get(session).uploads.values()]
+    work = state.workers.short(client_of(request), shear_tests.plan_file, asked, files)
+    return json_answer(await work)
 
 
 async def _read(request: Request, uploads: list[Upload]) -> FilesAnswer:

@@ -4,11 +4,19 @@ from fastapi import Request, Response
 
 from wraparc.web.answers import studies
 from wraparc.web.answers.shown import Answer, Both, Data, Table, Verdict
+from wraparc.web.answers.texts import PlanAnswer
 from wraparc.web.asked import StudyRequest
 from wraparc.web.errors import ToldProblem, refused
 from wraparc.web.jobs import State as JobState
 from wraparc.web.progress import Tell
-from wraparc.web.routes.parts import client_of, picture_of, refuses, router, state_of
+from wraparc.web.routes.parts import (
+    client_of,
+    json_answer,
+    picture_of,
+    refuses,
+    router,
+    state_of,
+)
 
 api = router("/studies", "studies")
 _FILES = {
@@ -70,6 +78,13 @@ async def listed(request: Request) -> JobsAnswer:
     return JobsAnswer(
         jobs=[JobAnswer.model_validate(job) for job in state_of(request).jobs.listed()]
     )
+
+
+@api.post("/toml", response_model=PlanAnswer)
+async def text(request: Request, asked: StudyRequest) -> Response:
+    """The file of a study, as `wraparc study` reads it."""
+    workers = state_of(request).workers
+    return json_answer(await workers.short(client_of(request), studies.text, asked))
 
 
 @api.get("/{study}", response_model_exclude_unset=True)

@@ -1,8 +1,8 @@
-// Drives from elsewhere, and to keep: new ones, examples, downloads, reports.
+// Drives from elsewhere, and to keep: new ones, examples, downloads.
 import { turnTo } from "../base/address.js";
 import { app, blank, redraw, take } from "../base/design.js";
 import { opened } from "../base/drafts.js";
-import { ask, askFile, save } from "../base/server.js";
+import { ask, save } from "../base/server.js";
 
 export function newDrive() {
   const doc = blank();
@@ -19,7 +19,7 @@ export async function openExample(name) {
   take(document, { name, origin: { title: document.title || name, document } });
 }
 /** Name of a file of this design, without its ending. */
-const fileName = () =>
+export const fileName = () =>
   (app.doc.title || app.name || "drive")
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, "-")
@@ -27,10 +27,4 @@ const fileName = () =>
 export async function download() {
   const { name, toml } = await ask("toml/write", { document: app.doc });
   save(name || `${fileName()}.toml`, toml, "application/toml");
-}
-/** @param {string} kind @param {Record<string, string>} head */
-export async function report(kind, head) {
-  const asked = { document: app.doc, units: app.units, name: fileName(), head };
-  const [data, name] = await askFile(`report/${kind}`, asked);
-  save(name || `${fileName()}.${kind}`, data);
 }

@@ -1,17 +1,18 @@
-// The head of the page: pages, units, undo, the menus File and Report.
+// The head of the page: pages, units, undo, the menus File and Export.
 import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { drafts, draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
 import { act } from "../base/server.js";
 import { h } from "../vendor/preact.js";
-import { download, newDrive, openExample, report } from "./files.js";
+import { download, newDrive, openExample } from "./files.js";
 import { openDraft } from "./pages.js";
 import { PAGES } from "./registry.js";
 
 /** @import { Children, Units } from "../types.d.ts" */
 
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
-const head = { project: "", number: "", revision: "", author: "", paper: "a4" };
+/** What is behind Export, fetched when that is opened first. */
+let exporting = /** @type {typeof import("./exporting.js") | null} */ (null);
 
 export const Header = () => [
   h(
@@ -29,7 +30,10 @@ export const Header = () => [
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
     menu("file", "File", fileMenu()),
-    PAGES.saved && menu("report", "Report", reportMenu()),
+    menu("export", "Export", exporting?.exportMenu(), async () => {
+      exporting ??= await import("./exporting.js");
+      redraw();
+    }),
   ),
 ];
 /** @param {string} name */
@@ -80,16 +84,17 @@ const step = (id, sign, title, f, can) =>
     { type: "button", id, "aria-label": title.split(" ")[0], title, disabled: !can, onClick: f },
     sign,
   );
-/** @param {string} id @param {string} title @param {Children} items */
-const menu = (id, title, items) =>
+/** @param {string} id @param {string} title @param {Children} items
+ * @param {() => any} [onToggle] */
+const menu = (id, title, items, onToggle) =>
   h(
     "details",
-    { class: "menu", id, key: id },
+    { class: "menu", id, key: id, onToggle },
     h("summary", {}, title),
     h("div", { id: `${id}-menu` }, items),
   );
 /** @param {string} text @param {() => any} f */
-const item = (text, f) =>
+export const item = (text, f) =>
   h(
     "button",
     {
@@ -146,56 +151,6 @@ function fileMenu() {
       }),
   ];
 }
-/** @type {[keyof typeof head, string][]} */
-const HEADS = [
-  ["project", "Project"],
-  ["number", "Number"],
-  ["revision", "Revision"],
-  ["author", "Author"],
-];
-function reportMenu() {
-  const put = (/** @type {keyof typeof head} */ k) => (/** @type {any} */ e) => {
-    head[k] = e.currentTarget.value;
-  };
-  const papers = [
-    ["a4", "A4"],
-    ["us-letter", "US Letter"],
-  ];
-  const box = (/** @type {keyof typeof head} */ k) =>
-    h("input", {
-      type: "text",
-      id: `head-${k}`,
-      maxLength: 120,
-      autocomplete: "off",
-      onInput: put(k),
-      value: head[k],
-    });
-  const make = (/** @type {string} */ kind) => () => {
-    const filled = Object.entries(head).map(([k, v]) => [k, v.trim()]);
-    return report(kind, Object.fromEntries(filled.filter(([, v]) => v)));
-  };
-  return [
-    h(
-      "div",
-      { class: "stack pad", key: "head" },
-      HEADS.map(([k, label]) => h("label", { key: k }, label, box(k))),
-      h(
-        "label",
-        {},
-        "Paper",
-        h(
-          "select",
-          { id: "head-paper", value: head.paper, onChange: put("paper") },
-          papers.map(([v, t]) => h("option", { value: v, key: v }, t)),
-        ),
-      ),
-    ),
-    item("Calculation note (PDF)", make("pdf")),
-    item("Workbook (Excel)", make("xlsx")),
-    item("Text (Markdown)", make("md")),
-  ];
-}
-
 /** Menus shut at a press elsewhere and at Escape; keys for undo, redo and download. */
 export function listen() {
   const open = () => document.querySelectorAll(".menu[open]");

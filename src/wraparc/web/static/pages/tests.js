@@ -5,11 +5,16 @@ import { act, note, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import { list, refused, table } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
-import { allSaid, details, drop, files, session, within } from "./tests/files.js";
-import { planForm, rowOf, said, typedAt } from "./tests/plan.js";
+import { allSaid, details, drop, expect, files, session, within } from "./tests/files.js";
+import { asked, planForm, rowOf, openPlan as takePlan, typedAt } from "./tests/plan.js";
 import { conditionPlots } from "./tests/plots.js";
 
-export { openPlan } from "./tests/plan.js";
+/** Take a test plan in: the form at once, its tests when their files are dropped.
+ * @param {any} plan */
+export function openPlan(plan) {
+  takePlan(plan);
+  expect(plan.test ?? []);
+}
 
 /** @import { Problem, Table } from "../types.d.ts" */
 /**
@@ -32,12 +37,8 @@ async function fit(reason = "") {
   state.marks = {};
   redraw();
   try {
-    const fixed = said("fixed");
-    const how = { ...said("fit"), ...(Object.keys(fixed).length ? { fixed } : {}) };
-    const parts = { lagging: said("lagging"), rig: said("rig"), fit: how };
-    const plan = { ...parts, accept_misfit: reason };
     await allSaid();
-    state.result = await within("fit", plan);
+    state.result = await within("fit", { ...asked(), accept_misfit: reason });
     requestAnimationFrame(() =>
       document.getElementById("fitted")?.scrollIntoView({ block: "start" }),
     );
@@ -50,6 +51,11 @@ async function fit(reason = "") {
     state.fitting = false;
     redraw();
   }
+}
+async function download() {
+  await allSaid();
+  const { toml, name } = await within("plan", asked());
+  save(name, toml, "application/toml");
 }
 function use() {
   const { name, lagging } = /** @type {Fit} */ (state.result);
@@ -87,6 +93,7 @@ export const Page = () =>
           },
           "Fit the lagging",
         ),
+        h("button", { type: "button", onClick: act(download) }, "Download the test plan"),
         h("span", { role: "status" }, state.fitting && "Fitting …"),
       ),
       h(

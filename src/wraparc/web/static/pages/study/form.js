@@ -1,10 +1,10 @@
 // The form of a study: what is varied, how it is drawn, and how accurately it is solved.
 import { app, redraw } from "../../base/design.js";
-import { act } from "../../base/server.js";
+import { act, ask, note, save } from "../../base/server.js";
 import { scroll } from "../../parts/answers.js";
 import { choose } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
-import { axis, DISTRIBUTIONS, fields, KINDS, plan, scaled } from "./plan.js";
+import { asFile, axis, DISTRIBUTIONS, fields, KINDS, plan, scaled } from "./plan.js";
 
 /** @import { Children } from "../../types.d.ts" */
 /** @import { Axis } from "./plan.js" */
@@ -38,6 +38,11 @@ const pick = (now, choices, put, id) =>
 const into = (key) => (/** @type {string} */ v) => {
   plan[key] = v;
 };
+async function download() {
+  const { toml, name } = await ask("studies/toml", { study: asFile(), document: app.doc });
+  save(name, toml, "application/toml");
+  note(`${name} names its drive file: File, Download puts that beside it for wraparc study.`);
+}
 /** @param {() => Promise<void>} begin starts the study */
 export function form(begin) {
   if (app.doc.train || app.doc.pulley.length > 1)
@@ -51,8 +56,7 @@ export function form(begin) {
   const axes = plan.axes || [];
   const drawn = plan.kind !== "grid";
   const kind = (/** @type {string} */ v) => {
-    plan.kind = v;
-    plan.axes = null;
+    Object.assign(plan, { kind: v, axes: null, more: {} });
   };
   const add = () => {
     const used = axes.map((a) => a.field);
@@ -97,6 +101,7 @@ export function form(begin) {
       { class: "bar", key: "buttons" },
       h("button", { type: "button", onClick: add }, "Vary one more"),
       h("button", { type: "button", class: "main", onClick: act(begin) }, "Start the study"),
+      h("button", { type: "button", onClick: act(download) }, "Download the study file"),
     ),
   ];
 }

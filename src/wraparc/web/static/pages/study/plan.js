@@ -3,6 +3,8 @@ import { app } from "../../base/design.js";
 import { split, trim } from "../../base/units.js";
 
 /** @typedef {Record<string, string> & {field: string}} Axis */
+/** Where an axis of a file came from. @type {WeakMap<Axis, any>} */
+const origins = new WeakMap();
 
 /** @type {Record<string, string>} */
 export const KINDS = {
@@ -28,6 +30,8 @@ export const plan = {
   samples: "1024",
   seed: "1",
   axes: /** @type {Axis[] | null} */ (null),
+  /** What a study file says beside it. @type {Record<string, any>} */
+  more: {},
 };
 const pulley = () => app.doc.pulley[app.pulley];
 /** What can be varied, with the value it has now. @returns {Record<string, string>} */
@@ -92,7 +96,11 @@ export function freshPlan() {
   const now = about();
   if (now !== made) {
     if (made || !plan.axes)
-      Object.assign(plan, { axes: null, title: `Study of ${app.doc.title || "the drive"}` });
+      Object.assign(plan, {
+        axes: null,
+        more: {},
+        title: `Study of ${app.doc.title || "the drive"}`,
+      });
     made = now;
   }
   plan.axes ||= firstAxes();
@@ -101,52 +109,60 @@ export function freshPlan() {
 export function openStudy(file) {
   const kind = file.sensitivity ? "sensitivity" : file.sampling ? "montecarlo" : "grid";
   const text = (/** @type {any} */ v) => (Array.isArray(v) ? v.join(", ") : String(v));
-  const axes = file.axis.map((/** @type {any} */ a) =>
-    Object.fromEntries(
-      Object.entries(a)
-        .filter(([, v]) => typeof v !== "object" || Array.isArray(v))
-        .map(([k, v]) => [k, text(v)]),
-    ),
-  );
+  const axes = file.axis.map((/** @type {any} */ { provenance, ...a }) => {
+    const made = Object.fromEntries(Object.entries(a).map(([k, v]) => [k, text(v)]));
+    if (provenance) origins.set(/** @type {Axis} */ (made), provenance);
+    return made;
+  });
+  const { format, title, setting, sampling, axis, load_cases, drive, pulley, ...more } = file;
+  const { method, samples, seed } = sampling ?? {};
+  const all = load_cases === "all" || load_cases === undefined;
   Object.assign(plan, {
     kind,
     axes,
-    title: String(file.title || ""),
-    cases: file.load_cases ? "all" : "",
-    setting: file.setting === "precise" ? "precise" : "engineering",
-    ...(file.sampling?.samples && { samples: String(file.sampling.samples) }),
-    ...(file.sampling?.seed !== undefined && { seed: String(file.sampling.seed) }),
+    title: String(title || ""),
+    cases: load_cases ? "all" : "",
+    setting: setting === "precise" ? "precise" : "engineering",
+    more: { ...more, ...(!all && { load_cases }), ...(method && { method }) },
+    ...(samples && { samples: String(samples) }),
+    ...(seed !== undefined && { seed: String(seed) }),
   });
   made = about();
 }
 
 /** @param {string} text */
 const value = (text) => (split(text) && !split(text)?.unit ? +text : text);
+/** An axis as its file says it. @param {Axis} axis */
+function axisOf(axis) {
+  const { field, ...a } = axis;
+  const provenance = origins.get(axis);
+  const from = provenance && { provenance };
+  if (a.values != null) {
+    const values = a.values.split(",").map((v) => value(v.trim()));
+    return { field, values: values.filter((v) => v !== ""), ...from };
+  }
+  const { distribution, ...rest } = a;
+  const known = distribution && DISTRIBUTIONS[distribution];
+  const cut = ["least", "most"].filter((k) => rest[k]);
+  const keys = known ? [...known, ...cut] : Object.keys(rest);
+  const numbers = Object.fromEntries(keys.map((k) => [k, value(rest[k] ?? "")]));
+  return { field, ...(distribution && { distribution }), ...numbers, ...from };
+}
 /** The study as its file says it. */
 export function asFile() {
   const drawn = plan.kind !== "grid";
-  const axes = (plan.axes || []).map(({ field, ...a }) => {
-    if (a.values != null) {
-      const values = a.values.split(",").map((v) => value(v.trim()));
-      return { field, values: values.filter((v) => v !== "") };
-    }
-    const { distribution, ...rest } = a;
-    const keys = distribution
-      ? DISTRIBUTIONS[distribution] || Object.keys(rest)
-      : Object.keys(rest);
-    const numbers = Object.fromEntries(keys.map((k) => [k, value(rest[k] ?? "")]));
-    return { field, ...(distribution && { distribution }), ...numbers };
-  });
-  const method = plan.kind === "montecarlo" ? { method: "latin-hypercube" } : {};
-  const draws = { ...method, samples: value(plan.samples), seed: value(plan.seed) };
+  const { load_cases, method: given, sensitivity, ...more } = plan.more;
+  const method = given ?? (plan.kind === "montecarlo" && "latin-hypercube");
+  const draws = { ...(method && { method }), samples: value(plan.samples), seed: value(plan.seed) };
   return {
     format: 1,
     title: plan.title,
+    ...more,
     setting: plan.setting,
     ...(app.pulley && { pulley: pulley().name }),
-    ...(plan.cases && { load_cases: "all" }),
+    ...(plan.cases && { load_cases: load_cases ?? "all" }),
     ...(drawn && { sampling: draws }),
-    ...(plan.kind === "sensitivity" && { sensitivity: { outputs: OUTPUTS } }),
-    axis: axes,
+    ...(plan.kind === "sensitivity" && { sensitivity: sensitivity ?? { outputs: OUTPUTS } }),
+    axis: (plan.axes || []).map(axisOf),
   };
 }

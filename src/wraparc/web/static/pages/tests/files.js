@@ -53,6 +53,38 @@ async function send(chosen) {
   await take((await within("files", data)).files);
 }
 const example = async () => take((await within("example", {})).files);
+/** What a plan says of files that are still to be dropped, by their name.
+ * @type {Map<string, any>} */
+const expected = new Map();
+const SAID = ["pressure", "normal_force", "condition", "repeat", "sample", "use", "reason"];
+/** Files that a test plan names. @param {any[]} tests */
+export function expect(tests) {
+  for (const { file, normal_force_column: normal_force, ...test } of tests) {
+    /** @param {(key: string) => boolean} of */
+    const part = (of) => Object.fromEntries(Object.entries(test).filter(([key]) => of(key)));
+    const choices = { ...part((k) => CHOICES.includes(k)), ...(normal_force && { normal_force }) };
+    const more = part((k) => !CHOICES.includes(k) && !SAID.includes(k));
+    const name = String(file).split(/[\\/]/).pop() ?? "";
+    expected.set(name, { ...part((k) => SAID.includes(k)), choices, more });
+  }
+  for (const f of session.files) told(f);
+}
+const CHOICES = [
+  "travel",
+  "force",
+  "time",
+  "units",
+  "decimal",
+  "delimiter",
+  "encoding",
+  "sheet",
+].concat(["table", "block", "stress_area", "stroke"]);
+/** Say of a file what the plan says; false where it does not name it. @param {TestFile} f */
+function told(f) {
+  const plan = expected.get(f.name);
+  if (plan) say(f, plan);
+  return Boolean(plan);
+}
 /** @param {TestFile[]} found */
 async function take(found) {
   for (const f of found) {
@@ -60,7 +92,8 @@ async function take(found) {
     if (i < 0) session.files.push(f);
     else session.files[i] = f;
   }
-  const guessed = found.filter((f) => f.read && !f.pressure && f.pressure_guess);
+  const others = found.filter((f) => !told(f));
+  const guessed = others.filter((f) => f.read && !f.pressure && f.pressure_guess);
   await Promise.all(guessed.map((f) => say(f, { pressure: f.pressure_guess })));
   redraw();
 }
@@ -89,6 +122,7 @@ async function tell(of) {
     use: f.use !== false,
     reason: f.reason || "",
     choices: f.choices || {},
+    more: f.more || {},
   };
   try {
     const answer = await within(`files/${f.id}`, told, { method: "PUT" });

@@ -65,24 +65,38 @@ const typed = /** @type {Record<string, Record<string, string>>} */ (
     ]),
   )
 );
-/** Take lagging, rig and fit of a test plan into the form. @param {any} plan */
+/** What a plan says beside the rows of the form: within its parts, and as tables of its own.
+ * @type {{parts: Record<string, any>, tables: Record<string, any>}} */
+const kept = { parts: {}, tables: {} };
+/** Take a test plan into the form. @param {any} plan */
 export function openPlan(plan) {
-  const parts = { ...plan, fixed: plan.fit?.fixed };
-  for (const part of Object.keys(ROWS))
-    for (const { key } of ROWS[part])
-      if (parts[part]?.[key] !== undefined) typed[part][key] = String(parts[part][key]);
+  const { format, lagging, rig, fit, test, ...tables } = plan;
+  const { fixed, ...fits } = fit ?? {};
+  const parts = /** @type {Record<string, any>} */ ({ lagging, rig, fit: fits, fixed });
+  Object.assign(kept, { parts: {}, tables });
+  for (const part of Object.keys(ROWS)) {
+    const rows = ROWS[part].map((r) => r.key);
+    for (const key of rows) typed[part][key] = String(parts[part]?.[key] ?? "");
+    const others = Object.entries(parts[part] ?? {}).filter(([key]) => !rows.includes(key));
+    kept.parts[part] = Object.fromEntries(others);
+  }
 }
 
 /** What is typed of a part of the plan; numbers and truth values as such. @param {string} part */
-export function said(part) {
+function said(part) {
   const given = Object.entries(typed[part]).filter(([, v]) => v.trim());
   const numbers = ["faces", "pieces"];
-  return Object.fromEntries(
-    given.map(([k, v]) => [
-      k,
-      numbers.includes(k) ? +v : v === "true" || v === "false" ? v === "true" : v.trim(),
-    ]),
-  );
+  const read = given.map(([k, v]) => [
+    k,
+    numbers.includes(k) ? +v : v === "true" || v === "false" ? v === "true" : v.trim(),
+  ]);
+  return { ...Object.fromEntries(read), ...kept.parts[part] };
+}
+/** The plan without its files, as the server asks for it. */
+export function asked() {
+  const fixed = said("fixed");
+  const fit = { ...said("fit"), ...(Object.keys(fixed).length && { fixed }) };
+  return { lagging: said("lagging"), rig: said("rig"), fit, more: kept.tables };
 }
 /** @param {string} path */
 export function rowOf(path) {

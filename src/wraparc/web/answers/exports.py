@@ -1,0 +1,29 @@
+"""The answer to a drive as files: those that ``wraparc solve`` writes."""
+
+from typing import Literal
+
+from wraparc.arc import DriveResult, solve
+from wraparc.drive import Drive
+from wraparc.present.document import solved_json
+from wraparc.present.profile_csv import profile_csv
+from wraparc.train import TrainResult, solve_train
+from wraparc.web.answers.documents import read
+from wraparc.web.answers.solving import main_solver
+from wraparc.web.asked import ExportRequest
+
+ExportKind = Literal["json", "csv"]
+
+
+def export(asked: ExportRequest, kind: ExportKind) -> bytes:
+    """Return results as JSON, or profiles as CSV."""
+    thing = read(asked.document)
+    train: TrainResult | None = None
+    result: DriveResult
+    if isinstance(thing, Drive):
+        result = solve(thing, method=main_solver(), raise_on_failure=False)
+    else:
+        train = solve_train(thing, raise_on_failure=False)
+        result = train.drive_result()
+    if kind == "csv":
+        return profile_csv(list(result), asked.units).encode("utf-8")
+    return solved_json([result], train, file=f"{asked.name}.toml").encode("utf-8")
