@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.checks import Level, judge
+from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.checks_table import check_table
@@ -97,10 +97,11 @@ class Paper(Answer):
 
 
 class WholeArc(Arc):
-    """One arc with everything there is to say."""
+    """One arc with everything there is to say; `raise_to` is for this load case alone [N]."""
 
     status_text: str
     short: str
+    raise_to: float | None
     unbounded: list[str]
     table_sources: list[str]
     paper: Paper
@@ -122,13 +123,17 @@ class Marks(Answer):
 
 
 class LeastTension(Answer):
-    """The least slack-side tension with which every binding check is kept [N], [kg]."""
+    """The least slack-side tension with which every binding check is kept [N], [kg].
+
+    `raise_to` is that tension where it is more than given.
+    """
 
     tension: float | None
     given: float | None
     counterweight: float | None
     governing: str
     level: Level
+    raise_to: float | None
     shown: Both
     sentence: Both
     table: Table
@@ -251,10 +256,28 @@ def _least(result: DriveResult | TrainResult) -> LeastTension | None:
         **{name: finite(found[name]) for name in ("tension", "given", "counterweight")},
         governing=found["governing"],
         level=found["level"],
+        raise_to=raise_to(result),
         shown=both(lambda system: shown_least(result, system)),
         sentence=both(lambda system: least_sentence(result, system)),
         table=tables(lambda system: [least_table(result, system)], ["least"])[0],
     )
+
+
+def raise_to(result: DriveResult | TrainResult) -> float | None:
+    """Return the slack-side tension to raise to [N]; None where nothing is to be raised."""
+    found = least_tension(result)
+    if found is None or found.tension <= found.given:
+        return None
+    return finite(found.tension)
+
+
+def _alone(answered: DriveResult, result: ArcResult) -> float | None:
+    """Return the tension to raise to if there were but this load case, on a single pulley."""
+    drive = answered.drive
+    if len(drive.pulleys) > 1:
+        return None
+    case = drive.load_case(result.arc.load_case)
+    return raise_to(DriveResult(replace(drive, load_cases=(case,)), (result,)))
 
 
 def _remarks(answered: DriveResult) -> list[Both]:
@@ -274,6 +297,7 @@ def _whole_arc(answered: DriveResult, result: ArcResult, paper: ArcResult) -> Wh
     return WholeArc(
         status_text=str(result.status),
         short=short(answered, result),
+        raise_to=_alone(answered, result),
         unbounded=[n for n, value in result.scalars().items() if math.isinf(value)],
         tables=tables(
             lambda system: _tables(

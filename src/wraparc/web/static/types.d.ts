@@ -123,6 +123,8 @@ export interface Arc {
 export interface FullArc extends Arc {
   short: string;
   status_text: string;
+  /** Slack-side tension to raise to for this load case alone [N]. */
+  raise_to: number | null;
   tables: Table[];
   table_sources: string[];
   paper: { status: string; numbers: Record<string, any>; profile: Record<string, any[]> } | null;
@@ -209,7 +211,13 @@ export interface FullAnswer {
   arcs: FullArc[];
   conditions: Table | null;
   checks: Table;
-  least_tension: { shown: Text; sentence: Text; level: Level; table: Table } | null;
+  least_tension: {
+    shown: Text;
+    sentence: Text;
+    level: Level;
+    table: Table;
+    raise_to: number | null;
+  } | null;
   summary: Table | null;
   sources: { kind: string }[];
   remarks: Text[];

@@ -32,13 +32,13 @@ export const badge = (level, told) =>
 export const scroll = (label, ...children) =>
   h("div", { class: "scroll", tabIndex: 0, role: "region", "aria-label": label }, ...children);
 
-/** @param {Verdict} v @param {Children} [before] */
-export const verdict = (v, before) =>
+/** @param {Verdict} v @param {Children} [before] @param {Children} [after] what to do about it */
+export const verdict = (v, before, after) =>
   h(
     "div",
     { class: `verdict ${levelClass(v.level)}` },
     before,
-    h("p", { class: "headline" }, badge(v.level, v.told), " ", words(v.headline)),
+    h("p", { class: "headline" }, badge(v.level, v.told), " ", words(v.headline), " ", after),
     list(v.sentences),
   );
 /** @param {Text[] | undefined} texts @param {string} [cls] */

@@ -4,7 +4,7 @@ import { ask } from "../../base/server.js";
 import { assemble } from "./assemble.js";
 import { beside } from "./beside.js";
 import { arcsOf, asked, judge, misses } from "./judge.js";
-import { leastTold } from "./least.js";
+import { leastTold, raiseTo } from "./least.js";
 import * as own from "./own.js";
 import { answer } from "./solving.js";
 import { firstAnswer, wholeOf } from "./whole.js";
@@ -118,7 +118,8 @@ function told(of, full, judging) {
   const arcs = of.arcs.map((a) => {
     const before = full.arcs.find((b) => b.load_case === a.load_case);
     const { level, levels, short } = verdictOf(of, a.load_case);
-    return { .../** @type {any} */ (before), level, levels, short, numbers: a.numbers };
+    const raise_to = raiseTo(of, [a]);
+    return { .../** @type {any} */ (before), level, levels, short, raise_to, numbers: a.numbers };
   });
   const checks = checkTable(of, full.checks);
   return { ...full, verdict, checks, arcs, least_tension };

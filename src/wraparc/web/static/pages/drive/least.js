@@ -102,5 +102,14 @@ export function leastTold(judged, before) {
   const level = /** @type {Level} */ (tension <= governing.given ? "OK" : "ATTENTION");
   const shown = Number.isFinite(tension) ? force(tension) : "none";
   const table = tableOf(found, judged, before.table);
-  return { tension, shown, sentence: sentence(found, judged), level, table };
+  const raise_to = raiseTo(judged);
+  return { tension, raise_to, shown, sentence: sentence(found, judged), level, table };
+}
+/** The slack-side tension to raise to; null where nothing is to be raised.
+ * @param {Judged} judged @param {Judged["arcs"]} [arcs] of some load cases alone */
+export function raiseTo(judged, arcs = judged.arcs) {
+  const found = leastOf({ ...judged, arcs });
+  return found && Number.isFinite(found.tension) && found.tension > found.governing.given
+    ? found.tension
+    : null;
 }

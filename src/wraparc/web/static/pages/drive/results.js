@@ -1,5 +1,5 @@
 // The answer: the governing verdict, the arc that is chosen, its pictures and tables.
-import { app, caseNames, look } from "../../base/design.js";
+import { app, caseNames, look, redraw } from "../../base/design.js";
 import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
 import { badge, list, table, verdict } from "../../parts/answers.js";
@@ -11,6 +11,17 @@ import { creepBySource, Pictures, QUANTITIES } from "./pictures.js";
 import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, QuickAnswer } from "../../types.d.ts" */
+
+/** What is pressed to follow an advice, fetched behind the first answer. */
+let advice = /** @type {typeof import("./advice.js") | null} */ (null);
+document.addEventListener(
+  "complete",
+  async () => {
+    advice ??= await import("./advice.js");
+    redraw();
+  },
+  { once: true },
+);
 
 /**
  * @typedef {{quantity: string, part: number}} ResultsState
@@ -210,6 +221,7 @@ function verdicts(arc) {
   const full = known() || answer.full;
   const several = app.doc.pulley.length > 1 || caseNames(app.doc).length > 1;
   const chosen = `Shown below: pulley ${arc.pulley}, load case ${arc.load_case}`;
+  const all = known()?.least_tension?.raise_to;
   const own = h(
     "div",
     { class: "chosen", key: "chosen" },
@@ -219,11 +231,13 @@ function verdicts(arc) {
       h("strong", {}, chosen),
       " ",
       ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
+      " ",
+      known() && !all && advice?.raiseAlone(wholeArc()),
     ),
   );
   if (known() && full)
     return [
-      h("div", { key: "governing" }, verdict(full.verdict)),
+      h("div", { key: "governing" }, verdict(full.verdict, null, advice?.raise(all))),
       several && own,
       whole() &&
         h("p", { class: "away", role: "status", key: "spoken" }, words(full.verdict.headline)),

@@ -1,7 +1,7 @@
 // A judged drive as an answer of the server tells one, for what the page has put together itself.
 import { app } from "../../base/design.js";
 import { digits, percent } from "../../base/units.js";
-import { leastTold } from "./least.js";
+import { leastTold, raiseTo } from "./least.js";
 import { filled } from "./wording.js";
 import { checkTable, quantity, verdictOf } from "./words.js";
 
@@ -144,7 +144,8 @@ export function wholeOf(judged, of, book) {
 }
 /** @param {Judged} judged @param {Judged["arcs"][number]} arc @param {Judging} of
  * @returns {FullArc} */
-function arcOf(judged, { load_case, solved, numbers }, of) {
+function arcOf(judged, arc, of) {
+  const { load_case, solved, numbers } = arc;
   const { level, levels, short } = verdictOf(judged, load_case);
   const c = /** @type {Judging["cases"][number]} */ (
     of.cases.find((x) => x.load_case === load_case)
@@ -156,6 +157,7 @@ function arcOf(judged, { load_case, solved, numbers }, of) {
     load_case,
     status: solved ? "solved" : "breakaway",
     status_text: "",
+    raise_to: raiseTo(judged, [arc]),
     ...{ level, levels, short, numbers: finite(numbers) },
     creep_limit: +c.prepared.given.creep_limit,
     profile: {},

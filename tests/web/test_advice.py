@@ -1,0 +1,122 @@
+"""The advice of a check that gives a number, applied by one press, and taken back."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from cli.running import wraparc
+from web.browser import Visitor
+from web.test_pages_looks import violations
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
+#: The drive of the example in its load case design, and in one that takes T1 over from it.
+DESIGN = HEAD.partition("[[load_case]]")[0]
+LIGHT = DESIGN + '[[load_case]]\nname = "light"\npulley.head.entry_tension = "120 kN"\n'
+BY_PULL = DESIGN.replace('entry_tension = "150 kN"', 'effective_tension = "90 kN"')
+OWN_ENDS = LIGHT.replace('"120 kN"', '"120 kN"\npulley.head.exit_tension = "70 kN"')
+BRAKING = DESIGN.replace('entry_tension = "150 kN"', 'entry_tension = "55 kN"').replace(
+    'exit_tension = "60 kN"', 'exit_tension = "145 kN"'
+)
+
+
+def solved(file: Path) -> Any:
+    return json.loads(wraparc("solve", str(file), "--json", "-")[1])
+
+
+def downloaded(page: Page, into: Path) -> Path:
+    with page.expect_download() as arriving:
+        page.keyboard.press("Control+s")
+    file = into / "after.toml"
+    arriving.value.save_as(file)
+    return file
+
+
+@pytest.mark.parametrize("text", [DESIGN, LIGHT, BY_PULL, OWN_ENDS, BRAKING])
+def test_raised_tension_keeps_every_check_and_every_pull(
+    visitor: Visitor, tmp_path: Path, text: str
+) -> None:
+    # expected: `wraparc solve` of the file before and after: the least tension it names is kept
+    file = tmp_path / "before.toml"
+    file.write_text(text, "utf-8")
+    before = solved(file)
+    least = before["least_tension"]
+    assert least["tension"] > least["given"]
+    page = visitor.open("drive")
+    visitor.load(file)
+    expect(page.locator("#toast")).to_contain_text("Opened")
+    visitor.solved()
+    side = "T1" if text is BRAKING else "T2"
+    step = 1e2  # three digits of some 60 kN to 100 kN
+    asked = f"{-(-least['tension'] // step) * step / 1e3:g} kN"
+    press = page.locator(".verdict").get_by_role("button", name=f"Raise {side} to {asked}")
+    press.click()
+    expect(page.locator("#toast")).to_contain_text(f"{side} is at least {asked} now")
+    visitor.solved()
+    expect(press).to_have_count(0)
+    after = solved(downloaded(page, tmp_path))
+    assert after["least_tension"]["tension"] <= after["least_tension"]["given"]
+    assert after["verdict"]["level"] == "OK"
+    for old, new in zip(before["arcs"], after["arcs"], strict=True):
+        assert new["effective_tension"] == pytest.approx(old["effective_tension"], rel=1e-8)
+        assert min(new["entry_tension"], new["exit_tension"]) >= least["tension"]
+    assert violations(page) == []
+    # and back by the button in the message
+    page.locator("#toast").get_by_role("button", name="Undo").click()
+    visitor.solved()
+    expect(press).to_be_visible()
+    assert solved(downloaded(page, tmp_path))["arcs"] == before["arcs"]
+
+
+def test_page_finds_the_advice_itself_while_a_slider_moves(visitor: Visitor) -> None:
+    # expected: the least tension that `wraparc solve` names; the server is silent meanwhile
+    page = visitor.open("drive")
+    visitor.solved()
+    first = page.locator(".chosen").get_by_role(
+        "button", name="Raise T2 to 89.4 kN in design alone"
+    )
+    expect(first).to_be_visible()
+    page.route("**/api/v1/solve*", lambda route: route.abort())
+    page.route("**/api/v1/solve/fast", lambda route: route.abort())
+    page.get_by_label("Entry tension, slider").focus()
+    page.keyboard.press("ArrowLeft")
+    _, out, _ = wraparc(
+        "solve", str(EXAMPLES / "head-drive-fabric.toml"), "--load-case", "design", "--json", "-",
+        "--set", f"pulley.head.entry_tension={page.input_value('#f-pulley-0-entry_tension')} kN",
+    )  # fmt: skip
+    least = json.loads(out)["least_tension"]["tension"]
+    text = f"Raise T2 to {-(-least // 1e2) / 10:g} kN"
+    expect(page.locator(".chosen").get_by_role("button", name=text)).to_be_visible()
+    page.unroute_all()
+
+
+def test_one_load_case_is_raised_alone_where_no_tension_keeps_all(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # expected: `wraparc solve` of the file before and after; 89.4 kN is what it prints for design
+    page = visitor.open("drive")
+    visitor.solved()
+    before = solved(EXAMPLES / "head-drive-fabric.toml")
+    page.get_by_role("button", name="Raise T2 to 89.4 kN in design alone").click()
+    visitor.solved()
+    after = solved(downloaded(page, tmp_path))
+    ends = {arc["load_case"]: (arc["entry_tension"], arc["exit_tension"]) for arc in after["arcs"]}
+    assert ends["design"] == pytest.approx((179.4e3, 89.4e3))
+    assert after["arcs"][0]["level"] == "OK"
+    for old, new in zip(before["arcs"][1:], after["arcs"][1:], strict=True):
+        assert ends[new["load_case"]] == (old["entry_tension"], old["exit_tension"])
+        assert new["level"] == old["level"]
+
+
+def test_no_button_where_no_number_is_the_advice(visitor: Visitor) -> None:
+    # of a train, and of a drive whose start no slack-side tension keeps
+    page = visitor.open("drive")
+    visitor.solved()
+    expect(page.locator(".chosen .advice")).to_have_count(1)
+    expect(page.locator(".verdict .advice")).to_have_count(0)
+    visitor.example("Tandem head drive, fabric belt")
+    visitor.solved()
+    expect(page.locator(".advice")).to_have_count(0)
