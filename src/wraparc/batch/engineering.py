@@ -14,6 +14,7 @@ from wraparc.batch import lane_slots as slot
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.constant import solve_constant
+from wraparc.batch.creep_rows import solve_left
 from wraparc.batch.elementwise import LANES, Lanes
 from wraparc.batch.lane_kernel import (
     CREEP,
@@ -35,12 +36,12 @@ from wraparc.batch.lane_kernel import (
     solve_tensions,
 )
 from wraparc.batch.lane_law import LaneLaws
+from wraparc.batch.lane_tables import LaneTables
 from wraparc.batch.laws import LawBank
 from wraparc.batch.least import Least, search_least
 from wraparc.batch.native import available, compiled
 from wraparc.batch.plateau import Plateaus
 from wraparc.batch.precise import solve_precisely
-from wraparc.batch.sixth_braking import SURELY, brake_rows
 
 Flags = NDArray[np.bool_]
 Solved = tuple[Array, Flags]  # rows of `FOUND`, and which are near enough
@@ -49,6 +50,7 @@ Solved = tuple[Array, Flags]  # rows of `FOUND`, and which are near enough
 ACCEPTED_MISS = 1e-3
 ACCEPTED_CHANGE = 3e-4  # of the exit slip by twice the steps, before a law with kinks is left
 SMALLEST_LOG_RATIO = 1e-5
+SURELY = 1.01  # times the slip speed of the tests: above it by more than the accuracy of a batch
 MESH = slot.MESHES[1]  # where the coarse one is not enough, and for laws that fall: no kink is cut
 NO_LIMIT = 1e300
 
@@ -78,10 +80,10 @@ def solve_in_lanes(arcs: Arcs, parts: int = row.EVERYTHING) -> tuple[Array, Flag
 
 
 @lru_cache(maxsize=8)
-def tables_of(laws: LawBank) -> tuple[LaneLaws, Plateaus]:
+def tables_of(laws: LawBank) -> tuple[LaneLaws, Plateaus, LaneTables]:
     """Tables of a bank, shared by the chunks of a batch."""
     table = LaneLaws.of(laws)
-    return table, Plateaus(table)
+    return table, Plateaus(table), LaneTables.of(laws)
 
 
 class LaneBatch:
@@ -89,7 +91,7 @@ class LaneBatch:
 
     def __init__(self, arcs: Arcs) -> None:
         self.arcs, self.given = arcs, arcs.inputs()
-        self.laws, self.plateaus = tables_of(arcs.laws)
+        self.laws, self.plateaus, self.tables = tables_of(arcs.laws)
         self.found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
         self.left = np.zeros(len(arcs), dtype=np.int64)  # parts for the scalar kernel
         self.starts = np.full((len(arcs), row.STARTS), np.nan)
@@ -342,7 +344,7 @@ class LaneBatch:
         unsure = self.softens & (self.left & (answer.CREEP_LIMIT | answer.TESTED_SLIP) > 0)
         self.left[unsure] |= answer.GROSS_SLIP
         self.left &= parts | (answer.GROSS_SLIP if parts & answer.CAPACITIES else 0)
-        for solve in (solve_constant, self._brake):
+        for solve in (solve_constant, self._by_creep):
             solved = solve(self.arcs, self.left & row.TENSIONS > 0, self.found)
             self.left[solved] &= ~row.TENSIONS
         which = np.flatnonzero(self.left)
@@ -355,8 +357,9 @@ class LaneBatch:
             for place in places:
                 self.found[which[these], place] = done[these, place]
 
-    def _brake(self, arcs: Arcs, wanted: Flags, found: Array) -> Flags:
-        return brake_rows(arcs, self.laws, wanted & (self.of("side") < 0.0), found)
+    def _by_creep(self, arcs: Arcs, wanted: Flags, found: Array) -> Flags:
+        wanted = wanted & (self.of("kick") >= 0.0)
+        return solve_left(arcs, self.laws, self.tables, self.rows, wanted, found)
 
 
 def _near(out: Array, what: int) -> Flags:

@@ -176,4 +176,58 @@ GROSS_SLOTS = READ_SLOTS + 10
     J_21,
     J_22,
 ) = range(GROSS_SLOTS, GROSS_SLOTS + 48)
-SLOTS = GROSS_SLOTS + 48
+SIXTH_SLOTS = GROSS_SLOTS + 48
+
+# the march with creep as the state, see `lane_creep`
+(
+    T,  # tension over T1
+    U,  # creep [m]
+    T_Z,  # their derivatives by z
+    U_Z,
+    AT_T,  # the stages of a step
+    AT_U,
+    AT_TZ,
+    AT_UZ,
+    SUM_T,
+    SUM_U,
+    SUM_TZ,
+    SUM_UZ,
+    STEP,  # length of a step [m]
+    SOFT,  # h/G p, of the state [m]
+    HELD,  # of the traction above the range of the law, over what it would be without
+    SLIP,  # magnitude of slip [m]
+    FRICTION,  # with the sign of the creep, and its derivatives by creep and by T/T1
+    FRICTION_U,
+    FRICTION_T,
+    GONE,  # 1 where the state has left the cell of the table that was fetched
+    MISSED,  # largest miss of a slip, relative to the creep
+    RISES_TO,  # slip up to which friction does not fall [m]
+    CREEP_GUESS,  # creep at the exit [m]
+    STIFF_GUESS,  # friction per slip at small slip [1/m]
+    G_MIDDLE,  # g = G_MIDDLE + G_SCALE sinh z
+    G_SCALE,
+    Z_LOW,  # z is between them
+    Z_HIGH,
+    Z_STEP,  # the last change of z, before it was limited
+    U_COARSE,  # creep at the exit by the coarser mesh [m]
+    LARGEST,  # slip along the arc [m]
+    FASTEST,  # change of slip along the arc [-]
+    A_0,  # the cubic of the fetched cell at the pressure of the state
+    A_1,
+    A_2,
+    A_3,
+    REST,  # creep past the beginning of the cell [m]
+    PAST,  # slip past it, and what that is between [m]
+    PAST_LOW,
+    PAST_HIGH,
+    AT_NODE,  # a place on the mesh, in steps
+    CREST_LOW,  # between them the stress is largest, and two places within
+    CREST_HIGH,
+    CREST_1,
+    CREST_2,
+    STRESS_1,
+    STRESS_2,
+    U_COARSEST,  # the same by a third of the steps, and its change by all steps
+    CHANGE_FIRST,
+) = range(SIXTH_SLOTS, SIXTH_SLOTS + 49)
+SLOTS = SIXTH_SLOTS + 49

@@ -74,7 +74,7 @@ def _by_rows(bank: LawBank, law: Integers, given: Array) -> Array:
 
 def _by_tables(arcs: Arcs, given: Array) -> Array:
     """Factors of the rows under laws by knots, shape (n,); nan of others and of those not met."""
-    _, plateaus = tables_of(arcs.laws)
+    _, plateaus, _ = tables_of(arcs.laws)
     found = np.full(len(given), np.nan)
     fit = (arcs.laws.kind == KNOTS) & (plateaus.table.row >= 0)
     for i in np.unique(arcs.law[fit[arcs.law]]).tolist():
