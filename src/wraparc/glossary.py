@@ -275,7 +275,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "compare it with CEMA and DIN values.",
     ),
     Quantity(
-        "least_exit_tension", "T2_min", "force", "Least slack-side tension",
+        "least_exit_tension", "T2_creep", "force", "Slack-side tension for the creep limit",
         "Least slack-side tension (exit side when driving, entry side when braking) that "
         "carries the same effective tension within the creep limit.",
     ),

@@ -53,7 +53,7 @@ def test_monte_carlo_of_a_wet_and_dry_drive(tmp_path: Path) -> None:
     assert ran.code == 0, ran.err
     assert "design, wet: probability by pulley.head.exit_tension" in ran.words
     assert "each condition counted by its share of the time" in ran.words
-    assert "least T2 50 % [lbf]" in ran.words
+    assert "T2 for the limit 50 % [lbf]" in ran.words
     assert "wet: illustrative (about the 0.78 of the wet-season example)" in ran.words
 
 

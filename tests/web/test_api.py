@@ -12,7 +12,8 @@ from starlette.testclient import TestClient
 
 from cli.running import wraparc
 from web.calculators import API, client, document
-from wraparc import Distributed, WrapArc
+from wraparc import Distributed, WrapArc, solve
+from wraparc.checks import judge, least_tension
 from wraparc.choose.cost import catalogue_price, energy_cost, lagging_cost
 from wraparc.drive.changes import with_lagging
 from wraparc.files import drive_from_document, load_lagging
@@ -192,6 +193,33 @@ def test_comparison_agrees_with_solving_and_pricing_each(api: TestClient) -> Non
             continue
         bought = float(lagging_cost(price.cost, math.pi * 0.8 * 1.2, 10)[0])
         assert row["cells"]["cost_total"]["value"] == pytest.approx(bought + energy)
+
+
+def test_comparison_judges_every_load_case_and_shows_one(api: TestClient) -> None:
+    """The answers are those of `judge` for the whole drive, the numbers those of a case."""
+    asked = document()
+    asked["load_case"] = [
+        {"name": "light", "pulley": {"head": {"entry_tension": "90 kN", "exit_tension": "80 kN"}}},
+        {"name": "jam", "pulley": {"head": {"entry_tension": "180 kN", "exit_tension": "9 kN"}}},
+    ]
+    found = post(api, "/compare", document=asked, load_case="light")
+    assert (found["load_case"], found["load_cases"]) == ("light", 3)
+    told = set()
+    for row in found["rows"]:
+        whole = with_lagging(drive_from_document(asked), "head", load_lagging(row["name"]))
+        answered = solve(whole, raise_on_failure=False)
+        judged, shown = judge(answered), answered.arc("head", "light")
+        assert row["level"] == judged.level.value
+        assert judged.governing is not None
+        assert row["short"].endswith(f", {judged.governing.place.load_case}")
+        creep = row["cells"]["creep"]["value"]
+        assert creep == pytest.approx(shown.exit_creep, rel=1e-12)
+        least = least_tension(answered)
+        assert least is not None
+        expected = None if math.isinf(least.tension) else least.tension
+        assert row["cells"]["least_slack"]["value"] == pytest.approx(expected)
+        told.add(row["level"])
+    assert "OK" not in told
 
 
 def test_what_a_comparison_changes_makes_that_drive(api: TestClient) -> None:

@@ -184,7 +184,7 @@ def _chances(
     heads = ["fails", "attention", "breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]"]
     for name in outputs:
         unit, _ = display_unit(GLOSSARY[name].dimension, system)
-        short = {"exit_creep": "creep", "least_exit_tension": "least T2"}[name]
+        short = {"exit_creep": "creep", "least_exit_tension": "T2 for the limit"}[name]
         heads += [f"{short} {p:g} % [{unit}]" for p in PERCENTS[1:3]]
     rows = []
     for group in groups[:_MOST_ROWS]:

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Literal
 
 from wraparc import catalogue
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Level, least_tension
+from wraparc.checks import Level, Verdict, judge, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.changes import with_belt, with_lagging
@@ -16,7 +17,7 @@ from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import NONE, named, percent
 from wraparc.present.wear_table import life_data
-from wraparc.present.words import alone, level_of, short
+from wraparc.present.words import short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
 from wraparc.web.answers.documents import asked_for, divided, read
@@ -34,7 +35,7 @@ _COLUMNS = (
     ("peak_shear_stress", "Peak shear stress", "low"),
     ("peak_shear_angle", "Peak shear angle", "low"),
     ("margin", "Margin to the creep limit", "high"),
-    ("least_slack", "Least slack-side tension", "low"),
+    ("least_slack", "Least slack-side tension, all checks", "low"),
     ("power_loss", "Power lost to creep", "low"),
     ("outside", "Share outside tested range", "low"),
     ("cost_lagging", "Lagging over the years", "low"),
@@ -59,7 +60,10 @@ class Change(Answer):
 
 
 class Candidate(Answer):
-    """The drive with one lagging or belt."""
+    """The drive with one lagging or belt: judged in every load case, numbers of the one asked for.
+
+    The least slack-side tension is that of every load case too.
+    """
 
     name: str
     title: str
@@ -96,6 +100,7 @@ class CompareAnswer(Answer):
 
     pulley: str
     load_case: str
+    load_cases: int
     what: Literal["laggings", "belts"]
     currency: str
     years: float
@@ -122,14 +127,15 @@ def compare(asked: CompareRequest) -> CompareAnswer:
         try:
             if isinstance(changed, InputError):
                 raise changed
-            result = main_solver().solve(WrapArc.of(changed, changed.pulley(pulley.name), case))
+            answered = _answered(changed, pulley.name)
         except InputError as error:
             impossible.append(Impossible(name=name, problems=told(error.problems)))
             continue
-        rows.append(_row(name, changed, result, change, asked, present=name == present))
+        rows.append(_row(name, answered, case.name, change, asked, present=name == present))
     return CompareAnswer(
         pulley=pulley.name,
         load_case=case.name,
+        load_cases=len(drive.load_cases),
         what=asked.what,
         currency=asked.currency,
         years=asked.years,
@@ -211,26 +217,37 @@ def _neighbours(drive: Drive) -> list[str]:
     return [b.name for b in found]
 
 
+def _answered(drive: Drive, pulley: str) -> DriveResult:
+    """Return one pulley of a drive in every load case."""
+    cases = [replace(c, tensions={pulley: c.tensions[pulley]}) for c in drive.load_cases]
+    alone = replace(drive, pulleys=(drive.pulley(pulley),), load_cases=tuple(cases))
+    solver = main_solver()
+    arcs = (solver.solve(WrapArc.of(alone, alone.pulleys[0], case)) for case in cases)
+    return DriveResult(alone, tuple(arcs))
+
+
 def _row(
     name: str,
-    drive: Drive,
-    result: ArcResult,
+    answered: DriveResult,
+    case: str,
     change: Changes,
     asked: CompareRequest,
     *,
     present: bool,
 ) -> Candidate:
-    lagging = drive.pulley(result.arc.pulley).lagging
+    drive = answered.drive
+    result = answered.arc(drive.pulleys[0].name, case)
+    lagging = drive.pulleys[0].lagging
     what = lagging if asked.what == "laggings" else drive.belt
     origin = lagging.source_of("law") if isinstance(what, Lagging) else what.provenance
-    answered = alone(drive, result)
+    judged = judge(answered)
     cost, note = _cost(drive, lagging, result, asked)
     return Candidate(
         name=name,
         title=lagging.title if isinstance(what, Lagging) else what.kind,
         condition=lagging.condition,
-        level=level_of(answered, result),
-        short=short(answered, result),
+        level=judged.level,
+        short=_short(judged, answered, result),
         status_text=str(result.status),
         cells={**_cells(answered, result), **cost},
         cost_note=note,
@@ -239,6 +256,17 @@ def _row(
         change=change,
         present=present,
     )
+
+
+def _short(judged: Verdict, answered: DriveResult, result: ArcResult) -> str:
+    """Return the answer in a few words, with the load case it is of unless that is shown."""
+    worst = judged.governing
+    if worst is None or not worst.missed:
+        return short(answered, result)
+    place = worst.place
+    if place.load_case in ("", result.arc.load_case):
+        return short(answered, result)
+    return f"{short(answered, answered.arc(result.arc.pulley, place.load_case))}, {place.load_case}"
 
 
 def _cells(answered: DriveResult, result: ArcResult) -> dict[str, Cell]:
@@ -324,7 +352,9 @@ def _cost_cell(value: float) -> Cell:
 
 def _meaning(key: str) -> str:
     names = {"creep": "exit_creep", "margin": "creep_limit_margin", "of_limit": "creep_limit"}
-    names |= {"least_slack": "least_exit_tension", "outside": "outside_tested_share"}
+    names |= {"outside": "outside_tested_share"}
+    if key == "least_slack":
+        return "Least slack-side tension with which every binding check is kept in every load case."
     entry = GLOSSARY.get(names.get(key, key))
     return entry.meaning if entry else ""
 

@@ -2,9 +2,12 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import Any
 
-from wraparc.arc import ArcResult, DriveResult, Status
+import numpy as np
+
+from wraparc.arc import ArcResult, DriveResult, Energy, Profile, Status
 from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked, by_table, design_friction_of
@@ -157,8 +160,23 @@ def _servers(result: ArcResult) -> bool:
 
 def _checks(result: DriveResult, status: Status) -> tuple[Check, ...]:
     """Return the checks as they were if every arc ended so."""
-    arcs = (arc if arc.status is status else replace(arc, status=status) for arc in result)
+    arcs = (arc if arc.status is status else _ended(arc, status) for arc in result)
     return judge(DriveResult(result.drive, tuple(arcs))).checks
+
+
+def _ended(arc: ArcResult, status: Status) -> ArcResult:
+    """Return an arc as if it ended so, for the words: zeros stand for the numbers it has not."""
+    if not status.solved:
+        return replace(arc, status=status)
+    # what has no number is not equal to itself
+    none = {f.name: 0.0 for f in fields(arc) if getattr(arc, f.name) != getattr(arc, f.name)}
+    given: dict[str, Any] = {
+        **none,
+        "status": status,
+        "profile": Profile(*(np.zeros(2) for _ in fields(Profile))),
+        "energy": Energy(identity_error=0.0),
+    }
+    return replace(arc, **given)
 
 
 def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:

@@ -6,7 +6,7 @@ import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { leastOf } from "../static/pages/drive/least.js";
 import { inBoth } from "../static/pages/drive/whole.js";
-import { quantity, verdictOf } from "../static/pages/drive/words.js";
+import { quantity, verdictOf, worstOf } from "../static/pages/drive/words.js";
 
 /** @import { Design, Judging } from "../static/types.d.ts" */
 /** @typedef {{path: string, value: any}[]} Change */
@@ -26,27 +26,24 @@ export async function compared({ document: doc, load_case, what }, data) {
   const arcs = [];
   for (const { name, changed, change } of what === "belts" ? belts(doc, data) : laggings(doc)) {
     const { judging, problems } = assemble(changed, data.book);
-    if (judging) arcs.push({ name, changed, change, judging: alone(judging, load_case) });
+    if (judging) arcs.push({ name, changed, change, judging });
     else not_possible.push({ name, problems });
   }
+  const cases = arcs[0]?.judging.cases.map((c) => c.load_case) ?? [];
+  const shown = Math.max(cases.indexOf(load_case ?? ""), 0);
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
     const judged = numbers && judge(judging, changed, numbers);
-    if (judged) rows.push(rowOf(name, what, judged, judging, change, doc));
+    if (judged) rows.push(rowOf(name, what, judged, judging, shown, change, doc));
     else not_possible.push({ name, problems: [{ path: "", message: "no answer was found" }] });
   }
   const { columns, remarks } = data.compare;
-  const [first] = arcs;
   return {
     pulley: doc.pulley[0].name,
-    load_case: first?.judging.cases[0].load_case ?? "",
+    load_case: cases[shown] ?? "",
+    load_cases: cases.length,
     ...{ columns, rows, not_possible, remarks: remarks[what] },
   };
-}
-/** One load case of a drive. @param {Judging} judging @param {string | null} load_case */
-function alone(judging, load_case) {
-  const found = judging.cases.find((c) => c.load_case === load_case) ?? judging.cases[0];
-  return { ...judging, take_up: false, cases: [found] };
 }
 /** @param {Design} doc */
 const nameOf = (doc) => doc.pulley[0].lagging?.preset ?? doc.pulley[0].lagging;
@@ -95,13 +92,19 @@ function neighbours(doc, data) {
 const far = (belt, rating) => Math.abs(Math.log(belt.rating / rating));
 
 /** @param {string} name @param {string} what @param {import("../static/pages/drive/judge.js").Judged} judged
- * @param {Judging} judging @param {Change} change @param {Design} doc */
-function rowOf(name, what, judged, judging, change, doc) {
-  const [{ solved, numbers: n, load_case }] = judged.arcs;
-  const { level, short } = verdictOf(judged, load_case);
+ * @param {Judging} judging @param {number} shown load case whose numbers these are
+ * @param {Change} change @param {Design} doc */
+function rowOf(name, what, judged, judging, shown, change, doc) {
+  const { solved, numbers: n, load_case } = judged.arcs[shown];
+  const { level, short: words } = verdictOf(judged);
+  const elsewhere = worstOf(judged.checks);
+  const told = elsewhere?.missed && elsewhere.load_case && elsewhere.load_case !== load_case;
+  const short = told ? `${words}, ${elsewhere.load_case}` : words;
   const lagging = app.catalogue.laggings.find((l) => l.name === name);
   const belt = app.catalogue.belts.find((b) => b.name === name);
-  const of = solved ? Math.abs(n.exit_creep) / +judging.cases[0].prepared.given.creep_limit : none;
+  const of = solved
+    ? Math.abs(n.exit_creep) / +judging.cases[shown].prepared.given.creep_limit
+    : none;
   const known = (/** @type {number} */ v) => (solved ? v : none);
   return {
     ...{ name, level, short, change, condition: conditionOf(doc), cost_note: "" },

@@ -14,7 +14,7 @@ import { h } from "../vendor/preact.js";
  *   cells: Record<string, Cell>, cost_note: Text, kind: string, source: string, present: boolean,
  *   change: {path: string, value: any}[]}} Row
  * @typedef {{key: string, title: string, better: "low" | "high"}} Column
- * @typedef {{pulley: string, load_case: string, years: number, currency: string,
+ * @typedef {{pulley: string, load_case: string, load_cases: number, years: number, currency: string,
  *   columns: Column[], rows: Row[], remarks: Text[],
  *   not_possible: {name: string, problems: Problem[]}[]}} Comparison
  */
@@ -72,7 +72,7 @@ export const Page = () => [
     "p",
     { class: "help", key: "help" },
     "The drive of the first page, everything else unchanged. ",
-    "Press a heading to sort, a pin to keep a row on top.",
+    "Press a heading to sort, a star to keep a row on top; bold is best among the rows that are OK.",
   ),
   bar(),
   h("p", { class: "help", role: "status", key: "said" }, said()),
@@ -85,7 +85,8 @@ function said() {
   if (!a || state.problems.length) return "";
   const money = a.currency ? ` in ${a.currency}` : "";
   const what = `${a.rows.length} ${asked.what}`;
-  const where = `Pulley ${a.pulley}, load case ${a.load_case}`;
+  const all = a.load_cases > 1 ? `, answers of all ${a.load_cases} load cases` : "";
+  const where = `Pulley ${a.pulley}, numbers of load case ${a.load_case}${all}`;
   return `${where}; ${what}.${a.years ? ` Costs over ${a.years} years${money}.` : ""}`;
 }
 function bar() {

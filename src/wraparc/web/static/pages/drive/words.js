@@ -79,7 +79,7 @@ function placed(c) {
 /** The worse of two first. @param {Check} a @param {Check} b */
 const byBadness = (a, b) => b.rank - a.rank || (a.order < b.order ? -1 : +(a.order > b.order));
 /** @param {Check[]} checks */
-const worstOf = (checks) =>
+export const worstOf = (checks) =>
   checks.filter((c) => c.level !== NOT_CHECKED).sort(byBadness)[0] ?? null;
 /** Each check once, where it comes off worst. @param {Check[]} checks */
 export function listed(checks) {
