@@ -196,6 +196,13 @@ WRITING: dict[str, tuple[list[object], list[str]]] = {
         ["a.json", "a.parquet"],
     ),
     "what-if": ([EXAMPLES / "head-drive-fabric.toml", "--other-carcass", "--json"], ["a.json"]),
+    "seek": (
+        [
+            *(EXAMPLES / "head-drive-fabric.toml", "--vary", "pulley.head.wrap_angle"),
+            *("--result", "exit_creep", "--value", "6 mm", "--json"),
+        ],
+        ["a.json"],
+    ),
     "overlay": ([EXAMPLES / "test-pulley" / "published-pair.toml", "--plot"], ["a.svg"]),
     "calibrate": (
         [EXAMPLES / "test-pulley" / "published-pair.toml", "--json", "a.json", "-o"],

@@ -49,6 +49,9 @@ COMMANDS: dict[str, Command] = {
     "what-if": Command(
         "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
     ),
+    "seek": Command(
+        "wraparc.cli.seek:seek", "Find the value of an input that gives a wanted result."
+    ),
     "profile": Command(
         "wraparc.cli.profile:profile", "Read a profile measured over the face of a pulley."
     ),

@@ -128,6 +128,20 @@ class CompareRequest(Request):
     currency: Line = "AUD"
 
 
+class SeekRequest(Request):
+    """Which value of an input gives a wanted result."""
+
+    document: Document
+    field: str = Field(max_length=500, description="Key path of the input.")
+    result: Short = Field(description="Name of the result in the glossary.")
+    value: Short = Field(description="What it is to be, with its unit.")
+    pulley: Line = ""
+    load_case: Line = ""
+    least: Short = Field("", description="Least input; a third of the present one if left out.")
+    most: Short = Field("", description="Most; three times the present one if left out.")
+    now: Short = Field("", description="The present input where a preset gives it.")
+
+
 class TrainRequest(Request):
     """Several drives on one belt."""
 

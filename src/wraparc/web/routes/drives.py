@@ -13,6 +13,7 @@ from wraparc.web.answers import (
     documents,
     drives,
     form,
+    seek,
     texts,
     trains,
 )
@@ -113,6 +114,7 @@ offer(api, "/toml/write", texts.write_toml)
 offer(api, "/lagging/read", texts.read_lagging)
 offer(api, "/quantities", texts.quantities, queue=QUICK)
 offer(api, "/compare", compare.compare)
+offer(api, "/seek", seek.seek_value)
 offer(api, "/train", trains.train, long=lambda asked: asked.match)
 offer(api, "/across", across.solve_width)
 offer(api, "/across/wear", across.wear_width, long=lambda asked: True)

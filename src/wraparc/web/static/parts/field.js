@@ -76,6 +76,9 @@ function allowed({ dimension, allowed: text, least, most }) {
   return both && app.units === "us" ? `Allowed: ${both}.` : `Allowed: ${text}.`;
 }
 
+/** What finds the value of a field that gives a wanted result, where there is a server. */
+export const seeking = { open: /** @type {((path: Path) => void) | null} */ (null) };
+
 /** @extends {Component<FieldProps, FieldState>} */
 export class Field extends Component {
   /** @type {FieldState} */
@@ -112,6 +115,7 @@ export class Field extends Component {
       s.key,
       problem,
       app.units,
+      seeking.open !== null,
     ]);
   }
   componentDidUpdate() {
@@ -205,7 +209,13 @@ export class Field extends Component {
       ),
       this.question(name),
       this.slider(name),
-      h("p", { class: "help", id: `${this.id}-h`, hidden: !this.state.help }, this.help()),
+      h(
+        "p",
+        { class: "help", id: `${this.id}-h`, hidden: !this.state.help },
+        this.help(),
+        " ",
+        this.state.help && this.seek(),
+      ),
       h("p", { class: "error", id: `${this.id}-e` }, problem),
     );
   }
@@ -223,6 +233,17 @@ export class Field extends Component {
         onClick: () => this.setState({ help: !help }),
       },
       "?",
+    );
+  }
+  seek() {
+    const { path, spec: s, page } = this.props;
+    const { open } = seeking;
+    if (!open || page || s.kind !== "quantity" || !/^(belt|pulley)$/.test(String(path[0])))
+      return null;
+    return h(
+      "button",
+      { type: "button", onClick: () => open(path) },
+      "Which value gives a result?",
     );
   }
   help() {

@@ -1,4 +1,5 @@
 // The answer: the governing verdict, the arc that is chosen, its pictures and tables.
+
 import { app, caseNames, look, redraw } from "../../base/design.js";
 import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
@@ -12,12 +13,12 @@ import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, QuickAnswer } from "../../types.d.ts" */
 
-/** What is pressed to follow an advice, fetched behind the first answer. */
-let advice = /** @type {typeof import("./advice.js") | null} */ (null);
+/** What can be asked and done beside the answer, fetched behind the first one. */
+let beside = /** @type {typeof import("./questions.js") | null} */ (null);
 document.addEventListener(
   "complete",
   async () => {
-    advice ??= await import("./advice.js");
+    beside ??= await import("./questions.js");
     redraw();
   },
   { once: true },
@@ -93,6 +94,7 @@ export class Results extends Component {
         "div",
         { class: "answer", hidden: !arc || (refused && foreign) },
         arc && top(arc),
+        beside?.questions(),
         this.body(arc),
       ),
       h(
@@ -232,12 +234,12 @@ function verdicts(arc) {
       " ",
       ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
       " ",
-      known() && !all && advice?.raiseAlone(wholeArc()),
+      known() && !all && beside?.raiseAlone(wholeArc()),
     ),
   );
   if (known() && full)
     return [
-      h("div", { key: "governing" }, verdict(full.verdict, null, advice?.raise(all))),
+      h("div", { key: "governing" }, verdict(full.verdict, null, beside?.raise(all))),
       several && own,
       whole() &&
         h("p", { class: "away", role: "status", key: "spoken" }, words(full.verdict.headline)),

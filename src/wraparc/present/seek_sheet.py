@@ -1,0 +1,103 @@
+"""What goal seek found: a sentence, the values with what the drive is like then, and data."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from wraparc.arc import DriveResult
+from wraparc.checks import judge
+from wraparc.glossary import GLOSSARY
+from wraparc.present.sheet import Row, Sheet, Table
+from wraparc.present.sheet import quantity as shown
+from wraparc.present.words import verdict
+from wraparc.study.seek import Sought, label_of
+from wraparc.units import System
+
+
+def seek_sheet(found: Sought, title: str, system: System = "si") -> Sheet:
+    """Return the sheet of a search."""
+    rows = tuple(
+        Row(
+            value_text(found, value, system),
+            (shown(_result(found, whole), _dimension(found), system), str(judge(whole).level)),
+            note=verdict(whole, system).headline,
+        )
+        for value, whole in zip(found.values, found.drives, strict=True)
+    )
+    heads = (GLOSSARY[found.result].title, "Verdict on the drive")
+    return Sheet(
+        title=title,
+        subtitle=f"Pulley {found.pulley}, load case {found.load_case}.",
+        verdict=None,
+        tables=(Table(label_of(found.field).capitalize(), rows, heads),) if rows else (),
+        remarks=(sentence(found, system),),
+    )
+
+
+def sentence(found: Sought, system: System = "si") -> str:
+    """Return the answer in one sentence."""
+    what, name = label_of(found.field), GLOSSARY[found.result].title.lower()
+    wanted = shown(found.wanted, _dimension(found), system)
+    if found.values:
+        values = " or ".join(value_text(found, value, system) for value in found.values)
+        return f"{name.capitalize()} is {wanted} where the {what} is {values}{_now(found, system)}."
+    low, high = (value_text(found, v, system) for v in (found.tried[0], found.tried[-1]))
+    return (
+        f"No {what} from {low} to {high} gives {name} of {wanted}: "
+        f"{'; '.join(_reached(found, system))}{_now(found, system)}."
+    )
+
+
+def _reached(found: Sought, system: System) -> Iterator[str]:
+    """Yield how far the result goes over the range."""
+    pairs = [(r, v) for v, r in zip(found.tried, found.results, strict=True) if math.isfinite(r)]
+    if not pairs:
+        yield "it has no value on all of the way"
+        return
+    for word, (result, value) in (("least", min(pairs)), ("most", max(pairs))):
+        told = shown(result, _dimension(found), system)
+        yield f"the {word} is {told}, with {value_text(found, value, system)}"
+
+
+def _now(found: Sought, system: System) -> str:
+    if math.isnan(found.now):
+        return ""
+    now = value_text(found, found.now, system)
+    if math.isnan(found.result_now):
+        return f" (now {now})"
+    return f" (now {now}: {shown(found.result_now, _dimension(found), system)})"
+
+
+def value_text(found: Sought, value: float, system: System = "si") -> str:
+    """Return a value of the input with its unit, in four digits."""
+    return shown(value, found.dimension, system, 4)
+
+
+def _dimension(found: Sought) -> Any:
+    return GLOSSARY[found.result].dimension
+
+
+def _result(found: Sought, whole: DriveResult) -> float:
+    return float(whole.arc(found.pulley, found.load_case).scalars()[found.result])
+
+
+def seek_document(found: Sought) -> dict[str, Any]:
+    """Return a search as plain data: SI."""
+    return {
+        "field": found.field,
+        "result": found.result,
+        "wanted": found.wanted,
+        "pulley": found.pulley,
+        "load_case": found.load_case,
+        "now": {"value": found.now, "result": found.result_now},
+        "found": [
+            {
+                "value": value,
+                "result": _result(found, whole),
+                "level": judge(whole).level.value,
+                "headline": verdict(whole).headline,
+            }
+            for value, whole in zip(found.values, found.drives, strict=True)
+        ],
+        "tried": {"value": list(found.tried), "result": list(found.results)},
+    }

@@ -1,0 +1,52 @@
+"""Which value of an input gives a wanted result, as ``wraparc seek`` finds it."""
+
+from wraparc.arc import DriveResult
+from wraparc.checks import Level, judge
+from wraparc.present.seek_sheet import seek_document, sentence, value_text
+from wraparc.present.words import verdict
+from wraparc.study.seek import Goal, Sought, seek
+from wraparc.web.answers.documents import read, without_none
+from wraparc.web.answers.shown import Answer, Both, Numbers, both, rounded
+from wraparc.web.answers.solving import main_solver
+from wraparc.web.asked import SeekRequest
+
+
+class FoundValue(Answer):
+    """A value of the input [SI], and what the whole drive is like with it."""
+
+    value: float
+    shown: Both
+    level: Level
+    headline: Both
+
+
+class SeekAnswer(Answer):
+    """What was found, in a sentence; and the result over the range that was tried [SI]."""
+
+    sentence: Both
+    found: list[FoundValue]
+    tried: Numbers
+    results: Numbers
+
+
+def seek_value(asked: SeekRequest) -> SeekAnswer:
+    """Every value of an input in a range that gives a wanted result."""
+    document = without_none(asked.document)
+    read(document)
+    found = seek(document, Goal(**asked.model_dump(exclude={"document"})), method=main_solver())
+    data = seek_document(found)
+    return SeekAnswer(
+        sentence=both(lambda system: sentence(found, system)),
+        found=[_value(found, *pair) for pair in zip(found.values, found.drives, strict=True)],
+        tried=rounded(data["tried"]["value"]),
+        results=rounded(data["tried"]["result"]),
+    )
+
+
+def _value(found: Sought, value: float, whole: DriveResult) -> FoundValue:
+    return FoundValue(
+        value=value,
+        shown=both(lambda system: value_text(found, value, system)),
+        level=judge(whole).level,
+        headline=both(lambda system: verdict(whole, system).headline),
+    )

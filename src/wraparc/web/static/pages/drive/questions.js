@@ -1,0 +1,40 @@
+// What can be asked beside the answer: each question fetched when it is asked first.
+import { redraw } from "../../base/design.js";
+import { act } from "../../base/server.js";
+import { PAGES } from "../../frame/registry.js";
+import { seeking } from "../../parts/field.js";
+import { h } from "../../vendor/preact.js";
+
+export { raise, raiseAlone } from "./advice.js";
+
+/** @import { Children } from "../../types.d.ts" */
+/** @typedef {{open: (at?: any) => void, panel: () => Children}} Question */
+
+/** Questions that the server answers, by their buttons. @type {Record<string, any>} */
+const QUESTIONS = {
+  "Which input gives …?": () => import("./seek.js"),
+};
+/** @type {Question[]} */
+const asked = [];
+/** @param {string} name @param {any} [at] */
+async function ask(name, at) {
+  const found = /** @type {Question} */ (await QUESTIONS[name]());
+  if (!asked.includes(found)) asked.push(found);
+  found.open(at);
+  redraw();
+}
+const [SEEK] = Object.keys(QUESTIONS);
+if (PAGES.study) seeking.open = (path) => ask(SEEK, path);
+
+/** The buttons, and what was asked. */
+export const questions = () =>
+  PAGES.study && [
+    h(
+      "p",
+      { class: "inline", key: "questions" },
+      Object.keys(QUESTIONS).map((name) =>
+        h("button", { type: "button", key: name, onClick: act(() => ask(name)) }, name),
+      ),
+    ),
+    ...asked.map((question) => question.panel()),
+  ];
