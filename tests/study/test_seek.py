@@ -76,7 +76,7 @@ def test_slipping_arc_of_the_capstan_equation() -> None:
     # ln(1 + 0.99 (T1/T2 - 1))/mu, which is 90 deg where T1/T2 = 1 + (exp(mu pi/2) - 1)/0.99
     found = sought(CAPSTAN, "pulley.head.entry_tension", "active_arc", "90 deg")
     expected = 60e3 * (1.0 + (math.exp(0.35 * math.pi / 2.0) - 1.0) / 0.99)
-    assert found.values == (pytest.approx(expected, rel=1e-3),)
+    assert list(found.values) == pytest.approx([expected], rel=1e-3)
 
 
 def test_every_value_is_found_the_nearest_first() -> None:

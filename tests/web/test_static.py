@@ -49,7 +49,7 @@ def test_page_asks_nobody_else_and_runs_no_text(path: Path) -> None:
     assert max(map(len, text.splitlines())) <= 100 or path.suffix == ".html"
 
 
-STATIC_IMPORT = r"^import [^;(]*?from \"(\.[^\"]+)\";"
+STATIC_IMPORT = r"^(?:im|ex)port [^;(]*?from \"(\.[^\"]+)\";"
 LATE_IMPORT = r"(?:import|new URL)\(\"(\.[^\"]+\.js)\""
 
 

@@ -14,8 +14,8 @@ import { h } from "../vendor/preact.js";
  *   cells: Record<string, Cell>, cost_note: Text, kind: string, source: string, present: boolean,
  *   change: {path: string, value: any}[]}} Row
  * @typedef {{key: string, title: string, better: "low" | "high"}} Column
- * @typedef {{pulley: string, load_case: string, load_cases: number, years: number, currency: string,
- *   columns: Column[], rows: Row[], remarks: Text[],
+ * @typedef {{pulley: string, load_case: string, load_cases: number, years: number,
+ *   currency: string, columns: Column[], rows: Row[], remarks: Text[],
  *   not_possible: {name: string, problems: Problem[]}[]}} Comparison
  */
 
@@ -72,7 +72,8 @@ export const Page = () => [
     "p",
     { class: "help", key: "help" },
     "The drive of the first page, everything else unchanged. ",
-    "Press a heading to sort, a star to keep a row on top; bold is best among the rows that are OK.",
+    "Press a heading to sort, a star to keep a row on top; " +
+      "bold is best among the rows that are OK.",
   ),
   bar(),
   h("p", { class: "help", role: "status", key: "said" }, said()),
