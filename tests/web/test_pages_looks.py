@@ -234,3 +234,15 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
     page.keyboard.press("Enter")
     assert page.evaluate("document.activeElement.id") == "sort-margin"
     visitor.context.close()
+
+
+def test_the_line_of_a_phone_tells_the_verdict_on_all_load_cases(visitor: Visitor) -> None:
+    # the design case is OK where it carries little; the start case is not
+    page = visitor.open("drive")
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.fill("#f-pulley-0-entry_tension", "80")
+    expect(page.locator("#drive .chosen")).to_contain_text("OK")
+    line = page.locator("#drive .peek")
+    expect(line).to_contain_text("ATTENTION")
+    expect(line).not_to_contain_text("OK")
+    expect(line).to_contain_text("all load cases; design: creep")

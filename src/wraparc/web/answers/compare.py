@@ -7,7 +7,7 @@ from typing import Literal
 
 from wraparc import catalogue
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Level, Verdict, judge, least_tension
+from wraparc.checks import Level, Verdict, idle, judge, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.changes import with_belt, with_lagging
@@ -262,7 +262,7 @@ def _short(judged: Verdict, answered: DriveResult, result: ArcResult) -> str:
     """Return the answer in a few words, with the load case it is of unless that is shown."""
     worst = judged.governing
     if worst is None or not worst.missed:
-        return short(answered, result)
+        return "not driven" if all(idle(r.arc) for r in answered) else "carries"
     place = worst.place
     if place.load_case in ("", result.arc.load_case):
         return short(answered, result)

@@ -14,7 +14,7 @@ const box = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** Draw everything that is seen; Preact changes only what is another. */
 function draw() {
-  document.title = `${PAGES[app.page].title} – wraparc`;
+  document.title = [app.doc?.title, PAGES[app.page].title, "wraparc"].filter(Boolean).join(" – ");
   document.documentElement.dataset.units = app.units;
   present()?.update?.();
   render(h(Header, {}), box("header"));

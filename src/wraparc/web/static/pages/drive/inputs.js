@@ -148,7 +148,7 @@ function lagging(i) {
         "p",
         { class: "origin", key: "origin" },
         h("span", { class: `mark ${known.kind}` }, known.kind),
-        ` ${known.source || ""}`,
+        ` ${(known.source || "").replace(`${known.kind}: `, "")}`,
       ),
     more("Lagging in detail", parts, typeof get(app.doc, at) === "object"),
   ];

@@ -97,11 +97,7 @@ export class Results extends Component {
         beside?.questions(),
         this.body(arc),
       ),
-      h(
-        "p",
-        { class: "peek", "aria-hidden": "true" },
-        arc && !refused && [badge(arc.level), peek(arc)],
-      ),
+      h("p", { class: "peek", "aria-hidden": "true" }, arc && !refused && peeked(arc)),
     );
   }
   /** @param {QuickAnswer | null} arc */
@@ -205,7 +201,7 @@ function whatIsWrong(before) {
     return h(
       "div",
       { class: "verdict bad" },
-      h("p", { class: "headline" }, badge("FAILS"), ` ${values} cannot be used${below}.`),
+      h("p", { class: "headline" }, badge("NOT CHECKED"), ` ${values} cannot be used${below}.`),
       list(shown.map(sentence)),
     );
   const these = before ? `These numbers are needed${below}.` : "These numbers are still needed:";
@@ -257,6 +253,13 @@ function verdicts(arc) {
     ),
     own,
   ];
+}
+/** One line for the phone: the verdict on the whole, and the arc that is shown.
+ * @param {QuickAnswer} arc */
+function peeked(arc) {
+  if (caseNames(app.doc).length < 2) return [badge(arc.level), peek(arc)];
+  const all = known()?.verdict.level;
+  return [all && badge(all), ` all load cases; ${arc.load_case}:`, peek(arc)];
 }
 /** What to know about the data. @param {QuickAnswer} arc */
 function chips(arc) {
