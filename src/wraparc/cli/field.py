@@ -1,22 +1,15 @@
 """``wraparc field``: what a healthy drive shows, when to alarm, how long the lagging lasts."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 
 import click
 
-from wraparc.arc import ArcResult, Distributed, WrapArc
-from wraparc.calibrate.field_numbers import (
-    at_creep_limit,
-    field_numbers,
-    passes,
-    wear_coefficient,
-)
-from wraparc.cli.options import check_outputs, units_option
+from wraparc.calibrate.on_site import OnSite, on_site
+from wraparc.cli.options import check_outputs, options, units_option
 from wraparc.cli.output import deliver
-from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed, shown
-from wraparc.units import Dimension, System, parse_number, parse_quantity
+from wraparc.units import System, parse_number
 
 
 @click.command()
@@ -56,14 +49,13 @@ def field(
     drive = load_drive(file, overrides=settings)
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
-    results = _solved(drive, name)
-    limits = {case: at for case, r in results.items() if (at := at_creep_limit(r)) is not None}
-    coefficient, source = _coefficient(drive, name, results, wear_hours, said)
-    thickness = drive.pulley(name).lagging.thickness
-    depth = _length(said["depth"], "--depth") if said["depth"] else 0.5 * thickness
-    found = field_numbers(
-        results, limits, _hours(hours, "--hours"), coefficient=coefficient, depth=depth
+    asked = OnSite(
+        hours=_hours(hours, "--hours"),
+        wear_hours=_hours(wear_hours, "--wear-hours"),
+        **{key: text or "" for key, text in said.items()},
     )
+    with options():
+        found, source = on_site(drive, name, asked)
     from wraparc.checks import before
     from wraparc.present.document import json_text
     from wraparc.present.field_sheet import field_document, field_sheet
@@ -75,13 +67,6 @@ def field(
         ),
     )
     return 0
-
-
-def _solved(drive: Drive, pulley: str) -> dict[str, ArcResult]:
-    return {
-        case.name: Distributed().solve(WrapArc.of(drive, drive.pulley(pulley), case))
-        for case in drive.load_cases
-    }
 
 
 def _hours(texts: Iterable[str], option: str) -> dict[str, float]:
@@ -97,51 +82,3 @@ def _hours(texts: Iterable[str], option: str) -> dict[str, float]:
         except InputError as error:
             raise InputError(replace(error.problems[0], key=option, value=shown(text))) from None
     return found
-
-
-def _quantity(text: str | None, dimension: Dimension, option: str) -> float:
-    try:
-        value = parse_quantity(text or "", dimension)
-    except InputError as error:
-        raise InputError(replace(error.problems[0], key=option)) from None
-    if not value > 0.0:
-        raise InputError(Problem(key=option, value=shown(text), message="must be more than 0"))
-    return value
-
-
-def _length(text: str | None, option: str) -> float:
-    return _quantity(text, "length", option)
-
-
-def _coefficient(
-    drive: Drive,
-    pulley: str,
-    results: Mapping[str, ArcResult],
-    wear_hours: tuple[str, ...],
-    said: Mapping[str, str | None],
-) -> tuple[float | None, str]:
-    """Return the wear coefficient and where it came from; calibrated from a wear before all."""
-    if said["measured_wear"]:
-        worn = _length(said["measured_wear"], "--measured-wear")
-        hours = _hours(wear_hours, "--wear-hours")
-        if not hours:
-            message = "needed with --measured-wear: the hours that the wear took"
-            remedy = 'Write --wear-hours "design=12000".'
-            raise InputError(Problem(key="--wear-hours", message=message, remedy=remedy))
-        energy = 0.0
-        for name, share in hours.items():
-            if name not in results or results[name].arc.belt_speed is None:
-                message = "no such load case, or the belt speed is not known"
-                raise InputError(Problem(key="--wear-hours", value=shown(name), message=message))
-            r = results[name]
-            turns = passes(r.arc.belt_speed or 0.0, r.arc.diameter, share)
-            energy += turns * abs(r.energy.frictional_energy)
-        value = wear_coefficient(worn, energy)
-        return value, f"calibrated to the wear measured: {value * 1e9:.3g} mm3/J"
-    if said["wear_coefficient"]:
-        value = _quantity(said["wear_coefficient"], "wear_coefficient", "--wear-coefficient")
-        return value, "wear coefficient as given"
-    lagging = drive.pulley(pulley).lagging
-    if lagging.wear_coefficient is None:
-        return None, ""
-    return lagging.wear_coefficient, str(lagging.source_of("wear_coefficient"))

@@ -1,7 +1,9 @@
 """Options that several commands share, and the checks that go before any work."""
 
+import contextlib
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any, TypeVar
 
 import click
@@ -24,6 +26,18 @@ def units_option(command: _F) -> _F:
         show_envvar=True,
         help="Units to show results in.",
     )(command)
+
+
+@contextlib.contextmanager
+def options() -> Iterator[None]:
+    """Say of the problems raised within which option they are of, by the name of the field."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(
+            replace(p, key=f"--{p.key.replace('_', '-')}") if p.key.isidentifier() else p
+            for p in error.problems
+        ) from None
 
 
 def conditions_option(command: _F) -> _F:

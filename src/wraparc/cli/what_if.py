@@ -1,20 +1,19 @@
 """``wraparc what-if``: a drive before and after changes, in one table."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
 
 from wraparc.choose.what_if import Change
-from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.options import check_outputs, options, units_option
 from wraparc.cli.output import deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
 from wraparc.units import System
 
 if TYPE_CHECKING:
-    from wraparc.train import Train
+    from wraparc.choose.named_changes import Named
 
 
 @click.command("what-if")
@@ -58,19 +57,22 @@ def what_if(
     Every change is one column of the table, each made to the drive as it is in the file. The
     verdict, and the exit code, are those of the drive as it is; every column has its own.
     """
+    from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.files.conditions import refuse_several
+    from wraparc.train.as_drive import as_drive
     from wraparc.train.file import load_drive_or_train
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     read = load_drive_or_train(file)
-    drive = _as_drive(read)
+    drive = read if isinstance(read, Drive) else as_drive(read)
     refuse_several(drive, "what-if changes")
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
     with placed("--load-case", file):
         case = drive.load_case(load_case).name
-    changes = [_redivided(read, change) for change in _changes(drive, name, said)]
+    with options():
+        changes = list(changes_of(read, drive, name, _named(said)))
     changes += _settings(file, said)
     if not changes:
         raise InputError(
@@ -94,21 +96,6 @@ def what_if(
     return code_of(level_of(found.wholes[0], found.before))
 
 
-def _as_drive(read: "Drive | Train") -> Drive:
-    from wraparc.train.as_drive import as_drive
-
-    return read if isinstance(read, Drive) else as_drive(read)
-
-
-def _redivided(read: "Drive | Train", change: Change) -> Change:
-    """Return a change after which the load of a train is divided anew."""
-    from wraparc.choose.what_if import redivided
-
-    if isinstance(read, Drive):
-        return change
-    return replace(change, drive=redivided(read, change.drive))
-
-
 def _settings(file: str, said: dict[str, object]) -> Iterator[Change]:
     from wraparc.train.file import load_drive
 
@@ -116,61 +103,17 @@ def _settings(file: str, said: dict[str, object]) -> Iterator[Change]:
         yield Change(text, load_drive(file, overrides=[text]))
 
 
-def _changes(drive: Drive, pulley: str, said: dict[str, object]) -> Iterator[Change]:
-    from wraparc import catalogue
-    from wraparc.drive import changes as study
-    from wraparc.files import load_lagging
-
-    if said["other_carcass"]:
-        row = study.other_carcass(drive.belt)
-        yield Change(row.name, study.with_belt(drive, row), f"{row.kind}, {row.provenance}")
-    for name in _texts(said["belts"]):
-        row = catalogue.belt(name)
-        yield Change(row.name, study.with_belt(drive, row), f"{row.kind}, {row.provenance}")
-    for name in _texts(said["laggings"]):
-        lagging = load_lagging(name)
-        note = str(lagging.source_of("law"))
-        yield Change(lagging.name, study.with_lagging(drive, pulley, lagging), note)
-    for text in _texts(said["thicknesses"]):
-        h = _length(text, "--thickness")
-        yield Change(f"h {text}", study.with_thickness(drive, pulley, h))
-    for text in _texts(said["worn"]):
-        h = _length(text, "--worn")
-        note = "thinner, diameter smaller; what wear takes off the friction is not known"
-        yield Change(f"worn to {text}", study.worn_to(drive, pulley, h), note)
-    if said["wet"]:
-        yield _wet(drive, pulley, str(said["wet"]))
-    if said["bare"]:
-        changed, source = study.bare(drive, pulley, str(said["bare"]))
-        yield Change(f"bare, {said['bare']}", changed, source)
-
-
-def _wet(drive: Drive, pulley: str, text: str) -> Change:
-    from wraparc.drive.changes import with_lagging
-    from wraparc.drive.conditions import Condition
-    from wraparc.units import parse_number
-
-    if text[:1].isdigit() or text[:1] == ".":
-        condition = Condition(name="wet", factor=parse_number(text))
-    else:
-        condition = Condition(name="wet", standard=text)
-    lagging = drive.pulley(pulley).lagging
-    factor, source = condition.factor_of(lagging)
-    note = f"friction factor {factor:.3g}, {source}"
-    return Change("wet", with_lagging(drive, pulley, condition.lagging(lagging)), note)
-
-
 def _texts(value: object) -> tuple[str, ...]:
     return value if isinstance(value, tuple) else ()
 
 
-def _length(text: str, option: str) -> float:
-    from wraparc.units import parse_quantity
+def _named(said: dict[str, object]) -> "Named":
+    from wraparc.choose.named_changes import Named
 
-    try:
-        value = parse_quantity(text, "length")
-    except InputError as error:
-        raise InputError(replace(error.problems[0], key=option)) from None
-    if value < 0.0:
-        raise InputError(Problem(key=option, value=text, message="must be at least 0"))
-    return value
+    names = ("belts", "laggings", "thicknesses", "worn")
+    return Named(
+        other_carcass=bool(said["other_carcass"]),
+        bare=str(said["bare"] or ""),
+        wet=str(said["wet"] or ""),
+        **{name: _texts(said[name]) for name in names},
+    )

@@ -142,6 +142,33 @@ class SeekRequest(Request):
     now: Short = Field("", description="The present input where a preset gives it.")
 
 
+class WhatIfRequest(Request):
+    """A pulley before and after changes, each made to the drive as it is."""
+
+    document: Document
+    pulley: Line | None = None
+    load_case: Line | None = None
+    other_carcass: bool = False
+    belts: list[Line] = Field([], max_length=12)
+    laggings: list[Line] = Field([], max_length=12)
+    thicknesses: list[Short] = Field([], max_length=12)
+    worn: list[Short] = Field([], max_length=12)
+    wet: Short = Field("", description='Friction when wet over dry, or "DIN 22101".')
+    bare: Short = Field("", description='"CEMA" or "DIN 22101".')
+
+
+class OnSiteRequest(Request):
+    """What is known of the site."""
+
+    document: Document
+    pulley: Line | None = None
+    hours: dict[Line, float] = Field({}, max_length=50, description="Of a year, by load case.")
+    wear_hours: dict[Line, float] = Field({}, max_length=50)
+    wear_coefficient: Short = ""
+    measured_wear: Short = ""
+    depth: Short = ""
+
+
 class TrainRequest(Request):
     """Several drives on one belt."""
 

@@ -13,6 +13,7 @@ from wraparc.web.answers import (
     documents,
     drives,
     form,
+    questions,
     seek,
     texts,
     trains,
@@ -115,6 +116,8 @@ offer(api, "/lagging/read", texts.read_lagging)
 offer(api, "/quantities", texts.quantities, queue=QUICK)
 offer(api, "/compare", compare.compare)
 offer(api, "/seek", seek.seek_value)
+offer(api, "/what-if", questions.changed)
+offer(api, "/field", questions.expected)
 offer(api, "/train", trains.train, long=lambda asked: asked.match)
 offer(api, "/across", across.solve_width)
 offer(api, "/across/wear", across.wear_width, long=lambda asked: True)

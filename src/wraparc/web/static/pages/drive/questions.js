@@ -13,6 +13,8 @@ export { raise, raiseAlone } from "./advice.js";
 /** Questions that the server answers, by their buttons. @type {Record<string, any>} */
 const QUESTIONS = {
   "Which input gives …?": () => import("./seek.js"),
+  "What if … wet, worn, bare?": () => import("./what_if.js"),
+  "On site: what to measure, when to alarm": () => import("./site.js"),
 };
 /** @type {Question[]} */
 const asked = [];

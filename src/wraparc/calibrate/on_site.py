@@ -1,0 +1,106 @@
+"""What to expect of a drive on site, as it is asked for: speeds, alarm levels, wear."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from wraparc.arc import ArcResult, Distributed, Method, WrapArc
+from wraparc.calibrate.field_numbers import (
+    FieldNumbers,
+    at_creep_limit,
+    field_numbers,
+    passes,
+    wear_coefficient,
+)
+from wraparc.drive import Drive
+from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.units import Dimension, parse_quantity
+
+
+@dataclass(frozen=True, kw_only=True)
+class OnSite:
+    """What is known of the site; quantities are texts with their unit.
+
+    Attributes
+    ----------
+    hours, wear_hours
+        Hours of running in a year, and those that the measured wear took, by load case.
+    wear_coefficient
+        Energetic wear, ``0.001 mm3/J``; that of the lagging where empty.
+    measured_wear
+        Depth worn off so far, which calibrates the coefficient.
+    depth
+        Depth that may be worn off; half the thickness where empty.
+    """
+
+    hours: Mapping[str, float] = field(default_factory=dict)
+    wear_hours: Mapping[str, float] = field(default_factory=dict)
+    wear_coefficient: str = ""
+    measured_wear: str = ""
+    depth: str = ""
+
+
+def on_site(
+    drive: Drive, pulley: str, asked: OnSite, method: Method | None = None
+) -> tuple[FieldNumbers, str]:
+    """Return what to expect of a pulley, and where its wear coefficient came from.
+
+    Raises
+    ------
+    InputError
+        If something asked cannot be used, under the name of its field.
+    """
+    solver = method or Distributed()
+    results = {
+        case.name: solver.solve(WrapArc.of(drive, drive.pulley(pulley), case))
+        for case in drive.load_cases
+    }
+    limits = {case: at for case, r in results.items() if (at := at_creep_limit(r)) is not None}
+    coefficient, source = _coefficient(drive, pulley, results, asked)
+    half = 0.5 * drive.pulley(pulley).lagging.thickness
+    depth = _quantity(asked.depth, "length", "depth") if asked.depth else half
+    found = field_numbers(results, limits, asked.hours, coefficient=coefficient, depth=depth)
+    return found, source
+
+
+def _coefficient(
+    drive: Drive, pulley: str, results: Mapping[str, ArcResult], asked: OnSite
+) -> tuple[float | None, str]:
+    """Return the wear coefficient and where it came from; calibrated from a wear before all."""
+    if asked.measured_wear:
+        worn = _quantity(asked.measured_wear, "length", "measured_wear")
+        value = wear_coefficient(worn, _energy(results, asked.wear_hours))
+        return value, f"calibrated to the wear measured: {value * 1e9:.3g} mm3/J"
+    if asked.wear_coefficient:
+        value = _quantity(asked.wear_coefficient, "wear_coefficient", "wear_coefficient")
+        return value, "wear coefficient as given"
+    lagging = drive.pulley(pulley).lagging
+    if lagging.wear_coefficient is None:
+        return None, ""
+    return lagging.wear_coefficient, str(lagging.source_of("wear_coefficient"))
+
+
+def _energy(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> float:
+    """Return the frictional energy of hours of running [J/m2]."""
+    if not hours:
+        message = "needed with a measured wear: the hours that it took, by load case"
+        remedy = "Write design=12000 for 12,000 hours of the load case design."
+        raise InputError(Problem(key="wear_hours", message=message, remedy=remedy))
+    energy = 0.0
+    for name, share in hours.items():
+        if name not in results or results[name].arc.belt_speed is None:
+            message = "no such load case, or the belt speed is not known"
+            raise InputError(Problem(key="wear_hours", value=shown(name), message=message))
+        result = results[name]
+        turns = passes(result.arc.belt_speed or 0.0, result.arc.diameter, share)
+        energy += turns * abs(result.energy.frictional_energy)
+    return energy
+
+
+def _quantity(text: str, dimension: Dimension, key: str) -> float:
+    with placed(key):
+        value = parse_quantity(text, dimension)
+    if not value > 0.0:
+        raise InputError(Problem(key=key, value=shown(text), message="must be more than 0"))
+    return value

@@ -1,0 +1,117 @@
+"""Changes to a drive by the words that users have for them: wet, worn, bare, another lagging."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from wraparc import catalogue
+from wraparc.choose.what_if import Change, redivided
+from wraparc.drive import Drive, changes
+from wraparc.drive.conditions import Condition
+from wraparc.errors import InputError, Problem, placed
+from wraparc.files import load_lagging
+from wraparc.train import Train
+from wraparc.units import parse_number, parse_quantity
+
+
+@dataclass(frozen=True, kw_only=True)
+class Named:
+    """Changes as they are asked for; lengths are texts with their unit.
+
+    Attributes
+    ----------
+    other_carcass
+        Steel cord for fabric, fabric for steel cord.
+    belts, laggings
+        Names of the catalogue.
+    thicknesses, worn
+        Lagging of another thickness over the same diameter; worn to a thickness.
+    wet
+        Friction when wet over dry, or the standard whose ratio is taken.
+    bare
+        The standard whose friction of a bare pulley is taken.
+    """
+
+    other_carcass: bool = False
+    belts: tuple[str, ...] = ()
+    laggings: tuple[str, ...] = ()
+    thicknesses: tuple[str, ...] = ()
+    worn: tuple[str, ...] = ()
+    wet: str = ""
+    bare: str = ""
+
+
+def changes_of(
+    read: Drive | Train, drive: Drive, pulley: str, asked: Named, *, allow_paths: bool = True
+) -> Iterator[Change]:
+    """Yield every change that is asked for, each to the drive as it is.
+
+    Parameters
+    ----------
+    read
+        What was read: the load of a train is divided anew after every change.
+    drive
+        The same as a drive.
+    pulley
+        Which pulley is changed.
+    asked
+        The changes.
+    allow_paths
+        Whether a lagging may be named by the path of its file.
+
+    Raises
+    ------
+    InputError
+        If a change cannot be made, under the name of its field.
+    """
+    for change in _changes(drive, pulley, asked, allow_paths):
+        if isinstance(read, Drive):
+            yield change
+        else:
+            yield replace(change, drive=redivided(read, change.drive))
+
+
+def _changes(drive: Drive, pulley: str, asked: Named, allow_paths: bool) -> Iterator[Change]:
+    rows = [changes.other_carcass(drive.belt)] if asked.other_carcass else []
+    with placed("belt"):
+        rows += [catalogue.belt(name) for name in asked.belts]
+    for row in rows:
+        yield Change(row.name, changes.with_belt(drive, row), f"{row.kind}, {row.provenance}")
+    for name in asked.laggings:
+        with placed("lagging"):
+            lagging = load_lagging(name, allow_paths=allow_paths)
+        note = str(lagging.source_of("law"))
+        yield Change(lagging.name, changes.with_lagging(drive, pulley, lagging), note)
+    for text in asked.thicknesses:
+        thickness = _length(text, "thickness")
+        yield Change(f"h {text}", changes.with_thickness(drive, pulley, thickness))
+    for text in asked.worn:
+        note = "thinner, diameter smaller; what wear takes off the friction is not known"
+        worn = changes.worn_to(drive, pulley, _length(text, "worn"))
+        yield Change(f"worn to {text}", worn, note)
+    if asked.wet:
+        with placed("wet"):
+            yield _wet(drive, pulley, asked.wet)
+    if asked.bare:
+        changed, source = changes.bare(drive, pulley, asked.bare)
+        yield Change(f"bare, {asked.bare}", changed, source)
+
+
+def _wet(drive: Drive, pulley: str, text: str) -> Change:
+    if text[:1].isdigit() or text[:1] == ".":
+        condition = Condition(name="wet", factor=parse_number(text))
+    else:
+        condition = Condition(name="wet", standard=text)
+    lagging = drive.pulley(pulley).lagging
+    factor, source = condition.factor_of(lagging)
+    note = f"friction factor {factor:.3g}, {source}"
+    return Change("wet", changes.with_lagging(drive, pulley, condition.lagging(lagging)), note)
+
+
+def _length(text: str, key: str) -> float:
+    with placed(key):
+        value = parse_quantity(text, "length")
+    if value < 0.0:
+        raise InputError(Problem(key=key, value=text, message="must be at least 0"))
+    return value

@@ -1,0 +1,95 @@
+// A question beside an answer: its form, the answer as a sheet, and whether that is of before.
+import { app, redraw } from "../base/design.js";
+import { act, ask, refusal } from "../base/server.js";
+import { words } from "../base/units.js";
+import { h } from "../vendor/preact.js";
+import { list, refused, table, verdict } from "./answers.js";
+
+/** @import { Children, Problem, Table, Text, Verdict } from "../types.d.ts" */
+/** @typedef {{subtitle: Text, verdict: Verdict | null, tables: Table[], remarks: Text[],
+ *   table_sources: string[]}} Sheet */
+
+export class Question {
+  shown = false;
+  busy = false;
+  problems = /** @type {Problem[]} */ ([]);
+  sheet = /** @type {Sheet | null} */ (null);
+  of = "";
+  /** @param {string} name @param {string} title @param {string} path of the server
+   * @param {() => Record<string, any>} asked what is asked of the drive */
+  constructor(name, title, path, asked) {
+    Object.assign(this, { name, title, path });
+    this.asked = () => ({ document: app.doc, ...asked() });
+  }
+  open = () => {
+    this.shown = true;
+    redraw();
+    requestAnimationFrame(() =>
+      document.querySelector(`.${this.name}`)?.scrollIntoView({ block: "nearest" }),
+    );
+    return this.find();
+  };
+  find = async () => {
+    const asked = this.asked();
+    Object.assign(this, { busy: true, problems: [] });
+    redraw();
+    try {
+      this.sheet = await ask(this.path, asked);
+      this.of = JSON.stringify(asked);
+    } catch (x) {
+      this.sheet = null;
+      this.problems = refusal(x);
+    } finally {
+      this.busy = false;
+      redraw();
+    }
+  };
+  close = () => {
+    this.shown = false;
+    redraw();
+  };
+  /** @param {Children} fields */
+  panel(fields) {
+    if (!this.shown) return null;
+    const submit = (/** @type {Event} */ e) => {
+      e.preventDefault();
+      act(this.find)(e);
+    };
+    return h(
+      "section",
+      { class: `card ${this.name}`, "aria-label": this.title, key: this.name },
+      h("h2", {}, this.title),
+      h(
+        "form",
+        { class: "bar", onSubmit: submit },
+        fields,
+        h("button", { class: "main" }, "Show"),
+        h("button", { type: "button", onClick: this.close }, "Close"),
+        h("span", { role: "status" }, this.busy && "Solving …"),
+      ),
+      this.problems.length > 0 && refused("", this.problems),
+      this.sheet && this.told(this.sheet),
+    );
+  }
+  name = "";
+  title = "";
+  path = "";
+  /** @param {Sheet} sheet */
+  told(sheet) {
+    const before = this.of !== JSON.stringify(this.asked());
+    return h(
+      "div",
+      { class: before ? "before" : "", key: "told" },
+      before && h("p", { class: "help" }, "Of the drive or the question before: press Show."),
+      sheet.verdict && verdict(sheet.verdict),
+      sheet.tables.map((t) => table(t)),
+      list(sheet.remarks, "help"),
+      sheet.table_sources.length > 0 &&
+        h(
+          "ol",
+          { class: "help" },
+          sheet.table_sources.map((s) => h("li", { key: s }, words(s))),
+        ),
+    );
+  }
+}

@@ -1,0 +1,163 @@
+"""What is asked beside the answer: the sentences and tables of the command line."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, expect
+from starlette.testclient import TestClient
+
+from cli.running import wraparc
+from web.browser import Visitor
+from web.calculators import API, client, document
+from web.test_pages_looks import violations
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+HEAD = str(EXAMPLES / "head-drive-fabric.toml")
+
+
+@pytest.fixture(scope="module")
+def api() -> Iterator[TestClient]:
+    with client() as found:
+        yield found
+
+
+def words(text: str) -> str:
+    return " ".join(text.split())
+
+
+def printed(*command: str) -> str:
+    """Return what a command prints, on lines that hold everything."""
+    with pytest.MonkeyPatch.context() as wide:
+        wide.setenv("COLUMNS", "4000")
+        return words(wraparc(*command)[1])
+
+
+def told(sheet: Any, system: str = "si") -> list[str]:
+    """Return every text of a sheet."""
+    found = [sheet["verdict"]["headline"], *sheet["verdict"]["sentences"], *sheet["remarks"]]
+    texts = [text[system] for text in found]
+    for table in sheet["tables"]:
+        texts += [table["title"], *table["heads"][system]]
+        for row in table["rows"]:
+            texts += [row["title"], *row["values"][system]]
+    return [words(text) for text in texts]
+
+
+@pytest.mark.parametrize(
+    ("name", "asked", "options"),
+    [
+        (
+            "head-drive-fabric",
+            {"wet": "DIN 22101", "worn": ["6 mm"], "bare": "CEMA", "load_case": "design"},
+            ["--wet", "DIN 22101", "--worn", "6 mm", "--bare", "CEMA", "--load-case", "design"],
+        ),
+        (
+            "head-drive-fabric",
+            {"other_carcass": True, "belts": ["Plylon Plus 800/4"], "laggings": ["full-ceramic"]},
+            ["--other-carcass", "--belt", "Plylon Plus 800/4", "--lagging", "full-ceramic"],
+        ),
+        (
+            "tandem-fabric",
+            {"thicknesses": ["20 mm"], "wet": "0.8", "pulley": "second"},
+            ["--thickness", "20 mm", "--wet", "0.8", "--pulley", "second"],
+        ),
+    ],
+)
+@pytest.mark.parametrize("system", ["si", "us"])
+def test_what_if_is_that_of_the_command(
+    api: TestClient, name: str, asked: dict[str, Any], options: list[str], system: str
+) -> None:
+    # expected: everything that `wraparc what-if` prints
+    answer = api.post(f"{API}/what-if", json={"document": document(name), **asked})
+    assert answer.status_code == 200, answer.text
+    out = printed("what-if", str(EXAMPLES / f"{name}.toml"), *options, "--units", system)
+    missing = [text for text in told(answer.json(), system) if text not in out]
+    assert missing == []
+
+
+def test_what_is_expected_on_site_is_that_of_the_command(api: TestClient) -> None:
+    # expected: everything that `wraparc field` prints
+    hours = {"design": 4000.0, "empty": 1000.0}
+    wear = {"measured_wear": "1 mm", "wear_hours": {"design": 12000.0}, "depth": "6 mm"}
+    asked = {"document": document(), "hours": hours, **wear}
+    answer = api.post(f"{API}/field", json=asked)
+    assert answer.status_code == 200, answer.text
+    out = printed(
+        "field", HEAD, "--hours", "design=4000", "--hours", "empty=1000", "--measured-wear",
+        "1 mm", "--wear-hours", "design=12000", "--depth", "6 mm",
+    )  # fmt: skip
+    missing = [text for text in told(answer.json()) if text not in out]
+    assert missing == []
+
+
+@pytest.mark.parametrize(
+    ("path", "asked", "key"),
+    [
+        ("what-if", {}, ""),
+        ("what-if", {"worn": ["-1 mm"]}, "worn"),
+        ("what-if", {"worn": ["thin"]}, "worn"),
+        ("what-if", {"wet": "CEMA 9"}, "condition.wet"),
+        ("what-if", {"laggings": ["../secret.toml"]}, "lagging"),
+        ("field", {"measured_wear": "1 mm"}, "wear_hours"),
+        ("field", {"depth": "0 mm"}, "depth"),
+    ],
+)
+def test_what_cannot_be_asked_is_refused_in_its_place(
+    api: TestClient, path: str, asked: dict[str, Any], key: str
+) -> None:
+    answer = api.post(f"{API}/{path}", json={"document": document(), **asked})
+    assert answer.status_code == 422, answer.text
+    assert answer.json()["problems"][0]["path"] == key
+
+
+def cells(card: Locator) -> list[str]:
+    return card.locator("table").first.locator("td.num").all_inner_texts()
+
+
+def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> None:
+    # expected: the numbers that `wraparc what-if` prints, in both systems of units
+    page = visitor.open("drive")
+    visitor.solved()
+    page.get_by_role("button", name="What if").click()
+    card = page.locator(".what-if")
+    expect(card.locator("table")).to_be_visible()
+    options = ["--wet", "DIN 22101", "--worn", "6 mm", "--bare", "CEMA"]
+    out = printed("what-if", HEAD, *options)
+    assert len(cells(card)) > 40
+    assert [cell for cell in cells(card) if words(cell) not in out] == []
+    assert "bare, CEMA: FAILS: Gross slip" in words(card.inner_text())
+    page.get_by_label("US", exact=True).check(force=True)
+    out = printed("what-if", HEAD, *options, "--units", "us")
+    assert [cell for cell in cells(card) if words(cell) not in out] == []
+    page.get_by_label("SI", exact=True).check(force=True)
+    assert violations(page) == []
+    # of another drive it is marked as of before, and asked again by its button
+    page.select_option("#f-pulley-0-lagging", "full-ceramic")
+    expect(card.locator(".before")).to_be_visible()
+    card.get_by_role("button", name="Show").click()
+    expect(card.locator(".before")).to_have_count(0)
+    expect(card).to_contain_text("as it is 4.21 mm")
+
+
+def test_alarm_levels_stand_on_the_page(visitor: Visitor) -> None:
+    # expected: the headline and the levels that `wraparc field` prints
+    page = visitor.open("drive")
+    visitor.solved()
+    page.get_by_role("button", name="On site").click()
+    card = page.locator(".site")
+    expect(card.locator("table").first).to_be_visible()
+    out = printed("field", HEAD)
+    assert words(card.locator(".headline").inner_text()).partition(" ")[2] in out
+    assert [cell for cell in cells(card) if words(cell) not in out] == []
+    assert violations(page) == []
+    card.get_by_label("Hours a year, design").fill("4000")
+    card.get_by_label("Measured wear").fill("1 mm")
+    card.get_by_label("Hours that it took, design").fill("12000")
+    card.get_by_role("button", name="Show").click()
+    expect(card).to_contain_text("calibrated to the wear measured")
+    # nonsense is told in its sentence
+    card.get_by_label("Depth to wear off").fill("deep")
+    card.get_by_role("button", name="Show").click()
+    expect(card.locator(".verdict.bad")).to_contain_text("depth")
