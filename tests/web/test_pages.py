@@ -192,6 +192,17 @@ def test_saved_design_comes_back_in_every_version(visitor: Visitor) -> None:
     page.get_by_role("button", name="Versions of Drive of a test").click()
     row = page.locator("tr.versions li").filter(has_text="as built")
     assert "A. Tester" in row.inner_text()
+    page.get_by_role("button", name="Changes of version 2 of Drive of a test").click()
+    changed = page.locator("tr.versions table tr")
+    expect(changed).to_have_text(["Valueversion 1version 2", "pulley.head.exit_tension60 kN90 kN"])
+    page.click("#nav-drive")
+    page.fill("#f-pulley-0-diameter", "900")
+    page.press("#f-pulley-0-diameter", "Tab")
+    page.click("#nav-saved")
+    page.get_by_role("button", name="Changes of the present design of").click()
+    expect(changed).to_have_text(
+        ["Valueversion 2the present design", "pulley.head.diameter800 mm900 mm"]
+    )
     row.get_by_role("button").click()
     page.wait_for_selector("#drive:visible")
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")

@@ -6,7 +6,9 @@ import { Advice, act, ask, complain, later, note } from "../base/server.js";
 import { timeOf } from "../base/units.js";
 import { scroll } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
+import { differences, differenceTable } from "./saved/differences.js";
 
+/** @import { Difference } from "./saved/differences.js" */
 /**
  * @typedef {{version: number, created: string, who: string, note: string}} Version
  * @typedef {{id: string, name: string, kind: string, versions: number, changed: string,
@@ -21,6 +23,8 @@ const state = {
   bin: false,
   designs: /** @type {Entry[] | null} */ (null),
   open: /** @type {{id: string, versions: Version[]} | null} */ (null),
+  /** What differs between two versions of the design that is open in the list. */
+  changes: /** @type {{of: number, found: Difference[], names: [string, string]} | null} */ (null),
   /** Which design the name in the box is of. */
   of: /** @type {string | undefined} */ (undefined),
 };
@@ -91,7 +95,25 @@ async function reopen(d, version) {
 /** @param {Entry} d */
 async function versions(d) {
   const shut = state.open?.id === d.id;
+  state.changes = null;
   state.open = shut ? null : { id: d.id, versions: (await ask(`designs/${d.id}`)).versions };
+  redraw();
+}
+/** What a version changed, or what was changed since the newest one and is not saved.
+ * @param {Entry} d @param {number} version 0 for what is not saved */
+async function changes(d, version) {
+  const shut = state.changes?.of === version;
+  state.changes = null;
+  if (!shut) {
+    const of = (/** @type {number} */ n) => ask(`designs/${d.id}/versions/${n}`);
+    const from = version ? version - 1 : (app.design?.version ?? 1);
+    const [before, after] = await Promise.all([of(from), version ? of(version) : null]);
+    state.changes = {
+      of: version,
+      found: differences(before.document, after?.document ?? app.doc),
+      names: [`version ${from}`, version ? `version ${version}` : "the present design"],
+    };
+  }
   redraw();
 }
 /** @param {Entry} d */
@@ -265,20 +287,39 @@ function entry(d) {
 }
 /** @param {Entry} d */
 function versionRow(d) {
+  const press = (/** @type {string} */ word, /** @type {string} */ name, /** @type {any} */ f) =>
+    h("button", { type: "button", "aria-label": name, onClick: act(f), key: word }, word);
+  /** @param {number} version @param {string} name */
+  const changed = (version, name) => [
+    press("Changes", `Changes of ${name} of ${d.name}`, () => changes(d, version)),
+    state.changes?.of === version && differenceTable(state.changes.found, ...state.changes.names),
+  ];
   const items = [...(state.open?.versions || [])].reverse().map((v) => {
     const by = `${v.who ? `, ${v.who}` : ""}${v.note ? `: ${v.note}` : ""} `;
-    const name = `Open version ${v.version} of ${d.name}`;
-    const open = act(() => reopen(d, v.version));
+    const name = `version ${v.version}`;
     return h(
       "li",
       { key: v.version },
       `Version ${v.version}, ${timeOf(v.created)}${by}`,
-      h("button", { type: "button", "aria-label": name, onClick: open }, "Open"),
+      press("Open", `Open ${name} of ${d.name}`, () => reopen(d, v.version)),
+      " ",
+      v.version > 1 && changed(v.version, name),
     );
   });
+  const unsaved = app.design?.id === d.id && app.design.saved !== JSON.stringify(app.doc);
   return h(
     "tr",
     { class: "versions", key: `${d.id}-versions` },
-    h("td", { colSpan: 7 }, h("ul", {}, items)),
+    h(
+      "td",
+      { colSpan: 7 },
+      h(
+        "ul",
+        {},
+        unsaved &&
+          h("li", { key: 0 }, "The present design, not saved ", changed(0, "the present design")),
+        items,
+      ),
+    ),
   );
 }
