@@ -27,6 +27,8 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # The width of a pipe, whatever the terminal: pytest-xdist gives its workers 80 columns.
 os.environ["COLUMNS"] = "110"
+# The catalogue that ships, whatever laggings and belts of their own who runs this may have.
+os.environ.pop("WRAPARC_CATALOGUE", None)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

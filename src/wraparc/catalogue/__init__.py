@@ -10,6 +10,7 @@ from wraparc.catalogue.loader import (
     lagging_costs,
     lagging_names,
     lagging_text,
+    own_lagging_names,
     unknown_name,
 )
 
@@ -23,5 +24,6 @@ __all__ = [
     "lagging_costs",
     "lagging_names",
     "lagging_text",
+    "own_lagging_names",
     "unknown_name",
 ]

@@ -1,20 +1,22 @@
-"""Sourced data that ships with the program, read from its data files when asked for."""
+"""Sourced data: what ships with the program, and the user's own laggings and belts beside it."""
 
 import math
 import tomllib
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from wraparc.catalogue.own import VARIABLE, own_belts, own_folder, own_laggings
 from wraparc.errors import InputError, Problem, near, shown
 from wraparc.provenance import Kind, Provenance
+from wraparc.schema.source import read_text
 from wraparc.units import parse_quantity
 
 # Not importlib.resources: its import alone costs more than all the reading here.
 _DATA = Path(__file__).with_name("data")
-_SUFFIX = ".toml"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,10 +105,31 @@ class LaggingCost:
     provenance: Provenance
 
 
-@cache
 def belts() -> tuple[CatalogueBelt, ...]:
-    """Return every belt, in the order of the data file."""
-    return tuple(
+    """Return every belt, in the order of the data files, the user's own last.
+
+    Raises
+    ------
+    InputError
+        If the user's own cannot be read, or have a name that is taken.
+    """
+    return _belts(own_folder())
+
+
+@cache
+def _belts(folder: Path | None) -> tuple[CatalogueBelt, ...]:
+    own = () if folder is None else own_belts(folder)
+    given = (
+        CatalogueBelt(**{"least_pulley_diameter": None, **row, "provenance": origin})
+        for row, origin in own
+    )
+    found = (*_shipped_belts(), *given)
+    _refuse_twice("belt", [b.name for b in found])
+    return found
+
+
+def _shipped_belts() -> Iterable[CatalogueBelt]:
+    return (
         CatalogueBelt(
             name=row["name"],
             kind=group["kind"],
@@ -139,14 +162,23 @@ def belt(name: str) -> CatalogueBelt:
     return found
 
 
-@cache
 def lagging_names() -> tuple[str, ...]:
-    """Return the names of the laggings, sorted."""
-    files = (entry.name for entry in (_DATA / "laggings").iterdir())
-    return tuple(sorted(f.removesuffix(_SUFFIX) for f in files if f.endswith(_SUFFIX)))
+    """Return the names of the laggings, sorted, the user's own last.
+
+    Raises
+    ------
+    InputError
+        If one of the user's own has a name that is taken.
+    """
+    return tuple(_laggings(own_folder()))
 
 
-@cache
+def own_lagging_names() -> tuple[str, ...]:
+    """Return the names of the user's own laggings."""
+    folder = own_folder()
+    return () if folder is None else tuple(own_laggings(folder))
+
+
 def lagging_text(name: str) -> str:
     """Return the lagging file of a catalogue lagging as text.
 
@@ -155,9 +187,39 @@ def lagging_text(name: str) -> str:
     InputError
         If there is none, with the nearest names.
     """
-    if name not in lagging_names():
-        raise unknown_name("lagging", name, lagging_names(), "wraparc laggings")
-    return (_DATA / "laggings" / (name + _SUFFIX)).read_text("utf-8")
+    known = _laggings(own_folder())
+    if name not in known:
+        raise unknown_name("lagging", name, known, "wraparc laggings")
+    return _text(known[name])
+
+
+@cache
+def _laggings(folder: Path | None) -> dict[str, Path]:
+    """Return the lagging files by name."""
+    own = {} if folder is None else own_laggings(folder)
+    shipped = own_laggings(_DATA)
+    _refuse_twice("lagging", [*shipped, *own])
+    return {**shipped, **own}
+
+
+@cache
+def _text(path: Path) -> str:
+    return read_text(path)
+
+
+def _refuse_twice(what: str, names: list[str]) -> None:
+    """Refuse names of the user's own catalogue that are there already."""
+    plain = Counter(map(_plain, names))
+    twice = dict.fromkeys(name for name in names if plain[_plain(name)] > 1)
+    if twice:
+        raise InputError(
+            Problem(
+                key=VARIABLE,
+                value=", ".join(map(shown, twice)),
+                message=f"the catalogue has a {what} of this name already",
+                remedy=f"Give your own {what} another name.",
+            )
+        )
 
 
 @cache
@@ -213,7 +275,7 @@ def unknown_name(what: str, name: str, known: Iterable[str], command: str) -> In
 
 
 def _data(name: str) -> dict[str, Any]:
-    return tomllib.loads((_DATA / (name + _SUFFIX)).read_text("utf-8"))
+    return tomllib.loads((_DATA / f"{name}.toml").read_text("utf-8"))
 
 
 def _published(group: dict[str, Any], *notes: str) -> Provenance:

@@ -55,6 +55,7 @@ def serve(
     if not token and is_loopback(host):
         token = own_token(user_folder())
     token = _checked_token(host, token)
+    _check_catalogue()
     start, start_file = _start(file)
     settings = Settings(
         host=host,
@@ -79,6 +80,16 @@ def _require_web() -> None:
     for library in ("fastapi", "uvicorn", "sqlalchemy", "alembic"):
         if find_spec(library) is None:
             raise MissingExtraError(library, "web")
+
+
+def _check_catalogue() -> None:
+    """Read the user's own laggings and belts: what is wrong is told before anything starts."""
+    from wraparc import catalogue
+    from wraparc.files import load_lagging_conditions
+
+    catalogue.belts()
+    for name in catalogue.own_lagging_names():
+        load_lagging_conditions(name)
 
 
 def _checked_token(host: str, token: str | None) -> str:

@@ -95,7 +95,8 @@ def lagging_record(name_or_path: str, folder: str, allow_paths: bool) -> tuple[R
         Whether a path may be given.
     """
     if not is_path(name_or_path):
-        return _catalogue_record(name_or_path), f"catalogue lagging {name_or_path}"
+        text = lagging_text(name_or_path)
+        return _catalogue_record(name_or_path, text), f"catalogue lagging {name_or_path}"
     if not allow_paths:
         raise InputError(
             Problem(
@@ -115,8 +116,19 @@ def is_path(text: str) -> bool:
 
 
 @lru_cache(maxsize=64)
-def _catalogue_record(name: str) -> Record:
-    return _record(lagging_text(name), f"catalogue lagging {name}")
+def _catalogue_record(name: str, text: str) -> Record:
+    record = _record(text, f"catalogue lagging {name}")
+    if record["name"] != name:
+        raise InputError(
+            Problem(
+                file=f"catalogue lagging {name}",
+                key="name",
+                value=shown(record["name"]),
+                message="is not the name of its file",
+                remedy=f"Write name = {shown(name)}, or rename the file.",
+            )
+        )
+    return record
 
 
 def _record(text: str, file: str) -> Record:

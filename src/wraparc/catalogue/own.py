@@ -1,0 +1,97 @@
+"""A catalogue of one's own: laggings and belts in a folder, by name in every door.
+
+The environment variable ``WRAPARC_CATALOGUE`` names the folder. ``laggings/NAME.toml`` in it are
+lagging files, which may have a cost in any currency; ``belts.toml`` lists belts.
+"""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.provenance import Provenance
+from wraparc.schema.kinds import Choice, Name, Quantity, Rows
+from wraparc.schema.limits import Limit
+from wraparc.schema.origins import own_provenance
+from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
+from wraparc.schema.source import parse, read_text, read_whole
+from wraparc.schema.tables import Entry, Table, need
+
+#: What names the folder.
+VARIABLE = "WRAPARC_CATALOGUE"
+_SUFFIX = ".toml"
+_PER_WIDTH = Quantity("force_per_width", Limit("force_per_width", open=True))
+
+BELTS = Table(
+    "Belts of one's own",
+    FORMAT_ENTRY,
+    need(
+        "belt",
+        kind=Rows(
+            Table(
+                "Belt",
+                need("name", "As drive files name it.", Name(60)),
+                need("kind", kind=Choice(("fabric", "steel cord"))),
+                need("rating", "Rated tension per unit width.", _PER_WIDTH),
+                need("modulus", "Per unit width.", _PER_WIDTH),
+                Entry(
+                    "least_pulley_diameter",
+                    "Smallest drive pulley at 75-100 % of the rating.",
+                    Quantity("length", Limit("length", open=True)),
+                ),
+                Entry("provenance", "Where its numbers came from.", PROVENANCE),
+            ),
+            1,
+            1000,
+        ),
+        example="a [[belt]] table",
+    ),
+)
+
+
+def own_folder() -> Path | None:
+    """Return the folder of the user's own catalogue; None without one.
+
+    Raises
+    ------
+    InputError
+        If it is named and not there.
+    """
+    given = os.environ.get(VARIABLE)
+    if not given:
+        return None
+    folder = Path(given).expanduser().absolute()
+    if not folder.is_dir():
+        raise InputError(
+            Problem(
+                key=VARIABLE,
+                value=shown(given),
+                message="the folder of your own catalogue is not there",
+                remedy="Make it, or clear this environment variable.",
+            )
+        )
+    return folder
+
+
+def own_laggings(folder: Path) -> dict[str, Path]:
+    """Return the lagging files of a folder by name, sorted."""
+    inside = folder / "laggings"
+    found = sorted(inside.glob(f"*{_SUFFIX}")) if inside.is_dir() else []
+    return {path.stem: path for path in found if not path.name.startswith(".")}
+
+
+def own_belts(folder: Path) -> Iterator[tuple[dict[str, Any], Provenance]]:
+    """Yield the belts of a folder, each with where its numbers came from.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong with its file.
+    """
+    path = folder / "belts.toml"
+    if not path.exists():
+        return
+    record, report = read_whole(BELTS, parse(read_text(path), str(path)), str(path))
+    for row in record["belt"]:
+        yield dict(row), own_provenance(row, report) or Provenance()
