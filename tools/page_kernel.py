@@ -9,24 +9,37 @@ from __future__ import annotations
 import argparse
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from types import FunctionType
-from typing import cast
+from typing import Any
 
-from javascript.translate import translate
+from javascript.translate import Module, translated
 from wraparc.arc import profile
 from wraparc.arc.kernel import answer
 from wraparc.checks import numbers
 from wraparc.drive import compression
+from wraparc.present import train_sheet, train_words
+from wraparc.present.sheet import term
 from wraparc.saving import save_file
-from wraparc.web import in_page, pulls
+from wraparc.train import (
+    CaseResult,
+    FluidCoupling,
+    Induction,
+    MemberResult,
+    VariableSpeed,
+    compiled,
+    turning,
+)
+from wraparc.train.system import System
+from wraparc.units import display
+from wraparc.web import in_page, in_page_train, pulls
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
 BUNDLE = ROOT / "tools" / "page_bundle.mjs"
 BIOME = ROOT / "node_modules" / ".bin" / "biome"
 #: What the page calls; whatever these call comes along.
-ENTRIES = (
+ENTRIES: tuple[Callable[..., object], ...] = (
     in_page.quick,
     in_page.judged,
     pulls.overridden,
@@ -46,16 +59,63 @@ ENTRIES = (
     profile.active_length,
     profile.share_outside,
 )
+#: The same of the train page, which is in the file of one page alone.
+TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"
+TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
+    in_page_train.in_case,
+    in_page_train.less_runs,
+    in_page_train.behind,
+    in_page_train.ends_of,
+    in_page_train.total_of,
+    in_page_train.parts_of,
+    in_page_train.miss_of,
+    in_page_train.trimmed,
+    in_page_train.shared,
+    in_page_train.least_of,
+    in_page_train.member_of,
+    in_page_train.turned,
+    in_page_train.among,
+    numbers.pull_against,
+    turning.driven,
+    turning.surface_of_first,
+    in_page_train.divided,
+    in_page_train.told,
+    train_words.case_sentences,
+    train_words.short_sentences,
+    train_sheet.case_table,
+    CaseResult,
+    MemberResult,
+    System,
+    VariableSpeed,
+    Induction,
+    FluidCoupling,
+)
 HEAD = """\
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
 """
 
 
+def _kernel() -> Module:
+    return translated(ENTRIES, "wraparc")
+
+
 def module() -> str:
     """Return the module as it must stand in the file."""
-    entries = cast("tuple[FunctionType, ...]", ENTRIES)
-    return formatted(HEAD + translate(entries, package="wraparc"))
+    return formatted(HEAD + _kernel().text())
+
+
+def train_module() -> str:
+    """Return the module of the train page as it must stand in its file."""
+    kernel = _kernel()
+    kernel.text()
+    instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
+    instead[compiled.shoot] = compiled.shoot_plainly
+    found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
+    text = found.text()
+    taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'
+    native = f'import {{ {", ".join(sorted(found.natives))} }} from "./told.js";\n'
+    return formatted(HEAD + taken + native + text)
 
 
 def formatted(text: str) -> str:
@@ -73,15 +133,16 @@ def main() -> int:
     """Write the file, or compare it."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
-    text = module()
+    texts = {FILE: module(), TRAIN_FILE: train_module()}
     if not parser.parse_args().check:
-        save_file(str(FILE), text)
+        for file, text in texts.items():
+            save_file(str(file), text)
         # the page of one file carries it
         return subprocess.run(["node", str(BUNDLE)], cwd=ROOT, check=False).returncode  # noqa: S603, S607
-    same = FILE.is_file() and FILE.read_text("utf-8") == text
-    if not same:
-        sys.stderr.write(f"{FILE.relative_to(ROOT)} is not what its source gives: make kernel\n")
-    return 0 if same else 1
+    stale = [f for f, text in texts.items() if not f.is_file() or f.read_text("utf-8") != text]
+    for file in stale:
+        sys.stderr.write(f"{file.relative_to(ROOT)} is not what its source gives: make kernel\n")
+    return 1 if stale else 0
 
 
 if __name__ == "__main__":

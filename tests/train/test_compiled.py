@@ -26,11 +26,11 @@ def test_compiled_is_what_the_interpreter_gives(name: str, monkeypatch: pytest.M
             assert found == pytest.approx(tuple(shot), rel=1e-9, abs=1e-15)
 
 
-def test_more_than_numbers_hold_is_an_overflow(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_more_than_numbers_hold_is_not_finite(monkeypatch: pytest.MonkeyPatch) -> None:
     arc = random_arc(LAWS["rubber"], np.random.default_rng(5))
     par, law = parameters_at(arc.entry_tension, arc.geometry()), arc.law.compact()
     for ready in (False, True):
         monkeypatch.setitem(compiled._ready, "compiled", ready)
-        with pytest.raises(OverflowError):
-            compiled.shoot(law, par._replace(radius=1e-4, side=-1.0), 8e2, 24)
+        shot = compiled.shoot(law, par._replace(radius=1e-4, side=-1.0), 8e2, 24)
+        assert not math.isfinite(shot.log_tension)
     assert math.isfinite(compiled.shoot(law, par, 1.0, 24).log_tension)

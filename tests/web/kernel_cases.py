@@ -70,10 +70,10 @@ def in_python(arc: WrapArc, capacities: bool) -> Data:
     }
 
 
-def in_node(cases: list[Data]) -> list[Data]:
+def in_node(cases: list[Data], script: str = "kernel_cases.mjs") -> list[Data]:
     """Return what the kernel of the page finds."""
     done = subprocess.run(
-        ["node", str(Path(__file__).with_suffix(".mjs"))],
+        ["node", str(Path(__file__).with_name(script))],
         input=json.dumps(_written(cases)),
         capture_output=True, text=True, encoding="utf-8", check=False,
     )  # fmt: skip
@@ -98,7 +98,7 @@ def _read(value: Any) -> Any:
         return {key: _read(part) for key, part in value.items()}
     if isinstance(value, list):
         return [_read(part) for part in value]
-    return float(value) if isinstance(value, str) else value
+    return float(value) if value in ("nan", "inf", "-inf") else value
 
 
 def apart(here: Data, there: Data) -> dict[str, float]:

@@ -1,5 +1,11 @@
 """The solver of the page is the solver of Python: made from it, and with its numbers."""
 
+import json
+import subprocess
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from functools import cached_property
+from itertools import pairwise
 from math import exp, log
 from types import FunctionType
 from typing import Any, NamedTuple, cast
@@ -8,7 +14,7 @@ import pytest
 
 import page_kernel
 from javascript.names import Refused
-from javascript.translate import translate
+from javascript.translate import translate, translated
 from web.kernel_cases import apart, arcs, case_of, in_node, in_python
 
 
@@ -35,24 +41,36 @@ class Pair(NamedTuple):
     high: float
 
 
-def slices(x: Any) -> Any:
-    return x[1:]
+def every_other(x: Any) -> Any:
+    return x[::2]
 
 
-def from_the_end(x: Any) -> Any:
-    return x[-1]
+def set_from_the_end(x: Any) -> None:
+    x[-1] = 0.0
 
 
-def named_arguments(x: float) -> float:
-    return default(x=x)
+def argument_that_is_none(x: float) -> float:
+    return default(y=x)  # type: ignore[call-arg]
 
 
 def field_left_out(x: float) -> Pair:
     return Pair(high=x)  # type: ignore[call-arg]
 
 
-def comprehension(x: Any) -> Any:
-    return [y for y in x]  # noqa: C416
+def two_loops(x: Any) -> Any:
+    return [z for y in x for z in y]
+
+
+def set_of_numbers(x: Any) -> Any:
+    return {y for y in x}  # noqa: C416
+
+
+def lists_added(x: Any) -> Any:
+    return [*x, 1.0] + [2.0]  # noqa: RUF005
+
+
+def no_such_method(x: Any) -> Any:
+    return x.flies()
 
 
 def empty_list_as_condition() -> int:
@@ -61,8 +79,8 @@ def empty_list_as_condition() -> int:
     return 0
 
 
-def text(x: float) -> str:
-    return f"{x}"
+def number_in_a_text(x: float) -> str:
+    return f"about {x:>9}"
 
 
 def other_package(x: Any) -> Any:
@@ -87,8 +105,9 @@ def other_operator(x: int) -> int:
 
 
 REFUSED: tuple[Any, ...] = (
-    slices, from_the_end, named_arguments, field_left_out, comprehension, empty_list_as_condition,
-    text, other_package, loop_with_else, default, other_operator,
+    every_other, set_from_the_end, argument_that_is_none, field_left_out, two_loops,
+    set_of_numbers, lists_added, no_such_method, empty_list_as_condition, number_in_a_text,
+    other_package, loop_with_else, other_operator,
 )  # fmt: skip
 
 
@@ -132,3 +151,101 @@ def test_what_a_translation_reads_like() -> None:
         "return new Pair((low + high), Math.log(2.0));",
         "}",
     ]
+
+
+@dataclass(frozen=True)
+class Body:
+    mass: float
+    name: str = "body"
+
+    @property
+    def weight(self) -> float:
+        return 9.81 * self.mass
+
+    def heavier(self, by: float) -> "Body":
+        return replace(self, mass=self.mass + by)
+
+
+@dataclass(frozen=True)
+class Sphere(Body):
+    radius: float = 1.0
+
+    @property
+    def weight(self) -> float:
+        return super().weight - 10.0
+
+    @cached_property
+    def volume(self) -> float:
+        return self.radius**3
+
+
+class Count:
+    def __init__(self, start: int = 0) -> None:
+        self.now = start
+
+    def next_one(self, by: int = 1) -> int:
+        self.now += by
+        return self.now
+
+
+class Outcome(StrEnum):
+    FINE = "All is well."
+    LOST = "Nothing is."
+
+
+def objects(x: float) -> Any:
+    bodies = [Body(x), Sphere(2.0 * x, radius=3.0), Body(name="other", mass=0.5)]
+    count = Count(start=4)
+    said = f"{bodies[-1].name} of {' and '.join(b.name for b in bodies[:2])}"
+    outcome = Outcome.FINE if count.next_one() == 5 else Outcome.LOST
+    sphere = Sphere(1.0, "ball", 2.0)
+    return [said, outcome, [b.heavier(1.0).weight for b in bodies], count.now, sphere.volume]
+
+
+def sequences(x: float) -> Any:
+    values = [3.0, -1.0, x, *(2.0 * y for y in [1.0, 2.0])]
+
+    def above(least: float) -> list[float]:
+        most = 100.0
+        return [v for v in values if least < v < most]
+
+    pairs = [(a, b) for a, b in pairwise(sorted(values))]
+    far = sorted(enumerate(values), key=lambda pair: -pair[1])
+    first = next((v for v in values if v > 1e9), -7.0)
+    rest = 0.0
+    while True:
+        rest += 1.0
+        if rest > 2.5:
+            break
+    return [
+        above(0.0), pairs, [[i, v] for i, v in far], first, sum(values), max(values), min(values),
+        any(v < 0.0 for v in values), all(v < 0.0 for v in values), [0.0] * 3, list(range(2, 5)),
+        [a * b for a, b in zip(values[1:], values[:-1], strict=True)], rest, wanted(2.0, scale=3.0),
+    ]  # fmt: skip
+
+
+def wanted(x: float, shift: float = 1.0, scale: float = 1.0) -> float:
+    return scale * x + shift
+
+
+@pytest.mark.parametrize("function", [objects, sequences], ids=lambda f: f.__name__)
+def test_what_is_translated_answers_as_in_python(function: FunctionType) -> None:
+    # expected: the function itself
+    text = translate([function], package=__name__.partition(".")[0])
+    name = f"{__name__.rpartition('.')[2]}__{function.__name__}"
+    script = f"{text}\nconsole.log(JSON.stringify({name}(1.5)));"
+    done = subprocess.run(
+        ["node", "--input-type=module", "-e", script],
+        capture_output=True, text=True, encoding="utf-8", check=True,
+    )  # fmt: skip
+    assert json.loads(done.stdout) == json.loads(json.dumps(function(1.5)))
+
+
+def test_what_another_module_has_is_taken_from_there() -> None:
+    package = __name__.partition(".")[0]
+    there = translated([cast(FunctionType, wanted)], package)
+    there.text()
+    here = translated([cast(FunctionType, sequences)], package, elsewhere=there.exports)
+    name = f"{__name__.rpartition('.')[2]}__wanted"
+    assert f"function {name}" not in here.text()
+    assert here.taken == {name}

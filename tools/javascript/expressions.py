@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import ast
+import dataclasses
+import inspect
 import math
 import re
 from collections.abc import Callable
+from enum import EnumType
 from types import BuiltinFunctionType, FunctionType, ModuleType
 from typing import TYPE_CHECKING, Any
 
-from javascript.names import Where, is_named_tuple, literal, local
+from javascript.names import REQUIRED, Where, fields_of, is_class, is_named_tuple, literal, local
+from javascript.sequences import Sequences
 
 if TYPE_CHECKING:
     from javascript.translate import Module
@@ -31,7 +35,7 @@ _COMPARED: dict[type[ast.cmpop], str] = {
 _ABSENT = object()
 
 
-class Expressions:
+class Expressions(Sequences):
     """Expressions of one function.
 
     Attributes
@@ -50,6 +54,7 @@ class Expressions:
         self, module: Module, own: set[str], known: dict[str, Any], file: str, first: int
     ) -> None:
         self.module, self.own, self.known = module, own, known
+        self.itself = ""  # the name of the object whose method this is
         self.file, self.first = file, first
 
     def where(self, node: ast.AST) -> Where:
@@ -72,7 +77,7 @@ class Expressions:
             return self.known.get(node.id, _ABSENT)
         if isinstance(node, ast.Attribute):
             base = self.value(node.value)
-            if isinstance(base, ModuleType):
+            if isinstance(base, ModuleType | EnumType):
                 return getattr(base, node.attr, _ABSENT)
         return _ABSENT
 
@@ -80,22 +85,36 @@ class Expressions:
         return literal(node.value, self.where(node))
 
     def _joinedstr(self, node: ast.JoinedStr) -> str:
-        """Return a number in so many digits, all that is translated of texts."""
+        """Return a text with texts and numbers in it, or one number in so many digits."""
         only = node.values[0]
         spec = only.format_spec if isinstance(only, ast.FormattedValue) else None
         digits = re.fullmatch(r"f'\.(\d+)e'", ast.unparse(spec)) if spec else None
-        if len(node.values) != 1 or not isinstance(only, ast.FormattedValue) or not digits:
-            return self.refuse(node, "only one number in so many digits is translated")
-        return f"({self.of(only.value)}).toExponential({digits[1]})"
+        if digits and isinstance(only, ast.FormattedValue) and len(node.values) == 1:
+            return f"({self.of(only.value)}).toExponential({digits[1]})"
+        parts = " + ".join(self._told(node, part) for part in node.values)
+        return f'("" + {parts})'
+
+    def _told(self, node: ast.JoinedStr, part: ast.expr) -> str:
+        if isinstance(part, ast.Constant):
+            return self.of(part)
+        if isinstance(part, ast.FormattedValue) and part.conversion < 0:
+            if part.format_spec is None:
+                return f"$text({self.of(part.value)})"
+            spec = re.fullmatch(r"f'(\+?)\.(\d+)([efg])'", ast.unparse(part.format_spec))
+            if spec:
+                sign = "true" if spec[1] else "false"
+                return f'$told({self.of(part.value)}, {sign}, {spec[2]}, "{spec[3]}")'
+        return self.refuse(node, "a text in a text is translated so, or a number in so many digits")
 
     def _name(self, node: ast.Name) -> str:
         if node.id in self.own:
-            return local(node.id)
+            return "this" if node.id == self.itself else local(node.id)
         return self._known(node, node.id)
 
     def _attribute(self, node: ast.Attribute) -> str:
         if self.value(node) is not _ABSENT:
             return self._known(node, node.attr)
+        self.module.reached(node.attr)
         return f"{self.of(node.value)}.{node.attr}"
 
     def _known(self, node: ast.expr, name: str) -> str:
@@ -103,7 +122,9 @@ class Expressions:
         if value is _ABSENT:
             return self.refuse(node, "an unknown name")
         if is_named_tuple(type(value)):
-            self.module.named_tuple(type(value), self.where(node))
+            self.module.kind(type(value), self.where(node))
+        if isinstance(value, FunctionType):
+            return self.module.function(value)
         return self.module.constant(name, value, self.where(node))
 
     def _tuple(self, node: ast.Tuple) -> str:
@@ -114,6 +135,10 @@ class Expressions:
 
     def _binop(self, node: ast.BinOp) -> str:
         left, right = self.of(node.left), self.of(node.right)
+        if any(isinstance(side, ast.List | ast.Tuple) for side in (node.left, node.right)):
+            if isinstance(node.op, ast.Mult) and isinstance(node.left, ast.List | ast.Tuple):
+                return f"$repeated({left}, {right})"
+            return self.refuse(node, "lists are not added")
         if isinstance(node.op, ast.FloorDiv):
             return f"Math.floor({left} / {right})"
         if isinstance(node.op, ast.Mod):
@@ -164,38 +189,98 @@ class Expressions:
         return f"{one} {_COMPARED[type(sign)]} {self.of(right)}"
 
     def _subscript(self, node: ast.Subscript) -> str:
-        if isinstance(node.slice, ast.Slice | ast.UnaryOp):
+        base, at = self.of(node.value), node.slice
+        if isinstance(at, ast.UnaryOp) and isinstance(node.ctx, ast.Load):
+            return f"{base}.at({self.of(at)})"
+        if isinstance(at, ast.Slice) and at.step is None and isinstance(node.ctx, ast.Load):
+            ends = [
+                self.of(at.lower) if at.lower else "0",
+                *([self.of(at.upper)] if at.upper else []),
+            ]
+            return f"{base}.slice({', '.join(ends)})"
+        if isinstance(at, ast.Slice | ast.UnaryOp):
             return self.refuse(node, "only places from the start are translated")
-        return f"{self.of(node.value)}[{self.of(node.slice)}]"
+        return f"{base}[{self.of(at)}]"
+
+    def _lambda(self, node: ast.Lambda) -> str:
+        names = [a.arg for a in node.args.args]
+        with self.also(set(names)):
+            return f"(({', '.join(map(local, names))}) => {self.of(node.body)})"
 
     def _call(self, node: ast.Call) -> str:
+        called = self.value(node.func)
         if isinstance(node.func, ast.Attribute) and node.func.attr == "_replace":
-            return self._replaced(node, node.func)
-        called, args = self.value(node.func), [self.of(arg) for arg in node.args]
-        if is_named_tuple(called):
+            return self._replaced(node, node.func.value)
+        if called is dataclasses.replace:
+            return self._replaced(node, node.args[0])
+        of_many = self.of_sequences(node)
+        if of_many:
+            return of_many
+        args = [self.of(arg) for arg in node.args]
+        if is_named_tuple(called) or is_class(called):
             return self._made(node, called, args)
-        if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
+        if any(isinstance(a, ast.Starred) for a in node.args):
+            return self.refuse(node, "arguments go by their place")
+        return self._of_function(node, called, args)
+
+    def _of_function(self, node: ast.Call, called: object, args: list[str]) -> str:
+        wanted, called = called, self.module.instead.get(called, called)
+        if isinstance(called, str):
+            return f"{self.module.native(called)}({', '.join(self._placed(node, wanted, args))})"
+        if isinstance(called, FunctionType):
+            return self._own(node, called, args)
+        if node.keywords:
             return self.refuse(node, "arguments go by their place")
         if isinstance(called, BuiltinFunctionType):
             return self._of_math(node, called, args)
-        if isinstance(called, FunctionType):
-            return self._own(node, called, args)
-        return self._built_in(node, args)
+        if isinstance(node.func, ast.Attribute):
+            return self._method(node, node.func, args)
+        if isinstance(node.func, ast.Name) and node.func.id in self.own:
+            return f"{local(node.func.id)}({', '.join(args)})"
+        return "super" if ast.unparse(node) == "super()" else self._built_in(node, args)
+
+    def _method(self, node: ast.Call, func: ast.Attribute, args: list[str]) -> str:
+        """Return a call of a method: one of the classes that are translated has it."""
+        base, name = self.of(func.value), func.attr
+        if name == "append":
+            return f"{base}.push({', '.join(args)})"
+        if name == "join":
+            return f"{args[0]}.join({base})"
+        self.module.called(name, self.where(node))
+        return f"{base}.{name}({', '.join(args)})"
 
     def _made(self, node: ast.Call, called: Any, args: list[str]) -> str:
-        """Return a named tuple; fields given by name stand in their place."""
+        """Return a named tuple or an object; fields given by name stand in their place."""
+        name = self.module.kind(called, self.where(node))
+        if not is_named_tuple(called) and not dataclasses.is_dataclass(called):
+            return f"new {name}({', '.join(self._placed(node, called.__init__, args, 1))})"
         named = {k.arg: self.of(k.value) for k in node.keywords}
-        fields = called._fields[len(args) :]
+        known = fields_of(called)
+        fields = [*known][len(args) :]
         while fields and fields[-1] not in named:
             fields = fields[:-1]  # those have their defaults
-        if set(fields) != set(named):
+        if set(named) - set(fields) or any(
+            known[field] is REQUIRED
+            for field in known
+            if field not in [*known][: len(args)] and field not in named
+        ):
             return self.refuse(node, "a field is left out")
-        name = self.module.named_tuple(called, self.where(node))
-        return f"new {name}({', '.join([*args, *(named[field] for field in fields)])})"
+        given = [named.get(field, "undefined") for field in fields]
+        return f"new {name}({', '.join([*args, *given])})"
 
-    def _replaced(self, node: ast.Call, func: ast.Attribute) -> str:
-        """Return a copy of a named tuple with other values."""
-        base = self.of(func.value)
+    def _placed(self, node: ast.Call, called: Any, args: list[str], skipped: int = 0) -> list[str]:
+        """Return arguments in their places; those left out have their defaults."""
+        names = [*inspect.signature(called).parameters][skipped + len(args) :]
+        named = {k.arg: self.of(k.value) for k in node.keywords}
+        if set(named) - set(names):
+            return [self.refuse(node, "an argument that is none")]
+        while names and names[-1] not in named:
+            names = names[:-1]
+        return [*args, *(named.get(name, "undefined") for name in names)]
+
+    def _replaced(self, node: ast.Call, of: ast.expr) -> str:
+        """Return a copy of a named tuple or an object with other values."""
+        base = self.of(of)
         changed = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
         return f"Object.assign(Object.create(Object.getPrototypeOf({base})), {base}, {{{changed}}})"
 
@@ -208,6 +293,8 @@ class Expressions:
                 return f"copysign({', '.join(args)})"
             if name == "isfinite":
                 return f"Number.isFinite({args[0]})"
+            if name == "isinf":
+                return f"(Math.abs({args[0]}) === Infinity)"
             if name == "isnan":
                 return f"Number.isNaN({args[0]})"
         return self.refuse(node, "a function that JavaScript does not have")
@@ -217,7 +304,8 @@ class Expressions:
             return f"zeros({', '.join(args)})"
         if called.__module__.partition(".")[0] != self.module.package:
             return self.refuse(node, "a function of another package")
-        return f"{self.module.function(called)}({', '.join(args)})"
+        placed = ", ".join(self._placed(node, called, args))
+        return f"{self.module.function(called)}({placed})"
 
     def _built_in(self, node: ast.Call, args: list[str]) -> str:
         name = node.func.id if isinstance(node.func, ast.Name) else ""
@@ -226,6 +314,8 @@ class Expressions:
             for other in args[1:]:
                 found = f"{name}({found}, {other})"
             return found
+        if name == "getattr" and len(args) == 2:
+            return f"{args[0]}[{args[1]}]"
         if name in _BUILT_IN and len(args) == 1:
             return _BUILT_IN[name].format(args[0])
         return self.refuse(node, "the call is not translated")

@@ -10,7 +10,7 @@ from types import FunctionType
 from typing import TYPE_CHECKING, Any, get_origin, get_type_hints
 
 from javascript.expressions import Expressions
-from javascript.names import is_named_tuple, local
+from javascript.names import is_named_tuple, literal, local
 
 if TYPE_CHECKING:
     from javascript.translate import Module
@@ -37,39 +37,75 @@ class Function:
         lines, first = inspect.getsourcelines(function)
         tree = ast.parse(textwrap.dedent("".join(lines))).body[0]
         assert isinstance(tree, ast.FunctionDef)  # noqa: S101 - a function is what was asked for
-        self.tree, self.name = tree, name
-        self.arguments = [a.arg for a in tree.args.args]
-        self.variables = _stored(tree) - set(self.arguments)
+        self.name, self.defaults = name, function.__defaults__ or ()
+        self._begin(tree)
         own = {*self.arguments, *self.variables}
         file = function.__code__.co_filename
         self.ex = Expressions(module, own, function.__globals__, file, first)
         self.of = self.ex.of
+
+    def _begin(self, tree: ast.FunctionDef) -> None:
+        self.tree = tree
+        self.arguments = [a.arg for a in tree.args.args]
+        self.variables = _stored(tree) - set(self.arguments)
         self.declared: set[str] = set()
         self.spare = 0
 
     def text(self) -> str:
         """Return the function, with the first line of its description."""
+        told = (ast.get_docstring(self.tree) or "").partition("\n")[0]
+        star = (
+            "*"
+            if any(isinstance(n, ast.Yield | ast.YieldFrom) for n in ast.walk(self.tree))
+            else ""
+        )
+        head = f"export function{star} {self.name}({self._given(self.arguments)}) {{"
+        lines = [*([f"/** {told} */"] if told else []), head, *self._within(), "}", ""]
+        return "\n".join(lines)
+
+    def method(self, way: str = "") -> str:
+        """Return it as the method of a class; `way` is ``get`` for a property."""
+        self.ex.itself = self.arguments[0]
+        head = f"{way} {self.name}({self._given(self.arguments[1:])}) {{"
+        return "\n".join([head, *self._within(), "}"])
+
+    def _given(self, names: list[str]) -> str:
         args = self.tree.args
-        if args.kwonlyargs or args.vararg or args.kwarg or args.defaults or args.posonlyargs:
-            self.ex.refuse(self.tree, "arguments go by their place, and all are given")
+        if args.kwonlyargs or args.vararg or args.kwarg or args.posonlyargs:
+            self.ex.refuse(self.tree, "arguments go by their place")
+        where, plain = self.ex.where(self.tree), len(names) - len(self.defaults)
+        told = [f" = {literal(value, where)}" for value in self.defaults]
+        return ", ".join(
+            f"{local(name)}{told[i - plain] if i >= plain else ''}" for i, name in enumerate(names)
+        )
+
+    def _within(self) -> list[str]:
         body = self._top(self.tree.body)
         above = sorted(map(local, self.variables - self.declared))
-        told = (ast.get_docstring(self.tree) or "").partition("\n")[0]
-        lines = [
-            *([f"/** {told} */"] if told else []),
-            f"export function {self.name}({', '.join(map(local, self.arguments))}) {{",
-            *([f"let {', '.join(above)};"] if above else []),
-            *body,
-            "}",
-            "",
-        ]
-        return "\n".join(lines)
+        return [*([f"let {', '.join(above)};"] if above else []), *body]
+
+    def _functiondef(self, node: ast.FunctionDef) -> list[str]:
+        """Return a function within the function."""
+        kept = self.tree, self.arguments, self.variables, self.declared, self.defaults
+        self.defaults = ()
+        spare = self.spare
+        self._begin(node)
+        if node.args.defaults or node.decorator_list:
+            self.ex.refuse(node, "a function within a function has plain arguments")
+        with self.ex.also({*self.arguments, *self.variables}):
+            given = self._given(self.arguments)
+            lines = [f"const {local(node.name)} = ({given}) => {{", *self._within(), "};"]
+        self.tree, self.arguments, self.variables, self.declared, self.defaults = kept
+        self.spare += spare
+        return lines
 
     def _top(self, body: list[ast.stmt]) -> list[str]:
         """Return the outermost statements: a variable is declared where it first gets a value."""
         lines: list[str] = []
         met = set(self.arguments)
         for statement in body:
+            if isinstance(statement, ast.FunctionDef):
+                self.declared.add(statement.name)
             new = _stored(statement) - met
             plain = isinstance(statement, ast.Assign | ast.AnnAssign)
             if plain and new and new == _stored(statement) and self._names_only(statement):
@@ -104,6 +140,10 @@ class Function:
     def _expr(self, node: ast.Expr) -> list[str]:
         if isinstance(node.value, ast.Constant):
             return []  # a description
+        if isinstance(node.value, ast.Yield) and node.value.value is not None:
+            return [f"yield {self.of(node.value.value)};"]
+        if isinstance(node.value, ast.YieldFrom):
+            return [f"yield* {self.of(node.value.value)};"]
         return [f"{self.of(node.value)};"]
 
     def _return(self, node: ast.Return) -> list[str]:
@@ -166,7 +206,7 @@ class Function:
             return "" if node.id == "_" else local(node.id)
         if isinstance(node, ast.Tuple):
             return f"[{', '.join(map(self._target, node.elts))}]"
-        if isinstance(node, ast.Subscript):
+        if isinstance(node, ast.Subscript | ast.Attribute):
             return self.of(node)
         return self.ex.refuse(node, "nothing that gets a value")
 
@@ -182,7 +222,9 @@ class Function:
     def _while(self, node: ast.While) -> list[str]:
         if node.orelse:
             self.ex.refuse(node, "a loop with else is not translated")
-        return [f"while ({self.ex.condition(node.test)}) {{", *self._block(node.body), "}"]
+        forever = isinstance(node.test, ast.Constant) and node.test.value is True
+        test = "true" if forever else self.ex.condition(node.test)
+        return [f"while ({test}) {{", *self._block(node.body), "}"]
 
     def _for(self, node: ast.For) -> list[str]:
         if node.orelse:
@@ -213,9 +255,21 @@ class Function:
 
 
 def _stored(node: ast.AST) -> set[str]:
-    """Return the names that get a value; not the mark of what nobody wants."""
-    names = (n for n in ast.walk(node) if isinstance(n, ast.Name))
-    return {n.id for n in names if isinstance(n.ctx, ast.Store) and n.id != "_"}
+    """Return the names that get a value; not the mark of what nobody wants.
+
+    Neither those within a function of its own, nor those of a comprehension.
+    """
+    found = set[str]()
+    for inner in ast.iter_child_nodes(node):
+        if isinstance(inner, ast.FunctionDef):
+            found.add(inner.name)
+        elif isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store):
+            found.add(inner.id)
+        elif not isinstance(inner, ast.Lambda | ast.ListComp | ast.GeneratorExp):
+            found |= _stored(inner)
+    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        found.add(node.id)
+    return found - {"_"}
 
 
 def _read(node: ast.AST) -> set[str]:

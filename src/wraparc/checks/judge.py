@@ -8,14 +8,13 @@ from weakref import WeakKeyDictionary
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.numbers import pull_against
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import CaseResult, TrainResult, TrainStatus
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
-#: Pull against each other over the largest pull that counts as none [-].
-_SMALL = 1e-3
 
 _told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
 
@@ -117,44 +116,57 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
     """Yield what only a train can miss: motors, drives that fight, the balance of the whole."""
     place = Place("", case.case.name)
     if case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
-        fault = case.status is TrainStatus.UNSOLVED
-        yield Check(
-            name="operating_point",
-            title="Operating point of the drives",
-            level=Level.FAULT if fault else Level.FAILS,
-            short="not solved" if fault else "beyond a motor",
-            says=of_drive.escaped(f"{case.reason} {case.status}".strip()),
-            place=place,
-        )
+        yield operating_point(case.status, case.reason, place)
+    if not case.status.solved:
+        return
     pulls = [m.arc.effective_tension for m in case.members]
-    lost = min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
-    small = _SMALL * max(map(abs, pulls))
-    fights = min(pulls) < -small and max(pulls) > small
-    if len(pulls) > 1 and case.status.solved:
-        yield Check(
-            name="fight",
-            title="Drives work together",
-            level=Level.ATTENTION if fights else Level.OK,
-            short="drives fight" if fights else "",
-            says="The drives work against each other with {lost} of pull." if fights else "",
-            remedy="Bring their speeds closer together, or divide the load by torque."
-            if fights
-            else "",
-            more={"lost": (lost, "force")},
-            place=place,
-        )
-    error = max(case.tension_error, case.speed_error)
-    if case.status.solved:
-        yield of_drive.judged(
-            RULES["train_balance"],
-            "Tensions, speeds and torques of the train agree",
-            error,
-            TRAIN_BALANCE,
-            "number",
-            source="tolerance of the program",
-            short="out of balance",
-            says="Tensions, speeds and torques of the train miss each other by {value}.",
-            remedy="Please report the drive file; until then change a value slightly.",
-            binding=False,
-            place=place,
-        )
+    if len(pulls) > 1:
+        yield fight(pull_against(pulls), place)
+    yield train_balance(max(case.tension_error, case.speed_error), place)
+
+
+def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:
+    """Return the check that a train without an operating point misses."""
+    fault = status is TrainStatus.UNSOLVED
+    return Check(
+        name="operating_point",
+        title="Operating point of the drives",
+        level=Level.FAULT if fault else Level.FAILS,
+        short="not solved" if fault else "beyond a motor",
+        says=of_drive.escaped(f"{reason} {status}".strip()),
+        place=place,
+    )
+
+
+def fight(lost: float, place: Place) -> Check:
+    """Check that drives work together: so much pull is against each other [N]."""
+    fights = lost > 0.0
+    return Check(
+        name="fight",
+        title="Drives work together",
+        level=Level.ATTENTION if fights else Level.OK,
+        short="drives fight" if fights else "",
+        says="The drives work against each other with {lost} of pull." if fights else "",
+        remedy="Bring their speeds closer together, or divide the load by torque."
+        if fights
+        else "",
+        more={"lost": (lost, "force")},
+        place=place,
+    )
+
+
+def train_balance(error: float, place: Place) -> Check:
+    """Check that tensions, speeds and torques of a solved train agree."""
+    return of_drive.judged(
+        RULES["train_balance"],
+        "Tensions, speeds and torques of the train agree",
+        error,
+        TRAIN_BALANCE,
+        "number",
+        source="tolerance of the program",
+        short="out of balance",
+        says="Tensions, speeds and torques of the train miss each other by {value}.",
+        remedy="Please report the drive file; until then change a value slightly.",
+        binding=False,
+        place=place,
+    )

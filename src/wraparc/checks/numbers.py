@@ -6,6 +6,7 @@ moves.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import inf, isfinite, isnan, nan, pi
 from typing import NamedTuple
 
@@ -15,6 +16,8 @@ from wraparc.friction.compact import CompactLaw
 
 #: Pull over tension that counts as none [-].
 IDLE = 1e-6
+#: Pull against each other over the largest pull that counts as none [-].
+SMALL_PULL = 1e-3
 #: More than any margin.
 BEHIND = 1e9
 #: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
@@ -141,6 +144,30 @@ def rise_alone(pull: float, fixed: bool, behind: bool) -> tuple[float, float]:
     size = abs(pull)
     lost = 0.5 * size if fixed else size if behind and pull < 0.0 else 0.0
     return size - lost, -lost
+
+
+def rise_among(pulls: Sequence[float], index: int, fixed: bool, after: int) -> tuple[float, float]:
+    """Growth of the tight and of the slack side of one of several pulleys with the pull of all [N].
+
+    As `gross_slip.rises`; `after` is the pulley behind which the take-up stands, -1 for none.
+    """
+    total, mine = sum(pulls), pulls[index]
+    ahead = sum(pulls[:index])
+    behind = sum(pulls[index + 1 :])
+    lost = 0.5 * abs(total) if fixed else 0.0
+    if not fixed and after >= 0:
+        lost = sum(pulls[after + 1 :]) if total >= 0.0 else -sum(pulls[: after + 1])
+    entry = (mine + behind if total >= 0.0 else -ahead) - lost
+    leaving = (behind if total >= 0.0 else -ahead - mine) - lost
+    return (entry, leaving) if mine >= 0.0 else (leaving, entry)
+
+
+def pull_against(pulls: Sequence[float]) -> float:
+    """Pull of drives against each other, 0 where they work together [N]."""
+    small = SMALL_PULL * max(abs(pull) for pull in pulls)
+    if not (min(pulls) < -small and max(pulls) > small):
+        return 0.0
+    return min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
 
 
 def grip_beyond(law: CompactLaw, capacity: float, pressure: float, wrap_angle: float) -> float:

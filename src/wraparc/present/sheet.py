@@ -8,7 +8,7 @@ import math
 from dataclasses import dataclass
 
 from wraparc.checks import Level
-from wraparc.glossary import GLOSSARY
+from wraparc.glossary import GLOSSARY, Quantity
 from wraparc.units import RESULT_DIGITS, Dimension, System, display, display_unit
 
 #: What stands where there is no number.
@@ -141,9 +141,14 @@ def quantity(
     return display(value, dimension, system, digits)
 
 
+def term(name: str) -> Quantity:
+    """Return what the glossary has of a quantity."""
+    return GLOSSARY[name]
+
+
 def named(name: str, value: float, system: System = "si") -> str:
     """Return the value [SI] of a quantity of the glossary with its unit."""
-    return quantity(value, GLOSSARY[name].dimension, system)
+    return quantity(value, term(name).dimension, system)
 
 
 def number(name: str, value: float, system: System = "si") -> str:

@@ -17,6 +17,7 @@ from wraparc.present.sheet import (
     Verdict,
     named,
     percent,
+    term,
 )
 from wraparc.present.sources import Sources
 from wraparc.present.train_inputs import train_inputs
@@ -26,13 +27,16 @@ from wraparc.train import (
     Mark,
     Matching,
     MemberResult,
+    MotorPoint,
     ShareCurve,
     Train,
     TrainResult,
+    TrainStatus,
 )
 from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, System, display
 
 Cell = Callable[[MemberResult], str]
+Number = Callable[[MemberResult], float]
 _ROUNDING = 1e-9  # loss over power that is none
 
 
@@ -82,43 +86,41 @@ def case_table(case: CaseResult, system: System) -> Table:
     """Return how the drives share one load case, and the speeds that go with it."""
     members = case.members
 
-    def row(name: str, of: Cell, note: str = "") -> Row:
-        entry = GLOSSARY[name]
-        return Row(entry.title, tuple(map(of, members)), entry.symbol, note, name)
+    def row(name: str, of: Cell, note: str) -> Row:
+        return Row(term(name).title, tuple(of(m) for m in members), term(name).symbol, note, name)
 
-    def value(name: str, note: str = "", digits: int = RESULT_DIGITS) -> Row:
-        dimension = GLOSSARY[name].dimension
-        return row(name, lambda m: _shown(m.scalars()[name], dimension, system, digits), note)
+    def told(name: str, of: Number) -> Row:
+        return row(name, lambda m: named(name, of(m), system), "")
 
-    def arc_value(name: str, note: str = "") -> Row:
-        return row(name, lambda m: named(name, m.arc.scalars()[name], system), note)
+    def known(name: str, of: Number, digits: int) -> Row:
+        return row(name, lambda m: _shown(of(m), name, system, digits), "")
+
+    def small(name: str, of: Number, note: str) -> Row:
+        return row(name, lambda m: signed(of(m)), note)
 
     rows = [
-        row("share", _share),
-        arc_value("effective_tension"),
+        row("share", _share, ""),
+        told("effective_tension", lambda m: m.arc.effective_tension),
         *_run_rows(case, system),
-        arc_value("entry_tension"),
-        arc_value("exit_tension"),
-        value("drum_power"),
-        value("drum_torque"),
-        *_motor_rows(row, members, system),
-        row("speed_ratio", lambda m: signed(m.speed_ratio - 1.0), "exactly"),
-        row("contraction_term", lambda m: signed(m.contraction_term), "to first order"),
-        row("creep_term", lambda m: signed(m.creep_term), "to first order"),
-        row("compression_term", lambda m: signed(m.compression_term), "to first order"),
-        row("drum_ratio", lambda m: signed(m.drum_ratio - 1.0), "exactly, for equal diameters"),
-        value("rotation_speed", digits=6),
+        told("entry_tension", lambda m: m.arc.entry_tension),
+        told("exit_tension", lambda m: m.arc.exit_tension),
+        known("drum_power", lambda m: m.drum_power, RESULT_DIGITS),
+        known("drum_torque", lambda m: m.drum_torque, RESULT_DIGITS),
+        *_motor_rows(members, system),
+        small("speed_ratio", lambda m: m.speed_ratio - 1.0, "exactly"),
+        small("contraction_term", lambda m: m.contraction_term, "to first order"),
+        small("creep_term", lambda m: m.creep_term, "to first order"),
+        small("compression_term", lambda m: m.compression_term, "to first order"),
+        small("drum_ratio", lambda m: m.drum_ratio - 1.0, "exactly, for equal diameters"),
+        known("rotation_speed", lambda m: m.rotation_speed, 6),
         row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),
         _creep_row(case, system),
-        *(
-            []
-            if all(isnan(m.arc.capacities.creep_limit_margin) for m in members)
-            else [arc_value("creep_limit_margin")]
-        ),
-        row("power_loss", lambda m: _lost(m, system), _loss_note(case, system)),
-        _sensitivity_row(case),
     ]
-    note = case.reason if not case.status.solved else _precision(case)
+    if not all(isnan(m.arc.capacities.creep_limit_margin) for m in members):
+        rows.append(told("creep_limit_margin", lambda m: m.arc.capacities.creep_limit_margin))
+    rows.append(row("power_loss", lambda m: _lost(m, system), _loss_note(case, system)))
+    rows.append(_sensitivity_row(case))
+    note = _precision(case) if case.status is TrainStatus.SOLVED else case.reason
     return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note)
 
 
@@ -134,10 +136,10 @@ def _lost(m: MemberResult, system: System) -> str:
 
 def _run_rows(case: CaseResult, system: System) -> list[Row]:
     """Return the rise of tension before each pulley, where there is any."""
-    if not case.case.runs:
+    if len(case.case.runs) == 0:
         return []
-    entry = GLOSSARY["run"]
-    texts = (NONE, *(named("run", run, system) for run in case.case.runs))
+    entry = term("run")
+    texts = (NONE, *[named("run", run, system) for run in case.case.runs])
     return [Row(entry.title, texts, entry.symbol, name="run")]
 
 
@@ -145,47 +147,50 @@ def _names(case: CaseResult) -> tuple[str, ...]:
     return tuple(m.name for m in case.members)
 
 
-def _shown(value: float, dimension: str, system: System, digits: int) -> str:
-    return NONE if isnan(value) else display(value, dimension, system, digits)  # type: ignore[arg-type]
+def _shown(value: float, name: str, system: System, digits: int) -> str:
+    return NONE if isnan(value) else display(value, term(name).dimension, system, digits)
 
 
-def _motor_rows(
-    row: Callable[[str, Cell], Row], members: Sequence[MemberResult], system: System
-) -> list[Row]:
-    if not any(m.motor for m in members):
+def _motor_rows(members: Sequence[MemberResult], system: System) -> list[Row]:
+    points = [m.motor for m in members if m.motor is not None]
+    if len(points) == 0:
         return []
 
     def of(name: str, show: Callable[[float], str]) -> Row:
-        return row(name, lambda m: show(getattr(m.motor, name)) if m.motor else "follows")
+        texts = [
+            show(getattr(m.motor, name)) if m.motor is not None else "follows" for m in members
+        ]
+        return Row(term(name).title, tuple(texts), term(name).symbol, name=name)
+
+    def told(name: str) -> Row:
+        return of(name, lambda value: named(name, value, system))
 
     return [
         of("motor_load", percent),
-        of("motor_power", lambda v: named("motor_power", v, system)),
-        of("motor_torque", lambda v: named("motor_torque", v, system)),
-        of("motor_speed", lambda v: display(v, "rotation_speed", system, GIVEN_DIGITS)),
-        *(
-            of(name, lambda v, name=name: named(name, v, system))  # type: ignore[misc]
-            for name in _motor_extras(members)
-        ),
+        told("motor_power"),
+        told("motor_torque"),
+        of("motor_speed", lambda value: display(value, "rotation_speed", system, GIVEN_DIGITS)),
+        *[told(name) for name in _motor_extras(points)],
     ]
 
 
-def _motor_extras(members: Sequence[MemberResult]) -> tuple[str, ...]:
+def _motor_extras(points: Sequence[MotorPoint]) -> list[str]:
     """Return what there is to tell between mains and drum: nothing that is the same or unknown."""
-    points = [m.motor for m in members if m.motor]
     names = []
     if any(p.gear_speed != p.motor_speed for p in points):
-        names += ["gear_speed", "coupling_loss"]
+        names.append("gear_speed")
+        names.append("coupling_loss")
     if any(abs(p.gear_loss) > _ROUNDING * abs(p.motor_power) for p in points):
         names.append("gear_loss")
     if not all(isnan(p.electrical_power) for p in points):
-        names += ["motor_loss", "electrical_power"]
-    return tuple(names)
+        names.append("motor_loss")
+        names.append("electrical_power")
+    return names
 
 
 def signed(ratio: float) -> str:
     """Return a small ratio as percent with its sign: ``-0.3121 %``."""
-    return NONE if isnan(ratio) else f"{100.0 * ratio:+.4f} %" if ratio else "0"
+    return NONE if isnan(ratio) else f"{100.0 * ratio:+.4f} %" if ratio != 0.0 else "0"
 
 
 def trim_text(trim: float) -> str:
@@ -200,7 +205,7 @@ def _creep_row(case: CaseResult, system: System) -> Row:
         part = percent(abs(creep) / m.arc.arc.creep_limit, 2)
         texts.append(f"{named('exit_creep', creep, system)} ({part})")
     over = any(not m.arc.within_creep_limit for m in case.members)
-    entry = GLOSSARY["exit_creep"]
+    entry = term("exit_creep")
     level = Level.ATTENTION if over else None
     note = "and as a part of the limit"
     return Row(entry.title, tuple(texts), entry.symbol, note, "exit_creep", level)
@@ -218,7 +223,7 @@ def _sensitivity_row(case: CaseResult) -> Row:
         percent(case.share_per_trim(i), 2) if case.sensitivity[i][i] != 0.0 else NONE
         for i in range(len(case.members))
     ]
-    entry = GLOSSARY["share_sensitivity"]
+    entry = term("share_sensitivity")
     return Row(entry.title, tuple(texts), entry.symbol, "of the load", "share_sensitivity")
 
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from math import isfinite, isnan
 
 from wraparc.checks import Level, idle, judge
+from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
@@ -13,10 +14,7 @@ from wraparc.train import (
     MarkKind,
     Matching,
     MemberResult,
-    Motors,
-    Pulls,
     ShareCurve,
-    Shares,
     TrainResult,
     TrainStatus,
 )
@@ -37,26 +35,29 @@ def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     sentences = [
         *([least] if least else []),
         *told.sentences(system),
-        *_case_sentences(worst, system),
+        *case_sentences(worst, system),
     ]
     for case in result:
         if case is not worst:
-            sentences += _short(case, system)
+            sentences += short_sentences(case, system)
     return in_words(told, system, sentences)
 
 
 def _fights(case: CaseResult) -> bool:
     """Whether drives work against each other."""
-    pulls = [m.arc.effective_tension for m in case.members]
-    small = 1e-3 * max(map(abs, pulls))
-    return min(pulls) < -small and max(pulls) > small
+    return _against(case) > 0.0
 
 
-def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
+def _against(case: CaseResult) -> float:
+    return pull_against([m.arc.effective_tension for m in case.members])
+
+
+def case_sentences(case: CaseResult, system: System) -> Iterator[str]:
+    """Tell of the load case that governs: who carries what, how the drums turn, what is lost."""
     yield f"Load case {case.case.name}: {_shares(case, system)}."
     if case.status is not TrainStatus.SOLVED:
         return
-    if case.other_splits:
+    if len(case.other_splits) > 0:
         listed = "; ".join(", ".join(percent(s) for s in split) for split in case.other_splits)
         yield (
             f"Friction falls with slip here: the same speeds are also met by the shares {listed}, "
@@ -65,7 +66,8 @@ def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
     if _fights(case):
         yield _fight(case, system)
     if len(case.members) > 1:
-        yield from (_speed_sentence(case, m) for m in case.members[1:])
+        for m in case.members[1:]:
+            yield _speed_sentence(case, m)
         yield from _matching(case)
     loss = percent(case.loss_ratio)
     power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss, system)},"
@@ -75,36 +77,36 @@ def _case_sentences(case: CaseResult, system: System) -> Iterator[str]:
 
 def _motor_losses(case: CaseResult, system: System) -> Iterator[str]:
     """Say what is lost between the mains and the drums, and what the mains give."""
-    points = [m.motor for m in case if m.motor is not None]
+    points = [m.motor for m in case.members if m.motor is not None]
+    turned = sum(abs(p.motor_power) for p in points)
     parts = []
-    for name, what in (("coupling_loss", "fluid couplings"), ("gear_loss", "gears"),
-                       ("motor_loss", "motors")):  # fmt: skip
+    for name, what in (
+        ("coupling_loss", "fluid couplings"),
+        ("gear_loss", "gears"),
+        ("motor_loss", "motors"),
+    ):
         values = [getattr(p, name) for p in points]
         lost = sum(v for v in values if not isnan(v))
-        if lost > 1e-9 * sum(abs(p.motor_power) for p in points):
+        if lost > 1e-9 * turned:
             parts.append(f"{named(name, lost, system)} in the {what}")
-    if not parts:
+    if len(parts) == 0:
         return
     electrical = sum(p.electrical_power for p in points)
-    mains = (
-        ""
-        if isnan(electrical)
-        else (f"; the motors take {named('electrical_power', electrical, system)} from the mains")
-    )
-    unknown = (
-        ""
-        if not isnan(electrical)
-        else ("; what the motors themselves lose is not told without their motor_efficiency")
-    )
-    yield f"Between mains and drums {', '.join(parts)} {_are(parts)} lost{mains}{unknown}."
+    if isnan(electrical):
+        tail = "; what the motors themselves lose is not told without their motor_efficiency"
+    else:
+        mains = named("electrical_power", electrical, system)
+        tail = f"; the motors take {mains} from the mains"
+    yield f"Between mains and drums {', '.join(parts)} {_are(parts)} lost{tail}."
 
 
 def _are(parts: list[str]) -> str:
     return "is" if len(parts) == 1 else "are"
 
 
-def _short(case: CaseResult, system: System) -> Iterator[str]:
-    if not case.status.solved:
+def short_sentences(case: CaseResult, system: System) -> Iterator[str]:
+    """Tell of another load case who carries what."""
+    if case.status is not TrainStatus.SOLVED:
         yield f"Load case {case.case.name}: {case.reason}"
         return
     tail = ", the drives working against each other" if _fights(case) else ""
@@ -114,24 +116,25 @@ def _short(case: CaseResult, system: System) -> Iterator[str]:
 def _shares(case: CaseResult, system: System) -> str:
     if any(isnan(m.share) for m in case.members):
         pulls = ", ".join(
-            f"{m.name} {named('effective_tension', m.arc.effective_tension, system)}" for m in case
+            f"{m.name} {named('effective_tension', m.arc.effective_tension, system)}"
+            for m in case.members
         )
         return f"nothing is shared; the drives pull {pulls}"
     return ", ".join(
         f"{m.name} is not driven" if idle(m.arc.arc) else f"{m.name} carries {percent(m.share)}"
-        for m in case
+        for m in case.members
     )
 
 
 def _fight(case: CaseResult, system: System) -> str:
-    pulls = {m.name: m.arc.effective_tension for m in case.members}
-    forward = [n for n, p in pulls.items() if p > 0.0]
-    back = [n for n, p in pulls.items() if p < 0.0]
-    lost = min(sum(max(p, 0.0) for p in pulls.values()), sum(max(-p, 0.0) for p in pulls.values()))
-    verbs = ("drives" if len(forward) == 1 else "drive", "brakes" if len(back) == 1 else "brake")
+    forward = [m.name for m in case.members if m.arc.effective_tension > 0.0]
+    back = [m.name for m in case.members if m.arc.effective_tension < 0.0]
+    lost = _against(case)
+    drive = "drives" if len(forward) == 1 else "drive"
+    brake = "brakes" if len(back) == 1 else "brake"
     return (
-        f"The drives fight: {' and '.join(forward)} {verbs[0]} while {' and '.join(back)} "
-        f"{verbs[1]}, {named('effective_tension', lost, system)} of pull against each other."
+        f"The drives fight: {' and '.join(forward)} {drive} while {' and '.join(back)} "
+        f"{brake}, {named('effective_tension', lost, system)} of pull against each other."
     )
 
 
@@ -139,7 +142,7 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
     """Say how fast a drum turns against the first one, and which term decides."""
     first = case.members[0].name
     ratio = m.drum_ratio - 1.0
-    asked = isinstance(case.case.division, Shares | Pulls)
+    asked = case.case.pulls_given
     verb = "must turn" if asked else "turns"
     way = "faster" if ratio > 0.0 else "slower"
     terms = (
@@ -177,7 +180,7 @@ def _reason(m: MemberResult, ratio: float) -> str:
 
 def _matching(case: CaseResult) -> Iterator[str]:
     """Say how much load a trim moves."""
-    own_way = isinstance(case.case.division, Motors)
+    own_way = case.case.on_motors
     for i, m in enumerate(case.members):
         slope = case.share_per_trim(i)
         if i == 0 or slope == 0.0 or not isfinite(slope):
@@ -222,7 +225,7 @@ def _who_and_why(matching: Matching) -> Iterator[str]:
     more = "more" if m.share > fair else "less"
     if abs(m.share - fair) < _ALIKE:
         yield f"{m.name} carries its equal part {trims}."
-    elif isinstance(case.case.division, Motors):
+    elif case.case.on_motors:
         yield f"{m.name} carries {more} than its equal part{_other_setting(matching)}."
     elif equal.status.solved:
         yield (

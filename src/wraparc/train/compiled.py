@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from math import isfinite
 from typing import Any
 
 from wraparc.arc.kernel.effort import shoot_from
-from wraparc.arc.kernel.quantities import Parameters, Shot, zeros
+from wraparc.arc.kernel.quantities import NO_SHOT, Parameters, Shot, zeros
 from wraparc.batch.laws import arrays_of, law_of
 from wraparc.batch.native import available, compiled
 from wraparc.friction.compact import LIMIT, CompactLaw
@@ -24,17 +23,20 @@ def shoot_one(bank: Any, par: Parameters, z: float, steps: int) -> Shot:
 def shoot(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
     """March one arc to its exit at an effort; see `wraparc.arc.kernel.effort.shoot_from`.
 
-    Raises
-    ------
-    OverflowError
-        Where tension grows beyond all numbers.
+    Where tension grows beyond all numbers, that of the shot is not finite.
     """
-    if not _ready["compiled"]:
-        return shoot_from(law, par, z, steps, 0, zeros(0))[0]
-    shot: Shot = compiled(shoot_one)(_bank(law), par, float(z), steps)
-    if not isfinite(shot.log_tension):
-        raise OverflowError
-    return shot
+    if _ready["compiled"]:
+        shot: Shot = compiled(shoot_one)(_bank(law), par, float(z), steps)
+        return shot
+    try:
+        return shoot_plainly(law, par, z, steps)
+    except OverflowError:
+        return NO_SHOT
+
+
+def shoot_plainly(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
+    """March one arc to its exit at an effort, interpreted (or in the page)."""
+    return shoot_from(law, par, z, steps, 0, zeros(0))[0]
 
 
 @lru_cache(maxsize=64)

@@ -64,15 +64,16 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     for steps in (COARSE, SHARP, FINE):  # close to breakaway a coarse mesh misses the solution
         search = Search(eased, steps)
         levels, states, failed = _states(eased, search, softening, fine)
-        if levels and not failed:
+        if len(levels) > 0 and len(failed) == 0:
             break
     if eased is not system:
-        states = [s for s in (_stiffened(system, state) for state in states) if s is not None]
-    if not levels:
+        stiff = [_stiffened(system, state) for state in states]
+        states = [s for s in stiff if s is not None]
+    if len(levels) == 0:
         level = search.level(search.strongest())
         return _broken(system, names, tuple(search.follow(level)), level)
-    if not states:
-        start = failed[0] if failed else tuple(search.follow(search.level(levels[0])))
+    if len(states) == 0:
+        start = failed[0] if len(failed) > 0 else tuple(search.follow(search.level(levels[0])))
         return _broken(system, names, start, search.level(levels[0]))
     return _corrected(system, _chosen(system, names, states), fine)
 
@@ -85,7 +86,7 @@ def _corrected(system: System, located: Located, steps: int) -> Located:
     """
     for _ in range(4):
         state = located.settled
-        if state is None or not located.status.solved:
+        if state is None or located.status is not TrainStatus.SOLVED:
             break
         solved = [
             m.between(p.entry, p.exit) for m, p in zip(system.members, state.passages, strict=True)
@@ -94,7 +95,7 @@ def _corrected(system: System, located: Located, steps: int) -> Located:
         offsets = [log1p(-p.ratio) - log1p(-s.ratio) for s, p in pairs if s is not None]
         if len(offsets) < len(pairs):
             break
-        old = system.corrections or (0.0,) * len(offsets)
+        old = system.corrections if len(system.corrections) > 0 else (0.0,) * len(offsets)
         if max(abs(a - b) for a, b in zip(offsets, old, strict=True)) < _CORRECTED:
             break
         system = replace(system, corrections=tuple(offsets))
@@ -106,7 +107,7 @@ def _corrected(system: System, located: Located, steps: int) -> Located:
         step = max(
             abs(log(a.exit / b.exit)) for a, b in zip(better.passages, state.passages, strict=True)
         )
-        if step * max(map(abs, offsets)) < _CORRECTED * _SURE:
+        if step * max(abs(offset) for offset in offsets) < _CORRECTED * _SURE:
             break
     return located
 
@@ -169,11 +170,11 @@ def _chosen(system: System, names: Sequence[str], states: list[Settled]) -> Loca
         i for i, (m, p, rising) in enumerate(past) if not rising or (m.holds and not p.held)
     )
     status, reason = TrainStatus.SOLVED, ""
-    if fallen:
+    if len(fallen) > 0:
         status = TrainStatus.BREAKAWAY
         reason = (
             f"At these speeds {_listed(names, fallen)} away: the only balance there is has "
-            f"{'it' if len(fallen) == 1 else 'them'} sliding, past the peak of friction."
+            f"{_them(fallen)} sliding, past the peak of friction."
         )
     return Located(status, reason, state.passages, state.level, state, others, fallen)
 
@@ -191,15 +192,26 @@ def _broken(
                 fallen.append(i)
         elif member.slopes(p, FINE).exit_by_effort >= 0.0:
             fallen.append(i)
-        exact.append(known or p)
+        exact.append(p if known is None else known)
     status = TrainStatus.BREAKAWAY
-    reason = f"{_listed(names, fallen)} away: no creep makes enough friction." if fallen else ""
-    if not fallen and abs(passages[-1].exit / system.exit - 1.0) > 1e-3:
+    reason = ""
+    if len(fallen) > 0:
+        reason = away(names, fallen)
+    elif abs(passages[-1].exit / system.exit - 1.0) > 1e-3:
         fallen = list(range(len(names)))
         reason = f"The friction of {' and '.join(names)} together cannot carry the load."
-    elif not fallen:
+    else:
         status = TrainStatus.UNSOLVED
     return Located(status, reason, tuple(exact), level, fallen=tuple(fallen))
+
+
+def away(names: Sequence[str], indices: Sequence[int]) -> str:
+    """Say which drives break away."""
+    return f"{_listed(names, indices)} away: no creep makes enough friction."
+
+
+def _them(indices: Sequence[int]) -> str:
+    return "it" if len(indices) == 1 else "them"
 
 
 def _listed(names: Sequence[str], indices: Sequence[int]) -> str:

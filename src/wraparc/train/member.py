@@ -10,7 +10,7 @@ Both are continuous where the pulley changes from driving to braking.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import asinh, copysign, cosh, exp, log1p, sinh
+from math import asinh, copysign, cosh, exp, isfinite, log1p, sinh
 
 from wraparc.arc import WrapArc
 from wraparc.arc.kernel.answer import solve_tension
@@ -149,9 +149,8 @@ class Member:
                 side = 1.0
             par = self.parameters(entry, side)
             z = effort_of(par, RATIO_SCALE * sinh(effort))
-        try:
-            shot = shoot(self.law, par, z, steps)
-        except OverflowError:  # a trial far beyond any sense: more tension than numbers have
+        shot = shoot(self.law, par, z, steps)
+        if not isfinite(shot.log_tension):  # a trial far beyond any sense
             gone = copysign(_BEYOND, effort)
             return Passage(entry, entry * exp(-gone), effort, 0.01 * gone, gone, gone, False)
         ratio = shot.creep_ratio if self.holds else RATIO_SCALE * sinh(effort)

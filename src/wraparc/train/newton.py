@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, isnan, log
+from math import inf, isfinite, isnan, log, nan
 
-import numpy as np
-from numpy.typing import NDArray
-
+from wraparc.train.linear import Matrix, Row, corrected, solution
 from wraparc.train.member import FINE, Passage, Slopes
 from wraparc.train.system import System
-
-Array = NDArray[np.float64]
 
 #: Miss of a speed equation and of the logarithm of the last tension that counts as none.
 TOLERANCE = 1e-13
@@ -35,24 +31,29 @@ class Linear:
         Which drives follow the torque of another.
     """
 
-    matrix: Array
-    pulls: Array
+    matrix: Matrix
+    pulls: Matrix
     follows: tuple[bool, ...]
 
-    def share_slopes(self, total: float) -> Array:
+    def share_slopes(self, total: float) -> Matrix:
         """Slopes d share_i / d ln(speed of drive j), (n, n) [-]; nan where nothing is shared.
 
         A drive whose torque follows another has no speed of its own: its column is 0.
         """
         count = len(self.pulls)
-        if total == 0.0:
-            return np.full((count, count), np.nan)
-        right = np.zeros((count + 1, count))
-        right[:count] = np.diag([0.0 if f else 1.0 for f in self.follows])
-        try:
-            return np.asarray(self.pulls @ np.linalg.solve(self.matrix, right) / total)
-        except np.linalg.LinAlgError:
-            return np.full((count, count), np.nan)
+        slopes = [[nan] * count for _ in range(count)]
+        for j in range(count if total != 0.0 else 0):
+            right = [0.0] * (count + 1)
+            right[j] = 0.0 if self.follows[j] else 1.0
+            changes = solution(self.matrix, right)
+            if changes is not None:
+                for i in range(count):
+                    slopes[i][j] = _dot(self.pulls[i], changes) / total
+        return slopes
+
+
+def _dot(one: Row, other: Row) -> float:
+    return sum(a * b for a, b in zip(one, other, strict=True))
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,39 +88,42 @@ def linearized(
 ) -> tuple[Linear, tuple[bool, ...]]:
     """Return the equations near a state, and whether each drive rises with its creep."""
     count = len(passages)
-    matrix = np.zeros((count + 1, count + 1))
-    pulls = np.zeros((count, count + 1))
-    torques = np.zeros((count, count + 1))
-    entry = np.zeros(count + 1)  # slopes of the entry tension
+    matrix: Matrix = [[0.0] * (count + 1) for _ in range(count + 1)]
+    pulls: Matrix = []
+    torques: Matrix = []
+    entry = [0.0] * (count + 1)  # slopes of the entry tension
     slopes = [m.slopes(at, steps) for m, at in zip(system.members, passages, strict=True)]
     for i, (at, s) in enumerate(zip(passages, slopes, strict=True)):
         member = system.members[i]
-        leaving = s.exit_by_entry * entry
+        leaving = [s.exit_by_entry * x for x in entry]
         leaving[i] += s.exit_by_effort
-        pulls[i] = entry - leaving
-        torques[i] = pulls[i] * member.arm(at.entry)
-        torques[i] -= (at.entry - at.exit) * member.squeeze * entry
+        pull = [x - y for x, y in zip(entry, leaving, strict=True)]
+        arm, lost = member.arm(at.entry), (at.entry - at.exit) * member.squeeze
+        pulls.append(pull)
+        torques.append([x * arm - lost * y for x, y in zip(pull, entry, strict=True)])
         if not system.lines[i].follows:
             matrix[i] = _speed_row(system, i, at, s, entry, torques[i])
         entry = leaving
     for i, line in enumerate(system.lines):
         if line.follows:
-            matrix[i] = (torques[i] - line.ratio * torques[line.master]) / system.torque_scale
-    matrix[count] = entry / passages[-1].exit
+            pairs = zip(torques[i], torques[line.master], strict=True)
+            matrix[i] = [(x - line.ratio * y) / system.torque_scale for x, y in pairs]
+    matrix[count] = [x / passages[-1].exit for x in entry]
     rising = tuple(s.exit_by_effort <= 0.0 for s in slopes)
     return Linear(matrix, pulls, tuple(line.follows for line in system.lines)), rising
 
 
-def _speed_row(
-    system: System, i: int, at: Passage, s: Slopes, entry: Array, torque: Array
-) -> Array:
-    creep = s.ratio_by_entry * entry
+def _speed_row(system: System, i: int, at: Passage, s: Slopes, entry: Row, torque: Row) -> Row:
+    creep = [s.ratio_by_entry * x for x in entry]
     creep[i] += s.ratio_by_effort
-    row = creep / (1.0 - at.ratio) + system.members[i].stretch_slope(at.entry) * entry
-    there = system.torque(i, at.entry, at.exit)
-    row = row - system.lines[i].log_speed_slope(there) * torque
-    row[-1] -= 1.0
-    return np.asarray(row)
+    stretch = system.members[i].stretch_slope(at.entry)
+    slope = system.lines[i].log_speed_slope(system.torque(i, at.entry, at.exit))
+    row = [
+        c / (1.0 - at.ratio) + stretch * x - slope * t
+        for c, x, t in zip(creep, entry, torque, strict=True)
+    ]
+    row[len(row) - 1] -= 1.0
+    return row
 
 
 def settle(
@@ -151,7 +155,7 @@ def settle(
     efforts = _efforts(system, passages)
     if efforts is None:
         return None
-    at = _Point.of(system, efforts, level, steps)
+    at = _point(system, efforts, level, steps)
     for i in range(30):
         if i == 0 and near is not None:
             linear, rising = near.linear, near.rising
@@ -163,7 +167,7 @@ def settle(
                 if near is None and not _near(first.state, at.state):
                     linear, rising = linearized(system, at.state, steps)
                 return Settled(at.state, at.level, linear, rising)
-            new = at.stepped(system, matrix, search=k == 0)
+            new = _stepped(at, system, matrix, k == 0)
             if new is None or new.size >= at.size:
                 break
             matrix = _learned(matrix, at, new)
@@ -186,46 +190,43 @@ class _Point:
     efforts: tuple[float, ...]
     level: float
     state: tuple[Passage, ...]
-    misses: Array
+    misses: Row
     steps: int
-
-    @classmethod
-    def of(cls, system: System, efforts: Sequence[float], level: float, steps: int) -> _Point:
-        state = _state(system, efforts, steps)
-        return cls(tuple(efforts), level, state, _misses(system, state, level), steps)
 
     @property
     def size(self) -> float:
         """Largest miss, weighted; inf where something is not finite."""
-        if not np.all(np.isfinite(self.misses)):
+        if not all(isfinite(miss) for miss in self.misses):
             return inf
-        return float(max(_SPEED_WEIGHT * np.max(np.abs(self.misses[:-1])), abs(self.misses[-1])))
+        speeds = max(abs(miss) for miss in self.misses[:-1])
+        return max(_SPEED_WEIGHT * speeds, abs(self.misses[-1]))
 
-    def stepped(self, system: System, matrix: Array, search: bool) -> _Point | None:
-        """Take the step of the linear equations, shortened until it helps if `search`."""
-        try:
-            step = np.linalg.solve(matrix, -self.misses)
-        except np.linalg.LinAlgError:
-            return None
-        if not np.all(np.isfinite(step)):
-            return None
-        scale = min(1.0, _LARGEST_STEP / max(float(np.max(np.abs(step[:-1]))), 1e-300))
-        for _ in range(15 if search else 1):
-            efforts = [e + scale * float(d) for e, d in zip(self.efforts, step, strict=False)]
-            new = _Point.of(system, efforts, self.level + scale * float(step[-1]), self.steps)
-            if new.size < self.size:
-                return new
-            scale *= 0.5
+
+def _point(system: System, efforts: Sequence[float], level: float, steps: int) -> _Point:
+    state = _state(system, efforts, steps)
+    return _Point(tuple(efforts), level, state, _misses(system, state, level), steps)
+
+
+def _stepped(at: _Point, system: System, matrix: Matrix, search: bool) -> _Point | None:
+    """Take the step of the linear equations, shortened until it helps if `search`."""
+    step = solution(matrix, [-miss for miss in at.misses])
+    if step is None or not all(isfinite(change) for change in step):
         return None
+    longest = max(abs(change) for change in step[:-1])
+    scale = min(1.0, _LARGEST_STEP / max(longest, 1e-300))
+    for _ in range(15 if search else 1):
+        efforts = [e + scale * d for e, d in zip(at.efforts, step[:-1], strict=True)]
+        new = _point(system, efforts, at.level + scale * step[-1], at.steps)
+        if new.size < at.size:
+            return new
+        scale *= 0.5
+    return None
 
 
-def _learned(matrix: Array, a: _Point, b: _Point) -> Array:
+def _learned(matrix: Matrix, a: _Point, b: _Point) -> Matrix:
     """Return slopes that are true between two points (Broyden), little changed otherwise."""
-    step = np.array([*b.efforts, b.level]) - np.array([*a.efforts, a.level])
-    square = float(step @ step)
-    if square == 0.0:
-        return matrix
-    return np.asarray(matrix + np.outer(b.misses - a.misses - matrix @ step, step) / square)
+    step = [y - x for x, y in zip((*a.efforts, a.level), (*b.efforts, b.level), strict=True)]
+    return corrected(matrix, step, [y - x for x, y in zip(a.misses, b.misses, strict=True)])
 
 
 def _efforts(system: System, passages: Sequence[Passage]) -> list[float] | None:
@@ -250,7 +251,7 @@ def _state(system: System, efforts: Sequence[float], steps: int) -> tuple[Passag
     return tuple(state)
 
 
-def _misses(system: System, state: Sequence[Passage], level: float) -> Array:
+def _misses(system: System, state: Sequence[Passage], level: float) -> Row:
     torques = [system.torque(i, at.entry, at.exit) for i, at in enumerate(state)]
     misses = [
         (torques[i] - line.ratio * torques[line.master]) / system.torque_scale
@@ -258,7 +259,7 @@ def _misses(system: System, state: Sequence[Passage], level: float) -> Array:
         else system.speed_miss(i, state[i], level)
         for i, line in enumerate(system.lines)
     ]
-    return np.array([*misses, log(state[-1].exit / system.exit)])
+    return [*misses, log(state[-1].exit / system.exit)]
 
 
 def _near(a: Sequence[Passage], b: Sequence[Passage]) -> bool:

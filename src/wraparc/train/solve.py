@@ -3,25 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from math import exp, log, log1p, nan
-
-import numpy as np
+from dataclasses import dataclass
+from math import exp, nan
 
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.drive import Pulley
 from wraparc.errors import BreakawayError, ConvergenceError, InputError, Problem
-from wraparc.train.locate import Located, locate
+from wraparc.train.locate import Located, away, locate
 from wraparc.train.member import Member, Passage
 from wraparc.train.motors import Motor, TorqueFollower
-from wraparc.train.newton import linearized
-from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
+from wraparc.train.result import CaseResult, MemberResult, TrainResult, TrainStatus
 from wraparc.train.system import Line, System
-from wraparc.train.train import Motors, Pulls, Shares, Speeds, Train, TrainCase, tensions_at
-from wraparc.units import display
-
-#: Pull over tension that is rounding only.
-_IDLE = 1e-11
+from wraparc.train.train import (
+    Motors,
+    Pair,
+    Pulls,
+    Shares,
+    Speeds,
+    Train,
+    TrainCase,
+    tensions_at,
+)
+from wraparc.train.turning import (
+    Nip,
+    beyond_motor,
+    driven,
+    held_speeds,
+    motor_point,
+    rounded,
+    sensitivity,
+    speed_error,
+    surface_of_first,
+    tension_error,
+    turning,
+)
 
 
 def solve_train(
@@ -81,20 +96,10 @@ def solve_case(train: Train, case: TrainCase, method: Distributed) -> CaseResult
         return _reported(setup, method, setup.given_tensions(), None)
     softening = any(p.lagging.law.steepest_fall() < 0.0 for p in train.pulleys)
     located = locate(setup.system, [p.name for p in train.pulleys], softening)
-    pairs = [(p.entry, p.exit) for p in located.passages]
+    pairs = [Pair(p.entry, p.exit) for p in located.passages]
     if located.status.solved:
-        pairs = _rounded(pairs, case)
+        pairs = rounded(pairs, case.exit_tension, setup.system.runs)
     return _reported(setup, method, pairs, located)
-
-
-def _rounded(pairs: Sequence[tuple[float, float]], case: TrainCase) -> list[tuple[float, float]]:
-    """Return tensions that meet the last one exactly; what is idle but for rounding is idle."""
-    exits = [b if abs(a - b) > _IDLE * a else a for a, b in pairs]
-    exits[-1] = case.exit_tension
-    if abs(pairs[-1][0] - exits[-1]) <= _IDLE * exits[-1] and len(exits) > 1:
-        exits[-2] = exits[-1] - case.run(len(exits) - 2)
-    entries = [pairs[0][0], *(b + case.run(i) for i, b in enumerate(exits[:-1]))]
-    return list(zip(entries, exits, strict=True))
 
 
 @dataclass(frozen=True)
@@ -140,7 +145,7 @@ class Setup:
             return division.motors
         return (None,) * len(self.train.pulleys)
 
-    def given_tensions(self) -> list[tuple[float, float]]:
+    def given_tensions(self) -> list[Pair]:
         """Return entry and exit tensions of pulleys whose pulls are given [N]."""
         division, total = self.case.division, self.case.effective_tension
         pulls: Sequence[float] = (total,)
@@ -185,33 +190,26 @@ def _lines(train: Train, case: TrainCase) -> tuple[tuple[Line, ...], float]:
     """Return what turns each drum, and the reference speed."""
     division, pulleys = case.division, train.pulleys
     if isinstance(division, Speeds):
-        reference = division.rotation_speeds[0] * pulleys[0].radius
-        return tuple(
-            Line(speed=log(omega * p.radius / reference))
-            for omega, p in zip(division.rotation_speeds, pulleys, strict=True)
-        ), (reference if division.absolute else nan)
+        speeds, radii = division.rotation_speeds, [p.radius for p in pulleys]
+        lines = tuple(Line(speed=at) for at in held_speeds(speeds, radii))
+        return lines, (surface_of_first(speeds, radii) if division.absolute else nan)
     if not isinstance(division, Motors):
         return (Line(),) * len(pulleys), nan
     names = [p.name for p in pulleys]
-    turning = [
-        (m, p) for m, p in zip(division.motors, pulleys, strict=True) if isinstance(m, Motor)
-    ]
-    reference = turning[0][0].drum_speed(0.0) * turning[0][1].radius
-    lines = []
-    for m, p in zip(division.motors, pulleys, strict=True):
-        if isinstance(m, TorqueFollower):
-            lines.append(Line(master=names.index(m.master), ratio=m.ratio))
-        elif m.holds_speed:
-            lines.append(Line(speed=log(m.drum_speed(0.0) * p.radius / reference)))
-        else:
-            lines.append(Line(motor=m, scale=p.radius / reference))
-    return tuple(lines), reference
+    follows = [m.master if isinstance(m, TorqueFollower) else "" for m in division.motors]
+    found = driven(
+        [m if isinstance(m, Motor) else None for m in division.motors],
+        [names.index(name) if name else -1 for name in follows],
+        [m.ratio if isinstance(m, TorqueFollower) else 1.0 for m in division.motors],
+        [p.radius for p in pulleys],
+    )
+    return tuple(found.lines), found.reference
 
 
 def _reported(
     setup: Setup,
     method: Distributed,
-    pairs: Sequence[tuple[float, float]],
+    pairs: Sequence[Pair],
     located: Located | None,
 ) -> CaseResult:
     """Solve the arcs for their tensions and put everything together."""
@@ -231,9 +229,34 @@ def _reported(
             p.ratio if p.ratio == p.ratio else g
             for p, g in zip(located.passages, ratios, strict=True)
         ]
-    members = tuple(_member(setup, i, arcs, ratios, v) for i, v in enumerate(speeds))
+    nips = [
+        Nip(
+            entry=arc.entry_tension,
+            pull=arc.effective_tension,
+            creep_ratio=g,
+            radius=arc.arc.radius,
+            compression=arc.arc.compression,
+            nominal=nominal,
+        )
+        for arc, g, nominal in zip(arcs, ratios, train.nominal, strict=True)
+    ]
+    total = case.effective_tension
+    turnings = [
+        turning(nips[0], nip, stretch, total, v) for nip, v in zip(nips, speeds, strict=True)
+    ]
+    members = tuple(
+        MemberResult(
+            arc=arc,
+            motor=motor_point(motor, t.drum_torque, t.rotation_speed)
+            if isinstance(motor, Motor)
+            else None,
+            **t._asdict(),
+        )
+        for arc, motor, t in zip(arcs, setup.motors, turnings, strict=True)
+    )
     status, reason = _status(setup, members, located)
-    passages = located.settled.passages if located and located.settled else None
+    settled = located is not None and located.status.solved
+    torques = [t.drum_torque for t in turnings]
     return CaseResult(
         case=case,
         status=status,
@@ -242,70 +265,12 @@ def _reported(
         sensitivity=_sensitivity(system, arcs, located),
         belt_speed=at_first,
         other_splits=located.other_splits if located else (),
-        tension_error=_tension_error(setup, arcs) if passages or not located else nan,
-        speed_error=_speed_error(setup, members, located),
-    )
-
-
-def _member(
-    setup: Setup,
-    i: int,
-    arcs: Sequence[ArcResult],
-    ratios: Sequence[float],
-    belt_speed: float,
-) -> MemberResult:
-    first, arc = arcs[0], arcs[i]
-    stretch = setup.train.belt.axial_stiffness
-    nominal = setup.train.nominal
-    total = setup.case.effective_tension
-    a, a1 = arc.entry_tension, first.entry_tension
-    g, g1 = ratios[i], ratios[0]
-    leaves = 1.0 - g if g < 1.0 else nan  # a drum that slides as much as it can moves no belt
-    ratio = (1.0 + a / stretch) * (1.0 - g1) / ((1.0 + a1 / stretch) * leaves)
-    arm, arm1 = (r.arc.radius - r.arc.compression for r in (arc, first))
-    surface = belt_speed / leaves
-    torque, rotation = arc.effective_tension * arm, surface / arm
-    return MemberResult(
-        arc=arc,
-        share=arc.effective_tension / total if total != 0.0 else nan,
-        speed_ratio=ratio,
-        contraction_term=-(a1 - a) / stretch,
-        creep_term=g - g1,
-        compression_term=arc.arc.compression / arc.arc.radius
-        - first.arc.compression / first.arc.radius,
-        drum_ratio=ratio * arm1 / arm * arc.arc.radius / first.arc.radius,
-        surface_speed=surface,
-        rotation_speed=rotation,
-        speed_trim=ratio * arm1 / arm * nominal[i] / nominal[0],
-        drum_torque=torque,
-        drum_power=surface * arc.effective_tension,
-        motor=_motor_point(setup, i, torque, rotation),
-    )
-
-
-def _motor_point(setup: Setup, i: int, torque: float, rotation: float) -> MotorPoint | None:
-    motor = setup.motors[i]
-    if not isinstance(motor, Motor):
-        return None
-    load = motor.load(torque)
-    each = load * motor.rated_torque
-    gear_speed = rotation * motor.gear_ratio
-    speed = motor.motor_speed(load, gear_speed)
-    shaft = motor.count * each * speed
-    electrical = nan
-    if motor.motor_efficiency is not None:
-        eta = motor.motor_efficiency
-        electrical = shaft / eta if shaft >= 0.0 else shaft * eta
-    return MotorPoint(
-        motor_load=load,
-        motor_torque=each,
-        motor_speed=speed,
-        motor_power=each * speed,
-        gear_speed=gear_speed,
-        electrical_power=electrical,
-        motor_loss=electrical - shaft,
-        coupling_loss=motor.count * each * (speed - gear_speed),
-        gear_loss=motor.count * each * gear_speed - torque * rotation,
+        tension_error=_tension_error(setup, arcs) if not located or located.settled else nan,
+        speed_error=0.0
+        if located is None
+        else speed_error(system, nips, torques, located.level)
+        if settled
+        else nan,
     )
 
 
@@ -318,66 +283,22 @@ def _status(
     if any(m.arc.status is Status.UNSOLVED for m in stuck):
         return TrainStatus.UNSOLVED, f"{stuck[0].name}: {stuck[0].arc.status}"
     if stuck:
-        names = " and ".join(m.name for m in stuck)
-        verb = "breaks" if len(stuck) == 1 else "break"
-        return TrainStatus.BREAKAWAY, f"{names} {verb} away: no creep makes enough friction."
+        return TrainStatus.BREAKAWAY, away([m.name for m in stuck], range(len(stuck)))
     for member, motor in zip(members, setup.motors, strict=True):
         if isinstance(motor, Motor) and member.motor is not None:
-            reason = _beyond(member, motor, member.motor)
+            reason = beyond_motor(member.name, member.rotation_speed, motor, member.motor)
             if reason:
                 return TrainStatus.BEYOND_MOTOR, reason
     return TrainStatus.SOLVED, ""
 
 
-def _apart(one: float, other: float) -> tuple[str, str]:
-    """Return two rotation speeds [rad/s] in as many digits as tell them apart."""
-    told = ("", "")
-    for digits in range(4, 10):
-        told = (
-            display(one, "rotation_speed", digits=digits),
-            display(other, "rotation_speed", digits=digits),
-        )
-        if told[0] != told[1]:
-            break
-    return told
-
-
-def _beyond(member: MemberResult, motor: Motor, point: MotorPoint) -> str:
-    """Say how a motor would have to leave its curve, or nothing."""
-    low, high = motor.limits()
-    rounding = 1e-9
-    if point.motor_load < low - rounding:
-        end = low / (motor.gear_efficiency if low >= 0.0 else 1.0 / motor.gear_efficiency)
-        most = motor.drum_speed(end * motor.drum_torque)
-        turns, top = _apart(member.rotation_speed, most)
-        means = "it cannot hold back" if low == 0.0 else f"it holds back {-low:.3g} rated torques"
-        return (
-            f"The belt drives the drum of {member.name} at {turns}, faster than its motor allows: "
-            f"{top} at most, where {means}."
-        )
-    if point.motor_load > high + rounding:
-        turns = display(member.rotation_speed, "rotation_speed")
-        return (
-            f"The motor of {member.name} would need {point.motor_load:.3g} times its rated torque "
-            f"at {turns} of its drum; its curve ends at {high:.3g}."
-        )
-    return ""
-
-
 def _sensitivity(
     system: System, arcs: Sequence[ArcResult], located: Located | None
 ) -> tuple[tuple[float, ...], ...]:
-    count = len(arcs)
-    if located is not None and located.settled is not None:
-        slopes = located.settled.linear.share_slopes(system.pull)
-    else:
+    passages: list[Passage | None] = [None] * len(arcs)
+    if all(a.status.solved for a in arcs):
         passages = [_passage(m, arc) for m, arc in zip(system.members, arcs, strict=True)]
-        known = [p for p in passages if p is not None]
-        rigid = replace(system, lines=(Line(),) * count)
-        slopes = np.full((count, count), nan)
-        if len(known) == count and all(a.status.solved for a in arcs):
-            slopes = linearized(rigid, known)[0].share_slopes(system.pull)
-    return tuple(tuple(float(v) for v in row) for row in slopes)
+    return tuple(tuple(row) for row in sensitivity(system, located, passages))
 
 
 def _passage(member: Member, arc: ArcResult) -> Passage | None:
@@ -394,26 +315,6 @@ def _tension_error(setup: Setup, arcs: Sequence[ArcResult]) -> float:
     """Largest relative miss between what leaves a pulley and what the next one takes."""
     if not all(arc.status.solved for arc in arcs):
         return nan
-    misses = []
-    for i, arc in enumerate(arcs):
-        leaving = float(arc.profile.tension[-1]) + setup.system.runs[i]
-        taken = arcs[i + 1].entry_tension if i + 1 < len(arcs) else setup.case.exit_tension
-        misses.append(abs(leaving / taken - 1.0))
-    return max(misses)
-
-
-def _speed_error(setup: Setup, members: Sequence[MemberResult], located: Located | None) -> float:
-    """Largest miss of the speeds or torques asked for, from the reported arcs alone."""
-    if located is None or not located.status.solved:
-        return 0.0 if located is None else nan
-    system = setup.system
-    misses = []
-    for i, (m, line) in enumerate(zip(members, system.lines, strict=True)):
-        if line.follows:
-            asked = line.ratio * members[line.master].drum_torque
-            misses.append(abs(m.drum_torque - asked) / system.torque_scale)
-            continue
-        arc = m.arc
-        left = -log1p(-arc.entry_creep_ratio) + system.members[i].stretch_log(arc.entry_tension)
-        misses.append(abs(left - line.log_speed(m.drum_torque) - located.level))
-    return max(misses)
+    leaving = [float(arc.profile.tension[-1]) for arc in arcs]
+    entries = [arc.entry_tension for arc in arcs]
+    return tension_error(leaving, setup.system.runs, entries, setup.case.exit_tension)

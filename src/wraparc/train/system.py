@@ -13,8 +13,8 @@ whatever the number of pulleys.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 from math import asinh, expm1, inf, isnan, log, log1p, nan, sinh
 
@@ -115,7 +115,7 @@ class System:
         """Left less right side of the equation of a pulley [-]."""
         member, line = self.members[i], self.lines[i]
         left = -log1p(-min(at.ratio, 0.99)) + member.stretch_log(at.entry)
-        if self.corrections:
+        if len(self.corrections) > 0:
             left += self.corrections[i]
         return left - line.log_speed(self.torque(i, at.entry, at.exit)) - level
 
@@ -131,9 +131,12 @@ class Search:
         self._slopes = [0.0] * count  # of the speed equations, by effort
         share = system.pull / count
         self._torques = [share * member.arm(system.entry) for member in system.members]
-        self._early = {
+        leads = [
             line.master for i, line in enumerate(system.lines) if line.follows and i < line.master
-        }
+        ]
+        self._early = [
+            lead for i, lead in enumerate(leads) if not any(lead == other for other in leads[:i])
+        ]
         self._center = self._mean_level()
         self._w = nan  # search variable found last
 
@@ -180,10 +183,12 @@ class Search:
             ratio = -expm1(member.stretch_log(entry) - line.speed - level)
             ratio = min(max(ratio, -LARGEST_RATIO), LARGEST_RATIO)
             return member.passage(entry, member.effort_at(ratio), self._steps)
-        found: dict[float, Passage] = {}
+        found: list[tuple[float, Passage]] = []
+        steps = self._steps
 
         def miss(effort: float) -> float:
-            at = found[effort] = member.passage(entry, effort, self._steps)
+            at = member.passage(entry, effort, steps)
+            found.append((effort, at))
             return system.speed_miss(i, at, level)
 
         end = self._largest_effort(i, entry)
@@ -193,14 +198,15 @@ class Search:
             guess = guess if system.pull >= 0.0 else -guess
         effort, _ = rising_root(miss, guess, 0.3, -end, end, _TURNED, self._slopes[i])
         self._efforts[i] = effort
-        self._slopes[i] = self._slope(i, list(found.values())[-2:], level)
-        return found[effort]
+        self._slopes[i] = self._slope(i, [at for _, at in found[-2:]], level)
+        return next((at for tried, at in found if tried == effort), found[-1][1])
 
     def _slope(self, i: int, two: list[Passage], level: float) -> float:
         """Slope of a speed equation by effort between two passages, 0 where it cannot be told."""
         if len(two) < 2 or two[0].effort == two[1].effort:
             return 0.0
-        a, b = (self._system.speed_miss(i, at, level) for at in two)
+        a = self._system.speed_miss(i, two[0], level)
+        b = self._system.speed_miss(i, two[1], level)
         return max((b - a) / (two[1].effort - two[0].effort), 0.0)
 
     def _largest_effort(self, i: int, entry: float) -> float:
@@ -220,24 +226,39 @@ class Search:
     def solution(self, tolerance: float = 1e-5) -> tuple[float, float]:
         """Search variable of the solution, and the miss there (not small: there is none)."""
         scale = self._system.torque_scale
-        for _ in range(20 if self._early else 0):
+        for _ in range(20 if len(self._early) > 0 else 0):
             # the torque that a drive ahead of its master goes by: the more it takes, the less is
             # left for the master, so that assumed less found torque rises
-            before = dict(enumerate(self._torques))
+            before = list(self._torques)
             for lead in self._early:
-                miss = partial(self._torque_miss, lead, tolerance)
-                rising_root(miss, before[lead], 0.1 * scale, -scale, scale, 1e-5 * scale)
+                self._lead(lead, before[lead], tolerance)
             if all(abs(self._torques[i] - before[i]) < 1e-4 * scale for i in self._early):
                 break
         return self._solution(tolerance)
+
+    def _lead(self, lead: int, start: float, tolerance: float) -> None:
+        """Find the torque of a drive that another one ahead of it follows."""
+        scale = self._system.torque_scale
+
+        def miss(torque: float) -> float:
+            return self._torque_miss(lead, tolerance, torque)
+
+        rising_root(miss, start, 0.1 * scale, -scale, scale, 1e-5 * scale)
 
     def _solution(self, tolerance: float) -> tuple[float, float]:
         guess = self._w
         if isnan(guess):
             guess = asinh(1.5e-3 / _LEVEL_SCALE)
             guess = guess if self._system.pull >= 0.0 else -guess
-        self._w, miss = rising_root(self.miss, guess, 0.3, -_LEVEL_END, _LEVEL_END, tolerance)
-        return self._w, miss
+        w, miss = rising_root(self._of_level(), guess, 0.3, -_LEVEL_END, _LEVEL_END, tolerance)
+        self._w = w
+        return w, miss
+
+    def _of_level(self) -> Callable[[float], float]:
+        def miss(w: float) -> float:
+            return self.miss(w)
+
+        return miss
 
     def _torque_miss(self, lead: int, tolerance: float, torque: float) -> float:
         """Assumed less found torque of a drive that another one ahead of it follows [N m]."""
@@ -251,16 +272,16 @@ class Search:
 
         Between the nodes of the scan, a turn of the curve towards zero is followed to its tip.
         """
-        if self._early:
+        if len(self._early) > 0:
             self.solution(tolerance)
         points = [(w, self.miss(w)) for w in self._nodes()]
-        for (a, fa), (b, fb), (c, fc) in zip(points, points[1:], points[2:], strict=False):
+        for (a, fa), (b, fb), (c, fc) in zip(points[:-2], points[1:-1], points[2:], strict=True):
             if abs(fb) < min(abs(fa), abs(fc)) and (fa > 0.0) == (fb > 0.0) == (fc > 0.0):
                 points.append(self._tip(a, (b, fb), c))
-        points.sort()
+        miss = self._of_level()
         return [
-            bracketed_root(self.miss, a, fa, b, fb, tolerance)[0]
-            for (a, fa), (b, fb) in pairwise(points)
+            bracketed_root(miss, a, fa, b, fb, tolerance)[0]
+            for (a, fa), (b, fb) in pairwise(sorted(points, key=lambda point: point[0]))
             if (fa < 0.0) != (fb < 0.0)
         ]
 
@@ -269,7 +290,7 @@ class Search:
         sign = 1.0 if self._system.pull >= 0.0 else -1.0
         nodes = [sign * _LEVEL_END * k / _SCAN for k in range(_SCAN + 1)]
         if sign * self.miss(0.0) > 0.0:
-            nodes += [-w for w in nodes[1:]]
+            nodes = [*nodes, *[-w for w in nodes[1:]]]
         return sorted(nodes)
 
     def _tip(self, a: float, at: tuple[float, float], c: float) -> tuple[float, float]:

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 from wraparc.drive import (
     CREEP_LIMIT,
@@ -135,6 +135,16 @@ class TrainCase:
     def effective_tension(self) -> float:
         """Sum of T1 - T2 over all pulleys [N]."""
         return self.entry_tension - self.exit_tension + sum(self.runs)
+
+    @property
+    def pulls_given(self) -> bool:
+        """Whether the pulls are given, and the speeds follow."""
+        return isinstance(self.division, Shares | Pulls)
+
+    @property
+    def on_motors(self) -> bool:
+        """Whether the drums turn as their motors do."""
+        return isinstance(self.division, Motors)
 
     def run(self, index: int) -> float:
         """Rise of tension from pulley `index` to the next [N]."""
@@ -270,16 +280,28 @@ def _case_of(drive: Drive, case: LoadCase) -> TrainCase:
     )
 
 
-def tensions_at(case: TrainCase, pulls: Sequence[float]) -> list[tuple[float, float]]:
-    """Return entry and exit tension of each pulley for its effective tension [N]."""
-    entry = case.entry_tension
+class Pair(NamedTuple):
+    """Tensions of a pulley [N]."""
+
+    entry: float
+    exit: float
+
+
+def along(entry: float, exit_: float, runs: Sequence[float], pulls: Sequence[float]) -> list[Pair]:
+    """Return the tensions of pulleys whose pulls are known; `runs` has 0 behind the last [N]."""
     pairs = []
-    for i, pull in enumerate(pulls):
-        last = i == len(pulls) - 1
-        out = case.exit_tension if last else entry - pull
-        pairs.append((entry, out))
-        entry = out + case.run(i)
+    now = entry
+    for i, (pull, run) in enumerate(zip(pulls, runs, strict=True)):
+        out = exit_ if i == len(pulls) - 1 else now - pull
+        pairs.append(Pair(now, out))
+        now = out + run
     return pairs
+
+
+def tensions_at(case: TrainCase, pulls: Sequence[float]) -> list[Pair]:
+    """Return entry and exit tension of each pulley for its effective tension [N]."""
+    runs = [case.run(i) for i in range(len(pulls))]
+    return along(case.entry_tension, case.exit_tension, runs, pulls)
 
 
 def _count_problems(key: str, values: Sequence[object], count: int) -> list[Problem]:

@@ -184,11 +184,34 @@ class Judged(NamedTuple):
     asked: Asked
 
 
+class Among(NamedTuple):
+    """What a pulley shares with the others on its belt [N]."""
+
+    end: float  # tension at the take-up
+    held: float  # what the take-up holds
+    slack_end: float  # tension of the belt that leaves all pulleys slack
+    sagging: float  # the same, by the tensions at both ends
+    tight_rise: float  # growth of the tight side with the pull of all
+    slack_rise: float
+
+
+def alone(arc: Description, criteria: Criteria) -> Among:
+    """The same of a pulley that is alone on its belt."""
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    slack = leaving if entry >= leaving else entry
+    end = leaving if criteria.behind else slack
+    held = entry + leaving if criteria.fixed else end
+    tight_rise, slack_rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)
+    return Among(end, held, slack, slack, tight_rise, slack_rise)
+
+
 def judged(
-    law: CompactLaw, given: Given, tested: TestedRange | None, criteria: Criteria, points: int
-) -> Judged | None:
+    law: CompactLaw, given: Given, tested: TestedRange | None, criteria: Criteria, points: int,
+    among: Among | None = None,
+) -> Judged | None:  # fmt: skip
     """Numbers of the checks of one arc; None where they are for the server to find."""
     arc = description_of(given)
+    others = alone(arc, criteria) if among is None else among
     entry, leaving = arc.entry_tension, arc.exit_tension
     if refused(law, arc, given.steepest_fall) or idles(entry, leaving):
         return None
@@ -213,7 +236,7 @@ def judged(
     solved = found.outcome == SOLVED
     grip = grip_of(law, given, arc, carried.gross_slip)
     limits = limits_of(given, arc, tested, criteria)
-    factor = pull_factor_of(law, grip, arc, criteria)
+    factor = pull_factor_of(law, grip, arc, others)
     values = Compared(
         gross_slip=max(factor, 1.0) if solved else min(factor, 1.0),
         design_standard=min(entry, leaving),
@@ -235,20 +258,19 @@ def judged(
             summary.identity_error, summary.effective_tension, summary.entry_creep_ratio, entry,
             geometry.compliance,
         ),
-        sag=leaving if entry >= leaving else entry,
+        sag=others.sagging,
         pulley_diameter=arc.diameter,
         share=100.0 * max(entry, leaving) / (criteria.rating * arc.width),
         passes=passes_an_hour(arc.belt_speed, arc.diameter),
     )  # fmt: skip
-    held = leaving if criteria.behind or entry >= leaving else entry
     return Judged(
         solved,
         summary,
         capacity_numbers(entry, leaving, arc.wrap_angle, carried),
         values,
         limits,
-        entry + leaving if criteria.fixed else held,
-        asked_of(law, arc, grip, carried.least_slack, limits, given, criteria),
+        others.held,
+        asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
     )
 
 
@@ -279,19 +301,17 @@ class Asked(NamedTuple):
 
 def asked_of(
     law: CompactLaw, arc: Description, grip: Grip, least: float, limits: Compared, given: Given,
-    criteria: Criteria,
+    factor: float, among: Among,
 ) -> Asked:  # fmt: skip
     """What the checks of an arc ask of the take-up, its pull held."""
-    entry, leaving = arc.entry_tension, arc.exit_tension
+    entry, leaving, end = arc.entry_tension, arc.exit_tension, among.end
     tight, slack, area = max(entry, leaving), min(entry, leaving), grip.area
-    end = leaving if criteria.behind or entry >= leaving else entry
     top = highest_tight(limits.tested_pressure_max, area, tight)
     of, by_slip = Pull(abs(entry - leaving), tight, top), nan
     geometry = geometry_of(arc, law.onset_compliance)
     if limits.tested_slip < given.creep_limit:
         by_slip = least_for_slip(law, geometry, of, limits.tested_slip)
-    rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)[0]
-    safety = Safety(criteria.safety, rise, given.steepest_fall < 0.0)
+    safety = Safety(factor, among.tight_rise, given.steepest_fall < 0.0)
     return Asked(
         creep=end - slack + (least if least == least else inf),
         tested_slip=end - slack + by_slip,
@@ -302,17 +322,16 @@ def asked_of(
         tested_pressure_max=end - tight + limits.tested_pressure_max * area,
         face_pressure=end - tight + limits.face_pressure * area,
         belt_tension=end - tight + limits.belt_tension,
-        sag=limits.sag + end - (leaving if entry >= leaving else entry),
+        sag=limits.sag + end - among.slack_end,
         given=end,
     )
 
 
-def pull_factor_of(law: CompactLaw, grip: Grip, arc: Description, criteria: Criteria) -> float:
+def pull_factor_of(law: CompactLaw, grip: Grip, arc: Description, among: Among) -> float:
     """Pull at gross slip over the pull, with what the take-up holds [-]."""
     entry, leaving = arc.entry_tension, arc.exit_tension
     tight, slack = max(entry, leaving), min(entry, leaving)
-    tight_rise, slack_rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)
-    line = Line(tight, slack, tight_rise, slack_rise)
+    line = Line(tight, slack, among.tight_rise, among.slack_rise)
     return pull_at_slip(law, grip, line)
 
 

@@ -8,20 +8,23 @@ import base64
 import hashlib
 import html
 import json
+import math
 import re
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from wraparc.drive import Drive
+from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
-from wraparc.train import Train
+from wraparc.train import Motor, Motors, Train
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
 from wraparc.web.answers import book, catalogue, compare
+from wraparc.web.answers.book_words import train_words
 from wraparc.web.answers.documents import json_like, read
 from wraparc.web.answers.form import form
 from wraparc.web.examples import examples
@@ -36,7 +39,7 @@ _LICENCES = (
 #: Parts of the form that the file has fields for.
 _SECTIONS = (
     "drive", "belt", "pulley", "tensions", "lagging", "load_case", "take_up", "design_standard",
-    "safety_factor", "sag",
+    "safety_factor", "sag", "train",
 )  # fmt: skip
 #: Keys of a lagging table in a pulley that the page reads.
 _LAGGING = ("preset", "thickness", "shear_modulus", "compression_modulus")
@@ -128,6 +131,12 @@ def _data(document: Document, name: str, text: str) -> dict[str, Any]:
             "remarks": {"laggings": [compare.SAME, compare.OF_LAGGINGS], "belts": [compare.SAME]},
             "neighbours": compare.NEIGHBOURS,
         },
+        "trains": {
+            "words": {k: [_plain(w) for w in of] for k, of in train_words().items()},
+            "motors": [
+                m for d in (document, *(e.document for e in found.values())) for m in _motors(d)
+            ],
+        },
         "start": {"name": name, "file": name, "document": plain, "toml": text},
         "examples": {
             key: {"document": json_like(e.document), "toml": e.text} for key, e in found.items()
@@ -183,13 +192,18 @@ def _problems(document: Document, drive: Drive | Train) -> Iterator[Problem]:
     def beyond(key: str, what: str, remedy: str = _SOLVES) -> Problem:
         return Problem(key=key, message=f"{what} a page without a server", remedy=remedy)
 
-    if isinstance(drive, Train):
-        yield beyond("pulley", "several pulleys on one belt are not solved in")
-        return
-    if drive.conveyor is not None:
+    if isinstance(drive, Drive) and len(drive.pulleys) > 1:
+        what = "pulleys that each give their tensions, without a [train] table, are not solved in"
+        yield beyond("pulley", what)
+    if isinstance(drive, Drive) and drive.conveyor is not None:
         yield beyond("conveyor", "the pull of a conveyor is not found in")
-    pulley, table = drive.pulleys[0], document["pulley"][0]
-    place = f"pulley.{pulley.name}"
+    for pulley, table in zip(drive.pulleys, document["pulley"], strict=True):
+        yield from _pulley_problems(f"pulley.{pulley.name}", pulley, table, beyond)
+
+
+def _pulley_problems(
+    place: str, pulley: Pulley, table: Document, beyond: Callable[..., Problem]
+) -> Iterator[Problem]:
     if pulley.across is not None:
         yield beyond(f"{place}.across", "what is uneven across the width is not solved in")
     if "belt_path" in table:
@@ -203,6 +217,30 @@ def _problems(document: Document, drive: Drive | Train) -> Iterator[Problem]:
             yield beyond(f"{place}.lagging.{key}", "a lagging is read so by none but", remedy)
     if pulley.lagging.fit is not None and pulley.lagging.fit.knots:
         yield beyond(f"{place}.lagging", "the interval of a fitted law is not found in")
+
+
+def _motors(document: Document) -> Iterator[dict[str, Any]]:
+    """Yield every motor of a train as the page finds it: by its table."""
+    train = read(document)
+    if not isinstance(train, Train):
+        return
+    for case in train.cases:
+        if not isinstance(case.division, Motors):
+            continue
+        tables = document["train"]["motor"]
+        for pulley, motor in zip(train.pulleys, case.division.motors, strict=True):
+            table = json_like(tables[pulley.name])
+            if isinstance(motor, Motor):
+                plain = {k: _word(v) for k, v in asdict(motor).items()}
+                yield {"table": table, "kind": type(motor).__name__, "fields": plain}
+            else:
+                yield {"table": table, "master": motor.master, "ratio": motor.ratio}
+        return
+
+
+def _word(value: Any) -> Any:
+    """Return a number, as a word where JSON has none for it."""
+    return str(value).replace("inf", "Infinity") if value in (math.inf, -math.inf) else value
 
 
 def first_example() -> tuple[Document, str, str]:

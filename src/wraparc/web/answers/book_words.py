@@ -11,6 +11,7 @@ from wraparc.arc import ArcResult, DriveResult, Status, solve
 from wraparc.checks import Check, of_arc, of_data, of_drive
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
+from wraparc.checks.judge import fight, operating_point, train_balance
 from wraparc.drive import (
     TAKE_UPS,
     Criteria,
@@ -23,6 +24,7 @@ from wraparc.drive import (
 from wraparc.drive.criteria import CaseKind
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
+from wraparc.train import TrainStatus
 from wraparc.web.answers.judging import Words, words_of
 from wraparc.web.answers.solving import main_solver
 
@@ -217,3 +219,15 @@ def _take_up(drive: Drive, case: LoadCase) -> Found:
         criteria = Criteria(take_up=TakeUp(kind=kind, after=after))
         found = of_drive.take_up(replace(drive, load_cases=cases, criteria=criteria))
         yield _key("take_up", kind, after and "behind"), map(words_of, found)
+
+
+def train_words() -> dict[str, list[Words]]:
+    """Return the words of what only several drives can miss, by the key that the page asks for."""
+    place = Place("", CASE)
+    checks = {
+        "fight": fight(0.0, place),
+        "fight:fights": fight(1.0, place),
+        "train_balance": train_balance(0.0, place),
+        "operating_point": operating_point(TrainStatus.BEYOND_MOTOR, "⟦reason⟧", place),
+    }
+    return {key: [words_of(check)] for key, check in checks.items()}

@@ -11,6 +11,8 @@ import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { documentOf, rewritten, textOf } from "./toml.js";
+import { quickTrain, solveTrain, trainAnswer } from "./train_answers.js";
+import { isTrain } from "./trains.js";
 
 export * from "../static/base/server.js";
 
@@ -49,12 +51,14 @@ const ANSWERS = {
   about: () => data.about,
   book: () => data.book,
   start: () => ({ ...data.start, document: from(data.start.toml, data.start.document) }),
-  "solve/fast"({ document, load_case, points, sequence }) {
+  "solve/fast"(asked) {
+    const { document, load_case, points, sequence } = asked;
+    if (isTrain(document)) return quickTrain(asked, data);
     const judging = prepared(document);
     const arc = judging.cases.find((c) => c.load_case === load_case) ?? judging.cases[0];
-    const [asked] = arcsOf({ ...judging, cases: [arc] });
-    const found = quick(asked.law, asked.given, asked.tested, points);
-    const numbers = found && numbersOfAll([asked]);
+    const [one] = arcsOf({ ...judging, cases: [arc] });
+    const found = quick(one.law, one.given, one.tested, points);
+    const numbers = found && numbersOfAll([one]);
     const judged = numbers && judge({ ...judging, cases: [arc] }, document, numbers);
     if (!judged) throw refused(UNSOLVED);
     const { level, levels, ...verdict } = inBoth(() => verdictOf(judged, arc.load_case));
@@ -62,11 +66,16 @@ const ANSWERS = {
     return { ...first, level, levels, verdict: { ...verdict, level } };
   },
   async solve({ document }) {
+    if (isTrain(document)) return solveTrain(document, data);
     const judging = prepared(document);
     const numbers = await beside(arcsOf(judging));
     const judged = numbers && judge(judging, document, numbers);
     if (!judged) throw refused(UNSOLVED);
     return inBoth(() => wholeOf(judged, judging, data.book));
+  },
+  train({ document, match }) {
+    if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");
+    return trainAnswer(document, data);
   },
   compare: (asked) => compared(asked, data),
   "toml/read": ({ toml, name }) => ({ document: from(toml, documentOf(toml, name)) }),

@@ -449,6 +449,25 @@ export class Quick {
   }
 }
 
+export class Among {
+  constructor(end, held, slack_end, sagging, tight_rise, slack_rise) {
+    this.end = end;
+    this.held = held;
+    this.slack_end = slack_end;
+    this.sagging = sagging;
+    this.tight_rise = tight_rise;
+    this.slack_rise = slack_rise;
+  }
+  *[Symbol.iterator]() {
+    yield this.end;
+    yield this.held;
+    yield this.slack_end;
+    yield this.sagging;
+    yield this.tight_rise;
+    yield this.slack_rise;
+  }
+}
+
 export class Beginning {
   constructor(creep_limit, tested_slip, least, entry) {
     this.creep_limit = creep_limit;
@@ -5186,6 +5205,26 @@ export function in_page__quick(law, given, tested, points) {
   return new Quick(found.outcome === SOLVED, summary, profile, outside, stretches);
 }
 
+/** Growth of the tight and of the slack side of a single pulley with its pull [N]. */
+export function numbers__rise_alone(pull, fixed, behind) {
+  let size = Math.abs(pull);
+  let lost = fixed ? 0.5 * size : behind && pull < 0.0 ? size : 0.0;
+  return [size - lost, -lost];
+}
+
+/** The same of a pulley that is alone on its belt. */
+export function in_page__alone(arc, criteria) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  let slack = entry >= leaving ? leaving : entry;
+  let end = criteria.behind ? leaving : slack;
+  let held = criteria.fixed ? entry + leaving : end;
+  const found1 = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind);
+  let tight_rise = found1[0];
+  let slack_rise = found1[1];
+  return new Among(end, held, slack, slack, tight_rise, slack_rise);
+}
+
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function numbers__idles(entry, leaving) {
   return Math.abs(entry - leaving) <= IDLE * entry;
@@ -6008,13 +6047,6 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   );
 }
 
-/** Growth of the tight and of the slack side of a single pulley with its pull [N]. */
-export function numbers__rise_alone(pull, fixed, behind) {
-  let size = Math.abs(pull);
-  let lost = fixed ? 0.5 * size : behind && pull < 0.0 ? size : 0.0;
-  return [size - lost, -lost];
-}
-
 /** Largest ln(tight/slack) that friction carries with the tight side at a tension [N]. */
 export function gross_slip__carried_log(law, grip, tight) {
   let q = gross_slip__plateau_capacity(law, tight / grip.area, grip.wrap_angle) + grip.offset;
@@ -6084,15 +6116,12 @@ export function numbers__pull_at_slip(law, grip, line) {
 }
 
 /** Pull at gross slip over the pull, with what the take-up holds [-]. */
-export function in_page__pull_factor_of(law, grip, arc, criteria) {
+export function in_page__pull_factor_of(law, grip, arc, among) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
-  const found1 = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind);
-  let tight_rise = found1[0];
-  let slack_rise = found1[1];
-  let line = new Line(tight, slack, tight_rise, slack_rise);
+  let line = new Line(tight, slack, among.tight_rise, among.slack_rise);
   return numbers__pull_at_slip(law, grip, line);
 }
 
@@ -6251,13 +6280,13 @@ export function least_numbers__lift_for_grip(law, geometry, grip, of, safety, ro
 }
 
 /** What the checks of an arc ask of the take-up, its pull held. */
-export function in_page__asked_of(law, arc, grip, least, limits, given, criteria) {
+export function in_page__asked_of(law, arc, grip, least, limits, given, factor, among) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
+  let end = among.end;
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
   let area = grip.area;
-  let end = criteria.behind || entry >= leaving ? leaving : entry;
   let top = least_slack__highest_tight(limits.tested_pressure_max, area, tight);
   let of = new Pull(Math.abs(entry - leaving), tight, top);
   let by_slip = NaN;
@@ -6265,8 +6294,7 @@ export function in_page__asked_of(law, arc, grip, least, limits, given, criteria
   if (limits.tested_slip < given.creep_limit) {
     by_slip = least_numbers__least_for_slip(law, geometry, of, limits.tested_slip);
   }
-  let rise = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind)[0];
-  let safety = new Safety(criteria.safety, rise, given.steepest_fall < 0.0);
+  let safety = new Safety(factor, among.tight_rise, given.steepest_fall < 0.0);
   return new Asked(
     end - slack + (least === least ? least : Infinity),
     end - slack + by_slip,
@@ -6277,14 +6305,15 @@ export function in_page__asked_of(law, arc, grip, least, limits, given, criteria
     end - tight + limits.tested_pressure_max * area,
     end - tight + limits.face_pressure * area,
     end - tight + limits.belt_tension,
-    limits.sag + end - (entry >= leaving ? leaving : entry),
+    limits.sag + end - among.slack_end,
     end,
   );
 }
 
 /** Numbers of the checks of one arc; None where they are for the server to find. */
-export function in_page__judged(law, given, tested, criteria, points) {
+export function in_page__judged(law, given, tested, criteria, points, among = null) {
   let arc = in_page__description_of(given);
+  let others = among === null ? in_page__alone(arc, criteria) : among;
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   if (in_page__refused(law, arc, given.steepest_fall) || numbers__idles(entry, leaving)) {
@@ -6321,7 +6350,7 @@ export function in_page__judged(law, given, tested, criteria, points) {
   let solved = found.outcome === SOLVED;
   let grip = in_page__grip_of(law, given, arc, carried.gross_slip);
   let limits = in_page__limits_of(given, arc, tested, criteria);
-  let factor = in_page__pull_factor_of(law, grip, arc, criteria);
+  let factor = in_page__pull_factor_of(law, grip, arc, others);
   let values = new Compared(
     solved ? max(factor, 1.0) : min(factor, 1.0),
     min(entry, leaving),
@@ -6349,20 +6378,19 @@ export function in_page__judged(law, given, tested, criteria, points) {
       entry,
       geometry.compliance,
     ),
-    entry >= leaving ? leaving : entry,
+    others.sagging,
     arc.diameter,
     (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
     numbers__passes_an_hour(arc.belt_speed, arc.diameter),
   );
-  let held = criteria.behind || entry >= leaving ? leaving : entry;
   return new Judged(
     solved,
     summary,
     summary__capacity_numbers(entry, leaving, arc.wrap_angle, carried),
     values,
     limits,
-    criteria.fixed ? entry + leaving : held,
-    in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria),
+    others.held,
+    in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
   );
 }
 

@@ -161,6 +161,7 @@ export interface Words {
   advises: boolean;
   miss: { level: Level; short: string; says: string; remedy: string } | null;
   when: string;
+  pulley?: string;
 }
 /** What a check asks of the slack side, but for the tension. */
 export interface Ask {
@@ -188,6 +189,10 @@ export interface Judging {
     criteria: Record<string, number | string>;
     checks: Words[];
     asks: Ask[];
+    /** Of a pulley among others: its name, what it shares with these, its names for the words. */
+    pulley?: string;
+    among?: Record<string, number>;
+    names?: Record<string, string>;
   }[];
   /** Of a drive that the page has put together: what is said where load cases contradict the
    * take-up, what that holds, and names for the words. */

@@ -39,8 +39,8 @@ export function beyond(doc) {
   return "";
 }
 
-/** @param {Design} doc @param {Book} book */
-function read(doc, book) {
+/** @param {Design} doc @param {Book} book @param {Case[]} [known] cases that stand elsewhere */
+export function read(doc, book, known) {
   const r = new Reader(doc);
   /** @param {string} section @param {Path} at @param {string[]} keys */
   const numbers = (section, at, ...keys) =>
@@ -84,7 +84,8 @@ function read(doc, book) {
   const sag = doc.sag && numbers("sag", ["sag"], "idler_spacing", "line_mass", "share");
   const limit = r.number("drive", ["creep_limit"]);
   const recovery = r.flag(["pulley", 0, "recovery"]) ?? true;
-  const cases = casesOf(r, book, belt.speed, pulley.diameter, takeUp.kind === "fixed");
+  const fixed = takeUp.kind === "fixed";
+  const cases = known ?? casesOf(r, book, belt.speed, pulley.diameter, fixed);
   return { r, name, pulley, belt, lagging, takeUp, standard, safety, sag, limit, recovery, cases };
 }
 /** @type {[string, string][]} */
@@ -156,7 +157,8 @@ function laggingOf(r, book) {
     );
   return { ...found, entry, over };
 }
-const OTHERS = "Make the page anew with it, `wraparc page FILE`, or solve with `wraparc solve`.";
+export const OTHERS =
+  "Make the page anew with it, `wraparc page FILE`, or solve with `wraparc solve`.";
 /** @param {BookLagging | undefined} entry */
 const sizes = (entry) => ({
   thickness: +(entry?.thickness ?? none),
@@ -201,7 +203,7 @@ function casesOf(r, book, speed, diameter, fixed) {
 }
 /** Cases that name no condition stand once for each of several of the drive.
  * @param {Case[]} cases @param {any} conditions */
-function inConditions(cases, conditions) {
+export function inConditions(cases, conditions) {
   if (!Array.isArray(conditions) || conditions.length < 2) return cases;
   return cases.flatMap((c) =>
     c.condition
@@ -226,7 +228,7 @@ const REMEDIES = [
 ];
 /** @param {Reader} r @param {Path} at @param {Record<string, number>} pulls
  * @param {number} speed */
-function tell(r, at, pulls, speed) {
+export function tell(r, at, pulls, speed) {
   const fault = faultOf(pulls, speed);
   if (!fault || r.problems.some((p) => /_tension|torque|power/.test(p.path))) return;
   // what is missing has a field
@@ -237,7 +239,7 @@ function tell(r, at, pulls, speed) {
 
 /** The law of a lagging in a condition. @param {Reader} r @param {BookLagging | undefined} entry
  * @param {any} condition @param {Path} at @returns {BookLaw | undefined} */
-function lawOf(r, entry, condition, at) {
+export function lawOf(r, entry, condition, at) {
   if (!entry) return undefined;
   if (condition == null) return entry.laws[entry.first];
   const key = typeof condition === "string" ? condition : JSON.stringify(condition);
@@ -276,7 +278,7 @@ export function assemble(doc, book) {
   if (r.problems.length || !usual) return { judging: null, problems: r.problems };
   return { judging: judgingOf(said, usual, made, book), problems: [] };
 }
-const NOT_HERE = [
+export const NOT_HERE = [
   "",
   "no belt carries these tensions, or friction falls too steeply for one answer; " +
     "wraparc solve says more",
@@ -291,7 +293,7 @@ const steepPath = (doc, c) => {
 };
 
 /** @param {Said} said @param {Case} c @param {any} bookLaw @param {Book} book */
-function caseOf(said, c, bookLaw, book) {
+export function caseOf(said, c, bookLaw, book) {
   const { pulley, belt, lagging, takeUp, safety, sag, recovery } = said;
   const usual = book.usual;
   const limit = limitOf(said, book);
@@ -356,7 +358,7 @@ const limitOf = ({ pulley, limit }, book) =>
 
 /** @param {Said} said @param {BookLaw} law @param {any[]} cases @param {Book} book
  * @returns {Judging} */
-function judgingOf(said, law, cases, book) {
+export function judgingOf(said, law, cases, book) {
   const { takeUp } = said;
   const held = takeUp.kind === "fixed" ? "fixed" : takeUp.after ? "behind" : "slack";
   const data = dataWords(said, law, book);

@@ -17,8 +17,8 @@ import { headline, listed } from "./words.js";
 /**
  * @typedef {Words & {value: number, limit: number, margin: number, order: number, rank: number,
  *   missed: boolean, load_case: string, more: Record<string, [number, string]>}} Check
- * @typedef {{load_case: string, solved: boolean, numbers: Record<string, number>, asks: Ask[],
- *   asked: Record<string, number>}} JudgedArc
+ * @typedef {{load_case: string, pulley?: string, solved: boolean,
+ *   numbers: Record<string, number>, asks: Ask[], asked: Record<string, number>}} JudgedArc
  * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
  */
 
@@ -38,11 +38,12 @@ export function asked(before, { judging }, doc) {
   return judging && found.length === judging.cases.length ? found : null;
 }
 /** @param {Judging["cases"][number]} of @param {Record<string, number>} given @returns {Asked} */
-const arcOf = ({ prepared, tested, criteria }, given) => ({
+const arcOf = ({ prepared, tested, criteria, among }, given) => ({
   law: prepared.law,
   given,
   tested,
   criteria: numbersOf(criteria),
+  among,
 });
 /** The arcs of a drive as it is prepared. @param {Judging} judging */
 export const arcsOf = ({ cases }) => cases.map((of) => arcOf(of, numbersOf(of.prepared.given)));
@@ -64,23 +65,23 @@ export function judge(judging, doc, all) {
   checks.push(...judging.checks.map((w) => check(w, found[0].numbers, "", judging.levels)));
   const arcs = found.map(({ of, numbers: n }) => {
     const numbers = { ...n.summary, ...n.capacities };
-    const { load_case, asks } = of;
-    return { load_case, solved: n.solved, numbers, asks, asked: n.asked };
+    const { load_case, pulley, asks } = of;
+    return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
   return { doc, checks, arcs, of: judging };
 }
 /** That the take-up cannot hold what load cases give. @param {Judging} judging
  * @param {number[]} held */
-function contradicts({ odd, cases, levels }, held) {
+function contradicts({ odd, cases, levels, names }, held) {
   const [least, most] = [Math.min(...held), Math.max(...held)];
   const at = (/** @type {number} */ v) => cases[held.indexOf(v)].load_case;
-  const words = put(/** @type {Words} */ (odd), { least: at(least), most: at(most) });
+  const words = put(/** @type {Words} */ (odd), { ...names, least: at(least), most: at(most) });
   words.more = { least: [least, "force"], most: [most, "force"] };
   return check(words, { values: {}, limits: {} }, "", levels);
 }
 /** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
  * @returns {Check} */
-function check(w, { values, limits }, load_case, levels) {
+export function check(w, { values, limits }, load_case, levels) {
   const { miss } = w;
   /** @param {Record<string, number>} from @param {string | number} known */
   const now = (from, known) =>

@@ -3,7 +3,7 @@ import { in_page__judged as judged } from "../../kernel.js";
 
 /** @import { Arc } from "../../types.d.ts" */
 /** @typedef {{law: any, given: Record<string, number>, tested: Arc["tested"],
- *   criteria: Record<string, number>}} Asked */
+ *   criteria: Record<string, number>, among?: Record<string, number>}} Asked */
 
 const POINTS = 180;
 
@@ -11,8 +11,8 @@ const POINTS = 180;
  * @returns {any[] | null} */
 export function numbersOfAll(asked) {
   const found = [];
-  for (const { law, given, tested, criteria } of asked) {
-    const numbers = judged(law, given, tested, criteria, POINTS);
+  for (const { law, given, tested, criteria, among } of asked) {
+    const numbers = judged(law, given, tested, criteria, POINTS, /** @type {any} */ (among));
     if (!numbers) return null;
     found.push(numbers);
   }

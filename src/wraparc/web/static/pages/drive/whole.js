@@ -1,7 +1,7 @@
 // A judged drive as an answer of the server tells one, for what the page has put together itself.
 import { app } from "../../base/design.js";
-import { digits, percent } from "../../base/units.js";
-import { leastTold, raiseTo } from "./least.js";
+import { digits, percent, unit } from "../../base/units.js";
+import { leastOf, leastTold, raiseTo } from "./least.js";
 import { filled } from "./wording.js";
 import { checkTable, quantity, verdictOf } from "./words.js";
 
@@ -78,7 +78,7 @@ const GIVEN = {
 };
 /** What an arc was found from: a sheet of paper has no form. @param {Judging} of
  * @param {Judging["cases"][number]} c @returns {Table} */
-function inputsOf({ names }, { prepared: { given }, condition }) {
+function inputsOf(of, { prepared: { given }, condition, names = of.names }) {
   const numbers = Object.entries(GIVEN).map(
     ([name, key]) => /** @type {const} */ ([name, +given[key]]),
   );
@@ -94,24 +94,48 @@ function inputsOf({ names }, { prepared: { given }, condition }) {
   return { key: "inputs", title: "Inputs", heads, note: "", rows: [...words, ...rows] };
 }
 
-/** All load cases side by side. @param {Judged} judged @returns {Table | null} */
-function summaryOf(judged) {
-  if (judged.arcs.length < 2) return null;
-  const rows = judged.arcs.map(({ load_case, solved, numbers: n }) => {
-    const { level, short } = verdictOf(judged, load_case);
-    const forces = [quantity(n.entry_tension, "force"), quantity(n.exit_tension, "force")];
-    const creep = solved ? quantity(n.exit_creep, "length") : "–";
-    return row("", load_case, "", [...forces, digits(n.tension_ratio), creep], short, level);
+/** All load cases side by side, and all pulleys. @param {Judged} judged @param {Judging} of
+ * @returns {Table | null} */
+function summaryOf(judged, of) {
+  const { arcs } = judged;
+  if (arcs.length < 2) return null;
+  const several = arcs.some((a) => a.pulley !== arcs[0].pulley);
+  const rows = arcs.map((arc, i) => {
+    const { load_case, pulley, solved, numbers: n } = arc;
+    const { level, short } = verdictOf(judged, load_case, pulley);
+    const limit = +of.cases[i].prepared.given.creep_limit;
+    const part = Math.abs(n.exit_creep) / limit;
+    const creep = solved ? [bare(n.exit_creep, "length"), percent(part)] : ["-", "-"];
+    const cells = [
+      ...[bare(n.entry_tension, "force"), bare(n.exit_tension, "force"), bare(n.tension_ratio)],
+      ...[...creep, several ? "-" : leastIn({ ...judged, arcs: [arc] }), short],
+    ];
+    return row("", several ? `${load_case}: ${pulley}` : load_case, "", cells, "", level);
   });
-  const heads = ["T1", "T2", "T1/T2", "creep"];
+  const [[force], [length]] = [unit("force"), unit("length")];
+  const heads = [
+    ...[`T1 [${force}]`, `T2 [${force}]`, "T1/T2", `creep [${length}]`],
+    ...["of limit", `least slack side [${force}]`, ""],
+  ];
   return {
     key: "summary",
-    title: "All load cases",
+    title: several ? "All load cases and pulleys" : "All load cases",
     heads: { si: heads, us: heads },
     note: "",
     rows,
   };
 }
+/** Least slack-side tension of one arc alone. @param {Judged} judged */
+function leastIn(judged) {
+  const found = leastOf(judged);
+  if (!found) return "-";
+  return Number.isFinite(found.tension) ? bare(found.tension, "force") : "none";
+}
+/** A value in the unit of its table, bare. @param {number} v @param {string} [dimension] */
+const bare = (v, dimension) => {
+  const size = dimension ? unit(dimension)[1] : 1;
+  return Number.isNaN(v) ? "-" : quantity(v / size, "number");
+};
 
 /**
  * The answer of a drive that the page has put together, in the units looked at.
@@ -136,7 +160,7 @@ export function wholeOf(judged, of, book) {
     conditions: null,
     checks: checkTable(judged, heads.checks),
     least_tension,
-    summary: summaryOf(judged),
+    summary: summaryOf(judged, of),
     sources: (of.kinds ?? []).map((kind) => ({ kind })),
     remarks: remarksOf(of),
     judging: of,
@@ -145,15 +169,15 @@ export function wholeOf(judged, of, book) {
 /** @param {Judged} judged @param {Judged["arcs"][number]} arc @param {Judging} of
  * @returns {FullArc} */
 function arcOf(judged, arc, of) {
-  const { load_case, solved, numbers } = arc;
-  const { level, levels, short } = verdictOf(judged, load_case);
+  const { load_case, pulley, solved, numbers } = arc;
+  const { level, levels, short } = verdictOf(judged, load_case, pulley);
   const c = /** @type {Judging["cases"][number]} */ (
-    of.cases.find((x) => x.load_case === load_case)
+    of.cases.find((x) => x.load_case === load_case && x.pulley === pulley)
   );
   // in gross slip there is no state at rest to tell of
   const told = tablesOf(numbers).filter((t) => solved || t.key === "capacity");
   return {
-    pulley: of.names?.pulley ?? "",
+    pulley: pulley ?? of.names?.pulley ?? "",
     load_case,
     status: solved ? "solved" : "breakaway",
     status_text: "",
@@ -173,10 +197,13 @@ function arcOf(judged, arc, of) {
 const finite = (of) =>
   Object.fromEntries(Object.entries(of).map(([k, v]) => [k, Number.isFinite(v) ? v : null]));
 /** Sentences about the data that an answer stands on. @param {Judging} of */
-export const remarksOf = (of) =>
-  of.checks
-    .filter((c) => c.name === "data" && c.says)
-    .map((c) => c.says.replace(/\{\{|\}\}/g, (brace) => brace[0]));
+export const remarksOf = (of) => [
+  ...new Set(
+    of.checks
+      .filter((c) => c.name === "data" && c.says)
+      .map((c) => c.says.replace(/\{\{|\}\}/g, (brace) => brace[0])),
+  ),
+];
 /** The same in both systems of units: texts as pairs. @template T @param {() => T} make
  * @returns {T} */
 export function inBoth(make) {
@@ -190,7 +217,7 @@ export function inBoth(make) {
 }
 /** @param {any} a @param {any} b @param {string} [key] @returns {any} */
 function paired(a, b, key = "") {
-  if (key === "values") return { si: a.si, us: b.us };
+  if (key === "values" || key === "heads") return { si: a.si, us: b.us };
   if (typeof a === "string") return a === b ? a : { si: a, us: b };
   if (Array.isArray(a)) return a.map((x, i) => paired(x, b[i]));
   if (typeof a !== "object" || a === null) return a;
@@ -200,7 +227,7 @@ function paired(a, b, key = "") {
  * @param {Judging["cases"][number]} c @returns {QuickAnswer} */
 export const firstAnswer = (of, c) => ({
   sequence: 0,
-  pulley: of.names?.pulley ?? "",
+  pulley: c.pulley ?? of.names?.pulley ?? "",
   load_case: c.load_case,
   status: "solved",
   level: /** @type {any} */ (""),

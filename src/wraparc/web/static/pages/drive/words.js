@@ -103,11 +103,12 @@ export function headline(checks) {
   return `${text}; nearest to its limit is ${near}.`;
 }
 
-/** The verdict on a drive, or on one of its load cases. @param {Judged} judged
- * @param {string} [load_case]
+/** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
+ * @param {string} [load_case] @param {string} [pulley]
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
-export function verdictOf({ checks: all, of }, load_case) {
-  const here = (/** @type {Check} */ c) => !c.load_case || c.load_case === load_case;
+export function verdictOf({ checks: all, of }, load_case, pulley) {
+  const here = (/** @type {Check} */ c) =>
+    (!c.load_case || c.load_case === load_case) && (!c.pulley || c.pulley === pulley);
   const checks = load_case === undefined ? all : all.filter(here);
   const worst = worstOf(checks);
   const level = worst?.level ?? "OK";

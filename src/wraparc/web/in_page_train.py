@@ -1,0 +1,301 @@
+"""What the train page of one file answers by itself: translated to `static/train_kernel.js`.
+
+The page reads the drive file; its numbers come here, and go through the functions that solve trains
+for `wraparc solve`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import exp, nan
+from typing import NamedTuple
+
+from wraparc.arc.summary import geometry_of
+from wraparc.checks.numbers import rise_among
+from wraparc.friction.compact import CompactLaw
+from wraparc.train.linear import Matrix
+from wraparc.train.locate import Located, away, locate
+from wraparc.train.member import Member, Passage
+from wraparc.train.motors import Motor
+from wraparc.train.result import MotorPoint, TrainStatus
+from wraparc.train.system import Line, System
+from wraparc.train.train import Pair, along
+from wraparc.train.turning import (
+    Nip,
+    Turning,
+    beyond_motor,
+    held_speeds,
+    motor_point,
+    rounded,
+    sensitivity,
+    speed_error,
+    tension_error,
+    turning,
+)
+from wraparc.web.in_page import Among, Given, Quick, description_of
+from wraparc.web.pulls import Pulls, families, overridden, pull_given, pulls
+
+
+def less_runs(of: Pulls, runs: float, speed: float) -> Pulls:
+    """Tensions with the pull between the outer ones: what the runs between the pulleys add is off.
+
+    As `files.tensions.less_runs` has it.
+    """
+    pull = pull_given(of, nan, speed)
+    if runs == 0.0 or pull != pull:
+        return of
+    return Pulls(of.entry_tension, of.exit_tension, pull - runs, nan, nan)
+
+
+def ends_of(of: Pulls, speed: float) -> Pair:
+    """Entry and exit tension that are given; nan where they are not [N]."""
+    pull, entry, leaving = pull_given(of, nan, speed), of.entry_tension, of.exit_tension
+    first = entry if entry == entry else leaving + pull
+    return Pair(first, leaving if leaving == leaving else entry - pull)
+
+
+class Runs(NamedTuple):
+    """What the belt gains between the pulleys, in all [N]."""
+
+    base: float  # in the [train] table
+    case: float  # in the load case
+
+
+def in_case(of: Pulls, over: Pulls, fixed: bool, speed: float, runs: Runs) -> Pulls:
+    """Tensions of a train with those of a load case put over them.
+
+    As `files.tensions.Given.overridden` has it.
+    """
+    pull = pull_given(over, nan, speed)
+    if families(over) >= 2 or not (fixed and pull == pull and pulls(over) == 1):
+        return overridden(of, over, False, nan, speed)
+    ends = ends_of(less_runs(of, runs.base, speed), speed)
+    both, between = ends.entry + ends.exit, 0.5 * (pull - runs.case)
+    if both != both:
+        return over
+    return Pulls(0.5 * both + between, 0.5 * both - between, nan, nan, nan)
+
+
+def behind(
+    of: Pulls, over: Pulls, after: Sequence[float], before: Sequence[float], speed: float
+) -> Pulls:
+    """Tensions of a load case that gives its pull alone, by a take-up between drives.
+
+    As `train.reader` has it; `after` and `before` are the part of the load that the drives behind
+    the take-up have and what the runs behind it and all runs add, in the load case and in the
+    train [-, N, N].
+    """
+    now, first = ends_of(over, speed), ends_of(of, speed)
+    pull, pull_0 = now.entry - now.exit, first.entry - first.exit
+    lost = after[0] * (pull + after[2]) - after[1] - before[0] * (pull_0 + before[2]) + before[1]
+    return Pulls(first.exit - lost + pull, first.exit - lost, nan, nan, nan)
+
+
+def total_of(powers: Sequence[float], speed: float) -> float:
+    """Pull that powers of the drives make [N]."""
+    return sum(powers) / speed
+
+
+def parts_of(values: Sequence[float]) -> list[float]:
+    """Part of each in their sum [-]."""
+    total = sum(values)
+    return [value / total for value in values]
+
+
+def miss_of(entry: float, exit_: float, runs: float, pull: float) -> float:
+    """How far tensions at both ends miss a pull, in parts of it [-]."""
+    return abs(entry - exit_ + runs - pull) / abs(pull)
+
+
+def trimmed(trims: Sequence[float], nominal: Sequence[float]) -> list[float]:
+    """Rotation speeds of drums by their trims, in any one unit."""
+    return [trim / diameter for trim, diameter in zip(trims, nominal, strict=True)]
+
+
+def shared(fractions: Sequence[float], total: float) -> list[float]:
+    """Pulls of drums that take parts of it all [N]."""
+    return [fraction * total for fraction in fractions]
+
+
+def least_of(pairs: Sequence[Pair]) -> float:
+    """Least tension of pulleys [N]."""
+    return min(min(at.entry, at.exit) for at in pairs)
+
+
+def member_of(law: CompactLaw, given: Given) -> Member:
+    """A pulley of a train, by its numbers."""
+    arc = description_of(given)
+    squeeze = 2.0 * (arc.thickness / arc.compression_modulus) / (arc.width * arc.diameter)
+    geometry = geometry_of(arc, law.onset_compliance)
+    return Member(law, geometry, 0.5 * arc.diameter, 1.0 / arc.axial_stiffness, squeeze)
+
+
+class Divided(NamedTuple):
+    """How the load of a train divides."""
+
+    pairs: list[Pair]
+    located: Located | None  # None where the pulls are given
+    belt_speeds: list[float]  # where the belt meets the drums [m/s]
+
+
+def divided(
+    system: System,
+    names: Sequence[str],
+    softening: bool,
+    pulls: Sequence[float],
+    speed: float,
+    reference: float,
+) -> Divided:
+    """Tensions of all pulleys, from what is given: their pulls, or what turns their drums.
+
+    Parameters
+    ----------
+    system
+        The train.
+    names
+        Of its pulleys.
+    softening
+        Whether friction falls anywhere with slip.
+    pulls
+        Of the pulleys, where they are given; else empty [N].
+    speed
+        Of the belt, nan where it is not known [m/s].
+    reference
+        Speed that the levels refer to, nan where only ratios of speeds are known [m/s].
+    """
+    found: Located | None = None
+    if len(pulls) > 0:
+        pairs = along(system.entry, system.exit, system.runs, pulls)
+    else:
+        found = locate(system, names, softening)
+        pairs = [Pair(at.entry, at.exit) for at in found.passages]
+        if found.status == TrainStatus.SOLVED:
+            pairs = rounded(pairs, system.exit, system.runs)
+    stretch = system.members[0].stretch
+    at_first = speed
+    if found is not None and reference == reference:
+        at_first = reference * exp(-found.level) * (1.0 + pairs[0].entry * stretch)
+    first = 1.0 + pairs[0].entry * stretch
+    speeds = [at_first * (1.0 + at.entry * stretch) / first for at in pairs]
+    return Divided(pairs, found, speeds)
+
+
+class Told(NamedTuple):
+    """What a train has beside its arcs, see `CaseResult`."""
+
+    status: TrainStatus
+    reason: str
+    turnings: list[Turning]
+    points: list[MotorPoint | None]
+    sensitivity: Matrix
+    other_splits: Sequence[Sequence[float]]
+    tension_error: float
+    speed_error: float
+
+
+def told(
+    system: System,
+    names: Sequence[str],
+    of: Divided,
+    arcs: Sequence[Quick],
+    nominal: Sequence[float],
+    motors: Sequence[Motor | None],
+) -> Told:
+    """What a train has beside its arcs, these solved for their tensions."""
+    located = of.located
+    nips = [
+        _nip(at, arc, diameter)
+        for at, arc, diameter in zip(system.members, arcs, nominal, strict=True)
+    ]
+    failed = located is not None and located.status != TrainStatus.SOLVED
+    if located is not None and failed:  # a sliding drive creeps as it must
+        nips = [
+            nip if at.ratio != at.ratio else nip._replace(creep_ratio=at.ratio)
+            for nip, at in zip(nips, located.passages, strict=True)
+        ]
+    stiffness = 1.0 / system.members[0].stretch
+    turnings = [
+        turning(nips[0], nip, stiffness, system.pull, speed)
+        for nip, speed in zip(nips, of.belt_speeds, strict=True)
+    ]
+    points = [
+        None if motor is None else motor_point(motor, at.drum_torque, at.rotation_speed)
+        for motor, at in zip(motors, turnings, strict=True)
+    ]
+    stuck = [i for i, arc in enumerate(arcs) if not arc.solved]
+    passages: list[Passage | None] = [None for _ in arcs]
+    if len(stuck) == 0:
+        passages = [_passage(m, arc) for m, arc in zip(system.members, arcs, strict=True)]
+    torques = [at.drum_torque for at in turnings]
+    tension_miss = nan
+    if len(stuck) == 0 and (located is None or located.settled is not None):
+        leaving = [arc.profile.tension[len(arc.profile.tension) - 1] for arc in arcs]
+        entries = [arc.summary.entry_tension for arc in arcs]
+        tension_miss = tension_error(leaving, system.runs, entries, system.exit)
+    speed_miss = nan if failed else 0.0
+    if located is not None and not failed:
+        speed_miss = speed_error(system, nips, torques, located.level)
+    status, reason = TrainStatus.SOLVED, ""
+    if located is not None and failed:
+        status, reason = located.status, located.reason
+    elif len(stuck) > 0:
+        status, reason = TrainStatus.BREAKAWAY, away(names, stuck)
+    for name, at, motor, point in zip(names, turnings, motors, points, strict=True):
+        beyond = ""
+        if status is TrainStatus.SOLVED and motor is not None and point is not None:
+            beyond = beyond_motor(name, at.rotation_speed, motor, point)
+        if beyond != "":
+            status, reason = TrainStatus.BEYOND_MOTOR, beyond
+    return Told(
+        status=status,
+        reason=reason,
+        turnings=turnings,
+        points=points,
+        sensitivity=sensitivity(system, located, passages),
+        other_splits=() if located is None else located.other_splits,
+        tension_error=tension_miss,
+        speed_error=speed_miss,
+    )
+
+
+def _nip(member: Member, arc: Quick, nominal: float) -> Nip:
+    found = arc.summary
+    return Nip(
+        entry=found.entry_tension,
+        pull=found.effective_tension,
+        creep_ratio=found.entry_creep_ratio,
+        radius=member.radius,
+        compression=member.squeeze * found.entry_tension,
+        nominal=nominal,
+    )
+
+
+def _passage(member: Member, arc: Quick) -> Passage | None:
+    found = arc.summary
+    entry, leaving, g = found.entry_tension, found.exit_tension, found.entry_creep_ratio
+    if member.holds:
+        return member.between(entry, leaving)
+    creep, slip = found.exit_creep, found.exit_slip
+    return Passage(entry, leaving, member.effort_at(g), g, creep, slip, False)
+
+
+def among(pairs: Sequence[Pair], index: int, fixed: bool, after: int) -> Among:
+    """What a pulley shares with the others; `after` is where the take-up stands, -1 for none."""
+    first, last = pairs[0], pairs[len(pairs) - 1]
+    pulls = [at.entry - at.exit for at in pairs]
+    slack = last.exit if sum(pulls) >= 0.0 else first.entry
+    end = pairs[after].exit if after >= 0 else slack
+    tight_rise, slack_rise = rise_among(pulls, index, fixed, after)
+    return Among(
+        end=end,
+        held=first.entry + last.exit if fixed else end,
+        slack_end=slack,
+        sagging=last.exit if first.entry >= last.exit else first.entry,
+        tight_rise=tight_rise,
+        slack_rise=slack_rise,
+    )
+
+
+def turned(speeds: Sequence[float], radii: Sequence[float]) -> list[Line]:
+    """Lines of drums that turn at given speeds, in any one unit."""
+    return [Line(speed=at) for at in held_speeds(speeds, radii)]

@@ -1,0 +1,161 @@
+// Answers about a train as the server gives them, on the pages Drive and Train.
+import { app } from "../static/base/design.js";
+import { Refused } from "../static/base/server.js";
+import { beside } from "../static/pages/drive/beside.js";
+import { arcsOf, check, judge } from "../static/pages/drive/judge.js";
+import { shownOf } from "../static/pages/drive/own.js";
+import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
+import { put } from "../static/pages/drive/wording.js";
+import { verdictOf } from "../static/pages/drive/words.js";
+import * as K from "./train_kernel.js";
+import { trainOf } from "./trains.js";
+
+/** @import { Design, Words } from "../static/types.d.ts" */
+
+const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
+const SOLVED = "The drives carry the load.";
+/** The train that was asked about last: both pages ask for the same. */
+let last = { doc: "", found: /** @type {any} */ (null) };
+
+/** A train judged. @param {Design} doc @param {any} data */
+async function judgedTrain(doc, data) {
+  const key = JSON.stringify(doc);
+  if (last.doc === key) return last.found;
+  const { problems, judging, cases } = trainOf(doc, data.book, data.trains);
+  if (!judging || !cases) throw new Refused(problems, 422);
+  const all = await beside(arcsOf(judging));
+  const judged = all && judge(judging, doc, all);
+  if (!judged) throw new Refused([{ path: "", message: UNSOLVED, sentence: UNSOLVED }], 422);
+  judged.checks.unshift(...cases.flatMap((c) => ofTrain(c, data.trains.words, judging.levels)));
+  const results = cases.map((c, i) => resultOf(c, all.slice(i * c.arcs.length)));
+  last = { doc: key, found: { judging, cases, judged, results } };
+  return last.found;
+}
+/** What only several drives can miss. @param {any} one @param {Record<string, Words[]>} words
+ * @param {any} levels */
+function ofTrain({ c, told, divided }, words, levels) {
+  /** @param {string} key @param {any} numbers */
+  const made = (key, numbers) => {
+    const [w] = words[key].map((word) => put(word, { case: c.name, reason: told.reason }));
+    return check({ ...w, ...numbers.more }, numbers, c.name, levels);
+  };
+  const none = { values: {}, limits: {} };
+  if (told.status !== SOLVED)
+    return told.reason && told.status.startsWith("No operating point")
+      ? [made("operating_point", none)]
+      : [];
+  const pulls = divided.pairs.map((/** @type {any} */ p) => p.entry - p.exit);
+  const lost = K.numbers__pull_against(pulls);
+  const error = Math.max(told.tension_error, told.speed_error);
+  return [
+    made(lost > 0 ? "fight:fights" : "fight", { ...none, values: { lost } }),
+    made("train_balance", { ...none, values: { train_balance: error } }),
+  ];
+}
+/** A case as the words of Python read one. @param {any} one @param {any[]} numbers */
+function resultOf({ c, system, told, arcs, quicks, divided }, numbers) {
+  const members = arcs.map((/** @type {any} */ { pulley, prepared }, /** @type {number} */ i) => {
+    const { summary, solved } = quicks[i];
+    const limit = +prepared.given.creep_limit;
+    const { compliance } = system.members[i];
+    const { entry_tension, exit_tension, effective_tension } = summary;
+    const { exit_creep, entry_creep_ratio } = summary;
+    const arc = {
+      ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
+      within_creep_limit: solved && Math.abs(exit_creep) <= limit,
+      arc: { pulley, creep_limit: limit, compliance, entry_tension, exit_tension },
+      energy: { power_loss: summary.power_loss },
+      capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
+    };
+    const fields = { ...told.turnings[i], arc, motor: told.points[i] };
+    return Object.assign(Object.create(K.MemberResult.prototype), fields);
+  });
+  const { parts, motors } = c.division;
+  const runs = c.runs.slice(0, -1);
+  const of = {
+    ...{ name: c.name, pulls_given: Boolean(parts), on_motors: Boolean(motors) },
+    runs: runs.some((/** @type {number} */ v) => v !== 0) ? runs : [],
+  };
+  const { status, reason, sensitivity, other_splits, tension_error, speed_error } = told;
+  return Object.assign(Object.create(K.CaseResult.prototype), {
+    ...{ case: of, status, reason, members, sensitivity, other_splits },
+    ...{ tension_error, speed_error, belt_speed: divided.belt_speeds[0] },
+  });
+}
+/** The case nearest to its limits, or furthest beyond. @param {any[]} results */
+function governingOf(results) {
+  const severity = (/** @type {any} */ r) => [
+    r.status === SOLVED ? 0 : 1,
+    Math.max(
+      ...r.members.map((/** @type {any} */ m) => {
+        const part = Math.abs(m.arc.exit_creep) / m.arc.arc.creep_limit;
+        return Number.isFinite(part) ? part : 0;
+      }),
+    ),
+  ];
+  return results.reduce((a, b) => {
+    const [one, other] = [severity(a), severity(b)];
+    return other[0] > one[0] || (other[0] === one[0] && other[1] > one[1]) ? b : a;
+  });
+}
+/** @param {any} found @param {any} book @returns {any} */
+function wholeTrain({ judged, judging, results }, book) {
+  const whole = wholeOf(judged, judging, book);
+  const worst = governingOf(results);
+  const others = results.filter((/** @type {any} */ r) => r !== worst);
+  whole.verdict.sentences.push(
+    ...K.train_words__case_sentences(worst, app.units),
+    ...others.flatMap((/** @type {any} */ r) => [...K.train_words__short_sentences(r, app.units)]),
+  );
+  return { ...whole, kind: "train" };
+}
+/** A table of Python as the page shows one. @param {any} of @param {number} number */
+function tableOf({ title, heads, note, rows }, number) {
+  const both = (/** @type {any} */ v) => ({ si: v, us: v });
+  const made = rows.map((/** @type {any} */ r) => ({ ...r, values: both([...r.values]) }));
+  return { key: `table${number}`, title, heads: both(heads), note, rows: made };
+}
+/** Everything there is to say of every pulley. @param {Design} doc @param {any} data */
+export async function solveTrain(doc, data) {
+  const found = await judgedTrain(doc, data);
+  return inBoth(() => wholeTrain(found, data.book));
+}
+/** How the drives share the load. @param {Design} doc @param {any} data */
+export async function trainAnswer(doc, data) {
+  const found = await judgedTrain(doc, data);
+  const { results } = found;
+  const told = inBoth(() => {
+    const { verdict, remarks, checks, least_tension, summary } = wholeTrain(found, data.book);
+    const least = least_tension ? [least_tension.table] : [];
+    const own = results.map((/** @type {any} */ r) => K.train_sheet__case_table(r, app.units));
+    const tables = [checks, ...least, ...own.map(tableOf), ...(summary ? [summary] : [])];
+    return { verdict, remarks, tables };
+  });
+  const solved = results.every((/** @type {any} */ r) => r.status === SOLVED);
+  return { ...told, solved, load_cases: results.map(caseData), sources: [], matching: null };
+}
+/** @param {any} r */
+const caseData = (r) => ({
+  load_case: r.case.name,
+  reason: r.reason,
+  drives: r.members.map((/** @type {any} */ { arc, motor, ...turning }) => ({
+    pulley: arc.arc.pulley,
+    ...finite({ ...turning, entry_tension: arc.entry_tension, exit_tension: arc.exit_tension }),
+    ...finite({ exit_creep: arc.exit_creep }),
+  })),
+});
+/** @param {Record<string, any>} of */
+const finite = (of) =>
+  Object.fromEntries(Object.entries(of).map(([k, v]) => [k, Number.isFinite(v) ? v : null]));
+
+/** One arc of a train. @param {any} asked @param {any} data */
+export async function quickTrain({ document: doc, pulley, load_case, sequence }, data) {
+  const { judging, cases, judged } = await judgedTrain(doc, data);
+  const one = cases.find((/** @type {any} */ x) => x.c.name === load_case) ?? cases[0];
+  const names = one.arcs.map((/** @type {any} */ a) => a.pulley);
+  const i = Math.max(names.indexOf(pulley), 0);
+  const told = inBoth(() => verdictOf(judged, one.c.name, names[i]));
+  const { level, levels, ...verdict } = told;
+  const first = { ...firstAnswer(judging, one.arcs[i]), ...shownOf(one.quicks[i]), sequence };
+  return { ...first, kind: "train", level, levels, verdict: { ...verdict, level } };
+}

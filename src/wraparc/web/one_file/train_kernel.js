@@ -1,0 +1,2501 @@
+// @ts-nocheck
+// Made from the Python source by `make kernel`: change that, not this.
+import {
+  Among,
+  Pulls,
+  answer__solve_tension,
+  effort__effort_of,
+  effort__jumps,
+  effort__largest_effort,
+  effort__shoot_from,
+  in_page__description_of,
+  numbers__idles,
+  pulls__families,
+  pulls__overridden,
+  pulls__pull_given,
+  pulls__pulls,
+  quantities__parameters_at,
+  summary__geometry_of,
+} from "../static/kernel.js";
+import { display, term } from "./told.js";
+const max = (a, b) => (b > a ? b : a);
+const min = (a, b) => (b < a ? b : a);
+const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
+const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a % b);
+const NOTHING = new Float64Array(0);
+const zeros = (size) => (size > 0 ? new Float64Array(size) : NOTHING);
+
+const $sum = (of) => of.reduce((a, b) => a + b, 0);
+const $maxOf = (of) => of.reduce((a, b) => max(a, b));
+const $minOf = (of) => of.reduce((a, b) => min(a, b));
+const $made = (length, each) => Array.from({ length }, (_, i) => each(i));
+const $zip = (...of) => $made(Math.min(...of.map((x) => x.length)), (i) => of.map((x) => x[i]));
+const $pairwise = (of) => $zip(of, of.slice(1));
+const $enumerate = (of) => Array.from(of, (x, i) => [i, x]);
+const $range = (a, b) => (b === undefined ? $made(a, (i) => i) : $made(b - a, (i) => a + i));
+const $repeated = (of, times) => $made(times, () => of).flat();
+const $sorted = (of, key = (x) => x) => [...of].sort((a, b) => key(a) - key(b));
+const $first = (of, other) => (of.length > 0 ? of[0] : other);
+const $told = (x, sign, digits, how) => {
+  let text = how === "f" ? x.toFixed(digits) : x.toExponential(digits - (how === "g"));
+  const power = Number(text.split("e")[1]);
+  if (how === "g" && power >= -4 && power < digits) text = x.toFixed(digits - 1 - power);
+  if (how === "g" && text.includes(".")) text = text.replace(/\.?0+(?=e|$)/, "");
+  text = text.replace(/e([+-])(\d)$/, "e$10$2");
+  return sign && !text.startsWith("-") ? `+${text}` : text;
+};
+const $text = (x) => {
+  if (typeof x !== "string") throw new TypeError(`${x} is no text`);
+  return x;
+};
+
+export class Pair {
+  constructor(entry, exit) {
+    this.entry = entry;
+    this.exit = exit;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.exit;
+  }
+}
+
+export class Member {
+  constructor(law, geometry, radius, stretch, squeeze) {
+    this.law = law;
+    this.geometry = geometry;
+    this.radius = radius;
+    this.stretch = stretch;
+    this.squeeze = squeeze;
+  }
+  get holds() {
+    return effort__jumps(this.law);
+  }
+  arm(entry) {
+    return this.radius - this.squeeze * entry;
+  }
+  stretch_log(entry) {
+    return Math.log1p(entry * this.stretch) - Math.log1p((-this.squeeze * entry) / this.radius);
+  }
+  stretch_slope(entry) {
+    return this.stretch / (1.0 + entry * this.stretch) + this.squeeze / this.arm(entry);
+  }
+  effort_at(ratio) {
+    return Math.asinh(ratio / RATIO_SCALE);
+  }
+  passage(entry, effort, steps) {
+    let gone, par, z;
+    let side = effort >= 0.0 ? 1.0 : -1.0;
+    if (this.holds) {
+      par = this.parameters(entry, side);
+      z = Math.abs(effort) - (this.rests ? 0.0 : 1.0);
+      z = min(z, effort__largest_effort(this.law, par));
+    } else {
+      effort = min(max(effort, -_LARGEST_EFFORT), _LARGEST_EFFORT);
+      if (this.parameters(entry, 1.0).kick !== 0.0) {
+        side = 1.0;
+      }
+      par = this.parameters(entry, side);
+      z = effort__effort_of(par, RATIO_SCALE * Math.sinh(effort));
+    }
+    let shot = compiled__shoot_plainly(this.law, par, z, steps);
+    if (!Number.isFinite(shot.log_tension)) {
+      gone = copysign(_BEYOND, effort);
+      return new Passage(entry, entry * Math.exp(-gone), effort, 0.01 * gone, gone, gone, false);
+    }
+    let ratio = this.holds ? shot.creep_ratio : RATIO_SCALE * Math.sinh(effort);
+    return new Passage(
+      entry,
+      entry * Math.exp(shot.log_tension),
+      effort,
+      ratio,
+      shot.creep,
+      shot.slip,
+      shot.stuck_length > 0.0,
+    );
+  }
+  between(entry, exit_, steps = 24) {
+    let effort;
+    let side = entry >= exit_ ? 1.0 : -1.0;
+    let par = this.parameters(entry, side);
+    let found = answer__solve_tension(this.law, par, exit_, steps);
+    if (found.outcome === STUCK && found.z < -1.0) {
+      side = -side;
+      par = this.parameters(entry, side);
+      found = answer__solve_tension(this.law, par, exit_, steps);
+    }
+    let z = found.z;
+    let shot = found.shot;
+    if (!(found.outcome === 0 || found.outcome === STUCK)) {
+      return null;
+    }
+    if (this.holds) {
+      effort = side * max(z + (this.rests ? 0.0 : 1.0), 0.0);
+    } else {
+      effort = this.effort_at(shot.creep_ratio);
+    }
+    let held = shot.stuck_length > 0.0;
+    return new Passage(entry, exit_, effort, shot.creep_ratio, shot.creep, shot.slip, held);
+  }
+  slopes(at, steps = 24) {
+    let by_effort;
+    let rise = at.entry * _STEP;
+    let sign = at.effort >= 0.0 ? 1.0 : -1.0;
+    let further = this.passage(at.entry, at.effort + sign * _STEP, steps);
+    let tighter = this.passage(at.entry + rise, at.effort, steps);
+    let here = this.passage(at.entry, at.effort, steps);
+    if (this.holds) {
+      by_effort = (further.ratio - here.ratio) / (sign * _STEP);
+    } else {
+      by_effort = RATIO_SCALE * Math.cosh(at.effort);
+    }
+    return new Slopes(
+      (tighter.exit - here.exit) / rise,
+      (further.exit - here.exit) / (sign * _STEP),
+      this.holds ? (tighter.ratio - here.ratio) / rise : 0.0,
+      by_effort,
+    );
+  }
+  get rests() {
+    let par = quantities__parameters_at(1.0, this.geometry);
+    return this.holds && par.shear + par.onset === 0.0;
+  }
+  get compliance() {
+    return this.geometry.compliance;
+  }
+  parameters(entry, side) {
+    return quantities__parameters_at(
+      entry,
+      Object.assign(Object.create(Object.getPrototypeOf(this.geometry)), this.geometry, {
+        side: side,
+      }),
+    );
+  }
+}
+
+export class Line {
+  constructor(speed = 0.0, motor = null, scale = 1.0, master = -1, ratio = 1.0, give = 0.0) {
+    this.speed = speed;
+    this.motor = motor;
+    this.scale = scale;
+    this.master = master;
+    this.ratio = ratio;
+    this.give = give;
+  }
+  get follows() {
+    return this.master >= 0;
+  }
+  log_speed(torque) {
+    if (this.motor === null) {
+      return this.speed - this.give * torque;
+    }
+    return Math.log(this.motor.drum_speed(torque) * this.scale);
+  }
+  log_speed_slope(torque) {
+    if (this.motor === null) {
+      return -this.give;
+    }
+    let step = 1e-6 * this.motor.drum_torque;
+    return (0.5 * (this.log_speed(torque + step) - this.log_speed(torque - step))) / step;
+  }
+}
+
+export class Driven {
+  constructor(lines, reference) {
+    this.lines = lines;
+    this.reference = reference;
+  }
+  *[Symbol.iterator]() {
+    yield this.lines;
+    yield this.reference;
+  }
+}
+
+export class Search {
+  constructor(system, steps = 8) {
+    this._system = system;
+    this._steps = steps;
+    let count = system.members.length;
+    this._efforts = $repeated([NaN], count);
+    this._slopes = $repeated([0.0], count);
+    let share = system.pull / count;
+    this._torques = [...system.members].map((member) => share * member.arm(system.entry));
+    let leads = [...$enumerate(system.lines)]
+      .filter(([i, line]) => line.follows && i < line.master)
+      .map(([i, line]) => line.master);
+    this._early = [...$enumerate(leads)]
+      .filter(([i, lead]) => ![...leads.slice(0, i)].some((other) => lead === other))
+      .map(([i, lead]) => lead);
+    this._center = this._mean_level();
+    this._w = NaN;
+  }
+  _mean_level() {
+    let system = this._system;
+    let tension = 0.5 * (system.entry + system.exit);
+    let levels = [...$zip(system.members, system.lines, this._torques)]
+      .filter(([member, line, torque]) => !line.follows)
+      .map(([member, line, torque]) => member.stretch_log(tension) - line.log_speed(torque));
+    return $sum(levels) / levels.length;
+  }
+  level(w) {
+    return this._center + _LEVEL_SCALE * Math.sinh(w);
+  }
+  follow(level) {
+    let i, lead, line, out, pull, run, torque;
+    let system = this._system;
+    let entry = this._system.entry;
+    let passages = [];
+    for (const each1 of $enumerate($zip(system.lines, system.runs))) {
+      [i, [line, run]] = each1;
+      if (line.follows) {
+        lead = line.master;
+        torque = this._torques[lead];
+        if (lead < i) {
+          torque = system.torque(lead, passages[lead].entry, passages[lead].exit);
+        }
+        pull = (line.ratio * torque) / system.members[i].arm(entry);
+        out = max(entry - pull, 1e-6 * entry);
+        passages.push(new Passage(entry, out, NaN, NaN, NaN, NaN, false));
+      } else {
+        passages.push(this._turned(i, entry, level));
+      }
+      entry = max(passages.at(-1).exit + run, 1e-6 * system.entry);
+    }
+    return passages;
+  }
+  _turned(i, entry, level) {
+    let ratio;
+    let system = this._system;
+    let member = this._system.members[i];
+    let line = this._system.lines[i];
+    if (line.motor === null && line.give === 0.0 && !member.holds) {
+      ratio = -Math.expm1(member.stretch_log(entry) - line.speed - level);
+      ratio = min(max(ratio, -LARGEST_RATIO), LARGEST_RATIO);
+      return member.passage(entry, member.effort_at(ratio), this._steps);
+    }
+    let found = [];
+    let steps = this._steps;
+    const miss = (effort) => {
+      let at = member.passage(entry, effort, steps);
+      found.push([effort, at]);
+      return system.speed_miss(i, at, level);
+    };
+    let end = this._largest_effort(i, entry);
+    let guess = this._efforts[i];
+    if (Number.isNaN(guess)) {
+      guess = member.holds ? 0.5 : member.effort_at(0.001);
+      guess = system.pull >= 0.0 ? guess : -guess;
+    }
+    const found1 = roots__rising_root(miss, guess, 0.3, -end, end, _TURNED, this._slopes[i]);
+    let effort = found1[0];
+    this._efforts[i] = effort;
+    this._slopes[i] = this._slope(
+      i,
+      [...found.slice(-2)].map(([_, at]) => at),
+      level,
+    );
+    return $first(
+      [...found].filter(([tried, at]) => tried === effort).map(([tried, at]) => at),
+      found.at(-1)[1],
+    );
+  }
+  _slope(i, two, level) {
+    if (two.length < 2 || two[0].effort === two[1].effort) {
+      return 0.0;
+    }
+    let a = this._system.speed_miss(i, two[0], level);
+    let b = this._system.speed_miss(i, two[1], level);
+    return max((b - a) / (two[1].effort - two[0].effort), 0.0);
+  }
+  _largest_effort(i, entry) {
+    let member = this._system.members[i];
+    if (!member.holds) {
+      return member.effort_at(LARGEST_RATIO);
+    }
+    let par = member.parameters(entry, 1.0);
+    let top = effort__largest_effort(member.law, par);
+    if (member.rests) {
+      return 1.0 + (LARGEST_RATIO * par.length) / CREEP_SCALE;
+    }
+    return 1.0 + top;
+  }
+  solution(tolerance = 1e-5) {
+    let before, lead;
+    let scale = this._system.torque_scale;
+    for (let each1 = 0, end1 = this._early.length > 0 ? 20 : 0; each1 < end1; each1++) {
+      before = [...this._torques];
+      for (const each2 of this._early) {
+        lead = each2;
+        this._lead(lead, before[lead], tolerance);
+      }
+      if ([...this._early].every((i) => Math.abs(this._torques[i] - before[i]) < 0.0001 * scale)) {
+        break;
+      }
+    }
+    return this._solution(tolerance);
+  }
+  _lead(lead, start, tolerance) {
+    let scale = this._system.torque_scale;
+    const miss = (torque) => {
+      return this._torque_miss(lead, tolerance, torque);
+    };
+    roots__rising_root(miss, start, 0.1 * scale, -scale, scale, 1e-5 * scale);
+  }
+  _solution(tolerance) {
+    let guess = this._w;
+    if (Number.isNaN(guess)) {
+      guess = Math.asinh(0.0015 / _LEVEL_SCALE);
+      guess = this._system.pull >= 0.0 ? guess : -guess;
+    }
+    const found1 = roots__rising_root(
+      this._of_level(),
+      guess,
+      0.3,
+      -_LEVEL_END,
+      _LEVEL_END,
+      tolerance,
+    );
+    let w = found1[0];
+    let miss = found1[1];
+    this._w = w;
+    return [w, miss];
+  }
+  _of_level() {
+    const miss = (w) => {
+      return this.miss(w);
+    };
+    return miss;
+  }
+  _torque_miss(lead, tolerance, torque) {
+    this._torques[lead] = torque;
+    let [w] = this._solution(tolerance);
+    let at = this.follow(this.level(w))[lead];
+    return torque - this._system.torque(lead, at.entry, at.exit);
+  }
+  all_solutions(tolerance = 1e-6) {
+    let a, b, c, fa, fb, fc;
+    if (this._early.length > 0) {
+      this.solution(tolerance);
+    }
+    let points = [...this._nodes()].map((w) => [w, this.miss(w)]);
+    for (const each1 of $zip(points.slice(0, -2), points.slice(1, -1), points.slice(2))) {
+      [[a, fa], [b, fb], [c, fc]] = each1;
+      if (
+        Math.abs(fb) < min(Math.abs(fa), Math.abs(fc)) &&
+        fa > 0.0 === fb > 0.0 &&
+        fb > 0.0 === fc > 0.0
+      ) {
+        points.push(this._tip(a, [b, fb], c));
+      }
+    }
+    let miss = this._of_level();
+    return [...$pairwise($sorted(points, (point) => point[0]))]
+      .filter(([[a, fa], [b, fb]]) => fa < 0.0 !== fb < 0.0)
+      .map(([[a, fa], [b, fb]]) => roots__bracketed_root(miss, a, fa, b, fb, tolerance)[0]);
+  }
+  _nodes() {
+    let sign = this._system.pull >= 0.0 ? 1.0 : -1.0;
+    let nodes = [...$range(_SCAN + 1)].map((k) => (sign * _LEVEL_END * k) / _SCAN);
+    if (sign * this.miss(0.0) > 0.0) {
+      nodes = [...nodes, ...[...nodes.slice(1)].map((w) => -w)];
+    }
+    return $sorted(nodes);
+  }
+  _tip(a, at, c) {
+    let b, f, fb, w;
+    for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
+      [b, fb] = at;
+      w = 0.62 * b + 0.38 * (b - a > c - b ? a : c);
+      f = this.miss(w);
+      if (f > 0.0 !== fb > 0.0) {
+        return [w, f];
+      }
+      if (Math.abs(f) < Math.abs(fb)) {
+        [a, c] = w > b ? [b, c] : [a, b];
+        at = [w, f];
+      } else {
+        [a, c] = w > b ? [a, w] : [w, c];
+      }
+      if (c - a < 0.0001) {
+        break;
+      }
+    }
+    return at;
+  }
+  strongest() {
+    let value, w;
+    let sign = this._system.pull >= 0.0 ? 1.0 : -1.0;
+    let best = 0.0;
+    let best_value = -Infinity;
+    for (const each1 of $sorted(this._nodes(), Math.abs)) {
+      w = each1;
+      value = sign * this.miss(w);
+      if (sign * w >= 0.0 && value > best_value + 1e-9) {
+        best = w;
+        best_value = value;
+      }
+    }
+    return best;
+  }
+  miss(w) {
+    return Math.log(this._system.exit / this.follow(this.level(w)).at(-1).exit);
+  }
+}
+
+export class _Point {
+  constructor(efforts, level, state, misses, steps) {
+    this.efforts = efforts;
+    this.level = level;
+    this.state = state;
+    this.misses = misses;
+    this.steps = steps;
+  }
+  get size() {
+    if (![...this.misses].every((miss) => Number.isFinite(miss))) {
+      return Infinity;
+    }
+    let speeds = $maxOf([...this.misses.slice(0, -1)].map((miss) => Math.abs(miss)));
+    return max(_SPEED_WEIGHT * speeds, Math.abs(this.misses.at(-1)));
+  }
+}
+
+export class Linear {
+  constructor(matrix, pulls, follows) {
+    this.matrix = matrix;
+    this.pulls = pulls;
+    this.follows = follows;
+  }
+  share_slopes(total) {
+    let changes, i, j, right;
+    let count = this.pulls.length;
+    let slopes = [...$range(count)].map((_) => $repeated([NaN], count));
+    for (let each1 = 0, end1 = total !== 0.0 ? count : 0; each1 < end1; each1++) {
+      j = each1;
+      right = $repeated([0.0], count + 1);
+      right[j] = this.follows[j] ? 0.0 : 1.0;
+      changes = linear__solution(this.matrix, right);
+      if (changes !== null) {
+        for (let each2 = 0, end2 = count; each2 < end2; each2++) {
+          i = each2;
+          slopes[i][j] = newton___dot(this.pulls[i], changes) / total;
+        }
+      }
+    }
+    return slopes;
+  }
+}
+
+export class Settled {
+  constructor(passages, level, linear, rising) {
+    this.passages = passages;
+    this.level = level;
+    this.linear = linear;
+    this.rising = rising;
+  }
+  get stable() {
+    return this.rising.every((x) => x);
+  }
+}
+
+export class Located {
+  constructor(status, reason, passages, level, settled = null, other_splits = [], fallen = []) {
+    this.status = status;
+    this.reason = reason;
+    this.passages = passages;
+    this.level = level;
+    this.settled = settled;
+    this.other_splits = other_splits;
+    this.fallen = fallen;
+  }
+}
+
+export class Divided {
+  constructor(pairs, located, belt_speeds) {
+    this.pairs = pairs;
+    this.located = located;
+    this.belt_speeds = belt_speeds;
+  }
+  *[Symbol.iterator]() {
+    yield this.pairs;
+    yield this.located;
+    yield this.belt_speeds;
+  }
+}
+
+export class Nip {
+  constructor(entry, pull, creep_ratio, radius, compression, nominal) {
+    this.entry = entry;
+    this.pull = pull;
+    this.creep_ratio = creep_ratio;
+    this.radius = radius;
+    this.compression = compression;
+    this.nominal = nominal;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.pull;
+    yield this.creep_ratio;
+    yield this.radius;
+    yield this.compression;
+    yield this.nominal;
+  }
+}
+
+export class Turning {
+  constructor(
+    share,
+    speed_ratio,
+    contraction_term,
+    creep_term,
+    compression_term,
+    drum_ratio,
+    surface_speed,
+    rotation_speed,
+    speed_trim,
+    drum_torque,
+    drum_power,
+  ) {
+    this.share = share;
+    this.speed_ratio = speed_ratio;
+    this.contraction_term = contraction_term;
+    this.creep_term = creep_term;
+    this.compression_term = compression_term;
+    this.drum_ratio = drum_ratio;
+    this.surface_speed = surface_speed;
+    this.rotation_speed = rotation_speed;
+    this.speed_trim = speed_trim;
+    this.drum_torque = drum_torque;
+    this.drum_power = drum_power;
+  }
+  *[Symbol.iterator]() {
+    yield this.share;
+    yield this.speed_ratio;
+    yield this.contraction_term;
+    yield this.creep_term;
+    yield this.compression_term;
+    yield this.drum_ratio;
+    yield this.surface_speed;
+    yield this.rotation_speed;
+    yield this.speed_trim;
+    yield this.drum_torque;
+    yield this.drum_power;
+  }
+}
+
+export class MotorPoint {
+  constructor(
+    motor_load,
+    motor_torque,
+    motor_speed,
+    motor_power,
+    gear_speed,
+    electrical_power,
+    motor_loss,
+    coupling_loss,
+    gear_loss,
+  ) {
+    this.motor_load = motor_load;
+    this.motor_torque = motor_torque;
+    this.motor_speed = motor_speed;
+    this.motor_power = motor_power;
+    this.gear_speed = gear_speed;
+    this.electrical_power = electrical_power;
+    this.motor_loss = motor_loss;
+    this.coupling_loss = coupling_loss;
+    this.gear_loss = gear_loss;
+  }
+}
+
+export class Passage {
+  constructor(entry, exit, effort, ratio, creep, slip, held) {
+    this.entry = entry;
+    this.exit = exit;
+    this.effort = effort;
+    this.ratio = ratio;
+    this.creep = creep;
+    this.slip = slip;
+    this.held = held;
+  }
+}
+
+export class Told {
+  constructor(
+    status,
+    reason,
+    turnings,
+    points,
+    sensitivity,
+    other_splits,
+    tension_error,
+    speed_error,
+  ) {
+    this.status = status;
+    this.reason = reason;
+    this.turnings = turnings;
+    this.points = points;
+    this.sensitivity = sensitivity;
+    this.other_splits = other_splits;
+    this.tension_error = tension_error;
+    this.speed_error = speed_error;
+  }
+  *[Symbol.iterator]() {
+    yield this.status;
+    yield this.reason;
+    yield this.turnings;
+    yield this.points;
+    yield this.sensitivity;
+    yield this.other_splits;
+    yield this.tension_error;
+    yield this.speed_error;
+  }
+}
+
+export class Row {
+  constructor(title, values, symbol = "", note = "", name = "", level = null) {
+    this.title = title;
+    this.values = values;
+    this.symbol = symbol;
+    this.note = note;
+    this.name = name;
+    this.level = level;
+  }
+}
+
+export class Table {
+  constructor(title, rows, heads = [""], note = "") {
+    this.title = title;
+    this.rows = rows;
+    this.heads = heads;
+    this.note = note;
+  }
+}
+
+export class CaseResult {
+  constructor(
+    case_,
+    status,
+    reason,
+    members,
+    sensitivity,
+    belt_speed,
+    other_splits = [],
+    tension_error = 0.0,
+    speed_error = 0.0,
+  ) {
+    this.case = case_;
+    this.status = status;
+    this.reason = reason;
+    this.members = members;
+    this.sensitivity = sensitivity;
+    this.belt_speed = belt_speed;
+    this.other_splits = other_splits;
+    this.tension_error = tension_error;
+    this.speed_error = speed_error;
+  }
+  get power_loss() {
+    return $sum([...this.members].map((m) => m.arc.energy.power_loss));
+  }
+  get loss_ratio() {
+    let loss, m, mean, power, pull;
+    loss = power = 0.0;
+    for (const each1 of this.members) {
+      m = each1;
+      pull = m.arc.effective_tension;
+      mean = m.arc.entry_creep_ratio + 0.5 * pull * m.arc.arc.compliance;
+      loss += m.speed_ratio * pull * mean;
+      power += m.speed_ratio * pull;
+    }
+    return power !== 0.0 ? loss / Math.abs(power) : NaN;
+  }
+  share_per_trim(drive, trimmed = null, trim = 0.001) {
+    return trim * this.sensitivity[drive][trimmed === null ? drive : trimmed];
+  }
+  get within_creep_limit() {
+    return this.status.solved && [...this.members].every((m) => m.arc.within_creep_limit);
+  }
+}
+
+export class MemberResult {
+  constructor(
+    arc,
+    share,
+    speed_ratio,
+    contraction_term,
+    creep_term,
+    compression_term,
+    drum_ratio,
+    surface_speed,
+    rotation_speed,
+    speed_trim,
+    drum_torque,
+    drum_power,
+    motor = null,
+  ) {
+    this.arc = arc;
+    this.share = share;
+    this.speed_ratio = speed_ratio;
+    this.contraction_term = contraction_term;
+    this.creep_term = creep_term;
+    this.compression_term = compression_term;
+    this.drum_ratio = drum_ratio;
+    this.surface_speed = surface_speed;
+    this.rotation_speed = rotation_speed;
+    this.speed_trim = speed_trim;
+    this.drum_torque = drum_torque;
+    this.drum_power = drum_power;
+    this.motor = motor;
+  }
+  get name() {
+    return this.arc.arc.pulley;
+  }
+}
+
+export class System {
+  constructor(members, lines, entry, exit, runs, corrections = []) {
+    this.members = members;
+    this.lines = lines;
+    this.entry = entry;
+    this.exit = exit;
+    this.runs = runs;
+    this.corrections = corrections;
+  }
+  get pull() {
+    return this.entry + $sum(this.runs) - this.exit;
+  }
+  get torque_scale() {
+    return max(this.entry, this.exit) * this.members[0].radius;
+  }
+  torque(i, entry, exit_) {
+    return (entry - exit_) * this.members[i].arm(entry);
+  }
+  speed_miss(i, at, level) {
+    let member = this.members[i];
+    let line = this.lines[i];
+    let left = -Math.log1p(-min(at.ratio, 0.99)) + member.stretch_log(at.entry);
+    if (this.corrections.length > 0) {
+      left += this.corrections[i];
+    }
+    return left - line.log_speed(this.torque(i, at.entry, at.exit)) - level;
+  }
+}
+
+export class Motor {
+  constructor(
+    rated_power,
+    rated_speed,
+    gear_ratio = 1.0,
+    gear_efficiency = 1.0,
+    motor_efficiency = null,
+    count = 1,
+    brakes = true,
+  ) {
+    this.rated_power = rated_power;
+    this.rated_speed = rated_speed;
+    this.gear_ratio = gear_ratio;
+    this.gear_efficiency = gear_efficiency;
+    this.motor_efficiency = motor_efficiency;
+    this.count = count;
+    this.brakes = brakes;
+  }
+  get holds_speed() {
+    return false;
+  }
+  get rated_torque() {
+    return this.rated_power / this.rated_speed;
+  }
+  get drum_torque() {
+    return this.count * this.gear_ratio * this.rated_torque;
+  }
+  motor_speed(load, gear_speed) {
+    return gear_speed;
+  }
+  load(drum_torque) {
+    let eta = drum_torque >= 0.0 ? this.gear_efficiency : 1.0 / this.gear_efficiency;
+    return drum_torque / (eta * this.drum_torque);
+  }
+  drum_speed(drum_torque) {
+    let load = this.load(drum_torque);
+    let end = this.largest_load();
+    let within = min(max(load, -end), end);
+    let excess = load - within;
+    let speed = this.shaft_speed(within) / this.gear_ratio;
+    return speed * Math.exp(-BEYOND * copysign(Math.log1p(Math.abs(excess)), excess));
+  }
+  limits() {
+    let end = this.largest_load();
+    return [this.brakes ? -end : 0.0, end];
+  }
+  shaft_speed(load) {}
+  largest_load() {}
+}
+
+export class VariableSpeed extends Motor {
+  constructor(
+    rated_power,
+    rated_speed,
+    gear_ratio = 1.0,
+    gear_efficiency = 1.0,
+    motor_efficiency = null,
+    count = 1,
+    brakes = true,
+    setting = 1.0,
+    droop = 0.0,
+    torque_limit = Infinity,
+  ) {
+    super();
+    this.rated_power = rated_power;
+    this.rated_speed = rated_speed;
+    this.gear_ratio = gear_ratio;
+    this.gear_efficiency = gear_efficiency;
+    this.motor_efficiency = motor_efficiency;
+    this.count = count;
+    this.brakes = brakes;
+    this.setting = setting;
+    this.droop = droop;
+    this.torque_limit = torque_limit;
+  }
+  get holds_speed() {
+    return this.droop === 0.0;
+  }
+  shaft_speed(load) {
+    return this.rated_speed * max(this.setting - this.droop * load, 0.001);
+  }
+  largest_load() {
+    let stall = this.droop > 0.0 ? (0.9 * this.setting) / this.droop : Infinity;
+    return min(this.torque_limit, stall);
+  }
+}
+
+export class Induction extends Motor {
+  constructor(
+    rated_power,
+    rated_speed,
+    gear_ratio = 1.0,
+    gear_efficiency = 1.0,
+    motor_efficiency = null,
+    count = 1,
+    brakes = true,
+    synchronous_speed,
+    breakdown_ratio = 2.5,
+  ) {
+    super();
+    this.rated_power = rated_power;
+    this.rated_speed = rated_speed;
+    this.gear_ratio = gear_ratio;
+    this.gear_efficiency = gear_efficiency;
+    this.motor_efficiency = motor_efficiency;
+    this.count = count;
+    this.brakes = brakes;
+    this.synchronous_speed = synchronous_speed;
+    this.breakdown_ratio = breakdown_ratio;
+  }
+  shaft_speed(load) {
+    let ratio = this.breakdown_ratio;
+    let x = load / ratio;
+    let part = x / (1.0 + Math.sqrt(max(1.0 - x * x, 0.0)));
+    let breakdown_slip = this.rated_slip * (ratio + Math.sqrt(ratio * ratio - 1.0));
+    return this.synchronous_speed * max(1.0 - breakdown_slip * part, 0.001);
+  }
+  largest_load() {
+    return this.breakdown_ratio;
+  }
+  get rated_slip() {
+    return 1.0 - this.rated_speed / this.synchronous_speed;
+  }
+}
+
+export class FluidCoupling extends Induction {
+  constructor(
+    rated_power,
+    rated_speed,
+    gear_ratio = 1.0,
+    gear_efficiency = 1.0,
+    motor_efficiency = null,
+    count = 1,
+    brakes = true,
+    synchronous_speed,
+    breakdown_ratio = 2.5,
+    coupling_load,
+    coupling_slip,
+  ) {
+    super();
+    this.rated_power = rated_power;
+    this.rated_speed = rated_speed;
+    this.gear_ratio = gear_ratio;
+    this.gear_efficiency = gear_efficiency;
+    this.motor_efficiency = motor_efficiency;
+    this.count = count;
+    this.brakes = brakes;
+    this.synchronous_speed = synchronous_speed;
+    this.breakdown_ratio = breakdown_ratio;
+    this.coupling_load = coupling_load;
+    this.coupling_slip = coupling_slip;
+  }
+  shaft_speed(load) {
+    let pump = super.shaft_speed(load);
+    return pump * (1.0 - this._slip(load * (this.rated_speed / pump) ** 2));
+  }
+  motor_speed(load, gear_speed) {
+    return super.shaft_speed(load);
+  }
+  _slip(load) {
+    let size = Math.abs(load);
+    let loads = this.coupling_load;
+    let slips = this.coupling_slip;
+    let i = 0;
+    while (i < loads.length - 2 && size > loads[i + 1]) {
+      i += 1;
+    }
+    let weight = (size - loads[i]) / (loads[i + 1] - loads[i]);
+    let slip = slips[i] + weight * (slips[i + 1] - slips[i]);
+    return copysign(min(slip, 0.95), load);
+  }
+  largest_load() {
+    return this._end;
+  }
+  get _end() {
+    let load, pump;
+    let low = 0.0;
+    let high = this.breakdown_ratio;
+    for (let each1 = 0, end1 = 60; each1 < end1; each1++) {
+      load = 0.5 * (low + high);
+      pump = super.shaft_speed(load);
+      if (load * (this.rated_speed / pump) ** 2 <= this.coupling_load.at(-1)) {
+        low = load;
+      } else {
+        high = load;
+      }
+    }
+    return high === this.breakdown_ratio ? high : low;
+  }
+}
+
+export class Slopes {
+  constructor(exit_by_entry, exit_by_effort, ratio_by_entry, ratio_by_effort) {
+    this.exit_by_entry = exit_by_entry;
+    this.exit_by_effort = exit_by_effort;
+    this.ratio_by_entry = ratio_by_entry;
+    this.ratio_by_effort = ratio_by_effort;
+  }
+}
+
+const SMALL_PULL = 0.001;
+const _GIVE = 0.01;
+const FINE = 24;
+const SHARP = 16;
+const COARSE = 8;
+const _SPEED_WEIGHT = 1000.0;
+const _LARGEST_STEP = 1.5;
+const _LEAST_GIVE = 1e-6;
+const BREAKAWAY =
+  "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.";
+const UNSOLVED =
+  "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.";
+const SOLVED = "The drives carry the load.";
+const _CORRECTED = 1e-12;
+const _SURE = 0.01;
+const _IDLE = 1e-11;
+const GIVEN_DIGITS = 4;
+const BEYOND_MOTOR =
+  "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
+const NONE = "-";
+const _NOTHING = 1e-12;
+const _AS_FAST = 5e-6;
+const _TOLERATED = 0.05;
+const RESULT_DIGITS = 3;
+const _ROUNDING = 1e-9;
+const ATTENTION = "ATTENTION";
+const RATIO_SCALE = 1e-5;
+const _LARGEST_EFFORT = 12.100712129903211;
+const _BEYOND = 30.0;
+const STUCK = 4;
+const _STEP = 0.0001;
+const _LEVEL_SCALE = 1e-5;
+const LARGEST_RATIO = 0.5;
+const _TURNED = 1e-9;
+const CREEP_SCALE = 0.00635;
+const _LEVEL_END = 11.512925465070229;
+const _SCAN = 18;
+const BEYOND = 10.0;
+
+/** Tensions with the pull between the outer ones: what the runs between the pulleys add is off. */
+export function in_page_train__less_runs(of, runs, speed) {
+  let pull = pulls__pull_given(of, NaN, speed);
+  if (runs === 0.0 || pull !== pull) {
+    return of;
+  }
+  return new Pulls(of.entry_tension, of.exit_tension, pull - runs, NaN, NaN);
+}
+
+/** Entry and exit tension that are given; nan where they are not [N]. */
+export function in_page_train__ends_of(of, speed) {
+  let pull = pulls__pull_given(of, NaN, speed);
+  let entry = of.entry_tension;
+  let leaving = of.exit_tension;
+  let first = entry === entry ? entry : leaving + pull;
+  return new Pair(first, leaving === leaving ? leaving : entry - pull);
+}
+
+/** Tensions of a train with those of a load case put over them. */
+export function in_page_train__in_case(of, over, fixed, speed, runs) {
+  let pull = pulls__pull_given(over, NaN, speed);
+  if (pulls__families(over) >= 2 || !(fixed && pull === pull && pulls__pulls(over) === 1)) {
+    return pulls__overridden(of, over, false, NaN, speed);
+  }
+  let ends = in_page_train__ends_of(in_page_train__less_runs(of, runs.base, speed), speed);
+  let both = ends.entry + ends.exit;
+  let between = 0.5 * (pull - runs.case);
+  if (both !== both) {
+    return over;
+  }
+  return new Pulls(0.5 * both + between, 0.5 * both - between, NaN, NaN, NaN);
+}
+
+/** Tensions of a load case that gives its pull alone, by a take-up between drives. */
+export function in_page_train__behind(of, over, after, before, speed) {
+  let now = in_page_train__ends_of(over, speed);
+  let first = in_page_train__ends_of(of, speed);
+  let pull = now.entry - now.exit;
+  let pull_0 = first.entry - first.exit;
+  let lost = after[0] * (pull + after[2]) - after[1] - before[0] * (pull_0 + before[2]) + before[1];
+  return new Pulls(first.exit - lost + pull, first.exit - lost, NaN, NaN, NaN);
+}
+
+/** Pull that powers of the drives make [N]. */
+export function in_page_train__total_of(powers, speed) {
+  return $sum(powers) / speed;
+}
+
+/** Part of each in their sum [-]. */
+export function in_page_train__parts_of(values) {
+  let total = $sum(values);
+  return [...values].map((value) => value / total);
+}
+
+/** How far tensions at both ends miss a pull, in parts of it [-]. */
+export function in_page_train__miss_of(entry, exit_, runs, pull) {
+  return Math.abs(entry - exit_ + runs - pull) / Math.abs(pull);
+}
+
+/** Rotation speeds of drums by their trims, in any one unit. */
+export function in_page_train__trimmed(trims, nominal) {
+  return [...$zip(trims, nominal)].map(([trim, diameter]) => trim / diameter);
+}
+
+/** Pulls of drums that take parts of it all [N]. */
+export function in_page_train__shared(fractions, total) {
+  return [...fractions].map((fraction) => fraction * total);
+}
+
+/** Least tension of pulleys [N]. */
+export function in_page_train__least_of(pairs) {
+  return $minOf([...pairs].map((at) => min(at.entry, at.exit)));
+}
+
+/** A pulley of a train, by its numbers. */
+export function in_page_train__member_of(law, given) {
+  let arc = in_page__description_of(given);
+  let squeeze = (2.0 * (arc.thickness / arc.compression_modulus)) / (arc.width * arc.diameter);
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  return new Member(law, geometry, 0.5 * arc.diameter, 1.0 / arc.axial_stiffness, squeeze);
+}
+
+/** Return the surface speed of the first drum, without compression [m/s]. */
+export function turning__surface_of_first(speeds, radii) {
+  return speeds[0] * radii[0];
+}
+
+/** Return the logarithms of surface speeds over that of the first drum [-]. */
+export function turning__held_speeds(speeds, radii) {
+  let first = turning__surface_of_first(speeds, radii);
+  return [...$zip(speeds, radii)].map(([speed, radius]) => Math.log((speed * radius) / first));
+}
+
+/** Lines of drums that turn at given speeds, in any one unit. */
+export function in_page_train__turned(speeds, radii) {
+  return [...turning__held_speeds(speeds, radii)].map((at) => new Line(at));
+}
+
+/** Growth of the tight and of the slack side of one of several pulleys with the pull of all [N]. */
+export function numbers__rise_among(pulls, index, fixed, after) {
+  let total = $sum(pulls);
+  let mine = pulls[index];
+  let ahead = $sum(pulls.slice(0, index));
+  let behind = $sum(pulls.slice(index + 1));
+  let lost = fixed ? 0.5 * Math.abs(total) : 0.0;
+  if (!fixed && after >= 0) {
+    lost = total >= 0.0 ? $sum(pulls.slice(after + 1)) : -$sum(pulls.slice(0, after + 1));
+  }
+  let entry = (total >= 0.0 ? mine + behind : -ahead) - lost;
+  let leaving = (total >= 0.0 ? behind : -ahead - mine) - lost;
+  return mine >= 0.0 ? [entry, leaving] : [leaving, entry];
+}
+
+/** What a pulley shares with the others; `after` is where the take-up stands, -1 for none. */
+export function in_page_train__among(pairs, index, fixed, after) {
+  let first = pairs[0];
+  let last = pairs[pairs.length - 1];
+  let pulls = [...pairs].map((at) => at.entry - at.exit);
+  let slack = $sum(pulls) >= 0.0 ? last.exit : first.entry;
+  let end = after >= 0 ? pairs[after].exit : slack;
+  const found1 = numbers__rise_among(pulls, index, fixed, after);
+  let tight_rise = found1[0];
+  let slack_rise = found1[1];
+  return new Among(
+    end,
+    fixed ? first.entry + last.exit : end,
+    slack,
+    first.entry >= last.exit ? last.exit : first.entry,
+    tight_rise,
+    slack_rise,
+  );
+}
+
+/** Pull of drives against each other, 0 where they work together [N]. */
+export function numbers__pull_against(pulls) {
+  let small = SMALL_PULL * $maxOf([...pulls].map((pull) => Math.abs(pull)));
+  if (!($minOf(pulls) < -small && $maxOf(pulls) > small)) {
+    return 0.0;
+  }
+  return min($sum([...pulls].map((p) => max(p, 0.0))), $sum([...pulls].map((p) => max(-p, 0.0))));
+}
+
+/** Return the lines of drums on motors. */
+export function turning__driven(motors, masters, ratios, radii) {
+  let master, motor, radius, ratio;
+  let speeds = [...$zip(motors, radii)]
+    .filter(([motor, radius]) => motor !== null)
+    .map(([motor, radius]) => motor.drum_speed(0.0) * radius);
+  let reference = speeds[0];
+  let lines = [];
+  for (const each1 of $zip(motors, masters, ratios, radii)) {
+    [motor, master, ratio, radius] = each1;
+    if (motor === null) {
+      lines.push(new Line(undefined, undefined, undefined, master, ratio));
+    } else if (motor.holds_speed) {
+      lines.push(new Line(Math.log((motor.drum_speed(0.0) * radius) / reference)));
+    } else {
+      lines.push(new Line(undefined, motor, radius / reference));
+    }
+  }
+  return new Driven(lines, reference);
+}
+
+/** Return the tensions of pulleys whose pulls are known; `runs` has 0 behind the last [N]. */
+export function train__along(entry, exit_, runs, pulls) {
+  let i, out, pull, run;
+  let pairs = [];
+  let now = entry;
+  for (const each1 of $enumerate($zip(pulls, runs))) {
+    [i, [pull, run]] = each1;
+    out = i === pulls.length - 1 ? exit_ : now - pull;
+    pairs.push(new Pair(now, out));
+    now = out + run;
+  }
+  return pairs;
+}
+
+/** Return the train with a little give in its held speeds, where laws hold the belt. */
+export function locate___eased(system, give) {
+  if (
+    ![...$zip(system.members, system.lines)].some(([m, line]) => m.holds && line.motor === null)
+  ) {
+    return system;
+  }
+  let lines = [
+    ...[...system.lines].map((line) =>
+      line.motor === null
+        ? Object.assign(Object.create(Object.getPrototypeOf(line)), line, {
+            give: give / system.torque_scale,
+          })
+        : line,
+    ),
+  ];
+  return Object.assign(Object.create(Object.getPrototypeOf(system)), system, { lines: lines });
+}
+
+/** Efforts of passages; those known by their tensions only are solved for them. */
+export function newton___efforts(system, passages) {
+  let at, known, member;
+  let efforts = [];
+  for (const each1 of $zip(system.members, passages)) {
+    [member, at] = each1;
+    known = at;
+    if (Number.isNaN(at.effort)) {
+      known = member.between(at.entry, at.exit);
+    }
+    if (known === null) {
+      return null;
+    }
+    efforts.push(known.effort);
+  }
+  return efforts;
+}
+
+export function newton___state(system, efforts, steps) {
+  let at, effort, member, run;
+  let entry = system.entry;
+  let state = [];
+  for (const each1 of $zip(system.members, efforts, system.runs)) {
+    [member, effort, run] = each1;
+    at = member.passage(max(entry, 1e-6 * system.entry), effort, steps);
+    state.push(at);
+    entry = at.exit + run;
+  }
+  return [...state];
+}
+
+export function newton___misses(system, state, level) {
+  let torques = [...$enumerate(state)].map(([i, at]) => system.torque(i, at.entry, at.exit));
+  let misses = [...$enumerate(system.lines)].map(([i, line]) =>
+    line.follows
+      ? (torques[i] - line.ratio * torques[line.master]) / system.torque_scale
+      : system.speed_miss(i, state[i], level),
+  );
+  return [...misses, Math.log(state.at(-1).exit / system.exit)];
+}
+
+export function newton___point(system, efforts, level, steps) {
+  let state = newton___state(system, efforts, steps);
+  return new _Point([...efforts], level, state, newton___misses(system, state, level), steps);
+}
+
+export function newton___speed_row(system, i, at, s, entry, torque) {
+  let creep = [...entry].map((x) => s.ratio_by_entry * x);
+  creep[i] += s.ratio_by_effort;
+  let stretch = system.members[i].stretch_slope(at.entry);
+  let slope = system.lines[i].log_speed_slope(system.torque(i, at.entry, at.exit));
+  let row = [...$zip(creep, entry, torque)].map(
+    ([c, x, t]) => c / (1.0 - at.ratio) + stretch * x - slope * t,
+  );
+  row[row.length - 1] -= 1.0;
+  return row;
+}
+
+/** Return the equations near a state, and whether each drive rises with its creep. */
+export function newton__linearized(system, passages, steps = 24) {
+  let arm, at, i, leaving, line, lost, member, pairs, pull, s;
+  let count = passages.length;
+  let matrix = [...$range(count + 1)].map((_) => $repeated([0.0], count + 1));
+  let pulls = [];
+  let torques = [];
+  let entry = $repeated([0.0], count + 1);
+  let slopes = [...$zip(system.members, passages)].map(([m, at]) => m.slopes(at, steps));
+  for (const each1 of $enumerate($zip(passages, slopes))) {
+    [i, [at, s]] = each1;
+    member = system.members[i];
+    leaving = [...entry].map((x) => s.exit_by_entry * x);
+    leaving[i] += s.exit_by_effort;
+    pull = [...$zip(entry, leaving)].map(([x, y]) => x - y);
+    arm = member.arm(at.entry);
+    lost = (at.entry - at.exit) * member.squeeze;
+    pulls.push(pull);
+    torques.push([...$zip(pull, entry)].map(([x, y]) => x * arm - lost * y));
+    if (!system.lines[i].follows) {
+      matrix[i] = newton___speed_row(system, i, at, s, entry, torques[i]);
+    }
+    entry = leaving;
+  }
+  for (const each2 of $enumerate(system.lines)) {
+    [i, line] = each2;
+    if (line.follows) {
+      pairs = $zip(torques[i], torques[line.master]);
+      matrix[i] = [...pairs].map(([x, y]) => (x - line.ratio * y) / system.torque_scale);
+    }
+  }
+  matrix[count] = [...entry].map((x) => x / passages.at(-1).exit);
+  let rising = [...[...slopes].map((s) => s.exit_by_effort <= 0.0)];
+  return [new Linear(matrix, pulls, [...[...system.lines].map((line) => line.follows)]), rising];
+}
+
+/** Whether two states are so near that slopes of one serve for the other. */
+export function newton___near(a, b) {
+  return [...$zip(a, b)].every(([x, y]) => Math.abs(x.exit / y.exit - 1.0) < 0.001);
+}
+
+/** Solve linear equations by elimination, the largest of each column for pivot. */
+export function linear__solution(matrix, right) {
+  let best, factor, i, j, k, pivot, rest;
+  let count = right.length;
+  let rows = [...$zip(matrix, right)].map(([row, value]) => [...row, value]);
+  for (let each1 = 0, end1 = count; each1 < end1; each1++) {
+    k = each1;
+    best = k;
+    for (let each2 = k + 1, end2 = count; each2 < end2; each2++) {
+      i = each2;
+      if (Math.abs(rows[i][k]) > Math.abs(rows[best][k])) {
+        best = i;
+      }
+    }
+    pivot = rows[best];
+    rows[best] = rows[k];
+    rows[k] = pivot;
+    if (!(Math.abs(pivot[k]) > 0.0)) {
+      return null;
+    }
+    for (let each3 = k + 1, end3 = count; each3 < end3; each3++) {
+      i = each3;
+      factor = rows[i][k] / pivot[k];
+      for (let each4 = k + 1, end4 = count + 1; each4 < end4; each4++) {
+        j = each4;
+        rows[i][j] -= factor * pivot[j];
+      }
+    }
+  }
+  let found = $repeated([0.0], count);
+  for (let each5 = count - 1, end5 = -1; each5 > end5; each5 += -1) {
+    k = each5;
+    rest = rows[k][count];
+    for (let each6 = k + 1, end6 = count; each6 < end6; each6++) {
+      j = each6;
+      rest -= rows[k][j] * found[j];
+    }
+    found[k] = rest / rows[k][k];
+  }
+  return found;
+}
+
+/** Take the step of the linear equations, shortened until it helps if `search`. */
+export function newton___stepped(at, system, matrix, search) {
+  let efforts, new_;
+  let step = linear__solution(
+    matrix,
+    [...at.misses].map((miss) => -miss),
+  );
+  if (step === null || ![...step].every((change) => Number.isFinite(change))) {
+    return null;
+  }
+  let longest = $maxOf([...step.slice(0, -1)].map((change) => Math.abs(change)));
+  let scale = min(1.0, _LARGEST_STEP / max(longest, 1e-300));
+  for (let each1 = 0, end1 = search ? 15 : 1; each1 < end1; each1++) {
+    efforts = [...$zip(at.efforts, step.slice(0, -1))].map(([e, d]) => e + scale * d);
+    new_ = newton___point(system, efforts, at.level + scale * step.at(-1), at.steps);
+    if (new_.size < at.size) {
+      return new_;
+    }
+    scale *= 0.5;
+  }
+  return null;
+}
+
+/** Return slopes that give a change over a step, and others as before (Broyden). */
+export function linear__corrected(matrix, step, change) {
+  let found, missing, row;
+  let square = $sum([...step].map((s) => s * s));
+  if (square === 0.0) {
+    return [...matrix].map((row) => [...row]);
+  }
+  let made = [];
+  for (const each1 of $zip(matrix, change)) {
+    [row, found] = each1;
+    missing = found - $sum([...$zip(row, step)].map(([a, s]) => a * s));
+    made.push([...$zip(row, step)].map(([a, s]) => a + (missing * s) / square));
+  }
+  return made;
+}
+
+/** Return slopes that are true between two points (Broyden), little changed otherwise. */
+export function newton___learned(matrix, a, b) {
+  let step = [...$zip([...a.efforts, a.level], [...b.efforts, b.level])].map(([x, y]) => y - x);
+  return linear__corrected(
+    matrix,
+    step,
+    [...$zip(a.misses, b.misses)].map(([x, y]) => y - x),
+  );
+}
+
+/** Meet all equations from a state nearby; None if that fails. */
+export function newton__settle(
+  system,
+  passages,
+  level,
+  steps = 24,
+  near = null,
+  tolerance = 1e-13,
+) {
+  let done, first, i, k, linear, matrix, new_, rising, slow;
+  let efforts = newton___efforts(system, passages);
+  if (efforts === null) {
+    return null;
+  }
+  let at = newton___point(system, efforts, level, steps);
+  for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
+    i = each1;
+    if (i === 0 && near !== null) {
+      linear = near.linear;
+      rising = near.rising;
+    } else {
+      const found2 = newton__linearized(system, at.state, steps);
+      linear = found2[0];
+      rising = found2[1];
+    }
+    first = at;
+    matrix = linear.matrix;
+    for (let each3 = 0, end3 = 10; each3 < end3; each3++) {
+      k = each3;
+      if (at.size <= tolerance * _SPEED_WEIGHT) {
+        if (near === null && !newton___near(first.state, at.state)) {
+          const found4 = newton__linearized(system, at.state, steps);
+          linear = found4[0];
+          rising = found4[1];
+        }
+        return new Settled(at.state, at.level, linear, rising);
+      }
+      new_ = newton___stepped(at, system, matrix, k === 0);
+      if (new_ === null || new_.size >= at.size) {
+        break;
+      }
+      matrix = newton___learned(matrix, at, new_);
+      slow = new_.size > 0.3 * at.size;
+      at = new_;
+      if (slow) {
+        break;
+      }
+    }
+    if (at === first && (i > 0 || near === null)) {
+      done = at.size <= 1000.0 * tolerance * _SPEED_WEIGHT;
+      return done ? new Settled(at.state, at.level, linear, rising) : null;
+    }
+  }
+  return null;
+}
+
+export function locate___same(a, b) {
+  let pairs = $zip(a.passages, b.passages);
+  return [...pairs].every(([x, y]) => Math.abs(x.exit / y.exit - 1.0) < 1e-6);
+}
+
+/** Return the levels found by a search, the states there, and starts that led to none. */
+export function locate___states(system, search, softening, steps) {
+  let found, levels, miss, start, w;
+  if (softening) {
+    levels = search.all_solutions();
+  } else {
+    [w, miss] = search.solution(0.0001);
+    levels = Math.abs(miss) < 0.001 ? [w] : [];
+  }
+  let states = [];
+  let failed = [];
+  for (const each1 of levels) {
+    w = each1;
+    start = [...search.follow(search.level(w))];
+    found = newton__settle(system, start, search.level(w), steps);
+    if (found === null) {
+      failed.push(start);
+    } else if (![...states].some((other) => locate___same(found, other))) {
+      states.push(found);
+    }
+  }
+  return [levels, states, failed];
+}
+
+/** Return what becomes of a state of the eased train as the give goes. */
+export function locate___stiffened(system, state) {
+  let give = _GIVE;
+  let now = state;
+  while (now !== null && give > 0.0) {
+    give = give > _LEAST_GIVE ? give * 0.2 : 0.0;
+    now = newton__settle(locate___eased(system, give), now.passages, now.level);
+  }
+  return now;
+}
+
+/** Return "a breaks" or "a and b break". */
+export function locate___listed(names, indices) {
+  let verb = indices.length === 1 ? "breaks" : "break";
+  return "" + $text([...indices].map((i) => names[i]).join(" and ")) + " " + $text(verb);
+}
+
+/** Say which drives break away. */
+export function locate__away(names, indices) {
+  return "" + $text(locate___listed(names, indices)) + " away: no creep makes enough friction.";
+}
+
+/** Return the failure of a train, with the drives that break away. */
+export function locate___broken(system, names, passages, level) {
+  let i, known, member, p;
+  let fallen = [];
+  let exact = [];
+  for (const each1 of $enumerate($zip(system.members, passages))) {
+    [i, [member, p]] = each1;
+    known = p;
+    if (Number.isNaN(p.effort)) {
+      known = member.between(p.entry, p.exit);
+      if (known === null) {
+        fallen.push(i);
+      }
+    } else if (member.slopes(p, FINE).exit_by_effort >= 0.0) {
+      fallen.push(i);
+    }
+    exact.push(known === null ? p : known);
+  }
+  let status = BREAKAWAY;
+  let reason = "";
+  if (fallen.length > 0) {
+    reason = locate__away(names, fallen);
+  } else if (Math.abs(passages.at(-1).exit / system.exit - 1.0) > 0.001) {
+    fallen = [...$range(names.length)];
+    reason =
+      "" + "The friction of " + $text(names.join(" and ")) + " together cannot carry the load.";
+  } else {
+    status = UNSOLVED;
+  }
+  return new Located(status, reason, [...exact], level, undefined, undefined, [...fallen]);
+}
+
+export function locate___shares(system, state) {
+  return [...[...state.passages].map((p) => (p.entry - p.exit) / system.pull)];
+}
+
+export function locate___them(indices) {
+  return indices.length === 1 ? "it" : "them";
+}
+
+/** Return the stable one of several states; there is none where a drive is past its peak. */
+export function locate___chosen(system, names, states) {
+  states = $sorted(states, (s) => $maxOf([...s.passages].map((p) => Math.abs(p.creep))));
+  let state = $first(
+    [...states].filter((s) => s.stable),
+    states[0],
+  );
+  let others = [...[...states].filter((s) => s !== state).map((s) => locate___shares(system, s))];
+  let past = $zip(system.members, state.passages, state.rising);
+  let fallen = [
+    ...[...$enumerate(past)]
+      .filter(([i, [m, p, rising]]) => !rising || (m.holds && !p.held))
+      .map(([i, [m, p, rising]]) => i),
+  ];
+  let status = SOLVED;
+  let reason = "";
+  if (fallen.length > 0) {
+    status = BREAKAWAY;
+    reason =
+      "" +
+      "At these speeds " +
+      $text(locate___listed(names, fallen)) +
+      " away: the only balance there is has " +
+      $text(locate___them(fallen)) +
+      " sliding, past the peak of friction.";
+  }
+  return new Located(status, reason, state.passages, state.level, state, others, fallen);
+}
+
+/** Return the tensions at which the arcs, solved for their tensions, meet the speeds. */
+export function locate___corrected(system, located, steps) {
+  let better, offsets, old, pairs, solved, state, step;
+  for (let each1 = 0, end1 = 4; each1 < end1; each1++) {
+    state = located.settled;
+    if (state === null || located.status !== SOLVED) {
+      break;
+    }
+    solved = [...$zip(system.members, state.passages)].map(([m, p]) => m.between(p.entry, p.exit));
+    pairs = [...$zip(solved, state.passages)];
+    offsets = [...pairs]
+      .filter(([s, p]) => s !== null)
+      .map(([s, p]) => Math.log1p(-p.ratio) - Math.log1p(-s.ratio));
+    if (offsets.length < pairs.length) {
+      break;
+    }
+    old = system.corrections.length > 0 ? system.corrections : $repeated([0.0], offsets.length);
+    if ($maxOf([...$zip(offsets, old)].map(([a, b]) => Math.abs(a - b))) < _CORRECTED) {
+      break;
+    }
+    system = Object.assign(Object.create(Object.getPrototypeOf(system)), system, {
+      corrections: [...offsets],
+    });
+    better = newton__settle(system, state.passages, state.level, steps, state);
+    if (better === null) {
+      break;
+    }
+    located = Object.assign(Object.create(Object.getPrototypeOf(located)), located, {
+      settled: better,
+      passages: better.passages,
+      level: better.level,
+    });
+    step = $maxOf(
+      [...$zip(better.passages, state.passages)].map(([a, b]) =>
+        Math.abs(Math.log(a.exit / b.exit)),
+      ),
+    );
+    if (step * $maxOf([...offsets].map((offset) => Math.abs(offset))) < _CORRECTED * _SURE) {
+      break;
+    }
+  }
+  return located;
+}
+
+/** Return the stable state of a train whose drums turn as given. */
+export function locate__locate(system, names, softening) {
+  let failed, level, levels, search, start, states, steps, stiff;
+  let eased = locate___eased(system, _GIVE);
+  let fine = softening || eased !== system ? FINE : SHARP;
+  for (const each1 of [COARSE, SHARP, FINE]) {
+    steps = each1;
+    search = new Search(eased, steps);
+    const found2 = locate___states(eased, search, softening, fine);
+    levels = found2[0];
+    states = found2[1];
+    failed = found2[2];
+    if (levels.length > 0 && failed.length === 0) {
+      break;
+    }
+  }
+  if (eased !== system) {
+    stiff = [...states].map((state) => locate___stiffened(system, state));
+    states = [...stiff].filter((s) => s !== null);
+  }
+  if (levels.length === 0) {
+    level = search.level(search.strongest());
+    return locate___broken(system, names, [...search.follow(level)], level);
+  }
+  if (states.length === 0) {
+    start = failed.length > 0 ? failed[0] : [...search.follow(search.level(levels[0]))];
+    return locate___broken(system, names, start, search.level(levels[0]));
+  }
+  return locate___corrected(system, locate___chosen(system, names, states), fine);
+}
+
+/** Return tensions that meet the last one exactly; what is idle but for rounding is idle. */
+export function turning__rounded(pairs, exit_, runs) {
+  let last = pairs.length - 1;
+  let exits = [...pairs].map((at) =>
+    Math.abs(at.entry - at.exit) > _IDLE * at.entry ? at.exit : at.entry,
+  );
+  exits[last] = exit_;
+  if (last > 0 && Math.abs(pairs[last].entry - exit_) <= _IDLE * exit_) {
+    exits[last - 1] = exit_ - runs[last - 1];
+  }
+  let entries = [
+    pairs[0].entry,
+    ...[...$zip(exits.slice(0, -1), runs.slice(0, -1))].map(([b, run]) => b + run),
+  ];
+  return [...$zip(entries, exits)].map(([a, b]) => new Pair(a, b));
+}
+
+/** Tensions of all pulleys, from what is given: their pulls, or what turns their drums. */
+export function in_page_train__divided(system, names, softening, pulls, speed, reference) {
+  let pairs;
+  let found = null;
+  if (pulls.length > 0) {
+    pairs = train__along(system.entry, system.exit, system.runs, pulls);
+  } else {
+    found = locate__locate(system, names, softening);
+    pairs = [...found.passages].map((at) => new Pair(at.entry, at.exit));
+    if (found.status === SOLVED) {
+      pairs = turning__rounded(pairs, system.exit, system.runs);
+    }
+  }
+  let stretch = system.members[0].stretch;
+  let at_first = speed;
+  if (found !== null && reference === reference) {
+    at_first = reference * Math.exp(-found.level) * (1.0 + pairs[0].entry * stretch);
+  }
+  let first = 1.0 + pairs[0].entry * stretch;
+  let speeds = [...pairs].map((at) => (at_first * (1.0 + at.entry * stretch)) / first);
+  return new Divided(pairs, found, speeds);
+}
+
+export function in_page_train___nip(member, arc, nominal) {
+  let found = arc.summary;
+  return new Nip(
+    found.entry_tension,
+    found.effective_tension,
+    found.entry_creep_ratio,
+    member.radius,
+    member.squeeze * found.entry_tension,
+    nominal,
+  );
+}
+
+/** Return how a drum turns against the first one. */
+export function turning__turning(first, at, stiffness, total, belt_speed) {
+  let a = at.entry;
+  let a1 = first.entry;
+  let g = at.creep_ratio;
+  let g1 = first.creep_ratio;
+  let leaves = g < 1.0 ? 1.0 - g : NaN;
+  let ratio = ((1.0 + a / stiffness) * (1.0 - g1)) / ((1.0 + a1 / stiffness) * leaves);
+  let arm = at.radius - at.compression;
+  let arm1 = first.radius - first.compression;
+  let surface = belt_speed / leaves;
+  return new Turning(
+    total !== 0.0 ? at.pull / total : NaN,
+    ratio,
+    -(a1 - a) / stiffness,
+    g - g1,
+    at.compression / at.radius - first.compression / first.radius,
+    (((ratio * arm1) / arm) * at.radius) / first.radius,
+    surface,
+    surface / arm,
+    (((ratio * arm1) / arm) * at.nominal) / first.nominal,
+    at.pull * arm,
+    surface * at.pull,
+  );
+}
+
+/** Return where a motor works at a torque on its drum and a speed of it [N m, rad/s]. */
+export function turning__motor_point(motor, torque, rotation) {
+  let eta;
+  let load = motor.load(torque);
+  let each = load * motor.rated_torque;
+  let gear_speed = rotation * motor.gear_ratio;
+  let speed = motor.motor_speed(load, gear_speed);
+  let shaft = motor.count * each * speed;
+  let electrical = NaN;
+  if (motor.motor_efficiency !== null) {
+    eta = motor.motor_efficiency;
+    electrical = shaft >= 0.0 ? shaft / eta : shaft * eta;
+  }
+  return new MotorPoint(
+    load,
+    each,
+    speed,
+    each * speed,
+    gear_speed,
+    electrical,
+    electrical - shaft,
+    motor.count * each * (speed - gear_speed),
+    motor.count * each * gear_speed - torque * rotation,
+  );
+}
+
+export function in_page_train___passage(member, arc) {
+  let found = arc.summary;
+  let entry = found.entry_tension;
+  let leaving = found.exit_tension;
+  let g = found.entry_creep_ratio;
+  if (member.holds) {
+    return member.between(entry, leaving);
+  }
+  let creep = found.exit_creep;
+  let slip = found.exit_slip;
+  return new Passage(entry, leaving, member.effort_at(g), g, creep, slip, false);
+}
+
+/** Largest relative miss between what leaves a pulley and what the next one takes [-]. */
+export function turning__tension_error(leaving, runs, entries, exit_) {
+  let taken = [...entries.slice(1), exit_];
+  return $maxOf(
+    [...$zip(leaving, runs, taken)].map(([out, run, a]) => Math.abs((out + run) / a - 1.0)),
+  );
+}
+
+/** Largest miss of the speeds or torques asked for, from the arcs alone [-]. */
+export function turning__speed_error(system, nips, torques, level) {
+  let asked, i, left, line;
+  let misses = [];
+  for (const each1 of $enumerate(system.lines)) {
+    [i, line] = each1;
+    if (line.follows) {
+      asked = line.ratio * torques[line.master];
+      misses.push(Math.abs(torques[i] - asked) / system.torque_scale);
+    } else {
+      left = -Math.log1p(-nips[i].creep_ratio) + system.members[i].stretch_log(nips[i].entry);
+      misses.push(Math.abs(left - line.log_speed(torques[i]) - level));
+    }
+  }
+  return $maxOf(misses);
+}
+
+/** Return two rotation speeds [rad/s] in as many digits as tell them apart. */
+export function turning___apart(one, other) {
+  let digits;
+  let told = ["", ""];
+  for (let each1 = 4, end1 = 10; each1 < end1; each1++) {
+    digits = each1;
+    told = [
+      display(one, "rotation_speed", "si", digits),
+      display(other, "rotation_speed", "si", digits),
+    ];
+    if (told[0] !== told[1]) {
+      break;
+    }
+  }
+  return told;
+}
+
+/** Say how a motor would have to leave its curve, or nothing; the drum turns at `rotation`. */
+export function turning__beyond_motor(name, rotation, motor, point) {
+  let end, means, top, turns;
+  let [low, high] = motor.limits();
+  let rounding = 1e-9;
+  if (point.motor_load < low - rounding) {
+    end = low / (low >= 0.0 ? motor.gear_efficiency : 1.0 / motor.gear_efficiency);
+    const found1 = turning___apart(rotation, motor.drum_speed(end * motor.drum_torque));
+    turns = found1[0];
+    top = found1[1];
+    means =
+      low === 0.0
+        ? "it cannot hold back"
+        : "" + "it holds back " + $told(-low, false, 3, "g") + " rated torques";
+    return (
+      "" +
+      "The belt drives the drum of " +
+      $text(name) +
+      " at " +
+      $text(turns) +
+      ", faster than its motor allows: " +
+      $text(top) +
+      " at most, where " +
+      $text(means) +
+      "."
+    );
+  }
+  if (point.motor_load > high + rounding) {
+    turns = display(rotation, "rotation_speed", "si", GIVEN_DIGITS);
+    return (
+      "" +
+      "The motor of " +
+      $text(name) +
+      " would need " +
+      $told(point.motor_load, false, 3, "g") +
+      " times its rated torque at " +
+      $text(turns) +
+      " of its drum; its curve ends at " +
+      $told(high, false, 3, "g") +
+      "."
+    );
+  }
+  return "";
+}
+
+/** Return d share_i / d ln(speed of drive j) [-]; nan where that is not known. */
+export function turning__sensitivity(system, located, passages) {
+  if (located !== null && located.settled !== null) {
+    return located.settled.linear.share_slopes(system.pull);
+  }
+  let count = passages.length;
+  let known = [...passages].filter((at) => at !== null);
+  if (known.length < count) {
+    return [...$range(count)].map((_) => $repeated([NaN], count));
+  }
+  let rigid = Object.assign(Object.create(Object.getPrototypeOf(system)), system, {
+    lines: [...[...$range(count)].map((_) => new Line())],
+  });
+  return newton__linearized(rigid, known)[0].share_slopes(system.pull);
+}
+
+/** What a train has beside its arcs, these solved for their tensions. */
+export function in_page_train__told(system, names, of, arcs, nominal, motors) {
+  let at, beyond, entries, leaving, motor, name, point;
+  let located = of.located;
+  let nips = [...$zip(system.members, arcs, nominal)].map(([at, arc, diameter]) =>
+    in_page_train___nip(at, arc, diameter),
+  );
+  let failed = located !== null && located.status !== SOLVED;
+  if (located !== null && failed) {
+    nips = [...$zip(nips, located.passages)].map(([nip, at]) =>
+      at.ratio !== at.ratio
+        ? nip
+        : Object.assign(Object.create(Object.getPrototypeOf(nip)), nip, { creep_ratio: at.ratio }),
+    );
+  }
+  let stiffness = 1.0 / system.members[0].stretch;
+  let turnings = [...$zip(nips, of.belt_speeds)].map(([nip, speed]) =>
+    turning__turning(nips[0], nip, stiffness, system.pull, speed),
+  );
+  let points = [...$zip(motors, turnings)].map(([motor, at]) =>
+    motor === null ? null : turning__motor_point(motor, at.drum_torque, at.rotation_speed),
+  );
+  let stuck = [...$enumerate(arcs)].filter(([i, arc]) => !arc.solved).map(([i, arc]) => i);
+  let passages = [...arcs].map((_) => null);
+  if (stuck.length === 0) {
+    passages = [...$zip(system.members, arcs)].map(([m, arc]) => in_page_train___passage(m, arc));
+  }
+  let torques = [...turnings].map((at) => at.drum_torque);
+  let tension_miss = NaN;
+  if (stuck.length === 0 && (located === null || located.settled !== null)) {
+    leaving = [...arcs].map((arc) => arc.profile.tension[arc.profile.tension.length - 1]);
+    entries = [...arcs].map((arc) => arc.summary.entry_tension);
+    tension_miss = turning__tension_error(leaving, system.runs, entries, system.exit);
+  }
+  let speed_miss = failed ? NaN : 0.0;
+  if (located !== null && !failed) {
+    speed_miss = turning__speed_error(system, nips, torques, located.level);
+  }
+  let status = SOLVED;
+  let reason = "";
+  if (located !== null && failed) {
+    status = located.status;
+    reason = located.reason;
+  } else if (stuck.length > 0) {
+    status = BREAKAWAY;
+    reason = locate__away(names, stuck);
+  }
+  for (const each1 of $zip(names, turnings, motors, points)) {
+    [name, at, motor, point] = each1;
+    beyond = "";
+    if (status === SOLVED && motor !== null && point !== null) {
+      beyond = turning__beyond_motor(name, at.rotation_speed, motor, point);
+    }
+    if (beyond !== "") {
+      status = BEYOND_MOTOR;
+      reason = beyond;
+    }
+  }
+  return new Told(
+    status,
+    reason,
+    turnings,
+    points,
+    turning__sensitivity(system, located, passages),
+    located === null ? [] : located.other_splits,
+    tension_miss,
+    speed_miss,
+  );
+}
+
+/** Return a value [SI] with its unit, `NONE` for nan and words for infinity. */
+export function sheet__quantity(value, dimension, system = "si", digits = 3) {
+  if (Number.isNaN(value)) {
+    return NONE;
+  }
+  if (Math.abs(value) === Infinity) {
+    return "without bound";
+  }
+  return display(value, dimension, system, digits);
+}
+
+/** Return the value [SI] of a quantity of the glossary with its unit. */
+export function sheet__named(name, value, system = "si") {
+  return sheet__quantity(value, term(name).dimension, system);
+}
+
+/** Whether an arc hands nothing over: its pulley is not driven. */
+export function rules__idle(arc) {
+  return numbers__idles(arc.entry_tension, arc.exit_tension);
+}
+
+/** Return a share as percent, `NONE` for nan. */
+export function sheet__percent(share, digits = 3) {
+  if (Number.isNaN(share)) {
+    return NONE;
+  }
+  if (Math.abs(share) < _NOTHING) {
+    return "0 %";
+  }
+  return "" + $text(display(100.0 * share, "number", undefined, digits)) + " %";
+}
+
+export function train_words___shares(case_, system) {
+  let pulls;
+  if ([...case_.members].some((m) => Number.isNaN(m.share))) {
+    pulls = [...case_.members]
+      .map(
+        (m) =>
+          "" +
+          $text(m.name) +
+          " " +
+          $text(sheet__named("effective_tension", m.arc.effective_tension, system)),
+      )
+      .join(", ");
+    return "" + "nothing is shared; the drives pull " + $text(pulls);
+  }
+  return [...case_.members]
+    .map((m) =>
+      rules__idle(m.arc.arc)
+        ? "" + $text(m.name) + " is not driven"
+        : "" + $text(m.name) + " carries " + $text(sheet__percent(m.share)),
+    )
+    .join(", ");
+}
+
+export function train_words___against(case_) {
+  return numbers__pull_against([...case_.members].map((m) => m.arc.effective_tension));
+}
+
+/** Whether drives work against each other. */
+export function train_words___fights(case_) {
+  return train_words___against(case_) > 0.0;
+}
+
+export function train_words___fight(case_, system) {
+  let forward = [...case_.members].filter((m) => m.arc.effective_tension > 0.0).map((m) => m.name);
+  let back = [...case_.members].filter((m) => m.arc.effective_tension < 0.0).map((m) => m.name);
+  let lost = train_words___against(case_);
+  let drive = forward.length === 1 ? "drives" : "drive";
+  let brake = back.length === 1 ? "brakes" : "brake";
+  return (
+    "" +
+    "The drives fight: " +
+    $text(forward.join(" and ")) +
+    " " +
+    $text(drive) +
+    " while " +
+    $text(back.join(" and ")) +
+    " " +
+    $text(brake) +
+    ", " +
+    $text(sheet__named("effective_tension", lost, system)) +
+    " of pull against each other."
+  );
+}
+
+/** Say whether the rule of the slightly faster second drive holds. */
+export function train_words___rule(ratio) {
+  let holds = ratio > 0.0 ? "holds" : "does not hold";
+  return "" + ", and the rule of the slightly faster second drive " + $text(holds);
+}
+
+/** Say which of the terms makes a drum faster or slower. */
+export function train_words___reason(m, ratio) {
+  let shorter = m.contraction_term + m.compression_term;
+  if (ratio > 0.0 && m.creep_term > 0.0 && shorter <= 0.0) {
+    return "its extra creep outweighs contraction and compression";
+  }
+  if (ratio <= 0.0 && 0.0 < m.creep_term && shorter < 0.0) {
+    return "contraction and compression outweigh its extra creep";
+  }
+  if (shorter < 0.0) {
+    return "contraction, compression and a smaller creep all ask for it";
+  }
+  return "the belt is as tight there as at the first drive, or tighter";
+}
+
+/** Say how fast a drum turns against the first one, and which term decides. */
+export function train_words___speed_sentence(case_, m) {
+  let first = case_.members[0].name;
+  let ratio = m.drum_ratio - 1.0;
+  let asked = case_.case.pulls_given;
+  let verb = asked ? "must turn" : "turns";
+  let way = ratio > 0.0 ? "faster" : "slower";
+  let terms =
+    "" +
+    "belt contraction " +
+    $told(100.0 * m.contraction_term, true, 3, "f") +
+    " %, lagging compression " +
+    $told(100.0 * m.compression_term, true, 3, "f") +
+    " %, extra creep " +
+    $told(100.0 * m.creep_term, true, 3, "f") +
+    " %";
+  if (Math.abs(ratio) < _AS_FAST) {
+    return (
+      "" +
+      "The drum of " +
+      $text(m.name) +
+      " " +
+      $text(verb) +
+      " as fast as that of " +
+      $text(first) +
+      ", at equal diameters: " +
+      $text(terms) +
+      "."
+    );
+  }
+  let rule = asked && m.creep_term > 0.0 ? train_words___rule(ratio) : "";
+  return (
+    "" +
+    "The drum of " +
+    $text(m.name) +
+    " " +
+    $text(verb) +
+    " " +
+    $told(Math.abs(100.0 * ratio), false, 3, "f") +
+    " % " +
+    $text(way) +
+    " than that of " +
+    $text(first) +
+    ", at equal diameters (" +
+    $text(terms) +
+    "): " +
+    $text(train_words___reason(m, ratio)) +
+    $text(rule) +
+    "."
+  );
+}
+
+/** Say how much load a trim moves. */
+export function* train_words___matching(case_) {
+  let how, i, m, needed, slope;
+  let own_way = case_.case.on_motors;
+  for (const each1 of $enumerate(case_.members)) {
+    [i, m] = each1;
+    slope = case_.share_per_trim(i);
+    if (i === 0 || slope === 0.0 || !Number.isFinite(slope)) {
+      continue;
+    }
+    needed = 100.0 * Math.abs(_TOLERATED / (slope * 1000.0));
+    how = own_way ? " with its motors as they are" : "";
+    yield "" +
+      "A trim of 0.1 % on " +
+      $text(m.name) +
+      " moves " +
+      $text(sheet__percent(Math.abs(slope), 2)) +
+      " of the load" +
+      $text(how) +
+      ": to keep its share within " +
+      $text(sheet__percent(_TOLERATED)) +
+      ", speeds and diameters must match within " +
+      $told(needed, false, 2, "g") +
+      " %.";
+  }
+}
+
+export function train_words___are(parts) {
+  return parts.length === 1 ? "is" : "are";
+}
+
+/** Say what is lost between the mains and the drums, and what the mains give. */
+export function* train_words___motor_losses(case_, system) {
+  let lost, mains, name, tail, values, what;
+  let points = [...case_.members].filter((m) => m.motor !== null).map((m) => m.motor);
+  let turned = $sum([...points].map((p) => Math.abs(p.motor_power)));
+  let parts = [];
+  for (const each1 of [
+    ["coupling_loss", "fluid couplings"],
+    ["gear_loss", "gears"],
+    ["motor_loss", "motors"],
+  ]) {
+    [name, what] = each1;
+    values = [...points].map((p) => p[name]);
+    lost = $sum([...values].filter((v) => !Number.isNaN(v)));
+    if (lost > 1e-9 * turned) {
+      parts.push("" + $text(sheet__named(name, lost, system)) + " in the " + $text(what));
+    }
+  }
+  if (parts.length === 0) {
+    return;
+  }
+  let electrical = $sum([...points].map((p) => p.electrical_power));
+  if (Number.isNaN(electrical)) {
+    tail = "; what the motors themselves lose is not told without their motor_efficiency";
+  } else {
+    mains = sheet__named("electrical_power", electrical, system);
+    tail = "" + "; the motors take " + $text(mains) + " from the mains";
+  }
+  yield "" +
+    "Between mains and drums " +
+    $text(parts.join(", ")) +
+    " " +
+    $text(train_words___are(parts)) +
+    " lost" +
+    $text(tail) +
+    ".";
+}
+
+/** Tell of the load case that governs: who carries what, how the drums turn, what is lost. */
+export function* train_words__case_sentences(case_, system) {
+  let listed, m;
+  yield "" +
+    "Load case " +
+    $text(case_.case.name) +
+    ": " +
+    $text(train_words___shares(case_, system)) +
+    ".";
+  if (case_.status !== SOLVED) {
+    return;
+  }
+  if (case_.other_splits.length > 0) {
+    listed = [...case_.other_splits]
+      .map((split) => [...split].map((s) => sheet__percent(s)).join(", "))
+      .join("; ");
+    yield "" +
+      "Friction falls with slip here: the same speeds are also met by the shares " +
+      $text(listed) +
+      ", which are unstable; the stable split is shown.";
+  }
+  if (train_words___fights(case_)) {
+    yield train_words___fight(case_, system);
+  }
+  if (case_.members.length > 1) {
+    for (const each1 of case_.members.slice(1)) {
+      m = each1;
+      yield train_words___speed_sentence(case_, m);
+    }
+    yield* train_words___matching(case_);
+  }
+  let loss = sheet__percent(case_.loss_ratio);
+  let power = Number.isNaN(case_.power_loss)
+    ? ""
+    : "" + " " + $text(sheet__named("power_loss", case_.power_loss, system)) + ",";
+  yield "" + "Creep costs" + $text(power) + " " + $text(loss) + " of the power.";
+  yield* train_words___motor_losses(case_, system);
+}
+
+/** Tell of another load case who carries what. */
+export function* train_words__short_sentences(case_, system) {
+  if (case_.status !== SOLVED) {
+    yield "" + "Load case " + $text(case_.case.name) + ": " + $text(case_.reason);
+    return;
+  }
+  let tail = train_words___fights(case_) ? ", the drives working against each other" : "";
+  yield "" +
+    "Load case " +
+    $text(case_.case.name) +
+    ": " +
+    $text(train_words___shares(case_, system)) +
+    $text(tail) +
+    ".";
+}
+
+export function train_sheet___shown(value, name, system, digits) {
+  return Number.isNaN(value) ? NONE : display(value, term(name).dimension, system, digits);
+}
+
+/** Return a small ratio as percent with its sign: ``-0.3121 %``. */
+export function train_sheet__signed(ratio) {
+  return Number.isNaN(ratio)
+    ? NONE
+    : ratio !== 0.0
+      ? "" + $told(100.0 * ratio, true, 4, "f") + " %"
+      : "0";
+}
+
+export function train_sheet___share(m) {
+  return rules__idle(m.arc.arc) && !Number.isNaN(m.share) ? "not driven" : sheet__percent(m.share);
+}
+
+/** Return the rise of tension before each pulley, where there is any. */
+export function train_sheet___run_rows(case_, system) {
+  if (case_.case.runs.length === 0) {
+    return [];
+  }
+  let entry = term("run");
+  let texts = [NONE, ...[...case_.case.runs].map((run) => sheet__named("run", run, system))];
+  return [new Row(entry.title, texts, entry.symbol, undefined, "run")];
+}
+
+/** Return what there is to tell between mains and drum: nothing that is the same or unknown. */
+export function train_sheet___motor_extras(points) {
+  let names = [];
+  if ([...points].some((p) => p.gear_speed !== p.motor_speed)) {
+    names.push("gear_speed");
+    names.push("coupling_loss");
+  }
+  if ([...points].some((p) => Math.abs(p.gear_loss) > _ROUNDING * Math.abs(p.motor_power))) {
+    names.push("gear_loss");
+  }
+  if (![...points].every((p) => Number.isNaN(p.electrical_power))) {
+    names.push("motor_loss");
+    names.push("electrical_power");
+  }
+  return names;
+}
+
+export function train_sheet___motor_rows(members, system) {
+  let points = [...members].filter((m) => m.motor !== null).map((m) => m.motor);
+  if (points.length === 0) {
+    return [];
+  }
+  const of = (name, show) => {
+    let texts = [...members].map((m) => (m.motor !== null ? show(m.motor[name]) : "follows"));
+    return new Row(term(name).title, [...texts], term(name).symbol, undefined, name);
+  };
+  const told = (name) => {
+    return of(name, (value) => sheet__named(name, value, system));
+  };
+  return [
+    of("motor_load", sheet__percent),
+    told("motor_power"),
+    told("motor_torque"),
+    of("motor_speed", (value) => display(value, "rotation_speed", system, GIVEN_DIGITS)),
+    ...[...train_sheet___motor_extras(points)].map((name) => told(name)),
+  ];
+}
+
+/** Return a trim as percent of nominal: ``99.655 %``. */
+export function train_sheet__trim_text(trim) {
+  return Number.isNaN(trim) ? NONE : "" + $told(100.0 * trim, false, 3, "f") + " %";
+}
+
+export function train_sheet___creep_row(case_, system) {
+  let creep, m, part;
+  let texts = [];
+  for (const each1 of case_.members) {
+    m = each1;
+    creep = m.arc.exit_creep;
+    part = sheet__percent(Math.abs(creep) / m.arc.arc.creep_limit, 2);
+    texts.push("" + $text(sheet__named("exit_creep", creep, system)) + " (" + $text(part) + ")");
+  }
+  let over = [...case_.members].some((m) => !m.arc.within_creep_limit);
+  let entry = term("exit_creep");
+  let level = over ? ATTENTION : null;
+  let note = "and as a part of the limit";
+  return new Row(entry.title, [...texts], entry.symbol, note, "exit_creep", level);
+}
+
+/** Return what creep costs; of a drum that is not driven nothing but rounding is left. */
+export function train_sheet___lost(m, system) {
+  let loss = m.arc.energy.power_loss;
+  return sheet__named(
+    "power_loss",
+    rules__idle(m.arc.arc) && !Number.isNaN(loss) ? 0.0 : loss,
+    system,
+  );
+}
+
+export function train_sheet___loss_note(case_, system) {
+  let ratio = "" + $text(sheet__percent(case_.loss_ratio)) + " of the power";
+  if (Number.isNaN(case_.power_loss)) {
+    return "" + "together " + $text(ratio);
+  }
+  return (
+    "" +
+    "together " +
+    $text(sheet__named("power_loss", case_.power_loss, system)) +
+    ", " +
+    $text(ratio)
+  );
+}
+
+export function train_sheet___sensitivity_row(case_) {
+  let texts = [...$range(case_.members.length)].map((i) =>
+    case_.sensitivity[i][i] !== 0.0 ? sheet__percent(case_.share_per_trim(i), 2) : NONE,
+  );
+  let entry = term("share_sensitivity");
+  return new Row(entry.title, [...texts], entry.symbol, "of the load", "share_sensitivity");
+}
+
+export function train_sheet___precision(case_) {
+  let miss = max(max(case_.tension_error, case_.speed_error), 1e-12);
+  return (
+    "" +
+    "Tensions, speeds and torques of the drives agree within " +
+    $told(miss, false, 0, "e") +
+    " of their size."
+  );
+}
+
+export function train_sheet___names(case_) {
+  return [...[...case_.members].map((m) => m.name)];
+}
+
+/** Return how the drives share one load case, and the speeds that go with it. */
+export function train_sheet__case_table(case_, system) {
+  let members = case_.members;
+  const row = (name, of, note) => {
+    return new Row(
+      term(name).title,
+      [...[...members].map((m) => of(m))],
+      term(name).symbol,
+      note,
+      name,
+    );
+  };
+  const told = (name, of) => {
+    return row(name, (m) => sheet__named(name, of(m), system), "");
+  };
+  const known = (name, of, digits) => {
+    return row(name, (m) => train_sheet___shown(of(m), name, system, digits), "");
+  };
+  const small = (name, of, note) => {
+    return row(name, (m) => train_sheet__signed(of(m)), note);
+  };
+  let rows = [
+    row("share", train_sheet___share, ""),
+    told("effective_tension", (m) => m.arc.effective_tension),
+    ...train_sheet___run_rows(case_, system),
+    told("entry_tension", (m) => m.arc.entry_tension),
+    told("exit_tension", (m) => m.arc.exit_tension),
+    known("drum_power", (m) => m.drum_power, RESULT_DIGITS),
+    known("drum_torque", (m) => m.drum_torque, RESULT_DIGITS),
+    ...train_sheet___motor_rows(members, system),
+    small("speed_ratio", (m) => m.speed_ratio - 1.0, "exactly"),
+    small("contraction_term", (m) => m.contraction_term, "to first order"),
+    small("creep_term", (m) => m.creep_term, "to first order"),
+    small("compression_term", (m) => m.compression_term, "to first order"),
+    small("drum_ratio", (m) => m.drum_ratio - 1.0, "exactly, for equal diameters"),
+    known("rotation_speed", (m) => m.rotation_speed, 6),
+    row(
+      "speed_trim",
+      (m) => train_sheet__trim_text(m.speed_trim),
+      "what a speed control is set to",
+    ),
+    train_sheet___creep_row(case_, system),
+  ];
+  if (![...members].every((m) => Number.isNaN(m.arc.capacities.creep_limit_margin))) {
+    rows.push(told("creep_limit_margin", (m) => m.arc.capacities.creep_limit_margin));
+  }
+  rows.push(
+    row("power_loss", (m) => train_sheet___lost(m, system), train_sheet___loss_note(case_, system)),
+  );
+  rows.push(train_sheet___sensitivity_row(case_));
+  let note = case_.status === SOLVED ? train_sheet___precision(case_) : case_.reason;
+  return new Table(
+    "" + "Drives: load case " + $text(case_.case.name),
+    [...rows],
+    train_sheet___names(case_),
+    note,
+  );
+}
+
+/** March one arc to its exit at an effort, interpreted (or in the page). */
+export function compiled__shoot_plainly(law, par, z, steps) {
+  return effort__shoot_from(law, par, z, steps, 0, zeros(0))[0];
+}
+
+/** Return a root between a and b, where f has different signs; see `rising_root`. */
+export function roots__bracketed_root(f, a, fa, b, fb, tolerance) {
+  let i, value, x;
+  let width = Math.abs(b - a);
+  let kept = 0;
+  for (let each1 = 0, end1 = 200; each1 < end1; each1++) {
+    i = each1;
+    x = (a * fb - b * fa) / (fb - fa);
+    if (modulo(i, 3) === 2) {
+      if (Math.abs(b - a) > 0.5 * width) {
+        x = 0.5 * (a + b);
+      }
+      width = Math.abs(b - a);
+    }
+    if (!(min(a, b) < x && x < max(a, b))) {
+      x = 0.5 * (a + b);
+    }
+    if (x === a || x === b) {
+      break;
+    }
+    value = f(x);
+    if (Math.abs(value) <= tolerance) {
+      return [x, value];
+    }
+    if (value < 0.0 === fa < 0.0) {
+      a = x;
+      fa = value;
+      fb *= kept === 1 ? 0.5 : 1.0;
+      kept = 1;
+    } else {
+      b = x;
+      fb = value;
+      fa *= kept === -1 ? 0.5 : 1.0;
+      kept = -1;
+    }
+  }
+  let at_a = f(a);
+  let at_b = f(b);
+  return Math.abs(at_a) <= Math.abs(at_b) ? [a, at_a] : [b, at_b];
+}
+
+/** Return x with |f(x)| <= tolerance, and f(x), of a function that rises through its root. */
+export function roots__rising_root(f, x, reach, low, high, tolerance, slope = 0.0) {
+  let b, fb;
+  x = min(max(x, low), high);
+  let value = f(x);
+  if (Math.abs(value) <= tolerance) {
+    return [x, value];
+  }
+  if (slope > 0.0) {
+    reach = min((1.1 * Math.abs(value)) / slope, 4.0 * reach);
+  }
+  let direction = value < 0.0 ? 1.0 : -1.0;
+  let end = direction > 0.0 ? high : low;
+  let a = x;
+  let fa = value;
+  while (true) {
+    if (a === end) {
+      return [a, fa];
+    }
+    b = direction > 0.0 ? min(a + reach, end) : max(a - reach, end);
+    fb = f(b);
+    if (Math.abs(fb) <= tolerance) {
+      return [b, fb];
+    }
+    if (fa * fb < 0.0) {
+      return roots__bracketed_root(f, a, fa, b, fb, tolerance);
+    }
+    [a, fa, reach] = [b, fb, 2.0 * reach];
+  }
+}
+
+export function newton___dot(one, other) {
+  return $sum([...$zip(one, other)].map(([a, b]) => a * b));
+}

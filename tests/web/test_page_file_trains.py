@@ -1,0 +1,127 @@
+"""Trains in the calculator of one file: the numbers and sentences of the program."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from cli.running import wraparc
+from web.browser import Visitor, browser
+from wraparc.train import solve_train
+from wraparc.train.file import train_from_text
+from wraparc.web.answers.trains import train_part
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FABRIC = (EXAMPLES / "tandem-fabric.toml").read_text("utf-8").partition("# The drives in time")[0]
+SHARES = 'share = ["50 %", "50 %"]       # or speeds = "equal", speeds = ["100 %", "99.7 %"], ...'
+assert SHARES in FABRIC
+
+
+def divided(by: str, more: str = "") -> str:
+    return FABRIC.replace(SHARES, by) + more
+
+
+TRAINS: dict[str, str] = {
+    "tandem": FABRIC,
+    "steel cord": (EXAMPLES / "tandem-steel-cord.toml").read_text("utf-8"),
+    "motors": (EXAMPLES / "triple-steel-cord.toml").read_text("utf-8"),
+    "equal speeds": divided('speeds = "equal"'),
+    "trims that fight": divided('speeds = ["100 %", "98.2 %"]'),
+    "drum speeds": divided('speeds = ["71.6 rpm", "71.4 rpm"]'),
+    "powers": divided('share = ["200 kW", "115 kW"]')
+    .replace('effective_tension = "105', '# "105')
+    .partition("# The tensions above")[0],
+    "runs": divided('share = [0.6, 0.4]\nrun.second = "2 kN"'),
+    "worn drum": divided('speeds = "equal"\ndiameters = ["800 mm", "797 mm"]'),
+    "breakaway": FABRIC.replace('exit_tension = "45 kN"', 'exit_tension = "2 kN"'),
+    "speeds break away": divided('speeds = ["100 %", "104 %"]').replace('"45 kN"', '"9 kN"'),
+    "take-up between": divided('share = ["50 %", "50 %"]', '[take_up]\nafter = "first"\n'),
+    "fixed take-up": divided('share = ["50 %", "50 %"]', '[take_up]\nkind = "fixed"\n'),
+    "wet and dry, with sag": divided(
+        'speeds = "equal"', '[sag]\nidler_spacing = "3 m"\nline_mass = "22 kg/m"\n'
+    ).replace("format = 1", 'format = 1\ncondition = ["dry", "wet"]'),
+    "braking": FABRIC.replace('"105 kN"', '"-80 kN"').replace('"40 kN"', '"-30 kN"')
+    .replace('exit_tension = "45 kN"', 'exit_tension = "150 kN"'),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def chrome() -> Iterator[Browser]:
+    with browser() as found:
+        yield found
+
+
+def answer_of(text: str) -> dict[str, Any]:
+    """What `wraparc solve` says of a train."""
+    result = solve_train(train_from_text(text), raise_on_failure=False)
+    found: dict[str, Any] = json.loads(train_part(result).model_dump_json())
+    return found
+
+
+def words(text: Any, system: str) -> str:
+    return str(text[system] if isinstance(text, dict) else text)
+
+
+def tables_of(page: Page) -> dict[str, list[list[str]]]:
+    """Tables of the page by title: the cells of every row."""
+    found: dict[str, list[list[str]]] = page.evaluate(
+        """() => Object.fromEntries([...document.querySelectorAll("#train .tables details")].map(
+          (d) => [
+            d.querySelector("summary").textContent.trim(),
+            [...d.querySelectorAll("tbody tr")].map((r) =>
+              [...r.cells].map((c) => c.textContent.trim())),
+          ]))"""
+    )
+    return found
+
+
+@pytest.mark.parametrize("name", TRAINS)
+def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, name: str) -> None:
+    file, html = tmp_path / "train.toml", tmp_path / "train.html"
+    file.write_text(TRAINS[name], "utf-8")
+    assert wraparc("page", str(file), "-o", str(html))[0] == 0
+    visitor = Visitor(chrome, html.as_uri(), offline=True)
+    page = visitor.page
+    page.goto(html.as_uri())
+    page.click("nav >> text=Train")
+    page.wait_for_selector("#train .tables details")
+    answer = answer_of(TRAINS[name])
+    for system in ("si", "us"):
+        page.get_by_label(system.upper(), exact=True).check(force=True)
+        assert_says(page, answer, system)
+    visitor.context.close()
+    assert (visitor.wrong, visitor.elsewhere) == ([], [])
+
+
+def assert_says(page: Page, answer: dict[str, Any], system: str) -> None:
+    verdict = answer["verdict"]
+    said = page.locator("#train .verdict .headline").first.inner_text()
+    assert said.partition(" ")[2].endswith(words(verdict["headline"], system))
+    sentences = page.locator("#train .verdict li").all_inner_texts()
+    assert sentences == [words(s, system) for s in verdict["sentences"]]
+    shown = tables_of(page)
+    for table in answer["tables"]:
+        title = words(table["title"], system)
+        if title.startswith(("Drives", "Checks", "Least")):
+            values = [row["values"][system] for row in table["rows"]]
+            cells = [row[-len(values[0]) - 1 : -1] for row in shown[title]]
+            assert cells == values, title
+
+
+def test_drive_page_shows_every_pulley(chrome: Browser, tmp_path: Path) -> None:
+    html = tmp_path / "train.html"
+    file = EXAMPLES / "tandem-fabric.toml"
+    assert wraparc("page", str(file), "-o", str(html))[0] == 0
+    told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
+    titles = [f"{arc['load_case']}: {arc['pulley']}" for arc in told["arcs"]]
+    visitor = Visitor(chrome, html.as_uri(), offline=True)
+    page = visitor.page
+    page.goto(html.as_uri())
+    page.wait_for_selector("html:not(.stale) #drive .t-capacity")
+    rows = page.locator("#drive .t-summary tbody tr").all_text_contents()
+    assert [row[: len(t)] for row, t in zip(rows, titles, strict=True)] == titles
+    visitor.context.close()
+    assert (visitor.wrong, visitor.elsewhere) == ([], [])
