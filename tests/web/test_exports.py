@@ -56,7 +56,8 @@ def test_results_and_profiles_are_the_files_of_the_command_line(
 ) -> None:
     # expected: what `wraparc solve --json --csv` writes of the drive file that the page downloads
     page = visitor.open("drive")
-    visitor.example(title)
+    if page.locator("#drive .pick h2").inner_text() != title:
+        visitor.example(title)
     expect(page.locator("#drive .pick h2")).to_have_text(title)
     page.get_by_label(units, exact=True).check(force=True)
     visitor.solved()

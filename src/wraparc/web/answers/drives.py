@@ -57,6 +57,7 @@ from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
+SYSTEMS: tuple[System, ...] = ("si", "us")
 TABLES = (
     "answer", "creep", "capacity", "margins", "comparison", "energy", "wear", "life", "inputs",
 )  # fmt: skip
@@ -139,6 +140,18 @@ class LeastTension(Answer):
     table: Table
 
 
+class Bar(Answer):
+    """A check as a bar against its limit; `share` is the value over the limit."""
+
+    title: str
+    level: Level
+    place: str
+    at_most: bool
+    share: float
+    found: Both
+    limit: Both
+
+
 class SolveAnswer(Answer):
     """A solved drive."""
 
@@ -153,6 +166,7 @@ class SolveAnswer(Answer):
     remarks: list[Both]
     conditions: Table | None
     checks: Table
+    bars: list[Bar]
     least_tension: LeastTension | None
     summary: Table | None
     sources: list[Source]
@@ -226,6 +240,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         remarks=_remarks(first),
         conditions=_conditions(first),
         checks=tables(lambda system: [check_table(judge(whole), system)], ["checks"])[0],
+        bars=_bars(whole),
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
         sources=sources,
@@ -246,6 +261,28 @@ def _conditions(result: DriveResult) -> Table | None:
     if not result.drive.conditions:
         return None
     return tables(lambda system: [conditions_table(result, system)], ["conditions"])[0]
+
+
+def _bars(result: DriveResult | TrainResult) -> list[Bar]:
+    """Return the checks that have a value and a limit, in the order of their table."""
+    made = []
+    for check in judge(result).listed:
+        share = check.value / check.limit if check.limit else math.nan
+        silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
+        if silent or check.name == "balance":  # of the program, not of the drive
+            continue
+        made.append(
+            Bar(
+                title=check.title,
+                level=check.level,
+                place=str(check.place),
+                at_most=check.at_most,
+                share=share,
+                found=Both.model_validate({s: check.texts(s)[0] for s in SYSTEMS}),
+                limit=Both.model_validate({s: check.bound(s) for s in SYSTEMS}),
+            )
+        )
+    return made
 
 
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:

@@ -210,12 +210,23 @@ export interface Input {
   most: number | string;
   open: boolean;
 }
+/** A check against its limit; share is its value over the limit. */
+export interface Bar {
+  title: string;
+  level: Level;
+  place: string;
+  at_most: boolean;
+  share: number;
+  found: Text;
+  limit: Text;
+}
 export interface FullAnswer {
   verdict: Verdict;
   governing: { pulley: string; load_case: string };
   arcs: FullArc[];
   conditions: Table | null;
   checks: Table;
+  bars: Bar[];
   least_tension: {
     shown: Text;
     sentence: Text;

@@ -8,7 +8,7 @@ import { leastTold, raiseTo } from "./least.js";
 import * as own from "./own.js";
 import { answer } from "./solving.js";
 import { firstAnswer, wholeOf } from "./whole.js";
-import { checkTable, verdictOf } from "./words.js";
+import { barsOf, checkTable, verdictOf } from "./words.js";
 
 export { confirmed } from "./own.js";
 
@@ -122,7 +122,7 @@ function told(of, full, judging) {
     return { .../** @type {any} */ (before), level, levels, short, raise_to, numbers: a.numbers };
   });
   const checks = checkTable(of, full.checks);
-  return { ...full, verdict, checks, arcs, least_tension };
+  return { ...full, verdict, checks, bars: barsOf(of), arcs, least_tension };
 }
 /** The page's judgement and the server's are one. @param {FullAnswer} full */
 export function compare(full) {

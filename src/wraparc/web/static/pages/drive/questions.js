@@ -6,6 +6,7 @@ import { seeking } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 
 export { raise, raiseAlone } from "./advice.js";
+export { bars } from "./bars.js";
 
 /** @import { Children } from "../../types.d.ts" */
 /** @typedef {{open: (at?: any) => void, panel: () => Children}} Question */

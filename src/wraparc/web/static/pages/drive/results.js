@@ -94,6 +94,7 @@ export class Results extends Component {
         "div",
         { class: "answer", hidden: !arc || (refused && foreign) },
         arc && top(arc),
+        beside?.bars((known() || answer.full)?.bars),
         beside?.questions(),
         this.body(arc),
       ),

@@ -3,7 +3,7 @@ import { app } from "../../base/design.js";
 import { digits, percent, unit } from "../../base/units.js";
 import { leastOf, leastTold, raiseTo } from "./least.js";
 import { filled } from "./wording.js";
-import { checkTable, quantity, verdictOf } from "./words.js";
+import { barsOf, checkTable, quantity, verdictOf } from "./words.js";
 
 /** @import { Book, FullAnswer, FullArc, Judging, QuickAnswer } from "../../types.d.ts" */
 /** @import { Table, TableRow } from "../../types.d.ts" */
@@ -159,6 +159,7 @@ export function wholeOf(judged, of, book) {
     arcs,
     conditions: null,
     checks: checkTable(judged, heads.checks),
+    bars: barsOf(judged),
     least_tension,
     summary: summaryOf(judged, of),
     sources: (of.kinds ?? []).map((kind) => ({ kind })),

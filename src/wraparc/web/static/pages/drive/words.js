@@ -142,6 +142,17 @@ function row(c) {
   const { name, title, place, level } = c;
   return { name, title, symbol: "", values: { si: cells, us: cells }, note: place, level };
 }
+/** The checks of the drive that have a value and a limit, as bars. @param {Judged} judged
+ * @returns {import("../../types.d.ts").Bar[]} */
+export const barsOf = ({ checks }) =>
+  listed(checks)
+    .filter((c) => c.level !== NOT_CHECKED && c.name !== "balance")
+    .filter((c) => Number.isFinite(c.value / c.limit))
+    .map((c) => {
+      const { title, level, place, at_most } = c;
+      const [found, limit] = [texts(c)[0], bound(c)];
+      return { title, level, place, at_most, share: c.value / c.limit, found, limit };
+    });
 /** The checks as a table, in the place of one of the server.
  * @param {Judged} judged @param {Table} before @returns {Table} */
 export function checkTable({ checks }, before) {

@@ -3,6 +3,7 @@ import { app, redraw } from "../../base/design.js";
 import { act, ask, note, save } from "../../base/server.js";
 import { scroll } from "../../parts/answers.js";
 import { choose } from "../../parts/choose.js";
+import { spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 import { asFile, axis, DISTRIBUTIONS, fields, KINDS, plan, scaled } from "./plan.js";
 
@@ -124,6 +125,22 @@ function numbersOf(a) {
     ["count", "values", 4],
   ];
 }
+/** Words of fields that no form has. @type {Record<string, string>} */
+const WORDS = {
+  friction_factor: "Friction factor of the lagging",
+  slip_factor: "Slip factor of the lagging",
+  "belt.preset": "Belt of the catalogue",
+};
+/** A field in words; its path where there are none. @param {string} field */
+function fieldName(field) {
+  const [first, name, ...rest] = field.split(".");
+  const key = rest[rest.length - 1] ?? name;
+  if (WORDS[field] || WORDS[key]) return WORDS[field] || WORDS[key];
+  const sections = first === "belt" ? ["belt"] : ["lagging", "tensions", "pulley"];
+  const known = first === "belt" || first === "pulley";
+  const found = known && sections.map((s) => spec(s, key)).find((s) => s.title !== key);
+  return found ? `${found.title}${app.doc.pulley.length > 1 ? `, ${name}` : ""}` : field;
+}
 /** @param {Axis} a @param {number} i @param {string[]} names */
 function axisRow(a, i, names) {
   const axes = plan.axes || [];
@@ -148,7 +165,7 @@ function axisRow(a, i, names) {
         "What is varied",
         pick(
           a.field,
-          possible.map((n) => [n, n]),
+          possible.map((n) => [n, fieldName(n)]),
           vary,
         ),
       ),
@@ -177,7 +194,11 @@ function axisRow(a, i, names) {
     h(
       "td",
       {},
-      h("button", { type: "button", "aria-label": `Take out ${a.field}`, onClick: remove }, "✕"),
+      h(
+        "button",
+        { type: "button", "aria-label": `Take out ${fieldName(a.field)}`, onClick: remove },
+        "✕",
+      ),
     ),
   );
 }
