@@ -13,7 +13,7 @@ from wraparc.batch.native import available, pays
 from wraparc.batch.precise import FEW, solve_precisely
 from wraparc.batch.sixth import carry_in_sixth, solve_in_sixth
 
-BESIDE = 0.02  # of ln tension, from pull to pull
+BESIDE = 0.02  # of ln tension, from pull to pull, and as `arc.kernel.least_slack` has it
 
 
 def solve_from_lanes(arcs: Arcs, parts: int = row.EVERYTHING, of: int | None = None) -> Array:
@@ -63,6 +63,10 @@ def carry(batch: LaneBatch, found: Array, left: Integers) -> None:
         if what not in batch.begun:
             continue
         carried = carry_in_sixth(arcs, laws, what, batch.begun[what])
+        past = np.flatnonzero(batch.softens & np.isnan(carried[:, 0]))
+        if len(past):
+            begun = batch.begun[what][past]
+            carried[past] = carry_in_sixth(arcs.rows(past), laws, what, begun, cut=True)
         value, plateau = carried[:, 0], carried[:, 1]
         if what == LEAST:
             value = np.where(value <= batch.top, value - batch.pull, np.nan)
@@ -97,14 +101,16 @@ def find_most(batch: LaneBatch, found: Array, left: Integers) -> None:
         carried = carry_in_sixth(batch.arcs.rows(rows), batch.laws, CREEP, begun)
         return (-tension * np.expm1(-carried[:, 0])).reshape(len(log_tensions), -1)
 
-    inside = at < high - BESIDE
-    middle, good = np.where(inside, at, high), inside | (at >= high)
+    middle, good = at, np.ones(len(which), dtype=bool)
     for _ in range(2 if len(which) else 0):
-        before, here, after = pulls(middle - BESIDE, middle, middle + BESIDE * inside)
+        # the three keep to below the highest tension, on whichever side of them the top is
+        centre = np.minimum(middle, high - BESIDE)
+        before, here, after = pulls(centre - BESIDE, centre, centre + BESIDE)
         bend = before - 2.0 * here + after
-        move = np.where(inside, 0.5 * (before - after) / bend, 0.0)
-        good &= np.where(inside, (bend < 0.0) & (np.abs(move) < 2.0), before <= here)
-        middle = np.minimum(middle + np.where(good, move, 0.0) * BESIDE, high)
+        move = 0.5 * (before - after) / bend
+        ends = (centre >= high - BESIDE) & (here <= after)  # as the scalar kernel decides
+        good &= ends | ((bend < 0.0) & (np.abs(move) < 2.0))
+        middle = np.where(ends, high, np.minimum(centre + np.where(good, move, 0.0) * BESIDE, high))
     (most,) = pulls(middle)
     good &= most < batch.pull[which]
     found[which[good], row.MOST_PULL] = most[good]

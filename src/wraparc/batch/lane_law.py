@@ -22,7 +22,7 @@ BUCKETS = 128
 #: numbers of a cell: where it begins and ends, and cubics: of peak slip and peak friction, of the
 #: slope past the peak and the residual friction
 CELL = 18
-SLOPE_CUBIC, RESIDUAL_CUBIC = 10, 14  # where they begin
+FRICTION_CUBIC, SLOPE_CUBIC, RESIDUAL_CUBIC = 6, 10, 14  # where they begin
 FIRST_CELL = HEAD + BUCKETS
 SAMPLED_WITHIN = 1e-6  # relative error allowed in sampling trend lines
 MOST_CELLS = 64  # of a piece of a law by trend lines

@@ -230,4 +230,25 @@ SIXTH_SLOTS = GROSS_SLOTS + 48
     U_COARSEST,  # the same by a third of the steps, and its change by all steps
     CHANGE_FIRST,
 ) = range(SIXTH_SLOTS, SIXTH_SLOTS + 49)
-SLOTS = SIXTH_SLOTS + 49
+CREEP_SLOTS = SIXTH_SLOTS + 49
+
+# the kernel's march with its steps cut, see `lane_cut`
+(
+    BRANCH,  # of the law: 0 the rise, 1 the line past the peak, 2 the residual
+    NEXT_BRANCH,  # that a step comes to
+    FRESH,  # 1 where a step of the mesh begins, 0 within one
+    CUTTING,  # 0 no cut, 1 at a branch, 2 at the exit nip
+    LOW_PART,  # of a step, what the cut lies between, and how far the state is beyond it there
+    HIGH_PART,
+    LOW_GAP,
+    HIGH_GAP,
+    MESH_END,  # Q where the step of the mesh ends
+    ETA_END,
+    GRADED_STEP,
+    CUT_END,  # Q where what is cut would end
+    LEAST_SLIP,  # that a march may come to [m]
+    FINISHED,  # 1 at the exit nip, 2 where the march does not apply
+    TRACTION,  # at the end of a step [Pa]
+    SUM_S_AT,
+) = range(CREEP_SLOTS, CREEP_SLOTS + 16)
+SLOTS = CREEP_SLOTS + 16

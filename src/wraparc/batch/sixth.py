@@ -18,12 +18,13 @@ from wraparc.arc.kernel.quantities import RECORD, Buffer, parameters_at, zeros
 from wraparc.arc.kernel.search import LARGEST_LOG, TOLERANCE
 from wraparc.arc.kernel.tension_table import FIRST
 from wraparc.batch.arcs import Arcs, Array
-from wraparc.batch.elementwise import LANES, Lanes, lanes, memory
+from wraparc.batch.elementwise import LANES, Lanes, Table, lanes, memory
+from wraparc.batch.lane_cut import CUT_NODES, march_cut
 from wraparc.batch.lane_kernel import LEAST, SLIP
 from wraparc.batch.lane_law import LaneLaws
+from wraparc.batch.lane_march import Falls
 from wraparc.batch.lane_sixth import (
     MOST_SIXTH,
-    SIXTH_STEP,
     SIXTH_TRACE,
     land,
     lay_steps,
@@ -50,13 +51,13 @@ from wraparc.batch.precise import POINTS, STEPS
 from wraparc.batch.row import FOUND_NUMBERS, geometry_of, load_of
 from wraparc.batch.sixth_begin import set_out, set_tension, sort_by_size, take
 from wraparc.batch.sixth_read import tell
-from wraparc.batch.sixth_search import correct, correct_both, miss_arc, miss_goal
+from wraparc.batch.sixth_search import correct, correct_both, miss_arc, miss_cut, miss_goal
 from wraparc.friction.compact import KNOTS, CompactLaw
 
 Flags = NDArray[np.bool_]
 
 ROUNDS = 9  # of a search: 3 or 4 are usual, of two unknowns 5 or 6
-NODES = SIXTH_STEP * (MOST_SIXTH + 1)
+NODES = CUT_NODES
 TRACES = SIXTH_TRACE * (MOST_SIXTH + 1)
 BEYOND, BEYOND_LOG = 1.02, 0.02  # what has been found, that a mesh is laid to
 
@@ -80,19 +81,23 @@ def solve_in_sixth(arcs: Arcs, laws: LaneLaws, begun: Array, found: Array) -> Fl
     return done
 
 
-def carry_in_sixth(arcs: Arcs, laws: LaneLaws, what: int, begun: Array) -> Array:
+def carry_in_sixth(
+    arcs: Arcs, laws: LaneLaws, what: int, begun: Array, *, cut: bool = False
+) -> Array:
     """ln(T1/T2) carried at the creep limit (CREEP) or at the largest tested slip (SLIP).
 
     With LEAST the entry tension at which the pull is carried at the creep limit [N]. From what has
     been found of it, shape (n,); nan where the lanes do not find it. The second column is the
-    largest ln(T1/T2) with the friction of the plateau all along.
+    largest ln(T1/T2) with the friction of the plateau all along. With `cut` also past the peak of
+    friction.
     """
     out = np.full((len(arcs), 2), np.nan)
     which = np.flatnonzero(np.isfinite(begun[:, 0]) & (arcs.laws.kind[arcs.law] == KNOTS))
     if len(which):
         found = np.full((len(which), 2), np.nan)
         given = given_of(arcs.rows(which), laws, begun[which])
-        compiled(carried_rows, contract=True)(*given, STEPS, what, found)
+        entry = compiled(cut_rows if cut else carried_rows, contract=True)
+        entry(*given, STEPS, what, found)
         out[which] = found
     return out
 
@@ -171,6 +176,51 @@ def carried_rows(
     """Find capacities, see `carry_in_sixth`; compiled only."""
     w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
     laws, table = memory(laws_, "tables"), memory(table_, "table")
+    carry_rows(
+        given, bank, which, laws, rows, begun, w, nodes, trace, table, mesh, what, None, found
+    )
+
+
+def cut_rows(
+    given: Any,
+    bank: Any,
+    which: Any,
+    laws_: Any,
+    rows: Any,
+    begun: Any,
+    w_: Any,
+    nodes_: Any,
+    trace_: Any,
+    table_: Any,
+    mesh: int,
+    what: int,
+    found: Any,
+) -> None:
+    """The same past the peak of friction. An entry of its own, as few laws ask for it."""
+    w, nodes, trace = memory(w_, "w"), memory(nodes_, "nodes"), memory(trace_, "trace")
+    laws, table = memory(laws_, "tables"), memory(table_, "table")
+    carry_rows(
+        given, bank, which, laws, rows, begun, w, nodes, trace, table, mesh, what, 1.0, found
+    )
+
+
+def carry_rows(
+    given: Any,
+    bank: Any,
+    which: Any,
+    laws: Table,
+    rows: Any,
+    begun: Any,
+    w: Lanes,
+    nodes: Lanes,
+    trace: Lanes,
+    table: Any,
+    mesh: int,
+    what: int,
+    cut: Falls,
+    found: Any,
+) -> None:
+    """Both; `cut` is None where steps are not cut."""
     n, count = lanes(), len(rows)
     fine, order = zeros(count), zeros(count)
     sort_by_size(given, bank, which, begun, mesh, fine, order)
@@ -184,9 +234,7 @@ def carried_rows(
             for i in range(n):
                 j = int(order[min(first + i, count - 1)])
                 set_out(law_of(bank, which[j]), given[j], nodes, w, i, table)
-            march(w, nodes, trace, steps)
-            land(w, laws, nodes, trace)
-            miss_goal(w, nodes, 1.0 if what == SLIP else 0.0)
+            march_to_exit(w, laws, nodes, trace, steps, 1.0 if what == SLIP else 0.0, cut)
             if what != LEAST:
                 if not correct(w):
                     break
@@ -200,6 +248,19 @@ def carried_rows(
         for i in range(min(n, count - first)):
             j = int(order[first + i])
             accept(law_of(bank, which[j]), given[j], fine[j], mesh, what, w, i, found[j])
+
+
+def march_to_exit(
+    w: Lanes, laws: Table, nodes: Lanes, trace: Lanes, steps: int, of_slip: float, cut: Falls
+) -> None:
+    """A try of every lane, and what it misses."""
+    if cut is None:
+        march(w, nodes, trace, steps)
+        land(w, laws, nodes, trace)
+        miss_goal(w, nodes, of_slip)
+    else:
+        march_cut(w, laws, nodes)
+        miss_cut(w, of_slip)
 
 
 def aim(given: Buffer, begun: Buffer, what: int, w: Lanes, i: int) -> None:

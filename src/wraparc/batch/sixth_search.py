@@ -19,6 +19,7 @@ from wraparc.batch.elementwise import (
 from wraparc.batch.lane_sixth import MOST_SIXTH, PLACE, SIXTH_STEP
 from wraparc.batch.lane_slots import (
     END_AT,
+    FINISHED,
     G_AT_FIRST,
     GOAL,
     J_11,
@@ -39,6 +40,7 @@ from wraparc.batch.lane_slots import (
     SMALLEST,
     STEEPEST,
     SUM_AT_FIRST,
+    TRACTION,
     Z_LAST,
     G,
     S,
@@ -70,6 +72,18 @@ def miss_goal(w: Lanes, nodes: Lanes, of_slip: float) -> None:
         value = x + (1.0 - of_slip) * w[SHEAR, i] * form * nodes[o + 6, i]
         w[STEEPEST, i] = upper(w[STEEPEST, i], r)
         w[MISS, i] = value / w[GOAL, i] - 1.0
+        pull = full_ex(w[LOG_TENSION, i]) * (1.0 - full_ex(-w[END_AT, i]))
+        w[MISS_2, i] = full_ln(upper(pull, SMALLEST) / w[PULL, i])
+
+
+def miss_cut(w: Lanes, of_slip: float) -> None:
+    """`miss_goal` after a march whose steps are cut."""
+    n = lanes()
+    for i in range(n):
+        value = w[X, i] + (1.0 - of_slip) * w[SHEAR, i] * w[TRACTION, i]
+        met = (w[FINISHED, i] > 0.5) & (w[FINISHED, i] < 1.5)
+        w[STEEPEST, i] = 0.0  # no peak is too steep
+        w[MISS, i] = select(met, value / w[GOAL, i] - 1.0, 2.0 * FAR)
         pull = full_ex(w[LOG_TENSION, i]) * (1.0 - full_ex(-w[END_AT, i]))
         w[MISS_2, i] = full_ln(upper(pull, SMALLEST) / w[PULL, i])
 
