@@ -437,3 +437,25 @@ def test_what_a_drive_is_held_against_is_typed_cleared_renamed_and_undone(
     assert "sag" not in kept(page)
     page.keyboard.press("Control+z")
     expect(page.locator("#results")).to_contain_text("at the take-up behind pulley head")
+
+
+def test_what_is_unfolded_stays_so_while_its_fields_change(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    for name in ("More of the pulley", "Lagging in detail"):
+        page.locator("summary", has_text=name).first.click()
+    changes = (
+        ("#f-pulley-0-name", "tail"),
+        ("#f-pulley-0-lagging-thickness", "15"),
+        ("#f-pulley-0-lagging-thickness", ""),
+    )
+    for field, text in changes:
+        page.fill(field, text)
+        page.press(field, "Tab")
+        expect(page.locator("#f-pulley-0-overrun")).to_be_visible()
+        expect(page.locator("#f-pulley-0-lagging-thickness")).to_be_visible()
+    # what the hand folds stays folded
+    page.locator("summary", has_text="Lagging in detail").first.click()
+    page.fill("#f-pulley-0-name", "head")
+    page.press("#f-pulley-0-name", "Tab")
+    expect(page.locator("legend", has_text="Pulley head")).to_be_visible()
+    expect(page.locator("#f-pulley-0-lagging-thickness")).to_be_hidden()

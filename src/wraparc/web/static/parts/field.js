@@ -339,7 +339,13 @@ function optionsOf({ group, choices }) {
 }
 /** @param {FieldProps} props */
 export const field = (props) => h(Field, { key: keyOf(props.path), ...props });
-/** Fields that are folded away until they are asked for.
+/** Fields that are folded away until they are asked for, or something stands in them.
  * @param {string} name @param {Children[]} rows @param {boolean} [open] @param {string} [key] */
-export const more = (name, rows, open, key = name) =>
-  rows.length > 0 && h("details", { class: "more", open, key }, h("summary", {}, name), rows);
+export const more = (name, rows, open, key = name) => {
+  /** Opened once: what the hand folds or unfolds after that stays. @param {any} box */
+  const ref = (box) => {
+    if (!box || !open || box.dataset.opened) return;
+    box.dataset.opened = box.open = true;
+  };
+  return rows.length > 0 && h("details", { class: "more", ref, key }, h("summary", {}, name), rows);
+};

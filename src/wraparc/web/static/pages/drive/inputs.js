@@ -25,7 +25,7 @@ const PAIRS = [
 /** @param {string} key */
 const tensionSpec = (key) => spec("tensions", key);
 /** @param {string} title @param {Children[]} rows */
-const group = (title, rows) => h("fieldset", { key: title }, h("legend", {}, title), rows);
+const group = (title, rows, key = title) => h("fieldset", { key }, h("legend", {}, title), rows);
 /** @typedef {() => Record<string, number> | null} Now numbers of the last answer for this pulley */
 
 /** The load of a pulley: of the conveyor, of the train, or as given. @param {number} i
@@ -375,7 +375,7 @@ export function inputs(now) {
     },
     fromExample(),
     group("Load", loadOf(i, now)),
-    group(`Pulley ${name}`, pulley(i)),
+    group(`Pulley ${name}`, pulley(i), "pulley"),
     group("Lagging", lagging(i)),
     group("Belt", belt()),
     group("Load cases", cases()),
