@@ -29,7 +29,14 @@ from wraparc.web.answers.shown import Answer, Data
 _IN_GLOSSARY = {"width": "belt_width", "modulus": "belt_modulus", "speed": "belt_speed"}
 _IN_LAGGING = {"thickness": "lagging_thickness"}
 #: Keys of a lagging that a form has a field for; the others come with the lagging.
-_OF_LAGGING = ("thickness", "shear_modulus", "compression_modulus", "elastic_modulus")
+_OF_LAGGING = (
+    "thickness",
+    "shear_modulus",
+    "compression_modulus",
+    "elastic_modulus",
+    "bond_strength",
+    "fatigue_limit",
+)
 _ADVANCED = {
     "sources", "provenance", "kind", "least_pulley_diameter", "rating", "condition", "overrun",
     "momentary_factor", "largest_wrap_pressure", "bond_strength", "fatigue_limit",

@@ -122,6 +122,11 @@ export const putLagging = (i, name) =>
     ),
   );
 
+/** Numbers of a lagging that a design may give in place of the catalogue's. */
+const PARTS = ["thickness", "shear_modulus", "compression_modulus"].concat([
+  "bond_strength",
+  "fatigue_limit",
+]);
 /** @param {number} i */
 function lagging(i) {
   /** @type {Path} */
@@ -129,9 +134,7 @@ function lagging(i) {
   const now = laggingName(get(app.doc, at));
   const known = app.catalogue.laggings.find((x) => x.name === now);
   const conditions = known?.conditions || Object.keys(app.doc.lagging?.[now]?.condition || {});
-  const parts = ["thickness", "shear_modulus", "compression_modulus"].map((key) =>
-    laggingPart(at, key, known?.[key]?.[app.units]),
-  );
+  const parts = PARTS.map((key) => laggingPart(at, key, known?.[key]?.[app.units]));
   const whole = field({
     spec: spec("pulley", "lagging"),
     path: at,
