@@ -100,6 +100,18 @@ def test_what_is_expected_on_site_is_that_of_the_command(api: TestClient) -> Non
         ("what-if", {"worn": ["thin"]}, "worn"),
         ("what-if", {"wet": "CEMA 9"}, "condition.wet"),
         ("what-if", {"laggings": ["../secret.toml"]}, "lagging"),
+        ("choose", {"laggings": ["../secret.toml"]}, "candidates.laggings[1]"),
+        ("choose", {"belts": ["rope"]}, "candidates.belts[1]"),
+        ("choose", {"diameters": ["-1 m"]}, "candidates.diameters[1]"),
+        (
+            "choose",
+            {
+                "diameters": ["1 m"] * 50,
+                "wrap_angles": ["180 deg"] * 50,
+                "thicknesses": ["10 mm"] * 9,
+            },
+            "candidates",
+        ),
         ("field", {"measured_wear": "1 mm"}, "wear_hours"),
         ("field", {"depth": "0 mm"}, "depth"),
     ],
@@ -110,6 +122,61 @@ def test_what_cannot_be_asked_is_refused_in_its_place(
     answer = api.post(f"{API}/{path}", json={"document": document(), **asked})
     assert answer.status_code == 422, answer.text
     assert answer.json()["problems"][0]["path"] == key
+
+
+def test_choice_is_that_of_the_command(api: TestClient, tmp_path: Path) -> None:
+    # expected: everything that `wraparc choose` prints of the same candidates
+    (tmp_path / "drive.toml").write_text(Path(HEAD).read_text("utf-8"), "utf-8")
+    (tmp_path / "choose.toml").write_text(
+        """
+        format = 1
+        drive = "drive.toml"
+        [candidates]
+        laggings = ["diamond-rubber", "full-ceramic"]
+        thicknesses = ["10 mm", "15 mm"]
+        wrap_angles = ["180 deg", "210 deg"]
+        slack_tensions = "least"
+        [cost]
+        currency = "AUD"
+        years = 8
+        tariff = 0.2
+        hours.design = 5000
+        """,
+        "utf-8",
+    )
+    asked = {
+        "laggings": ["diamond-rubber", "full-ceramic"],
+        "thicknesses": ["10 mm", "15 mm"],
+        "wrap_angles": ["180 deg", "210 deg"],
+        "least_slack": True,
+        "years": 8,
+        "tariff": 0.2,
+        "hours": {"design": 5000},
+    }
+    answer = api.post(f"{API}/choose", json={"document": document(), **asked})
+    assert answer.status_code == 200, answer.text
+    out = printed("choose", str(tmp_path / "choose.toml"))
+    texts = told(answer.json())
+    assert len(texts) > 40
+    assert [text for text in texts if text not in out] == []
+
+
+def test_a_choice_is_made_on_the_page(visitor: Visitor) -> None:
+    # expected: at the same cost and creep the longer wrap, which needs less T2, comes first
+    page = visitor.open("drive")
+    visitor.solved()
+    page.get_by_role("button", name="Which design costs least").click()
+    card = page.locator(".choosing")
+    card.get_by_label("Medium ceramic").uncheck()
+    card.get_by_label("Wrap angles").fill("180; 210 deg")
+    card.get_by_role("button", name="Show").click()
+    rows = card.locator("table").first.locator("tbody th")
+    expect(rows).to_have_text(["full-ceramic, wrap 210 deg", "full-ceramic, wrap 180 deg"])
+    expect(card.locator(".headline")).to_contain_text("Choose full-ceramic, wrap 210 deg")
+    assert violations(page) == []
+    card.get_by_label("Wrap angles").fill("flat")
+    card.get_by_role("button", name="Show").click()
+    expect(card).to_contain_text('candidates.wrap_angles[1] = "flat"')
 
 
 def cells(card: Locator) -> list[str]:

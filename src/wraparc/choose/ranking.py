@@ -11,6 +11,8 @@ from wraparc.drive import Lagging
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
+#: Relative difference of costs or creeps that tells no design from another.
+SAME = 1e-5
 
 
 def front(ranking: Integers, cost: Array, other: Array) -> Integers:
@@ -19,7 +21,7 @@ def front(ranking: Integers, cost: Array, other: Array) -> Integers:
         return ranking
     values = other[ranking]
     best_before = np.concatenate([[np.inf], np.minimum.accumulate(values)[:-1]])
-    return ranking[values < best_before * (1.0 - 1e-12)]
+    return ranking[values < best_before * (1.0 - SAME)]
 
 
 def next_dearer(search: Search, grid: Grid, ranking: Integers) -> int | None:
@@ -46,10 +48,20 @@ def named(
 
 
 def ordered(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) -> Integers:
-    """Return the good designs, cheapest first; then by creep, slack tension and order."""
+    """Return the good designs, cheapest first; then by creep, slack tension and order.
+
+    Costs and creeps that differ by less than `SAME` of the largest are alike: designs that were
+    all given the least slack tension creep as much as is allowed, but for rounding.
+    """
     designs = np.flatnonzero(good)
-    order = np.lexsort((designs, slack[designs], creep[designs], cost[designs]))
+    order = np.lexsort((designs, slack[designs], _alike(creep[designs]), _alike(cost[designs])))
     return designs[order].astype(np.int64)
+
+
+def _alike(values: Array) -> Array:
+    """Return values rounded to `SAME` of the largest."""
+    unit = SAME * np.max(np.abs(values), initial=0.0)
+    return np.round(values / unit) if unit > 0.0 else values
 
 
 def _rate(search: Search, lagging: Lagging) -> float:

@@ -149,7 +149,11 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
     if is_uneven(selection.search):
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
         note += ", - where not solved across the width" if len(selection.unjudged) else ""
-    note += f"; {more} more feasible designs, see --csv" if more > 0 else ""
+    note += (
+        f"; {more} more feasible designs, all of them in the CSV of wraparc choose"
+        if more > 0
+        else ""
+    )
     return Table(
         "Designs that keep every limit, cheapest first",
         tuple(rows),
@@ -171,8 +175,15 @@ def _rejected(selection: Selection, system: System, most: int) -> Table:
             for name, held in selection.held.items()
             if held.broken.any()
         ]
-        return Table("Why designs were rejected", tuple(rows), note="each with its reasons: --csv")
-    rows = [Row(design_name(selection, i, system), (reasons(selection, i, system),)) for i in bad]
+        return Table(
+            "Why designs were rejected",
+            tuple(rows),
+            note="each with its reasons in the CSV of wraparc choose",
+        )
+    rows = [
+        Row(design_name(selection, i, system), ("",), note=reasons(selection, i, system))
+        for i in bad
+    ]
     return Table("Rejected, with every limit broken", tuple(rows))
 
 

@@ -137,7 +137,7 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     share = "" if not rating else f", {percent(tight / width / rating, 3)} of the belt's rating"
     yield (
         f"The largest tension goes from {per_width[0]} to {per_width[1]}{share}: what a belt must "
-        "be rated for; --lightest-belt looks for one."
+        "be rated for; wraparc choose --lightest-belt looks for one."
     )
 
 

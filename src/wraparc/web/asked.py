@@ -157,6 +157,27 @@ class WhatIfRequest(Request):
     bare: Short = Field("", description='"CEMA" or "DIN 22101".')
 
 
+class ChooseRequest(Request):
+    """Candidates for one pulley, every combination of them, and what they cost.
+
+    What has no candidates stays as the drive has it; laggings and belts are those of the catalogue.
+    """
+
+    document: Document
+    pulley: Line | None = None
+    laggings: list[Line] = Field([], max_length=50)
+    belts: list[Line] = Field([], max_length=60)
+    thicknesses: list[Short] = Field([], max_length=50)
+    diameters: list[Short] = Field([], max_length=50)
+    wrap_angles: list[Short] = Field([], max_length=50)
+    slack_tensions: list[Short] = Field([], max_length=200)
+    least_slack: bool = Field(False, description="Each design with the least T2 that does.")
+    currency: Line = "AUD"
+    years: float = Field(10.0, gt=0.0, le=100.0)
+    tariff: float | None = Field(None, ge=0.0, le=1e6)
+    hours: dict[Line, float] = Field({}, max_length=50, description="Of a year, by load case.")
+
+
 class OnSiteRequest(Request):
     """What is known of the site."""
 

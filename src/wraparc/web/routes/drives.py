@@ -9,6 +9,7 @@ from wraparc.web.answers import (
     across,
     book,
     catalogue,
+    choosing,
     compare,
     documents,
     drives,
@@ -118,6 +119,7 @@ offer(api, "/compare", compare.compare)
 offer(api, "/seek", seek.seek_value)
 offer(api, "/what-if", questions.changed)
 offer(api, "/field", questions.expected)
+offer(api, "/choose", choosing.chosen, long=lambda asked: True)
 offer(api, "/train", trains.train, long=lambda asked: asked.match)
 offer(api, "/across", across.solve_width)
 offer(api, "/across/wear", across.wear_width, long=lambda asked: True)

@@ -15,6 +15,7 @@ export { bars } from "./bars.js";
 const QUESTIONS = {
   "Which input gives …?": () => import("./seek.js"),
   "What if … wet, worn, bare?": () => import("./what_if.js"),
+  "Which design costs least?": () => import("./choosing.js"),
   "On site: what to measure, when to alarm": () => import("./site.js"),
 };
 /** @type {Question[]} */
