@@ -17,6 +17,7 @@ from javascript.translate import Module, translated
 from wraparc.arc import profile
 from wraparc.arc.kernel import answer
 from wraparc.checks import numbers
+from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression
 from wraparc.present import train_sheet, train_words
 from wraparc.present.sheet import term
@@ -32,7 +33,7 @@ from wraparc.train import (
 )
 from wraparc.train.system import System
 from wraparc.units import display
-from wraparc.web import in_page, in_page_train, pulls
+from wraparc.web import in_page, in_page_conveyor, in_page_train, pulls
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
@@ -80,6 +81,14 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     turning.surface_of_first,
     in_page_train.divided,
     in_page_train.told,
+    conveyor.choices,
+    conveyor.Conveyor,
+    in_page_conveyor.misfits,
+    in_page_conveyor.states,
+    in_page_conveyor.unfit,
+    belt_path.turned_by,
+    belt_path.overlaps,
+    belt_path.Point,
     train_words.case_sentences,
     train_words.short_sentences,
     train_sheet.case_table,

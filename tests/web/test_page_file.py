@@ -70,6 +70,14 @@ DRIVES: dict[str, tuple[str, str]] = {
     ),
 }
 DRIVES["own lagging, dusty"] = OWN, "ATTENTION"
+UPHILL = (EXAMPLES / "uphill-conveyor.toml").read_text("utf-8")
+DRIVES["conveyor, belt path"] = UPHILL, "OK"
+DRIVES["conveyor, drive at the tail"] = (
+    UPHILL.replace('lift = "20 m"', 'lift = "-4 m"\ndrive_at = "tail"\nstart_time = "25 s"')
+    .replace("start_factor = 1.3", "# start_factor")
+    .replace('counterweight = "8 t"', 'take_up_tension = "60 kN"'),
+    "OK",
+)
 READY = "html:not(.stale) #drive .t-capacity"
 
 
@@ -262,8 +270,8 @@ def test_what_is_left_to_the_program_is_no_failure(page_of: Any) -> None:
     with page.expect_file_chooser() as asked:
         page.click("#file > summary")
         page.get_by_role("button", name="Open a drive file").click()
-    asked.value.set_files(EXAMPLES / "uphill-conveyor.toml")
-    expect(alert).to_contain_text("the resistances of a conveyor are not found in this page")
+    asked.value.set_files(EXAMPLES / "worn-head-drive-fabric.toml")
+    expect(alert).to_contain_text("What is uneven across the width is not solved in this page")
     expect(alert).not_to_contain_text("still needed")
 
 
@@ -370,7 +378,6 @@ def test_bundle_is_what_its_source_gives() -> None:
 @pytest.mark.parametrize(
     ("file", "says"),
     [
-        ("uphill-conveyor.toml", "the pull of a conveyor is not found in"),
         ("worn-head-drive-fabric.toml", "what is uneven across the width is not solved in"),
         ("studies/wet-dry.toml", "is a study"),
         ("nowhere.toml", "No such file"),
@@ -412,10 +419,10 @@ def test_a_report_carries_the_page_of_its_drive(tmp_path: Path) -> None:
 
 
 def test_no_note_is_written_where_its_page_cannot_be(tmp_path: Path) -> None:
-    file = str(EXAMPLES / "uphill-conveyor.toml")
+    file = str(EXAMPLES / "worn-head-drive-fabric.toml")
     out = str(tmp_path / "note.md"), "--page", str(tmp_path / "note.html")
     code, _, error = wraparc("report", file, "-o", *out)
-    assert (code, "pull of a conveyor" in error) == (2, True)
+    assert (code, "uneven across the width" in error) == (2, True)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -428,7 +435,7 @@ def test_site_has_calculator_and_examples(tmp_path: Path) -> None:
     assert {f"{path.stem}.toml" for path in EXAMPLES.glob("*.toml")} <= there
     assert "head-drive-fabric.html" in there
     assert "tandem-fabric.html" in there
-    assert "uphill-conveyor.html" not in there
+    assert "worn-head-drive-fabric.html" not in there
 
 
 @pytest.mark.parametrize("name", ["attention", "kept", "braking, US units", "breakaway", "wet"])

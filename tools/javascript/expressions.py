@@ -100,10 +100,10 @@ class Expressions(Sequences):
         if isinstance(part, ast.FormattedValue) and part.conversion < 0:
             if part.format_spec is None:
                 return f"$text({self.of(part.value)})"
-            spec = re.fullmatch(r"f'(\+?)\.(\d+)([efg])'", ast.unparse(part.format_spec))
+            spec = re.fullmatch(r"f'(\+?)(?:\.(\d+))?([efg])'", ast.unparse(part.format_spec))
             if spec:
                 sign = "true" if spec[1] else "false"
-                return f'$told({self.of(part.value)}, {sign}, {spec[2]}, "{spec[3]}")'
+                return f'$told({self.of(part.value)}, {sign}, {spec[2] or 6}, "{spec[3]}")'
         return self.refuse(node, "a text in a text is translated so, or a number in so many digits")
 
     def _name(self, node: ast.Name) -> str:
@@ -182,8 +182,11 @@ class Expressions(Sequences):
     def _pair(self, node: ast.Compare, left: ast.expr, sign: ast.cmpop, right: ast.expr) -> str:
         one = self.of(left)
         if isinstance(sign, ast.In | ast.NotIn):
+            no = "!" if isinstance(sign, ast.NotIn) else ""
+            if isinstance(right, ast.Name) and right.id in self.own:
+                return f"{no}{self.of(right)}.includes({one})"
             if not isinstance(right, ast.Tuple):
-                return self.refuse(node, "`in` takes a tuple that is written out")
+                return self.refuse(node, "`in` takes a tuple that is written out, or a variable")
             found = " || ".join(f"{one} === {self.of(other)}" for other in right.elts)
             return f"{'!' if isinstance(sign, ast.NotIn) else ''}({found})"
         return f"{one} {_COMPARED[type(sign)]} {self.of(right)}"

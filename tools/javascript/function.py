@@ -54,11 +54,7 @@ class Function:
     def text(self) -> str:
         """Return the function, with the first line of its description."""
         told = (ast.get_docstring(self.tree) or "").partition("\n")[0]
-        star = (
-            "*"
-            if any(isinstance(n, ast.Yield | ast.YieldFrom) for n in ast.walk(self.tree))
-            else ""
-        )
+        star = self._star()
         head = f"export function{star} {self.name}({self._given(self.arguments)}) {{"
         lines = [*([f"/** {told} */"] if told else []), head, *self._within(), "}", ""]
         return "\n".join(lines)
@@ -66,8 +62,13 @@ class Function:
     def method(self, way: str = "") -> str:
         """Return it as the method of a class; `way` is ``get`` for a property."""
         self.ex.itself = self.arguments[0]
+        way = way or self._star()
         head = f"{way} {self.name}({self._given(self.arguments[1:])}) {{"
         return "\n".join([head, *self._within(), "}"])
+
+    def _star(self) -> str:
+        yields = (isinstance(n, ast.Yield | ast.YieldFrom) for n in ast.walk(self.tree))
+        return "*" if any(yields) else ""
 
     def _given(self, names: list[str]) -> str:
         args = self.tree.args

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import Problem
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.units import display
 
@@ -74,25 +74,36 @@ def wrap_angle(before: Point, pulley: Point, after: Point) -> float:
     InputError
         If two of them overlap, so that no straight belt runs between them.
     """
-    incoming, outgoing = _direction(before, pulley, "before"), _direction(pulley, after, "after")
+    raise_all(overlaps(before, pulley, after))
+    return turned_by(before, pulley, after)
+
+
+def turned_by(before: Point, pulley: Point, after: Point) -> float:
+    """Return the same of pulleys that do not overlap [rad]."""
+    incoming, outgoing = _direction(before, pulley), _direction(pulley, after)
     turned = outgoing - incoming if pulley.turn == "counterclockwise" else incoming - outgoing
-    turned %= math.tau
+    turned = turned % math.tau
     # a belt that passes straight on must not round to a whole turn
     return 0.0 if math.tau - turned < 1e-9 else turned
 
 
-def _direction(start: Point, end: Point, key: str) -> float:
+def overlaps(before: Point, pulley: Point, after: Point) -> list[Problem]:
+    """Return a problem for each neighbour that overlaps the pulley."""
+    problems = []
+    for end, key in ((before, "before"), (after, "after")):
+        distance = math.hypot(end.x - pulley.x, end.y - pulley.y)
+        if distance < (end.diameter + pulley.diameter) / 2.0 or distance == 0.0:
+            message = (
+                f"its centre is only {display(distance, 'length')} from that of the pulley, and "
+                "the two overlap"
+            )
+            remedy = "Check the coordinates and the diameters."
+            problems.append(Problem(key=key, message=message, remedy=remedy))
+    return problems
+
+
+def _direction(start: Point, end: Point) -> float:
     """Return the direction of the straight belt between two pulleys [rad]."""
     dx, dy = end.x - start.x, end.y - start.y
-    distance = math.hypot(dx, dy)
     offset = end.side - start.side
-    if distance < (start.diameter + end.diameter) / 2.0 or distance == 0.0:
-        raise InputError(
-            Problem(
-                key=key,
-                message=f"its centre is only {display(distance, 'length')} from that of the "
-                "pulley, and the two overlap",
-                remedy="Check the coordinates and the diameters.",
-            )
-        )
-    return math.atan2(dy, dx) - math.asin(offset / distance)
+    return math.atan2(dy, dx) - math.asin(offset / math.hypot(dx, dy))

@@ -1,6 +1,6 @@
 """A conveyor with one drive pulley at its head or tail: resistances and tensions by load case."""
 
-from collections.abc import Container, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -12,12 +12,13 @@ from wraparc.conveyor.resistance import (
     SECONDARY,
     SLOPE,
     Resistance,
+    coefficient_at,
     inertia,
-    length_coefficient,
     main_resistance,
+    no_coefficient,
     slope_resistance,
 )
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import Problem, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.units import display
 
@@ -178,9 +179,9 @@ class Conveyor:
         if self.drive_at not in DRIVES_AT:
             message = f"must be one of {', '.join(DRIVES_AT)}"
             problems.append(Problem(key="drive_at", value=shown(self.drive_at), message=message))
-        raise_all(problems or list(self._misfits()))
+        raise_all(problems or list(self.misfits()))
 
-    def _misfits(self) -> Iterator[Problem]:
+    def misfits(self) -> Iterator[Problem]:
         """Yield what does not fit together, each number by itself being allowed."""
         long = display(self.length, "length")
         if abs(self.lift) >= self.length:
@@ -191,31 +192,29 @@ class Conveyor:
             message = f"is more than the length, {long}, which is the tail"
             yield Problem(key="take_up_distance", value=given, message=message)
         if self.secondary_resistance is None and self.length_coefficient is None:
-            try:
-                length_coefficient(self.length)
-            except InputError as error:
-                yield from error.problems
+            yield from no_coefficient(self.length)
 
     @property
     def material(self) -> float:
         """Mass of the material on the full belt m'_L [kg/m]."""
         if self.material_mass is not None:
             return self.material_mass
-        return (self.capacity or 0.0) / (self.speed or 1.0)  # both are there, or it was refused
+        # both are there, or it was refused
+        return _known(self.capacity, 0.0) / _known(self.speed, 1.0)
 
     @property
     def take_up(self) -> float:
         """Belt tension at the take-up [N]."""
         if self.take_up_tension is not None:
             return self.take_up_tension
-        return (self.counterweight or 0.0) * GRAVITY / self.sheave_ratio
+        return _known(self.counterweight, 0.0) * GRAVITY / self.sheave_ratio
 
     @property
     def coefficient(self) -> float | None:
         """Coefficient C [-], or None where the secondary resistances are given."""
         if self.secondary_resistance is not None:
             return None
-        return self.length_coefficient or length_coefficient(self.length)
+        return _known(self.length_coefficient, coefficient_at(self.length))
 
     @property
     def _unusual(self) -> str:
@@ -233,17 +232,30 @@ class Conveyor:
             If a belt tension comes out as zero or less, or a conveyor that runs by itself is to
             start with a factor.
         """
-        full, problems = self._state("full", "running", self.material, 0.0), []
+        states = self.reckoned()
+        raise_all(self.unfit(states))
+        return tuple(states)
+
+    def reckoned(self) -> list[State]:
+        """Return the load cases, whatever tensions they leave."""
+        full = self._state("full", "running", self.material, 0.0)
         states = [full, self._state("empty", "running", 0.0, 0.0)]
-        if self.start_factor is not None and full.pull <= 0.0:
+        for name, kind, acceleration in self._changes(full.pull):
+            states.append(self._state(name, kind, self.material, acceleration))
+        return states
+
+    def unfit(self, states: Sequence[State]) -> list[Problem]:
+        """Return what keeps the belt from running so."""
+        problems = []
+        if self.start_factor is not None and states[0].pull <= 0.0:
             message = "the full conveyor runs by itself, and no factor starts it"
             remedy = 'Write start_time = "20 s" instead.'
             problems.append(Problem(key="start_factor", message=message, remedy=remedy))
-        for name, kind, acceleration in self._changes(full.pull):
-            states.append(self._state(name, kind, self.material, acceleration))
-        problems += [problem for state in states for problem in _slack(state)]
-        raise_all(problems)
-        return tuple(states)
+        for state in states:
+            least = min(state.head, state.tail, state.entry, state.exit)
+            if least <= 0.0:
+                problems.append(_slack(state, least))
+        return problems
 
     def _changes(self, pull: float) -> Iterator[tuple[str, str, float]]:
         """Yield starting and stopping with their accelerations [m/s2]."""
@@ -267,25 +279,27 @@ class Conveyor:
         returning = sum(r.returning for r in resistances)
         head = self.take_up - returning * self.take_up_distance / self.length
         tail = head + returning
-        ends = (tail + carrying, head) if self.drive_at == "head" else (tail, head - carrying)
-        return State(name, kind, resistances, head, tail, *ends)
+        at_head = self.drive_at == "head"
+        entry = tail + carrying if at_head else tail
+        leaving = head if at_head else head - carrying
+        return State(name, kind, resistances, head, tail, entry, leaving)
 
     def _resistances(self, material: float, acceleration: float) -> Iterator[Resistance]:
         belt, loaded, share = self.belt_mass, self.belt_mass + material, self.return_share
-        size = (self.friction_factor, self.length, self.lift)
+        factor, length, lift = self.friction_factor, self.length, self.lift
         main = Resistance(
             "main",
-            main_resistance(*size, self.carry_idler_mass, loaded),
-            main_resistance(*size, self.return_idler_mass, belt),
+            main_resistance(factor, length, lift, self.carry_idler_mass, loaded),
+            main_resistance(factor, length, lift, self.return_idler_mass, belt),
             f"{MAIN}, f = {self.friction_factor:g}{self._unusual}",
         )
         yield main
         secondary, source = self.secondary_resistance, GIVEN
         if secondary is None:
-            coefficient = self.coefficient or 1.0
+            coefficient = _known(self.coefficient, 1.0)
             secondary = (coefficient - 1.0) * main.total
             source = f"{SECONDARY}, C = {coefficient:.3g}"
-            source += " (given)" if self.length_coefficient else ""
+            source += "" if self.length_coefficient is None else " (given)"
         yield Resistance("secondary", (1.0 - share) * secondary, share * secondary, source)
         up, down = slope_resistance(self.lift, loaded), -slope_resistance(self.lift, belt)
         yield Resistance("slope", up, down, SLOPE)
@@ -296,7 +310,11 @@ class Conveyor:
         yield Resistance("inertia", carrying, returning, INERTIA)
 
 
-def choices(given: Container[str]) -> list[Problem]:
+def _known(value: float | None, other: float) -> float:
+    return other if value is None else value
+
+
+def choices(given: Collection[str]) -> list[Problem]:
     """Return what is said twice or not at all, and what needs the belt speed.
 
     Parameters
@@ -309,7 +327,7 @@ def choices(given: Container[str]) -> list[Problem]:
         if first in given and second in given:
             message = f"{first} and {second} both say the same"
             problems.append(Problem(key=second, message=message, remedy="Leave one of them out."))
-        elif example and first not in given and second not in given:
+        elif example != "" and first not in given and second not in given:
             remedy = f"Write {example}, or {second}."
             problems.append(Problem(key=first, message="missing", remedy=remedy))
     for key in _NEED_SPEED:
@@ -319,17 +337,12 @@ def choices(given: Container[str]) -> list[Problem]:
     return problems
 
 
-def _slack(state: State) -> Iterator[Problem]:
-    """Yield a problem where the belt of a load case is pushed."""
-    least = min(state.head, state.tail, state.entry, state.exit)
-    if least <= 0.0:
-        where = (
-            "beside the drive pulley" if least in (state.entry, state.exit) else "at the far end"
-        )
-        message = (
-            f"leaves a belt tension of {display(least, 'force')} {where} in load case "
-            f"{state.name}, and a belt cannot push"
-        )
-        yield Problem(
-            key="take_up_tension", message=message, remedy="Give a larger take-up tension."
-        )
+def _slack(state: State, least: float) -> Problem:
+    """Return the problem of a load case in which the belt is pushed."""
+    where = "beside the drive pulley" if least in (state.entry, state.exit) else "at the far end"
+    message = (
+        f"leaves a belt tension of {display(least, 'force')} {where} in load case "
+        f"{state.name}, and a belt cannot push"
+    )
+    remedy = "Give a larger take-up tension."
+    return Problem(key="take_up_tension", message=message, remedy=remedy)

@@ -1,12 +1,13 @@
 """Resistances to motion of a belt conveyor, each on the carrying and the return strand."""
 
-import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from types import MappingProxyType
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import Problem
+from wraparc.schema.limits import raise_all
 from wraparc.units import display
 
 #: Standard acceleration of gravity [m/s2].
@@ -31,6 +32,9 @@ LENGTH_COEFFICIENTS: Mapping[float, float] = MappingProxyType({
     550.0: 1.18, 600.0: 1.17, 700.0: 1.14, 800.0: 1.12, 900.0: 1.10, 1000.0: 1.09, 1500.0: 1.06,
     2000.0: 1.05,
 })  # fmt: skip
+
+
+_ROWS = tuple(LENGTH_COEFFICIENTS.items())
 
 
 @dataclass(frozen=True)
@@ -73,22 +77,32 @@ def length_coefficient(length: float) -> float:
     InputError
         Below 80 m, where single secondary resistances have to be known.
     """
-    (least, _), *_, (most, last) = LENGTH_COEFFICIENTS.items()
-    if length < least:
-        raise InputError(
-            Problem(
-                key="length",
-                value=display(length, "length"),
-                message=f"is below {least:g} m, where no coefficient C is tabulated",
-                remedy="Give secondary_resistance, or a length_coefficient of your own.",
-            )
+    raise_all(no_coefficient(length))
+    return coefficient_at(length)
+
+
+def no_coefficient(length: float) -> list[Problem]:
+    """Return why a conveying length has no coefficient; nothing where it has one."""
+    if not math.isnan(coefficient_at(length)):
+        return []
+    least = _ROWS[0][0]
+    return [
+        Problem(
+            key="length",
+            value=display(length, "length"),
+            message=f"is below {least:g} m, where no coefficient C is tabulated",
+            remedy="Give secondary_resistance, or a length_coefficient of your own.",
         )
-    if length >= most:
-        return last
-    for (start, high), (end, low) in itertools.pairwise(LENGTH_COEFFICIENTS.items()):
-        if length <= end:
+    ]
+
+
+def coefficient_at(length: float) -> float:
+    """Return the same [-], nan below the table."""
+    found = math.nan if length < _ROWS[0][0] else _ROWS[-1][1]
+    for (start, high), (end, low) in pairwise(_ROWS):
+        if start <= length <= end:
             return high + (low - high) * (length - start) / (end - start)
-    raise AssertionError("a length lies between two of the table")
+    return found
 
 
 def main_resistance(

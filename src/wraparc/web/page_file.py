@@ -39,7 +39,7 @@ _LICENCES = (
 #: Parts of the form that the file has fields for.
 _SECTIONS = (
     "drive", "belt", "pulley", "tensions", "lagging", "load_case", "take_up", "design_standard",
-    "safety_factor", "sag", "train",
+    "safety_factor", "sag", "train", "conveyor",
 )  # fmt: skip
 #: Keys of a lagging table in a pulley that the page reads.
 _LAGGING = ("preset", "thickness", "shear_modulus", "compression_modulus")
@@ -195,8 +195,6 @@ def _problems(document: Document, drive: Drive | Train) -> Iterator[Problem]:
     if isinstance(drive, Drive) and len(drive.pulleys) > 1:
         what = "pulleys that each give their tensions, without a [train] table, are not solved in"
         yield beyond("pulley", what)
-    if isinstance(drive, Drive) and drive.conveyor is not None:
-        yield beyond("conveyor", "the pull of a conveyor is not found in")
     for pulley, table in zip(drive.pulleys, document["pulley"], strict=True):
         yield from _pulley_problems(f"pulley.{pulley.name}", pulley, table, beyond)
 
@@ -206,10 +204,6 @@ def _pulley_problems(
 ) -> Iterator[Problem]:
     if pulley.across is not None:
         yield beyond(f"{place}.across", "what is uneven across the width is not solved in")
-    if "belt_path" in table:
-        yield beyond(
-            f"{place}.belt_path", "a wrap angle is not found in", "Write wrap_angle instead."
-        )
     lagging = table["lagging"]
     for key in lagging if isinstance(lagging, dict) else ():
         if key not in _LAGGING:

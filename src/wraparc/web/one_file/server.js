@@ -2,7 +2,6 @@
 import { app } from "../static/base/design.js";
 import { Advice, note, Refused } from "../static/base/server.js";
 import { in_page__quick as quick } from "../static/kernel.js";
-import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
@@ -10,6 +9,7 @@ import { shownOf } from "../static/pages/drive/own.js";
 import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
+import { assembled } from "./plain_drive.js";
 import { documentOf, rewritten, textOf } from "./toml.js";
 import { quickTrain, solveTrain, trainAnswer } from "./train_answers.js";
 import { isTrain } from "./trains.js";
@@ -36,12 +36,15 @@ function from(text, document) {
 
 /** @param {Design} doc @returns {Judging} */
 function prepared(doc) {
-  const { judging, problems } = assemble(doc, data.book);
+  const { judging, problems } = assembled(doc, data.book);
   if (!judging) throw new Refused(problems, 422);
   return judging;
 }
 /** @param {string} message */
 const refused = (message) => new Refused([{ path: "", message, sentence: message }], 422);
+const OF_ONE =
+  "Laggings and belts are compared in this page for a drive of one pulley; of several drives " +
+  "wraparc what-if tells what a change brings.";
 const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
 
 /** @type {Record<string, (asked: any) => any>} */
@@ -77,7 +80,10 @@ const ANSWERS = {
     if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");
     return trainAnswer(document, data);
   },
-  compare: (asked) => compared(asked, data),
+  compare(asked) {
+    if (isTrain(asked.document)) throw refused(OF_ONE);
+    return compared(asked, data);
+  },
   "toml/read": ({ toml, name }) => ({ document: from(toml, documentOf(toml, name)) }),
   "toml/write"({ document }) {
     const known = source.opened === app.opened ? source : { text: "", document: null };

@@ -650,6 +650,224 @@ export class Told {
   }
 }
 
+export class Problem {
+  constructor(message, remedy = "", file = "", key = "", value = "", line = null) {
+    this.message = message;
+    this.remedy = remedy;
+    this.file = file;
+    this.key = key;
+    this.value = value;
+    this.line = line;
+  }
+}
+
+export class Conveyor {
+  constructor(
+    length,
+    lift = 0.0,
+    belt_mass,
+    carry_idler_mass,
+    return_idler_mass,
+    material_mass = null,
+    capacity = null,
+    friction_factor = 0.02,
+    length_coefficient = null,
+    secondary_resistance = null,
+    special_resistance = 0.0,
+    return_share = 0.0,
+    start_factor = null,
+    start_time = null,
+    stop_time = null,
+    take_up_tension = null,
+    counterweight = null,
+    take_up_distance = 0.0,
+    drive_at = "head",
+    speed = null,
+    sheave_ratio = 2.0,
+  ) {
+    this.length = length;
+    this.lift = lift;
+    this.belt_mass = belt_mass;
+    this.carry_idler_mass = carry_idler_mass;
+    this.return_idler_mass = return_idler_mass;
+    this.material_mass = material_mass;
+    this.capacity = capacity;
+    this.friction_factor = friction_factor;
+    this.length_coefficient = length_coefficient;
+    this.secondary_resistance = secondary_resistance;
+    this.special_resistance = special_resistance;
+    this.return_share = return_share;
+    this.start_factor = start_factor;
+    this.start_time = start_time;
+    this.stop_time = stop_time;
+    this.take_up_tension = take_up_tension;
+    this.counterweight = counterweight;
+    this.take_up_distance = take_up_distance;
+    this.drive_at = drive_at;
+    this.speed = speed;
+    this.sheave_ratio = sheave_ratio;
+  }
+  *misfits() {
+    let given, message;
+    let long = display(this.length, "length");
+    if (Math.abs(this.lift) >= this.length) {
+      given = display(this.lift, "length");
+      yield new Problem(
+        "" + "must be less than the length, " + $text(long),
+        undefined,
+        undefined,
+        "lift",
+        given,
+      );
+    }
+    if (this.take_up_distance > this.length) {
+      given = display(this.take_up_distance, "length");
+      message = "" + "is more than the length, " + $text(long) + ", which is the tail";
+      yield new Problem(message, undefined, undefined, "take_up_distance", given);
+    }
+    if (this.secondary_resistance === null && this.length_coefficient === null) {
+      yield* resistance__no_coefficient(this.length);
+    }
+  }
+  reckoned() {
+    let acceleration, kind, name;
+    let full = this._state("full", "running", this.material, 0.0);
+    let states = [full, this._state("empty", "running", 0.0, 0.0)];
+    for (const each1 of this._changes(full.pull)) {
+      [name, kind, acceleration] = each1;
+      states.push(this._state(name, kind, this.material, acceleration));
+    }
+    return states;
+  }
+  unfit(states) {
+    let least, message, remedy, state;
+    let problems = [];
+    if (this.start_factor !== null && states[0].pull <= 0.0) {
+      message = "the full conveyor runs by itself, and no factor starts it";
+      remedy = 'Write start_time = "20 s" instead.';
+      problems.push(new Problem(message, remedy, undefined, "start_factor"));
+    }
+    for (const each1 of states) {
+      state = each1;
+      least = min(min(min(state.head, state.tail), state.entry), state.exit);
+      if (least <= 0.0) {
+        problems.push(conveyor___slack(state, least));
+      }
+    }
+    return problems;
+  }
+  *_changes(pull) {
+    let moving;
+    if (this.start_factor !== null) {
+      moving = this._moving(this.material) + this._moving(null);
+      yield ["start", "starting", ((this.start_factor - 1.0) * pull) / (this.length * moving)];
+    }
+    if (this.start_time !== null && this.speed !== null) {
+      yield ["start", "starting", this.speed / this.start_time];
+    }
+    if (this.stop_time !== null && this.speed !== null) {
+      yield ["stop", "braking", -this.speed / this.stop_time];
+    }
+  }
+  _moving(material) {
+    if (material === null) {
+      return this.return_idler_mass + this.belt_mass;
+    }
+    return this.carry_idler_mass + this.belt_mass + material;
+  }
+  _state(name, kind, material, acceleration) {
+    let resistances = [...this._resistances(material, acceleration)];
+    let carrying = $sum([...resistances].map((r) => r.carrying));
+    let returning = $sum([...resistances].map((r) => r.returning));
+    let head = this.take_up - (returning * this.take_up_distance) / this.length;
+    let tail = head + returning;
+    let at_head = this.drive_at === "head";
+    let entry = at_head ? tail + carrying : tail;
+    let leaving = at_head ? head : head - carrying;
+    return new State(name, kind, resistances, head, tail, entry, leaving);
+  }
+  *_resistances(material, acceleration) {
+    let coefficient;
+    let belt = this.belt_mass;
+    let loaded = this.belt_mass + material;
+    let share = this.return_share;
+    let factor = this.friction_factor;
+    let length = this.length;
+    let lift = this.lift;
+    let main = new Resistance(
+      "main",
+      resistance__main_resistance(factor, length, lift, this.carry_idler_mass, loaded),
+      resistance__main_resistance(factor, length, lift, this.return_idler_mass, belt),
+      "" +
+        $text(MAIN) +
+        ", f = " +
+        $told(this.friction_factor, false, 6, "g") +
+        $text(this._unusual),
+    );
+    yield main;
+    let secondary = this.secondary_resistance;
+    let source = GIVEN;
+    if (secondary === null) {
+      coefficient = conveyor___known(this.coefficient, 1.0);
+      secondary = (coefficient - 1.0) * main.total;
+      source = "" + $text(SECONDARY) + ", C = " + $told(coefficient, false, 3, "g");
+      source += this.length_coefficient === null ? "" : " (given)";
+    }
+    yield new Resistance("secondary", (1.0 - share) * secondary, share * secondary, source);
+    let up = resistance__slope_resistance(this.lift, loaded);
+    let down = -resistance__slope_resistance(this.lift, belt);
+    yield new Resistance("slope", up, down, SLOPE);
+    let special = this.special_resistance;
+    yield new Resistance("special", (1.0 - share) * special, share * special, GIVEN);
+    let carrying = resistance__inertia(acceleration, this.length, this._moving(material));
+    let returning = resistance__inertia(acceleration, this.length, this._moving(null));
+    yield new Resistance("inertia", carrying, returning, INERTIA);
+  }
+  get material() {
+    if (this.material_mass !== null) {
+      return this.material_mass;
+    }
+    return conveyor___known(this.capacity, 0.0) / conveyor___known(this.speed, 1.0);
+  }
+  get take_up() {
+    if (this.take_up_tension !== null) {
+      return this.take_up_tension;
+    }
+    return (conveyor___known(this.counterweight, 0.0) * GRAVITY) / this.sheave_ratio;
+  }
+  get coefficient() {
+    if (this.secondary_resistance !== null) {
+      return null;
+    }
+    return conveyor___known(this.length_coefficient, resistance__coefficient_at(this.length));
+  }
+  get _unusual() {
+    let [least, most] = USUAL_FRICTION;
+    if (least <= this.friction_factor && this.friction_factor <= most) {
+      return "";
+    }
+    return (
+      "" +
+      ", outside the usual " +
+      $told(least, false, 3, "f") +
+      " to " +
+      $told(most, false, 3, "f")
+    );
+  }
+}
+
+export class Point {
+  constructor(x, y, diameter = 0.0, turn = "clockwise") {
+    this.x = x;
+    this.y = y;
+    this.diameter = diameter;
+    this.turn = turn;
+  }
+  get side() {
+    return (this.diameter / 2.0) * (this.turn === "counterclockwise" ? 1.0 : -1.0);
+  }
+}
+
 export class Row {
   constructor(title, values, symbol = "", note = "", name = "", level = null) {
     this.title = title;
@@ -979,6 +1197,33 @@ export class Slopes {
   }
 }
 
+export class State {
+  constructor(name, kind, resistances, head, tail, entry, exit) {
+    this.name = name;
+    this.kind = kind;
+    this.resistances = resistances;
+    this.head = head;
+    this.tail = tail;
+    this.entry = entry;
+    this.exit = exit;
+  }
+  get pull() {
+    return $sum([...this.resistances].map((resistance) => resistance.total));
+  }
+}
+
+export class Resistance {
+  constructor(name, carrying, returning, source) {
+    this.name = name;
+    this.carrying = carrying;
+    this.returning = returning;
+    this.source = source;
+  }
+  get total() {
+    return this.carrying + this.returning;
+  }
+}
+
 const SMALL_PULL = 0.001;
 const _GIVE = 0.01;
 const FINE = 24;
@@ -998,6 +1243,13 @@ const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
   "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
+const _EITHER = [
+  ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
+  ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
+  ["length_coefficient", "secondary_resistance", ""],
+  ["start_factor", "start_time", ""],
+];
+const _NEED_SPEED = ["capacity", "start_time", "stop_time"];
 const NONE = "-";
 const _NOTHING = 1e-12;
 const _AS_FAST = 5e-6;
@@ -1016,7 +1268,39 @@ const _TURNED = 1e-9;
 const CREEP_SCALE = 0.00635;
 const _LEVEL_END = 11.512925465070229;
 const _SCAN = 18;
+const _ROWS = [
+  [80.0, 1.92],
+  [90.0, 1.86],
+  [100.0, 1.78],
+  [120.0, 1.7],
+  [140.0, 1.63],
+  [160.0, 1.56],
+  [180.0, 1.5],
+  [200.0, 1.45],
+  [250.0, 1.38],
+  [300.0, 1.31],
+  [350.0, 1.27],
+  [400.0, 1.25],
+  [450.0, 1.22],
+  [500.0, 1.2],
+  [550.0, 1.18],
+  [600.0, 1.17],
+  [700.0, 1.14],
+  [800.0, 1.12],
+  [900.0, 1.1],
+  [1000.0, 1.09],
+  [1500.0, 1.06],
+  [2000.0, 1.05],
+];
+const GRAVITY = 9.80665;
+const MAIN = "DIN 22101:2002-08, 6.2; ISO 5048:1989: f L g (m'R + (m'G + m'L) cos delta)";
+const GIVEN = "given";
+const SECONDARY = "DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance";
+const SLOPE = "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other";
+const INERTIA =
+  "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass";
 const BEYOND = 10.0;
+const USUAL_FRICTION = [0.016, 0.03];
 
 /** Tensions with the pull between the outer ones: what the runs between the pulleys add is off. */
 export function in_page_train__less_runs(of, runs, speed) {
@@ -1945,6 +2229,85 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   );
 }
 
+/** Return what is said twice or not at all, and what needs the belt speed. */
+export function conveyor__choices(given) {
+  let example, first, key, message, remedy, second;
+  let problems = [];
+  for (const each1 of _EITHER) {
+    [first, second, example] = each1;
+    if (given.includes(first) && given.includes(second)) {
+      message = "" + $text(first) + " and " + $text(second) + " both say the same";
+      problems.push(new Problem(message, "Leave one of them out.", undefined, second));
+    } else if (example !== "" && !given.includes(first) && !given.includes(second)) {
+      remedy = "" + "Write " + $text(example) + ", or " + $text(second) + ".";
+      problems.push(new Problem("missing", remedy, undefined, first));
+    }
+  }
+  for (const each2 of _NEED_SPEED) {
+    key = each2;
+    if (given.includes(key) && !given.includes("speed")) {
+      remedy = 'Write speed = "3 m/s" in [belt].';
+      problems.push(new Problem("needs the belt speed", remedy, undefined, key));
+    }
+  }
+  return problems;
+}
+
+/** What of a conveyor does not fit together. */
+export function in_page_conveyor__misfits(of) {
+  return [...of.misfits()];
+}
+
+/** Load cases of a conveyor, whatever tensions they leave. */
+export function in_page_conveyor__states(of) {
+  return of.reckoned();
+}
+
+/** What keeps the belt from running so. */
+export function in_page_conveyor__unfit(of, found) {
+  return of.unfit(found);
+}
+
+/** Return the direction of the straight belt between two pulleys [rad]. */
+export function belt_path___direction(start, end) {
+  let dx = end.x - start.x;
+  let dy = end.y - start.y;
+  let offset = end.side - start.side;
+  return Math.atan2(dy, dx) - Math.asin(offset / Math.hypot(dx, dy));
+}
+
+/** Return the same of pulleys that do not overlap [rad]. */
+export function belt_path__turned_by(before, pulley, after) {
+  let incoming = belt_path___direction(before, pulley);
+  let outgoing = belt_path___direction(pulley, after);
+  let turned = pulley.turn === "counterclockwise" ? outgoing - incoming : incoming - outgoing;
+  turned = modulo(turned, 6.283185307179586);
+  return 6.283185307179586 - turned < 1e-9 ? 0.0 : turned;
+}
+
+/** Return a problem for each neighbour that overlaps the pulley. */
+export function belt_path__overlaps(before, pulley, after) {
+  let distance, end, key, message, remedy;
+  let problems = [];
+  for (const each1 of [
+    [before, "before"],
+    [after, "after"],
+  ]) {
+    [end, key] = each1;
+    distance = Math.hypot(end.x - pulley.x, end.y - pulley.y);
+    if (distance < (end.diameter + pulley.diameter) / 2.0 || distance === 0.0) {
+      message =
+        "" +
+        "its centre is only " +
+        $text(display(distance, "length")) +
+        " from that of the pulley, and the two overlap";
+      remedy = "Check the coordinates and the diameters.";
+      problems.push(new Problem(message, remedy, undefined, key));
+    }
+  }
+  return problems;
+}
+
 /** Return a value [SI] with its unit, `NONE` for nan and words for infinity. */
 export function sheet__quantity(value, dimension, system = "si", digits = 3) {
   if (Number.isNaN(value)) {
@@ -2498,4 +2861,71 @@ export function roots__rising_root(f, x, reach, low, high, tolerance, slope = 0.
 
 export function newton___dot(one, other) {
   return $sum([...$zip(one, other)].map(([a, b]) => a * b));
+}
+
+/** Return the same [-], nan below the table. */
+export function resistance__coefficient_at(length) {
+  let end, high, low, start;
+  let found = length < _ROWS[0][0] ? NaN : _ROWS.at(-1)[1];
+  for (const each1 of $pairwise(_ROWS)) {
+    [[start, high], [end, low]] = each1;
+    if (start <= length && length <= end) {
+      return high + ((low - high) * (length - start)) / (end - start);
+    }
+  }
+  return found;
+}
+
+/** Return why a conveying length has no coefficient; nothing where it has one. */
+export function resistance__no_coefficient(length) {
+  if (!Number.isNaN(resistance__coefficient_at(length))) {
+    return [];
+  }
+  let least = _ROWS[0][0];
+  return [
+    new Problem(
+      "" + "is below " + $told(least, false, 6, "g") + " m, where no coefficient C is tabulated",
+      "Give secondary_resistance, or a length_coefficient of your own.",
+      undefined,
+      "length",
+      display(length, "length"),
+    ),
+  ];
+}
+
+/** Return the problem of a load case in which the belt is pushed. */
+export function conveyor___slack(state, least) {
+  let where =
+    least === state.entry || least === state.exit ? "beside the drive pulley" : "at the far end";
+  let message =
+    "" +
+    "leaves a belt tension of " +
+    $text(display(least, "force")) +
+    " " +
+    $text(where) +
+    " in load case " +
+    $text(state.name) +
+    ", and a belt cannot push";
+  let remedy = "Give a larger take-up tension.";
+  return new Problem(message, remedy, undefined, "take_up_tension");
+}
+
+/** Return the main resistance of one strand, f L g (m'_R + m' cos delta) [N]. */
+export function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
+  let cosine = Math.sqrt(1.0 - (lift / length) ** 2);
+  return friction_factor * length * GRAVITY * (rotating + carried * cosine);
+}
+
+export function conveyor___known(value, other) {
+  return value === null ? other : value;
+}
+
+/** Return the gradient resistance of a strand that carries a mass per length up by H [N]. */
+export function resistance__slope_resistance(lift, carried) {
+  return GRAVITY * lift * carried;
+}
+
+/** Return the force that accelerates a strand, a L m' [N]. */
+export function resistance__inertia(acceleration, length, moving) {
+  return acceleration * length * moving;
 }

@@ -7,6 +7,7 @@ import { Reader } from "../static/pages/drive/reading.js";
 import { checkShape } from "../static/pages/drive/shape.js";
 import { dataWords, general, named } from "../static/pages/drive/wording.js";
 import { TENSIONS } from "../static/parts/problems.js";
+import { plainDrive } from "./plain_drive.js";
 import * as K from "./train_kernel.js";
 import { TrainReader } from "./train_reading.js";
 
@@ -32,7 +33,6 @@ function alone({ train, load_case, ...doc }, i) {
 export function beyondTrain(doc) {
   for (const p of doc.pulley) {
     if (p.across) return `What is uneven across the width is not solved in this page; ${PROGRAM}.`;
-    if (p.belt_path) return `A wrap angle from a belt path is not found in this page; ${PROGRAM}.`;
   }
   return "";
 }
@@ -147,12 +147,14 @@ function kept({ arcs, quicks, divided }) {
 
 /**
  * A train solved, and what it is judged by; or what is wrong with its document.
- * @param {Design} doc @param {Book} book @param {{motors: any[], words: any}} known
+ * @param {Design} design @param {Book} book @param {{motors: any[], words: any}} known
  * @returns {{problems: Problem[], judging?: Judging, cases?: any[], checks?: any[]}}
  */
-export function trainOf(doc, book, known) {
-  const not = beyondTrain(doc);
+export function trainOf(design, book, known) {
+  const not = beyondTrain(design);
   if (not) return refusing(not, true);
+  const { doc, problems } = plainDrive(design);
+  if (problems.length) return { problems };
   const train = readTrain(doc, book, known.motors);
   if (train.problems.length) return { problems: train.problems };
   const { saids, names = [], takeUp } = train;

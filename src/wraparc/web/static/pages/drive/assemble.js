@@ -30,7 +30,7 @@ const HERE = "wraparc solve and wraparc serve do";
 export function beyond(doc) {
   if (!isDrive(doc)) return "This is no drive: a belt and a pulley are needed.";
   if (doc.train || doc.pulley.length > 1)
-    return `Several pulleys on one belt are not solved in this page; ${HERE}.`;
+    return `Pulleys that each give their tensions, without [train], are not solved here; ${HERE}.`;
   if (doc.conveyor)
     return `Tensions from the resistances of a conveyor are not found in this page; ${HERE}.`;
   const [pulley] = doc.pulley;
