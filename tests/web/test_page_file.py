@@ -393,6 +393,25 @@ def test_what_a_page_cannot_solve_is_told_and_nothing_is_written(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (('exit_tension = "60 kN"', 'exit_tension = "150 kN"'), "pulley head has no pull to carry"),
+        (('diameter = "800 mm"', 'diameter = "80 mm"'), "The diameter of pulley head, 80 mm"),
+        (("3 m/s", "3 m/s"), ""),
+    ],
+)
+def test_what_the_page_does_not_judge_is_told(
+    tmp_path: Path, change: tuple[str, str], says: str
+) -> None:
+    file = tmp_path / "drive.toml"
+    file.write_text(HEAD.replace(*change), "utf-8")
+    code, _, told = wraparc("page", str(file), "-o", str(tmp_path / "page.html"))
+    assert code == 0
+    assert says in told
+    assert ("does not judge" in told) is bool(says)
+
+
 def test_no_page_is_written_where_none_can_stand(tmp_path: Path) -> None:
     code, _, error = wraparc("page", "-o", str(tmp_path / "none" / "page.html"))
     assert (code, "there is no folder" in error) == (2, True)

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import click
 
@@ -36,8 +37,19 @@ def page(file: str | None, output: str) -> int:
     return 0
 
 
-def save_page(output: str, text: str) -> None:
-    """Write a page to a file, or print it."""
+@dataclass(frozen=True)
+class Made:
+    """A page, and a sentence on the drive where the page does not judge it."""
+
+    text: str
+    left: str
+
+
+def save_page(output: str, made: Made) -> None:
+    """Write a page to a file, or print it; say what it does not show."""
+    text = made.text
+    if made.left:
+        click.echo(made.left, err=True)
     if output == STANDARD_OUTPUT:
         say(text, end="")
         return
@@ -80,7 +92,7 @@ def made_page(
     overrides: Sequence[str] = (),
     conditions: Sequence[str] = (),
     creep_limit: str | None = None,
-) -> str:
+) -> Made:
     """Return the page of a drive file, or of the first example.
 
     `overrides`, `conditions` and `creep_limit` are put over what the file says, as by ``--set``,
@@ -89,10 +101,10 @@ def made_page(
     from wraparc.files import overridden
     from wraparc.files.conditions import asking
     from wraparc.web.opening import opened
-    from wraparc.web.page_file import file_of, first_example, page_file
+    from wraparc.web.page_file import file_of, first_example, not_judged, page_file
 
     if file is None:
-        return page_file(*first_example())
+        return Made(page_file(*first_example()), "")
     _refuse_others(file)
     document = overridden(opened(file), overrides, file=file)
     document = asking(document, conditions) if conditions else document
@@ -102,4 +114,5 @@ def made_page(
         ]
         document = {**document, "creep_limit": creep_limit, "pulley": pulleys}
     name = os.path.basename(file).removesuffix(".toml")
-    return page_file(document, name, file_of(document, read_text(file)))
+    text = page_file(document, name, file_of(document, read_text(file)))
+    return Made(text, not_judged(document))

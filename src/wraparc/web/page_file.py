@@ -17,10 +17,13 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from wraparc.checks.numbers import idles
+from wraparc.checks.of_drive import usual_sizes
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
 from wraparc.train import Motor, Motors, Train
+from wraparc.train.as_drive import as_drive
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
 from wraparc.web.answers import book, catalogue, compare
@@ -235,6 +238,26 @@ def _motors(document: Document) -> Iterator[dict[str, Any]]:
 def _word(value: Any) -> Any:
     """Return a number, as a word where JSON has none for it."""
     return str(value).replace("inf", "Infinity") if value in (math.inf, -math.inf) else value
+
+
+def not_judged(document: Document) -> str:
+    """Return why the page has no answer to a drive that it holds; empty where it has one."""
+    drive = read(document)
+    try:
+        one = as_drive(drive) if isinstance(drive, Train) else drive
+    except InputError:  # not solved: the page says so itself
+        return ""
+    reasons = [
+        f"pulley {name} has no pull to carry in load case {case.name}"
+        for case in one.load_cases
+        for name, pair in case.tensions.items()
+        if idles(pair.entry, pair.exit)
+    ]
+    reasons += [check.sentence().rstrip(".") for check in usual_sizes(one) if check.missed]
+    if not reasons:
+        return ""
+    told = f"The page opens with this drive but does not judge it: {reasons[0]}."
+    return f"{told} wraparc solve does."
 
 
 def first_example() -> tuple[Document, str, str]:
