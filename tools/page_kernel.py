@@ -19,7 +19,7 @@ from wraparc.arc.kernel import answer
 from wraparc.checks import numbers
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression
-from wraparc.present import train_sheet, train_words
+from wraparc.present import arc_tables, train_sheet, train_words
 from wraparc.present.sheet import term
 from wraparc.saving import save_file
 from wraparc.train import (
@@ -92,6 +92,8 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     train_words.case_sentences,
     train_words.short_sentences,
     train_sheet.case_table,
+    arc_tables.capacity_rows,
+    arc_tables.Carrying,
     CaseResult,
     MemberResult,
     System,

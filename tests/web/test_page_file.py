@@ -22,6 +22,7 @@ from web.firefox import Firefox, firefox
 from wraparc.arc import solve
 from wraparc.checks import judge
 from wraparc.files import load_drive
+from wraparc.present.arc_tables import capacity_table
 from wraparc.present.checks_table import check_table
 from wraparc.present.least_tension import least_sentence
 from wraparc.schema.source import parse
@@ -131,6 +132,13 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
         shown = [row.split("\t")[:4] for row in rows]
         assert shown == [[r.title, *r.values] for r in check_table(found, system).rows]
+        carried = capacity_table(next(iter(result)), system)
+        assert carried is not None
+        cells: list[list[str]] = page.locator("#drive .t-capacity tbody tr").evaluate_all(
+            "rows => rows.map((r) => [...r.cells].map((c) => c.textContent.trim()))"
+        )
+        expected_rows = [[r.title, *r.values, r.note] for r in carried.rows]
+        assert [[c[0], c[2], c[3]] for c in cells[: len(expected_rows)]] == expected_rows
         creep = arc["exit_creep"]
         expected = "–" if creep is None else display(creep, "length", system, digits=RESULT_DIGITS)
         assert figure(page, "Creep at exit") == expected
@@ -383,7 +391,7 @@ def test_bundle_is_what_its_source_gives() -> None:
         ("nowhere.toml", "No such file"),
     ],
 )
-def test_what_a_page_cannot_solve_is_told_and_nothing_is_written(
+def test_what_a_page_cannot_solve_is_expected_rowsand_nothing_is_written(
     tmp_path: Path, file: str, says: str
 ) -> None:
     code, _, error = wraparc("page", str(EXAMPLES / file), "-o", str(tmp_path / "page.html"))

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Callable
+from typing import NamedTuple
 
-from wraparc.arc import ArcResult
+from wraparc.arc import ArcResult, Capacities
 from wraparc.checks import Level
 from wraparc.friction import Constant, FrictionLaw, PressurePower
-from wraparc.present.sheet import Row, Table, between, named, percent, row_of
+from wraparc.present.sheet import Row, Table, between, named, percent, row_of, term
 from wraparc.units import System
 
 Results = tuple[ArcResult, ...]
@@ -150,39 +151,67 @@ def capacity_table(result: ArcResult, system: System) -> Table | None:
     c, arc = result.capacities, result.arc
     if math.isnan(c.gross_slip_capacity) and math.isnan(c.creep_limit_capacity):
         return None
-    driving = arc.side > 0.0
-    tight, slack = ("T1", "T2") if driving else ("T2", "T1")
-    held = named("tension", max(arc.entry_tension, arc.exit_tension), system)
+    tested = arc.law.tested
+    return capacity_rows(
+        c,
+        Carrying(
+            entry=arc.entry_tension,
+            exit=arc.exit_tension,
+            driving=arc.side > 0.0,
+            tested_slip=math.nan if tested is None else tested.slip_max,
+            plain=independent_of_slip(arc.law),
+        ),
+        system,
+    )
 
-    def ratio(name: str, margin: float, note: str) -> Row:
-        value = getattr(c, name)
-        shown = "" if math.isnan(margin) else f"margin {named('tension_ratio', margin)}"
-        return row_of(name, value, system=system, note="; ".join(n for n in (shown, note) if n))
+
+class Carrying(NamedTuple):
+    """An arc whose capacities are told."""
+
+    entry: float  # tension [N]
+    exit: float
+    driving: bool
+    tested_slip: float  # largest, nan without tests [m]
+    plain: bool  # whether friction is the same at any slip
+
+
+def capacity_rows(c: Capacities, of: Carrying, system: System) -> Table:
+    """Return the table of the capacities of an arc."""
+    tight, slack = ("T1", "T2") if of.driving else ("T2", "T1")
+    held = named("tension", max(of.entry, of.exit), system)
+    actual = max(of.entry / of.exit, of.exit / of.entry)
+
+    def row(name: str, value: float, note: str) -> Row:
+        return Row(term(name).title, (named(name, value, system),), term(name).symbol, note, name)
+
+    def ratio(name: str, value: float, margin: float, note: str) -> Row:
+        shown = "" if math.isnan(margin) else f"margin {named('tension_ratio', margin, system)}; "
+        return row(name, value, f"{shown}{note}")
 
     rows = [
-        ratio("creep_limit_capacity", c.creep_limit_margin, "the design number"),
-        row_of("equivalent_friction", c.equivalent_friction, note="compare with design values"),
-    ]
-    if arc.law.tested is not None:
-        slip = named("slip", arc.law.tested.slip_max, system)
+        ratio(
+            "creep_limit_capacity", c.creep_limit_capacity, c.creep_limit_margin,
+            "the design number",
+        ),
+        row("equivalent_friction", c.equivalent_friction, "compare with design values"),
+    ]  # fmt: skip
+    if not math.isnan(of.tested_slip):
+        slip = named("slip", of.tested_slip, system)
         note = f"slip at the largest tested, {slip}"
-        rows.append(ratio("tested_slip_capacity", c.tested_slip_margin, note))
-    rows.append(ratio("gross_slip_capacity", c.gross_slip_margin, _gross_note(result, system)))
+        rows.append(
+            ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note)
+        )
+    gross = _gross_note(of.plain, c.gross_slip_creep, system)
+    rows.append(ratio("gross_slip_capacity", c.gross_slip_capacity, c.gross_slip_margin, gross))
     note = (
         f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
-        f"actual ratio, {named('tension_ratio', _actual(result))}."
+        f"actual ratio, {named('tension_ratio', actual, system)}."
     )
     return Table("Capacity", tuple(rows), note=note)
 
 
-def _actual(result: ArcResult) -> float:
-    ratio = result.arc.entry_tension / result.arc.exit_tension
-    return max(ratio, 1.0 / ratio)
-
-
-def _gross_note(result: ArcResult, system: System) -> str:
-    creep = result.capacities.gross_slip_creep
-    if independent_of_slip(result.arc.law):
+def _gross_note(plain: bool, creep: float, system: System) -> str:
+    if plain:
         return "the whole wrap slips"
     if math.isinf(creep):
         return "an extrapolation, approached as creep grows without bound"

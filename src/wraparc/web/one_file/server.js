@@ -6,13 +6,14 @@ import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
+import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { assembled } from "./plain_drive.js";
 import { documentOf, rewritten, textOf } from "./toml.js";
 import { quickTrain, solveTrain, trainAnswer } from "./train_answers.js";
 import { isTrain } from "./trains.js";
+import { wholeAnswer } from "./whole_tables.js";
 
 export * from "../static/base/server.js";
 
@@ -74,7 +75,7 @@ const ANSWERS = {
     const numbers = await beside(arcsOf(judging));
     const judged = numbers && judge(judging, document, numbers);
     if (!judged) throw refused(UNSOLVED);
-    return inBoth(() => wholeOf(judged, judging, data.book));
+    return inBoth(() => wholeAnswer(judged, judging, data.book));
   },
   train({ document, match }) {
     if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");

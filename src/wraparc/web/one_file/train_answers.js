@@ -4,11 +4,12 @@ import { Refused } from "../static/base/server.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, check, judge } from "../static/pages/drive/judge.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer, inBoth, wholeOf } from "../static/pages/drive/whole.js";
+import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
 import { put } from "../static/pages/drive/wording.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import * as K from "./train_kernel.js";
 import { trainOf } from "./trains.js";
+import { tableOf, wholeAnswer } from "./whole_tables.js";
 
 /** @import { Design, Words } from "../static/types.d.ts" */
 
@@ -100,7 +101,7 @@ function governingOf(results) {
 }
 /** @param {any} found @param {any} book @returns {any} */
 function wholeTrain({ judged, judging, results }, book) {
-  const whole = wholeOf(judged, judging, book);
+  const whole = wholeAnswer(judged, judging, book);
   const worst = governingOf(results);
   const others = results.filter((/** @type {any} */ r) => r !== worst);
   whole.verdict.sentences.push(
@@ -108,12 +109,6 @@ function wholeTrain({ judged, judging, results }, book) {
     ...others.flatMap((/** @type {any} */ r) => [...K.train_words__short_sentences(r, app.units)]),
   );
   return { ...whole, kind: "train" };
-}
-/** A table of Python as the page shows one. @param {any} of @param {number} number */
-function tableOf({ title, heads, note, rows }, number) {
-  const both = (/** @type {any} */ v) => ({ si: v, us: v });
-  const made = rows.map((/** @type {any} */ r) => ({ ...r, values: both([...r.values]) }));
-  return { key: `table${number}`, title, heads: both(heads), note, rows: made };
 }
 /** Everything there is to say of every pulley. @param {Design} doc @param {any} data */
 export async function solveTrain(doc, data) {
@@ -128,7 +123,12 @@ export async function trainAnswer(doc, data) {
     const { verdict, remarks, checks, least_tension, summary } = wholeTrain(found, data.book);
     const least = least_tension ? [least_tension.table] : [];
     const own = results.map((/** @type {any} */ r) => K.train_sheet__case_table(r, app.units));
-    const tables = [checks, ...least, ...own.map(tableOf), ...(summary ? [summary] : [])];
+    const tables = [
+      checks,
+      ...least,
+      ...own.map((/** @type {any} */ t, /** @type {number} */ i) => tableOf(t, `table${i}`)),
+      ...(summary ? [summary] : []),
+    ];
     return { verdict, remarks, tables };
   });
   const solved = results.every((/** @type {any} */ r) => r.status === SOLVED);
