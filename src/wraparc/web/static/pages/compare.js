@@ -6,6 +6,7 @@ import { PAGES } from "../frame/registry.js";
 import { badge, list, refused, scroll } from "../parts/answers.js";
 import { place } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
+import { Dots } from "./compare/dots.js";
 
 /** @import { Level, Problem, Text } from "../types.d.ts" */
 /**
@@ -180,15 +181,29 @@ function result(a) {
         ),
       ),
     ),
+    dots(a),
     h("div", { key: "remarks" }, list([...a.remarks, ...costs, ...impossible], "help")),
   ];
+}
+/** Creep against cost, where rows have both and do not all cost the same. @param {Comparison} a */
+function dots(a) {
+  const found = a.rows.flatMap((r) => {
+    const { creep, cost_total, of_limit } = r.cells;
+    if (creep?.value == null || !cost_total?.value || !of_limit?.value) return [];
+    const [name, limit] = [label(r), Math.abs(creep.value) / of_limit.value];
+    const told = `${name} ${words(creep)}, ${words(cost_total)}`;
+    return [{ name, cost: cost_total.value, creep: creep.value, limit, level: r.level, told }];
+  });
+  const money = a.currency ? ` [${a.currency}]` : "";
+  return new Set(found.map((d) => d.cost)).size > 1 && h(Dots, { dots: found, money, key: "dots" });
 }
 /** The best value among the rows that pass everything they are held against.
  * @param {Row[]} rows @param {Column} c */
 function bestOf(rows, c) {
   const passing = rows.filter((r) => r.level === "OK");
   const all = passing.map((r) => r.cells[c.key]?.value).filter((v) => v != null);
-  if (!c.better || all.length === 0 || rows.length < 2) return Number.NaN;
+  const differ = new Set(all).size > 1 || passing.length < rows.length;
+  if (!c.better || all.length === 0 || rows.length < 2 || !differ) return Number.NaN;
   return c.better === "low" ? Math.min(...all) : Math.max(...all);
 }
 /** @param {Row[]} rows */
