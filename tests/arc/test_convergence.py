@@ -15,11 +15,13 @@ import pytest
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
 from arc.twin import Twin
 from wraparc.arc import Distributed, WrapArc
-from wraparc.arc.kernel.effort import TENSION, Aim, first_guess
+from wraparc.arc.kernel.effort import TENSION, Aim, first_guess, mesh_steps
 from wraparc.arc.kernel.march import sweep
-from wraparc.arc.kernel.quantities import parameters_at
+from wraparc.arc.kernel.quantities import SOLVED, parameters_at, zeros
 from wraparc.arc.kernel.search import refine
-from wraparc.friction import FrictionLaw
+from wraparc.arc.kernel.tension_march import march
+from wraparc.arc.kernel.tension_table import open_table, table_size
+from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots, TestedRange
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))
 KICKED = replace(SMOOTH, overrun=3e-5)
@@ -100,3 +102,35 @@ def test_a_step_ends_at_the_peak_of_a_flat_law() -> None:
     )
     assert coarse.slip > 3e-4
     assert coarse.creep == pytest.approx(fine.creep, rel=1e-6)
+
+
+@pytest.mark.parametrize("residual", [0.3, 0.75])
+def test_above_the_tested_pressures_both_marches_meet(residual: float) -> None:
+    """On the line past the peak and on the residual friction, whose slopes by pressure end there.
+
+    Expected: the twin at the same entry creep ratio.
+    """
+    law = IntegralLog(
+        coefficients=PressureKnots(
+            pressure=(1e5, 2e5),
+            peak_friction=(0.8, 0.8),
+            peak_slip=(3e-3, 3e-3),
+            post_peak_slope=(-30.0, -10.0),
+            residual_friction=(residual - 0.2, residual),
+        ),
+        tested=TestedRange(pressure_min=1e5, pressure_max=2e5, slip_max=1e-2),
+    )
+    arc = replace(
+        ARC, law=law, entry_tension=8e5 * 0.5 * ARC.diameter * ARC.width, exit_tension=1e5,
+        wrap_angle=0.6,
+    )  # fmt: skip
+    par, compact, g = parameters_at(arc.entry_tension, arc.geometry()), law.compact(), 0.03
+    steps = mesh_steps(compact, par, 48)
+    table = zeros(table_size(8.0, steps))
+    open_table(compact, par, 8.0, steps, table)
+    status, q, _, slip, _, _ = march(compact, par, g, True, table, 0, zeros(0))
+    there = Twin(arc).integrate(g)
+    assert status == SOLVED
+    assert slip == pytest.approx(there.slip, rel=1e-6)
+    assert -q == pytest.approx(there.log_tension, rel=1e-6)
+    assert exit_slip(arc, g, 96) == pytest.approx(there.slip, rel=1e-6)

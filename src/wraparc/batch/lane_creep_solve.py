@@ -99,7 +99,7 @@ TOLD = (
     STEEPEST,
     Z,
 )
-ROUNDS = 24  # of the first search: 4 to 8 are usual
+ROUNDS = 24  # of the first search: 2 or 3 are usual
 NEARLY = 0.03  # last change of z in it
 LONGEST = 30.0  # shear-lag lengths that a guess knows
 FARTHEST = 40.0  # |z|

@@ -153,9 +153,10 @@ def lay_tail(w: Lanes, nodes: Lanes, place: int) -> None:
         slope = w[a, i] + t * (s1 + t * (s2 + t * s3))
         residual = w[b, i] + t * (r1 + t * (r2 + t * r3))
         peak = w[c, i] + t * (m1 + t * (m2 + t * m3))
-        slope_p = select(below, 0.0, s1 + t * (2.0 * s2 + 3.0 * t * s3))
-        residual_p = select(below, 0.0, r1 + t * (2.0 * r2 + 3.0 * t * r3))
-        peak_p = select(above | below, 0.0, m1 + t * (2.0 * m2 + 3.0 * t * m3)) / peak
+        varies = select(above | below, 0.0, 1.0)
+        slope_p = varies * (s1 + t * (2.0 * s2 + 3.0 * t * s3))
+        residual_p = varies * (r1 + t * (2.0 * r2 + 3.0 * t * r3))
+        peak_p = varies * (m1 + t * (2.0 * m2 + 3.0 * t * m3)) / peak
         falls = (slope < 0.0) & (residual < peak)
         held = select(above, w[HIGH, i] / p, 1.0)
         part = w[SIDE, i] * w[SHEAR, i] * p * p * held

@@ -95,7 +95,9 @@ def _node(
     if not softens:
         return
     slope, residual, slope_p, residual_p = tail(law, segment, p)
-    mu_0, mu_0_p = mu_pk / held, (mu_pk_p if held == 1.0 else 0.0)
+    mu_0, mu_0_p = mu_pk / held, mu_pk_p
+    if held != 1.0:  # above the tested pressures the law is that of the last of them
+        mu_0_p = slope_p = residual_p = 0.0
     if slope < 0.0 and residual < mu_0:
         table[o + 7] = slope * slip_pk / mu_0
         table[o + 8] = bend * p * mu_pk * slip_pk * (slope_p - slope * mu_0_p / mu_0) / mu_0

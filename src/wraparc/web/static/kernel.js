@@ -3501,7 +3501,10 @@ export function tension_table___node(law, par, segment, q, weight, table, o) {
   let slope_p = found2[2];
   let residual_p = found2[3];
   let mu_0 = mu_pk / held;
-  let mu_0_p = held === 1.0 ? mu_pk_p : 0.0;
+  let mu_0_p = mu_pk_p;
+  if (held !== 1.0) {
+    mu_0_p = slope_p = residual_p = 0.0;
+  }
   if (slope < 0.0 && residual < mu_0) {
     table[o + 7] = (slope * slip_pk) / mu_0;
     table[o + 8] = (bend * p * mu_pk * slip_pk * (slope_p - (slope * mu_0_p) / mu_0)) / mu_0;
