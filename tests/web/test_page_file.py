@@ -71,6 +71,26 @@ DRIVES: dict[str, tuple[str, str]] = {
     ),
 }
 DRIVES["own lagging, dusty"] = OWN, "ATTENTION"
+FITTED = (
+    HEAD.replace('lagging = "diamond-rubber"', 'lagging = "ours"')
+    + """
+[lagging.ours]
+surface = "rubber"
+thickness = "12 mm"
+shear_modulus = "2.3 MPa"
+[lagging.ours.law]
+kind = "integral-log"
+knots = [
+    { pressure = "34 kPa", peak_friction = 0.9, peak_slip = "10 mm" },
+    { pressure = "200 kPa", peak_friction = 0.8, peak_slip = "12 mm" },
+    { pressure = "690 kPa", peak_friction = 0.6, peak_slip = "14 mm" },
+]
+[lagging.ours.law.fit]
+parameters = ["knots[2].peak_friction", "knots[2].peak_slip"]
+values = [0.8, 0.012]
+covariance = [[1e-3, 0.0], [0.0, 1e-6]]
+"""
+)
 UPHILL = (EXAMPLES / "uphill-conveyor.toml").read_text("utf-8")
 DRIVES["conveyor, belt path"] = UPHILL, "OK"
 DRIVES["conveyor, drive at the tail"] = (
@@ -399,6 +419,22 @@ def test_what_a_page_cannot_solve_is_expected_rowsand_nothing_is_written(
     assert says in error
     assert "Traceback" not in error
     assert list(tmp_path.iterdir()) == []
+
+
+def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
+    page_of: Any, tmp_path: Path
+) -> None:
+    # expected: numbers and every other check as of `wraparc solve`
+    page = page_of(FITTED, "fitted")
+    told = json.loads(wraparc("solve", str(tmp_path / "fitted.toml"), "--json", "-")[1])
+    arc = told["arcs"][0]
+    assert arc["exit_creep_high"] is not None
+    creep = display(arc["exit_creep"], "length", digits=RESULT_DIGITS)
+    assert figure(page, "Creep at exit") == creep
+    note = page.locator("#drive .t-checks").inner_text()
+    assert "end of the 95 % interval of the law (this page leaves it to wraparc solve)" in note
+    said = "The interval of the creep that the fit of ours leaves is not found in this page"
+    assert said in page.locator("#results").inner_text()
 
 
 @pytest.mark.parametrize(

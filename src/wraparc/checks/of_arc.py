@@ -29,6 +29,8 @@ from wraparc.units import Dimension
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
 #: 1.4e-5 at 0.8 m of creep, and by less than 1e-7 at creeps that a drive has.
 BALANCE = 1e-4
+#: Title of the check of the interval that a fitted law leaves.
+INTERVAL = "Creep at exit, end of the 95 % interval of the law"
 OWN_FACTORS = "taken where the drive file says nothing"
 
 
@@ -163,7 +165,7 @@ def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
     told = "reaches {value}" if math.isfinite(most) else "ends where the belt slips through"
     return judged(
         RULES["creep_interval"],
-        "Creep at exit, end of the 95 % interval of the law",
+        INTERVAL,
         abs(most),
         result.arc.creep_limit,
         "length",

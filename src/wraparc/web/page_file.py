@@ -212,8 +212,6 @@ def _pulley_problems(
         if key not in _LAGGING:
             remedy = "Put the lagging into a [lagging.NAME] table of the drive file."
             yield beyond(f"{place}.lagging.{key}", "a lagging is read so by none but", remedy)
-    if pulley.lagging.fit is not None and pulley.lagging.fit.knots:
-        yield beyond(f"{place}.lagging", "the interval of a fitted law is not found in")
 
 
 def _motors(document: Document) -> Iterator[dict[str, Any]]:

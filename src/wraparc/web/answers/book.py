@@ -15,9 +15,10 @@ from typing import Any
 from wraparc import catalogue
 from wraparc.catalogue import design_friction
 from wraparc.checks import RULES, Level, judge, of_data, of_drive
+from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
-from wraparc.checks.of_arc import BALANCE
+from wraparc.checks.of_arc import BALANCE, INTERVAL
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import (
     CASE_KINDS,
@@ -49,11 +50,25 @@ from wraparc.web.answers.book_parts import (
     Standards,
     Weak,
 )
-from wraparc.web.answers.book_words import HELD, PROBE, probe, with_criteria, words_by_key
+from wraparc.web.answers.book_words import (
+    CASE,
+    HELD,
+    PROBE,
+    PULLEY,
+    probe,
+    with_criteria,
+    words_by_key,
+)
 from wraparc.web.answers.judging import Ask, Words, words_of
 from wraparc.web.answers.prepared import Law
 from wraparc.web.answers.shown import tables
 
+#: What of a fitted law a page that judges by itself leaves to the program.
+_LEFT = "this page leaves it to wraparc solve"
+_NO_INTERVAL = (
+    "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
+    "tells it."
+)
 #: Conditions that published values cover.
 CONDITIONS = ("dry", "wet", "wet and dirty")
 
@@ -166,6 +181,8 @@ def _read(name: str, own: Document, condition: Any) -> Lagging:
 def _law(lagging: Lagging) -> BookLaw:
     compact, tested = lagging.law.compact(), lagging.law.tested
     grounds, told = of_data.law_words(lagging)
+    fitted = lagging.fit is not None and bool(lagging.fit.knots)
+    left = [of_drive.not_checked("creep_interval", INTERVAL, _LEFT, Place(PULLEY, CASE))]
     drive = probe().drive
     at = drive.load_cases[-1], replace(drive.pulleys[0], lagging=lagging)
     weak = (
@@ -192,9 +209,12 @@ def _law(lagging: Lagging) -> BookLaw:
             slip_speed=_number(tested.slip_speed),
         ),
         grounds=grounds,
-        told=told,
+        told=[*told, _NO_INTERVAL.format(lagging.name)] if fitted else told,
         weak=[w for w in weak if w.kinds],
-        checks=[words_of(check) for of in (of_data.condition, of_data.fit) for check in of(*at)],
+        checks=[
+            *(words_of(check) for of in (of_data.condition, of_data.fit) for check in of(*at)),
+            *(words_of(check) for check in left if fitted),
+        ],
     )
 
 
