@@ -10,6 +10,8 @@ from playwright.sync_api import Browser, Page
 
 from cli.running import wraparc
 from web.browser import Visitor, browser
+from web.calculators import wait_for
+from web.firefox import firefox
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
 from wraparc.web.answers.trains import train_part
@@ -125,3 +127,39 @@ def test_drive_page_shows_every_pulley(chrome: Browser, tmp_path: Path) -> None:
     assert [row[: len(t)] for row, t in zip(rows, titles, strict=True)] == titles
     visitor.context.close()
     assert (visitor.wrong, visitor.elsewhere) == ([], [])
+
+
+SHOWN = """
+  const told = document.querySelector("#train .verdict .headline");
+  const tables = document.querySelectorAll("#train .tables details");
+  return told && tables.length ? {
+    headline: told.textContent,
+    sentences: [...document.querySelectorAll("#train .verdict li")].map((x) => x.textContent),
+    tables: Object.fromEntries([...tables].map((d) => [
+      d.querySelector("summary").textContent.trim(),
+      [...d.querySelectorAll("tbody tr")].map((r) => [...r.cells].map((c) => c.textContent.trim())),
+    ])),
+  } : null;
+"""
+
+
+def test_firefox_says_what_the_program_says(tmp_path: Path) -> None:
+    profile = tmp_path / "profile"
+    profile.mkdir()
+    with firefox(profile) as browser:
+        for name in ("tandem", "motors", "speeds break away", "braking"):
+            file, html = tmp_path / "train.toml", tmp_path / "train.html"
+            file.write_text(TRAINS[name], "utf-8")
+            assert wraparc("page", str(file), "-o", str(html))[0] == 0
+            browser.open("about:blank")
+            browser.open(html.as_uri() + "#/train")
+            wait_for(lambda: browser.run(SHOWN) is not None)
+            shown, verdict = browser.run(SHOWN), answer_of(TRAINS[name])["verdict"]
+            assert shown["headline"].strip().endswith(words(verdict["headline"], "si"))
+            assert shown["sentences"] == [words(s, "si") for s in verdict["sentences"]]
+            for table in answer_of(TRAINS[name])["tables"]:
+                title = words(table["title"], "si")
+                if title.startswith("Drives"):
+                    values = [row["values"]["si"] for row in table["rows"]]
+                    cells = [row[-len(values[0]) - 1 : -1] for row in shown["tables"][title]]
+                    assert cells == values
