@@ -20,7 +20,7 @@ from calibrate.coverage import (
     kinds,
 )
 from cli.running import wraparc
-from wraparc import InputError, Kind, load_lagging
+from wraparc import Distributed, InputError, Kind, WrapArc, load_lagging
 from wraparc.calibrate.calibration import (
     PARAMETERS,
     Number,
@@ -276,3 +276,22 @@ def test_what_looks_told_at_a_lucky_fit_is_held_back(courses: Any) -> None:
     assert calibrated_drive(DRIVE, "head", {}).pulley("head").lagging.law == (
         found.drive.pulley("head").lagging.law
     )
+
+
+def test_a_search_that_begins_in_gross_slip_finds_the_drive_that_carries(courses: Any) -> None:
+    """The file has 0.3 of the true friction: there is no state to begin from."""
+    weak = calibrated_drive(DRIVE, "head", {"friction": 0.3 * TRUTH["friction"]})
+    arc = WrapArc.of(weak, weak.pulleys[0], weak.load_cases[0])
+    assert not Distributed(capacities=False).solve(arc).status.solved
+    true = calibrated_drive(DRIVE, "head", {"friction": TRUTH["friction"]})
+    solved = Distributed(points=180).solve(WrapArc.of(true, true.pulleys[0], true.load_cases[0]))
+    creep = solved.profile.creep
+    trace = Trace(
+        quantity="creep", position=solved.profile.position, value=creep,
+        sd=1e-3 * float(creep.max()), load_case="design",
+    )  # fmt: skip
+    number = Number(quantity="exit_creep", value=solved.exit_creep, sd=1e-5, load_case="design")
+    for seen in ({"traces": (trace,)}, {"numbers": (number,)}):
+        problem = Problemset(drive=weak, pulley="head", parameters=("friction",), **seen)
+        (found,) = calibrate(problem).estimates
+        assert found.value == pytest.approx(1.0 / 0.3, rel=2e-3)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import WrapArc
+from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.calibrate.problem import (
     OVERRUN_UNIT,
     Problemset,
@@ -29,6 +29,9 @@ _ENOUGH: dict[str, Any] = {"xtol": 1e-4, "ftol": 2e-4, "gtol": 1e-9, "max_nfev":
 #: loose rein on directions that the data leave free [-]
 _REIN = 3.0
 _STEP = 2e-4
+#: misfit of a trial at gross slip over the size of what was measured [-]: more than a drive that
+#: just carries its load creeps
+_GROSS_SLIP = 200.0
 
 
 class Fit:
@@ -67,10 +70,18 @@ class Fit:
             name: p.method.solve(WrapArc.of(drive, drive.pulley(p.pulley), drive.load_case(name)))
             for name in sorted(used)
         }
-        numbers = [float(results[n.load_case].scalars()[n.quantity]) for n in p.numbers]
+        beyond = {name: 0.0 if r.status.solved else _beyond(r) for name, r in results.items()}
+        numbers = []
+        for n in p.numbers:
+            value = float(results[n.load_case].scalars()[n.quantity])
+            far = beyond[n.load_case]
+            numbers.append(n.value + far * max(abs(n.value), n.sd) if far else value)
         traces = []
         for t in p.traces:
-            profile = results[t.load_case].profile
+            profile, far = results[t.load_case].profile, beyond[t.load_case]
+            if far:
+                traces.append(t.value + far * float(np.abs(t.value).max()))
+                continue
             traces.append(np.interp(t.position, profile.position, getattr(profile, t.quantity)))
         return numbers, traces
 
@@ -151,3 +162,12 @@ def _jacobian(residuals: Callable[[Array], Array], names: Sequence[str], x: Arra
         aside[k] += step
         columns.append((residuals(aside) - here) / step)
     return np.stack(columns, axis=1)
+
+
+def _beyond(result: ArcResult) -> float:
+    """Misfit of a trial that friction cannot carry [-]: the farther beyond it, the larger.
+
+    There is no state to compare then; this leads a search back to where there is one.
+    """
+    margin = Distributed().solve(result.arc).capacities.gross_slip_margin
+    return _GROSS_SLIP * (1.0 - math.log(min(margin, 1.0)))

@@ -37,6 +37,8 @@ def _draw(ax: "Axes", trace: Trace, results: Sequence[ArcResult], units: System)
     degrees = np.degrees(trace.position)
     ax.plot(degrees, trace.value / size, ".", color=GREY, markersize=4, label="measured")
     for r in results:
+        if not r.status.solved:
+            continue
         colour, line = _LINES[r.method]
         course = getattr(r.profile, trace.quantity) / size
         ax.plot(np.degrees(r.profile.position), course, line, color=colour, label=r.method)

@@ -172,6 +172,10 @@ def overlay_sheet(
         at_peak = [float(np.abs(t.value).max())]
         apart = []
         for r in predicted[t.load_case]:
+            if not r.status.solved:
+                at_peak.append(math.nan)
+                apart.append(math.nan)
+                continue
             course = getattr(r.profile, t.quantity)
             here = np.interp(t.position, r.profile.position, course)
             at_peak.append(float(np.abs(here).max()))
@@ -184,7 +188,15 @@ def overlay_sheet(
     tables = [Table("Measured and predicted", tuple(rows), heads)]
     if folded:
         tables.append(_records(folded, system))
-    notes = tuple(note for _, f in folded for note in f.notes)
+    notes = (
+        *(note for _, f in folded for note in f.notes),
+        *(
+            f"Load case {r.arc.load_case}, {r.method}: {r.status}"
+            for results in predicted.values()
+            for r in results
+            if not r.status.solved
+        ),
+    )
     return Sheet(title=title or "Measured drive", tables=tuple(tables), remarks=notes)
 
 
