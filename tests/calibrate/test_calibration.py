@@ -295,3 +295,20 @@ def test_a_search_that_begins_in_gross_slip_finds_the_drive_that_carries(courses
         problem = Problemset(drive=weak, pulley="head", parameters=("friction",), **seen)
         (found,) = calibrate(problem).estimates
         assert found.value == pytest.approx(1.0 / 0.3, rel=2e-3)
+
+
+def test_a_drive_that_does_not_follow_the_record_is_no_ok(tmp_path: Path) -> None:
+    """The example with a slack side of 1 kN instead of 50 kN: its best fit misses the shear."""
+    folder = EXAMPLES / "wet-season"
+    for name in ("wet-day-record.toml", "wet-day.csv", "wet-season-drive.toml"):
+        text = (folder / name).read_text("utf-8")
+        (tmp_path / name).write_text(
+            text.replace('exit_tension = "50 kN"', 'exit_tension = "1 kN"')
+        )
+    _, good, _ = wraparc("calibrate", str(folder / "wet-day-record.toml"))
+    assert "OK  The parameter is identified" in good
+    ran = wraparc("calibrate", str(tmp_path / "wet-day-record.toml"))
+    assert "ATTENTION The drive does not follow what was measured." in ran.words
+    assert (
+        "Shear angle of the lagging along the arc, design: the best fit misses it by" in ran.words
+    )

@@ -11,16 +11,26 @@ import numpy as np
 import pytest
 
 from present.drives import STICKY, drive, marched, solved, sticking
-from wraparc import DriveResult, InputError, MissingExtraError, load_lagging, solve
+from wraparc import (
+    DriveResult,
+    InputError,
+    MissingExtraError,
+    load_lagging,
+    solve,
+    solve_train,
+)
 from wraparc.plot import Picture, plot, plot_arc, plot_drive, plot_lagging
 from wraparc.plot.profiles import most_friction, outside_spans
 from wraparc.plot.pulley import _TURN, _places
+from wraparc.plot.train import plot_train
+from wraparc.train.file import load_train
 from wraparc.units import System, unit_factor
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 UNITS: dict[System, dict[str, str]] = {
     "si": {"length": "mm", "force": "kN", "pressure": "kPa"},
     "us": {"length": "in", "force": "lbf", "pressure": "psi"},
@@ -278,3 +288,20 @@ def test_without_matplotlib_the_extra_is_named(
         monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(MissingExtraError, match=r"pip install 'wraparc\[plot\]'"):
         draw(things[draw])
+
+
+def test_a_train_whose_drive_slips_through_is_drawn_without_it() -> None:
+    """What is drawn is the drum that carries; the other is named."""
+    train = load_train(EXAMPLES / "tandem-fabric.toml")
+    slack = replace(train, cases=tuple(replace(c, exit_tension=300.0) for c in train.cases))
+    result = solve_train(slack, raise_on_failure=False)
+    assert not result.solved
+    picture = plot_train(result)
+    along = picture.figure.axes[1]
+    lengths = [np.size(line.get_xdata()) for line in along.get_lines()][:2]
+    assert lengths[0] > 100
+    assert lengths[1] == 0
+    words = [text.get_text() for ax in picture.figure.axes for text in ax.texts]
+    assert "slips as a whole" in words
+    assert any(text.endswith("gross slip") for text in words)
+    assert picture.to_bytes("svg")

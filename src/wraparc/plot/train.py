@@ -85,10 +85,12 @@ def _draw_chain(ax: "Axes", case: CaseResult, units: System) -> None:
         ax.text(x, 0.0, share, ha="center", va="center", fontsize=11, weight="bold")
         ax.text(x, 1.2, m.name, ha="center", va="bottom", fontsize=10, color=colour, weight="bold")
         trim = "" if np.isnan(m.speed_trim) else f"trim {100.0 * m.speed_trim:.3f} %"
-        creep = display(m.arc.exit_creep, "length", units, digits=3)
+        creep = f"creep {display(m.arc.exit_creep, 'length', units, digits=3)}"
+        if not m.arc.status.solved:
+            creep = "gross slip"
         force = display(abs(pull), "force", units, RESULT_DIGITS)
         does = f"{'brakes' if pull < 0.0 else 'pulls'} {force}"
-        text = "\n".join(part for part in (does, trim, f"creep {creep}") if part)
+        text = "\n".join(part for part in (does, trim, creep) if part)
         ax.text(x, -1.2, text, ha="center", va="top", fontsize=8.5)
         _arrow(ax, x - 2.9, x - 1.15, display(m.arc.entry_tension, "force", units, RESULT_DIGITS))
     last = case.members[-1].arc.exit_tension
@@ -108,14 +110,19 @@ def _draw_along(ax: "Axes", case: CaseResult, name: str, units: System) -> None:
     """One quantity along all wraps, one after the other."""
     start, ticks, labels = 0.0, [], []
     for i, m in enumerate(case.members):
-        at = angles(m.arc)
-        ax.plot(start + at, column(m.arc, name, units), color=_style(i)["color"])
-        ticks += [start, start + float(at[-1])]
-        labels += ["0", f"{at[-1]:.0f}"]
+        end = np.degrees(m.arc.arc.wrap_angle)
+        ax.plot(start + angles(m.arc), column(m.arc, name, units), color=_style(i)["color"])
+        if not m.arc.status.solved:
+            ax.text(
+                start + 0.5 * end, 0.5, "slips as a whole", ha="center", va="center", fontsize=9,
+                transform=ax.get_xaxis_transform(),
+            )  # fmt: skip
+        ticks += [start, start + end]
+        labels += ["0", f"{end:.0f}"]
         if i + 1 < len(case.members):
-            x = start + float(at[-1]) + 0.5 * _GAP
+            x = start + end + 0.5 * _GAP
             ax.axvspan(x - 0.5 * _GAP, x + 0.5 * _GAP, color="#eeeeee", linewidth=0.0)
-        start += float(at[-1]) + _GAP
+        start += end + _GAP
     ax.set_xticks(ticks, labels)
     ax.set_xlim(0.0, start - _GAP)
     ax.axhline(0.0, color="#444444", linewidth=0.6)
@@ -128,7 +135,7 @@ def _mark_limits(ax: "Axes", case: CaseResult, units: System) -> None:
 
     start, size = 0.0, display_unit("length", units)[1]
     for m in case.members:
-        end = float(angles(m.arc)[-1])
+        end = np.degrees(m.arc.arc.wrap_angle)
         limit = m.arc.arc.side * m.arc.arc.creep_limit / size
         ax.plot([start, start + end], [limit, limit], color=RED, linewidth=1.2, linestyle=":")
         ax.text(start, limit, " limit", color=RED, fontsize=8, va="bottom")

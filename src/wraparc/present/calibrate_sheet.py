@@ -23,6 +23,10 @@ _PARAMETERS: dict[str, tuple[str, Dimension]] = {
     "belt_modulus": ("Belt modulus", "force_per_width"),
 }
 _MOST_CORRELATED = 0.9
+#: Misfit that is no noise any more: of a course over its largest value, of a number over its
+#: standard deviation [-].
+_FAR_TRACE, _FAR_NUMBER = 0.1, 4.0
+_OTHER = "Check tensions, units and signs, and that the file describes the drive that was measured."
 
 
 def calibrate_sheet(
@@ -49,7 +53,7 @@ def calibrate_sheet(
     return Sheet(
         title=title or "Calibration",
         subtitle=description,
-        verdict=_verdict(found),
+        verdict=_verdict(found, problem, system),
         tables=tuple(t for t in tables if t.rows),
         remarks=tuple(_remarks(found)),
         sources=sources,
@@ -68,7 +72,8 @@ def _row(e: Estimate, system: System) -> Row:
     return Row(title, (value, f"{low} to {high}", spread), note=note)
 
 
-def _verdict(found: Calibration) -> Verdict:
+def _verdict(found: Calibration, problem: Problemset, system: System) -> Verdict:
+    apart = tuple(_apart(found, problem, system))
     untold = [e.name for e in found.estimates if e.value is None]
     if not untold:
         headline = (
@@ -77,17 +82,41 @@ def _verdict(found: Calibration) -> Verdict:
         )
         if len(found.estimates) == 1:
             headline = f"The parameter is identified from {found.data} measured values."
-        return Verdict(Level.OK, headline, tuple(_mixed_words(found)))
+        if apart:
+            headline = f"The drive does not follow what was measured. {headline}"
+        level = Level.ATTENTION if apart else Level.OK
+        return Verdict(level, headline, (*apart, *_mixed_words(found)))
     names = ", ".join(n.replace("_", " ") for n in untold)
     return Verdict(
         Level.ATTENTION,
         f"The data do not identify {names}; no value is given.",
         (
+            *apart,
             *_mixed_words(found),
             "Keep some of them at the values of the drive file, measure something that separates "
             "them, or give a prior.",
         ),
     )
+
+
+def _apart(found: Calibration, problem: Problemset, system: System) -> Iterator[str]:
+    """Yield what the best fit leaves of the data that is more than noise."""
+    count = len(problem.numbers)
+    for n, miss in zip(problem.numbers, found.misfit, strict=False):
+        if abs(miss) > _FAR_NUMBER * n.sd:
+            yield (
+                f"{GLOSSARY[n.quantity].title}, {n.load_case}: the best fit misses the measured "
+                f"{named(n.quantity, n.value, system)} by {named(n.quantity, abs(miss), system)}. "
+                f"{_OTHER}"
+            )
+    for t, miss in zip(problem.traces, found.misfit[count:], strict=True):
+        most = float(np.abs(t.value).max())
+        if miss > _FAR_TRACE * most:
+            yield (
+                f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}: the best fit misses "
+                f"it by {named(t.quantity, miss, system)} in the mean, {percent(miss / most, 2)} "
+                f"of its largest value. {_OTHER}"
+            )
 
 
 def _mixed_words(found: Calibration) -> Iterator[str]:
