@@ -1,5 +1,7 @@
 """What is asked beside the answer: the sentences and tables of the command line."""
 
+import base64
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -228,3 +230,80 @@ def test_alarm_levels_stand_on_the_page(visitor: Visitor) -> None:
     card.get_by_label("Depth to wear off").fill("deep")
     card.get_by_role("button", name="Show").click()
     expect(card.locator(".verdict.bad")).to_contain_text("depth")
+
+
+WET = EXAMPLES / "wet-season"
+
+
+def sent(*names: str) -> list[dict[str, str]]:
+    return [
+        {"name": name, "data": base64.b64encode((WET / name).read_bytes()).decode()}
+        for name in names
+    ]
+
+
+def wet_season() -> dict[str, Any]:
+    return tomllib.loads((WET / "wet-season-drive.toml").read_text("utf-8"))
+
+
+def test_a_measured_drive_is_told_as_by_the_commands(api: TestClient) -> None:
+    # expected: what `wraparc calibrate` and `wraparc overlay` print of the same files
+    files = sent("wet-day-record.toml", "wet-day.csv")
+    answer = api.post(f"{API}/measured", json={"document": wet_season(), "files": files})
+    assert answer.status_code == 200, answer.text
+    found = answer.json()
+    plan = str(WET / "wet-day-record.toml")
+    out = printed("calibrate", plan) + printed("overlay", plan)
+    assert [text for text in told(found) if text not in out] == []
+    assert found["picture"].startswith("<?xml")
+    lagging = found["lagging"]
+    assert lagging["name"] == "diamond-rubber-calibrated"
+    assert lagging["provenance"]["kind"] == "calibrated"
+    # the record alone, all else chosen on the page, is the same
+    asked = {"document": wet_season(), "files": sent("wet-day.csv"), "parameters": ["friction"]}
+    alone = api.post(f"{API}/measured", json=asked).json()
+    assert alone["tables"][0] == found["tables"][0]
+    # and nothing is calibrated where nothing is asked for
+    only = api.post(f"{API}/measured", json={**asked, "parameters": []}).json()
+    assert only["lagging"] is None
+    assert [t["rows"] for t in only["tables"]] == [t["rows"] for t in found["tables"][-2:]]
+
+
+@pytest.mark.parametrize(
+    ("files", "says"),
+    [
+        (lambda: sent("wet-day-record.toml"), "was not chosen together with the calibrate file"),
+        (lambda: [{"name": "a.csv", "data": "!"}], "a.csv: is not in base 64"),
+        (lambda: [{"name": "../../etc/passwd", "data": "YSxiCg=="}], "passwd: holds no table"),
+        (lambda: sent("choose.toml"), "nothing measured was chosen"),
+        (lambda: [*sent("wet-day-record.toml"), *sent("choose.toml")], "more than one calibrate"),
+    ],
+)
+def test_what_is_no_record_is_refused(api: TestClient, files: Any, says: str) -> None:
+    asked = {"document": wet_season(), "files": files(), "parameters": ["friction"]}
+    answer = api.post(f"{API}/measured", json=asked)
+    assert answer.status_code == 422, answer.text
+    problems = answer.json()["problems"]
+    assert says in " ".join(p["sentence"] for p in problems)
+    assert "record-1" not in answer.text
+    assert "/tmp" not in answer.text  # noqa: S108 - where files are kept meanwhile
+
+
+def test_a_record_calibrates_the_drive_on_the_page(visitor: Visitor) -> None:
+    # expected: the friction of `wraparc calibrate`, 0.782 of the law; see its example
+    page = visitor.open("drive")
+    page.evaluate(
+        "(doc) => import('/static/base/design.js').then((m) => m.take(doc, { name: 'wet' }))",
+        wet_season(),
+    )
+    visitor.solved()
+    page.get_by_role("button", name="A measured drive").click()
+    card = page.locator(".measured")
+    card.locator("input[type=file]").set_input_files(str(WET / "wet-day.csv"))
+    card.get_by_role("button", name="Show").click()
+    expect(card.locator("table").first).to_contain_text("0.782")
+    expect(page.locator("img.overlay")).to_be_visible()
+    assert violations(page) == []
+    page.get_by_role("button", name="Use the calibrated lagging").click()
+    expect(page.locator("#f-pulley-0-lagging")).to_have_value("diamond-rubber-calibrated")
+    expect(card.locator(".before")).to_be_visible()

@@ -4,10 +4,18 @@ import os
 from dataclasses import dataclass, replace
 
 from wraparc.arc import ArcResult, Distributed, Method, PaperMarch, WrapArc
-from wraparc.calibrate.calibration import PARAMETERS, QUANTITIES, Number, Prior, Problemset, Trace
+from wraparc.calibrate.calibration import (
+    PARAMETERS,
+    QUANTITIES,
+    Calibration,
+    Number,
+    Prior,
+    Problemset,
+    Trace,
+)
 from wraparc.calibrate.fold import Folded, fold
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
-from wraparc.drive import Drive, Limit
+from wraparc.drive import Drive, Lagging, Limit
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text
@@ -259,3 +267,31 @@ def calibrated_source(measured: Measured, title: str) -> Provenance:
     note = "; ".join(str(s) for s in dict.fromkeys(given))
     source = title or measured.title or "measured drive"
     return replace(Provenance(Kind.CALIBRATED, f"calibrated to: {source}"), note=note[:900])
+
+
+def calibrated_lagging(found: Calibration, measured: Measured, name: str = "") -> Lagging:
+    """Return the calibrated lagging; what was not calibrated keeps its source.
+
+    Parameters
+    ----------
+    found
+        The calibration.
+    measured
+        What it was calibrated to.
+    name
+        Of the lagging; that of the drive with ``-calibrated`` unless given.
+    """
+    lagging = found.drive.pulley(found.pulley).lagging
+    before = measured.problem.drive.pulley(found.pulley).lagging
+    parts = ["thickness", "compression_modulus", "elastic_modulus"]
+    if "shear_modulus" not in measured.problem.parameters:
+        parts.append("shear_modulus")
+    kept = {part: before.source_of(part) for part in parts if getattr(before, part) is not None}
+    return replace(
+        lagging,
+        name=name or f"{before.name}-calibrated"[:60],
+        title=f"{before.title or before.name}, calibrated",
+        provenance=calibrated_source(measured, measured.title),
+        sources=kept,
+        fit=None,
+    )

@@ -1,8 +1,6 @@
 """``wraparc calibrate`` and ``wraparc overlay``: what an existing drive really does."""
 
 import json
-from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import click
 
@@ -11,10 +9,6 @@ from wraparc.cli.output import Content, deliver
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.saving import save_file
 from wraparc.units import System
-
-if TYPE_CHECKING:
-    from wraparc.calibrate.calibration import Calibration
-    from wraparc.calibrate.file import Measured
 
 _TOLD, _NOT_TOLD = 0, 1
 
@@ -42,7 +36,8 @@ def calibrate(
     lagging file is written.
     """
     from wraparc.calibrate.calibration import calibrate as fit
-    from wraparc.calibrate.file import load_measured
+    from wraparc.calibrate.file import calibrated_lagging, load_measured
+    from wraparc.files import lagging_text
     from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
     from wraparc.present.document import json_text
 
@@ -64,7 +59,7 @@ def calibrate(
     if json_file:
         files[json_file] = json_text(calibrate_document(found))
     if output and found.told:
-        files[output] = _lagging_text(found, measured, name)
+        files[output] = lagging_text(calibrated_lagging(found, measured, name or ""))
     sources = tuple(str(s) for s in measured.sources)
     deliver(
         files,
@@ -80,26 +75,6 @@ def calibrate(
 def _pulley(name: str | None) -> list[str]:
     """Return the pulley that was named, as a setting over the file."""
     return [] if name is None else [f"pulley={json.dumps(name)}"]
-
-
-def _lagging_text(found: "Calibration", measured: "Measured", name: str | None) -> str:
-    """Return the file of the calibrated lagging; what was not calibrated keeps its source."""
-    from wraparc.calibrate.file import calibrated_source
-    from wraparc.files import lagging_text
-
-    lagging = found.drive.pulley(found.pulley).lagging
-    before = measured.problem.drive.pulley(found.pulley).lagging
-    parts = ["thickness", "compression_modulus", "elastic_modulus"]
-    if "shear_modulus" not in measured.problem.parameters:
-        parts.append("shear_modulus")
-    kept = {part: before.source_of(part) for part in parts if getattr(before, part) is not None}
-    return lagging_text(
-        replace(
-            lagging, name=name or f"{before.name}-calibrated"[:60],
-            title=f"{before.title or before.name}, calibrated",
-            provenance=calibrated_source(measured, measured.title), sources=kept, fit=None,
-        )
-    )  # fmt: skip
 
 
 @click.command()

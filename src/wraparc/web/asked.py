@@ -178,6 +178,23 @@ class ChooseRequest(Request):
     hours: dict[Line, float] = Field({}, max_length=50, description="Of a year, by load case.")
 
 
+class MeasuredFile(Request):
+    """A file of a measured drive: a record, or a calibrate file that names records."""
+
+    name: Name
+    data: str = Field(max_length=27_000_000, description="Its bytes in base 64.")
+
+
+class MeasuredRequest(Request):
+    """What was measured on a pulley; a calibrate file says all but the drive itself."""
+
+    document: Document
+    pulley: Line | None = None
+    load_case: Line = ""
+    parameters: list[Literal["friction", "peak_slip", "shear_modulus"]] = Field([], max_length=3)
+    files: list[MeasuredFile] = Field(min_length=1, max_length=50)
+
+
 class OnSiteRequest(Request):
     """What is known of the site."""
 

@@ -25,7 +25,7 @@ COOKIE = "wraparc_token"
 #: Most bytes of a request, and of one that uploads files.
 BODY_LIMIT, UPLOAD_LIMIT = 2_000_000, 64_000_000
 _MOST_DIGITS = 12  # of a length: more are too large, and int() refuses thousands of them
-UPLOADS = "/api/v1/tests/"
+UPLOADS = ("/api/v1/tests/", "/api/v1/measured")
 _SAFE = ("GET", "HEAD", "OPTIONS")
 
 POLICY = (

@@ -14,6 +14,7 @@ from wraparc.web.answers import (
     documents,
     drives,
     form,
+    measured,
     questions,
     seek,
     texts,
@@ -119,6 +120,7 @@ offer(api, "/compare", compare.compare)
 offer(api, "/seek", seek.seek_value)
 offer(api, "/what-if", questions.changed)
 offer(api, "/field", questions.expected)
+offer(api, "/measured", measured.compare_measured, long=lambda asked: True)
 offer(api, "/choose", choosing.chosen, long=lambda asked: True)
 offer(api, "/train", trains.train, long=lambda asked: asked.match)
 offer(api, "/across", across.solve_width)

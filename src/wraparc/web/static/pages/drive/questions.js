@@ -17,6 +17,7 @@ const QUESTIONS = {
   "What if … wet, worn, bare?": () => import("./what_if.js"),
   "Which design costs least?": () => import("./choosing.js"),
   "On site: what to measure, when to alarm": () => import("./site.js"),
+  "A measured drive": () => import("./measured.js"),
 };
 /** @type {Question[]} */
 const asked = [];
