@@ -432,7 +432,10 @@ def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
     creep = display(arc["exit_creep"], "length", digits=RESULT_DIGITS)
     assert figure(page, "Creep at exit") == creep
     note = page.locator("#drive .t-checks").inner_text()
-    assert "end of the 95 % interval of the law (this page leaves it to wraparc solve)" in note
+    assert "end of the 95 % interval of the law" in note
+    # what the page cannot find leaves no bare OK
+    assert "ATTENTION" in page.locator("#verdict .headline").first.inner_text()
+    assert "this page does not find the interval" in page.locator("#verdict").inner_text()
     said = "The interval of the creep that the fit of ours leaves is not found in this page"
     assert said in page.locator("#results").inner_text()
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from wraparc import catalogue
 from wraparc.catalogue import design_friction
-from wraparc.checks import RULES, Level, judge, of_data, of_drive
+from wraparc.checks import RULES, Check, Level, judge, of_data, of_drive
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
@@ -63,8 +63,6 @@ from wraparc.web.answers.judging import Ask, Words, words_of
 from wraparc.web.answers.prepared import Law
 from wraparc.web.answers.shown import tables
 
-#: What of a fitted law a page that judges by itself leaves to the program.
-_LEFT = "this page leaves it to wraparc solve"
 _NO_INTERVAL = (
     "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
     "tells it."
@@ -178,11 +176,25 @@ def _read(name: str, own: Document, condition: Any) -> Lagging:
     return drive_from_document(document).pulleys[0].lagging
 
 
+def _interval_left() -> Check:
+    """What of a fitted law a page that judges by itself leaves to the program: no bare OK."""
+    return Check(
+        name="creep_interval",
+        title=INTERVAL,
+        level=Level.ATTENTION,
+        place=Place(PULLEY, CASE),
+        says="By the uncertainty of the friction law the creep may be beyond its limit: this page "
+        "does not find the interval.",
+        remedy="Solve the file with wraparc solve, which does.",
+        short="interval not found here",
+        binding=False,
+    )
+
+
 def _law(lagging: Lagging) -> BookLaw:
     compact, tested = lagging.law.compact(), lagging.law.tested
     grounds, told = of_data.law_words(lagging)
     fitted = lagging.fit is not None and bool(lagging.fit.knots)
-    left = [of_drive.not_checked("creep_interval", INTERVAL, _LEFT, Place(PULLEY, CASE))]
     drive = probe().drive
     at = drive.load_cases[-1], replace(drive.pulleys[0], lagging=lagging)
     weak = (
@@ -213,7 +225,7 @@ def _law(lagging: Lagging) -> BookLaw:
         weak=[w for w in weak if w.kinds],
         checks=[
             *(words_of(check) for of in (of_data.condition, of_data.fit) for check in of(*at)),
-            *(words_of(check) for check in left if fitted),
+            *([words_of(_interval_left())] if fitted else []),
         ],
     )
 

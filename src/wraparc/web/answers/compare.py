@@ -111,6 +111,8 @@ class CompareAnswer(Answer):
     not_possible: list[Impossible]
 
 
+#: In place of a slack-side tension that does not exist.
+NOT_ANY = "none"
 Changes = list[Change]
 _Candidate = tuple[str, Drive | InputError, Changes]
 _OF_BELT = ("name", "kind", "modulus", "rating", "least_pulley_diameter", "sources", "provenance")
@@ -289,6 +291,8 @@ def _cells(answered: DriveResult, result: ArcResult) -> dict[str, Cell]:
 
 
 def _cell(name: str, value: float) -> Cell:
+    if math.isinf(value):
+        return Cell(value=None, si=NOT_ANY, us=NOT_ANY)
     return Cell(value=finite(value), si=named(name, value, "si"), us=named(name, value, "us"))
 
 

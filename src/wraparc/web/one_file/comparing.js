@@ -129,6 +129,7 @@ const none = Number.NaN;
 const conditionOf = (doc) => (typeof doc.condition === "string" ? doc.condition : "");
 /** @param {string} name @param {number} v */
 function cell(name, v) {
+  if (v === Number.POSITIVE_INFINITY) return { value: null, si: "none", us: "none" };
   const text = () => quantity(v, dimensionOf(name)) || "-";
   const found = inBoth(() => ({ values: { si: text(), us: text() } })).values;
   return { value: Number.isFinite(v) ? v : null, ...found };

@@ -202,8 +202,7 @@ function dots(a) {
 function bestOf(rows, c) {
   const passing = rows.filter((r) => r.level === "OK");
   const all = passing.map((r) => r.cells[c.key]?.value).filter((v) => v != null);
-  const differ = new Set(all).size > 1 || passing.length < rows.length;
-  if (!c.better || all.length === 0 || rows.length < 2 || !differ) return Number.NaN;
+  if (!c.better || new Set(all).size < 2) return Number.NaN;
   return c.better === "low" ? Math.min(...all) : Math.max(...all);
 }
 /** @param {Row[]} rows */

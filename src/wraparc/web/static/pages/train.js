@@ -1,6 +1,7 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
 import { app, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
+import { PAGES } from "../frame/registry.js";
 import { list, refused, scroll, table, verdict } from "../parts/answers.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
@@ -88,7 +89,7 @@ export const Page = () =>
       several()
         ? state.answer && result(state.answer)
         : h("p", { class: "verdict", key: "single" }, SINGLE),
-      matchForm(),
+      PAGES.saved && matchForm(), // some hundred solves: for a server
       state.matching && h("p", { class: "help", role: "status", key: "wait" }, WAIT),
       state.matched && matching(state.matched),
     ),
