@@ -11,6 +11,7 @@ from playwright.sync_api import Page, Route, expect
 from cli.running import wraparc
 from web.browser import Calculator, Visitor
 from web.calculators import document, wait_for
+from web.test_pages import key_figure
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -466,3 +467,26 @@ def test_what_is_unfolded_stays_so_while_its_fields_change(visitor: Visitor) -> 
     page.press("#f-pulley-0-name", "Tab")
     expect(page.locator("legend", has_text="Pulley head")).to_be_visible()
     expect(page.locator("#f-pulley-0-lagging-thickness")).to_be_hidden()
+
+
+def test_a_pinned_design_stands_beside_the_present_one(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    visitor.solved()
+    before = key_figure(visitor, "Creep at exit")
+    ghosts = page.locator("#drive .plots path.ghost:not([d=''])")
+    marches = page.locator("#drive .plots path.paper:not([d=''])")
+    assert (ghosts.count(), marches.count()) == (0, 0)  # neither stands there unasked
+    page.get_by_role("button", name="Pin this design").click()
+    page.fill("#f-pulley-0-exit_tension", "90")
+    row = page.locator(".pinned-table tr", has_text="Exit tension")
+    expect(row.locator("td")).to_have_text(["60 kN", "90 kN", "+30 kN"])
+    creep = page.locator(".pinned-table tr", has_text="Creep at exit").locator("td")
+    visitor.solved()
+    assert creep.all_inner_texts()[:2] == [before, key_figure(visitor, "Creep at exit")]
+    # tension, friction, creep and shear of the pinned one, each with its mark in the legend
+    expect(ghosts).to_have_count(8)
+    page.get_by_label("Paper's march beside it").check()
+    expect(marches).to_have_count(8)
+    page.get_by_role("button", name="Take the pin out").click()
+    expect(page.locator(".pinned-table")).to_have_count(0)
+    expect(ghosts).to_have_count(0)

@@ -14,6 +14,12 @@ const TITLES = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"];
 /** @param {number} v */
 const degrees = (v) => (v * 180) / Math.PI;
 
+/**
+ * What is drawn beside the arc: the paper's march if it is asked for, and an arc that was pinned.
+ * @typedef {{name: string, numbers: QuickAnswer["numbers"], profile: QuickAnswer["profile"]}} Pinned
+ */
+export const besides = { march: false, pinned: /** @type {Pinned | null} */ (null), turn: 0 };
+
 /** What the plots of one arc need: the answer, its lines in the units looked at. */
 class Scene {
   /** @param {QuickAnswer} arc */
@@ -22,8 +28,10 @@ class Scene {
     this.n = arc.numbers;
     this.p = arc.profile;
     this.x = this.p.position.map(degrees);
-    const march = whole() ? wholeArc()?.paper : null;
-    this.paper = march?.status === "solved" ? march.profile : null;
+    const march = marched();
+    /** @type {[Record<string, any>, string, string][]} */
+    this.others = march ? [[march.profile, "paper", "paper's march"]] : [];
+    if (besides.pinned) this.others.push([besides.pinned.profile, "ghost", "pinned"]);
     this.side = this.n.entry_tension >= this.n.exit_tension ? 1 : -1;
   }
   /** @param {string} name @param {string} cls @param {string} label @param {number} [f]
@@ -31,13 +39,13 @@ class Scene {
   line(name, cls, label, f = 1, size) {
     return { y: scaled(this.p[name], f, size), cls, label };
   }
-  /** The paper's march beside it, once that is solved. @param {string} name @param {number} [f]
+  /** What stands beside it. @param {string} name @param {number} [f]
    * @param {boolean} [size] @returns {Line[]} */
-  march(name, f = 1, size) {
-    const { paper } = this;
-    if (!paper) return [];
-    const y = scaled(paper[name], f, size);
-    return [{ x: paper.position.map(degrees), y, cls: "paper", label: "paper's march" }];
+  beside(name, f = 1, size) {
+    return this.others.map(([profile, cls, label]) => {
+      const y = scaled(profile[name], f, size);
+      return { x: profile.position.map(degrees), y, cls, label };
+    });
   }
   /** @returns {Omit<ChartData, "lines" | "ylabel">} */
   common() {
@@ -46,6 +54,11 @@ class Scene {
     if (this.n.stuck_arc > 0) zones.push([0, degrees(this.n.stuck_arc), "rest"]);
     return { x: this.x, zones, angles: true, xs: [0, this.x[this.x.length - 1]], zero: true };
   }
+}
+/** The paper's march, once it is asked for and solved. */
+function marched() {
+  const march = besides.march && whole() ? wholeArc()?.paper : null;
+  return march?.status === "solved" ? march : null;
 }
 /** @param {(number | null)[]} values @param {number} f @param {boolean} [size] */
 const scaled = (values, f, size) =>
@@ -61,7 +74,7 @@ function tension(scene) {
     ...scene.common(),
     ylabel: `T [${fu}]`,
     told: range,
-    lines: [scene.line("tension", "blue", "belt tension", ff), ...scene.march("tension", ff)],
+    lines: [scene.line("tension", "blue", "belt tension", ff), ...scene.beside("tension", ff)],
     other: { label: `p [${pu}]`, key, to: (v) => v * key, from: (v) => v / key },
   };
 }
@@ -72,7 +85,7 @@ const friction = (scene) => ({
   lines: [
     scene.line("friction", "blue", "available", 1, true),
     scene.line("friction_used", "orange", "used", 1, true),
-    ...scene.march("friction_used", 1, true),
+    ...scene.beside("friction_used", 1, true),
   ],
 });
 /** @param {Scene} scene @returns {ChartData} */
@@ -86,7 +99,7 @@ function creep(scene) {
     lines: [
       scene.line("creep", "blue", "creep", f),
       scene.line("slip", "orange", "slip", f),
-      ...scene.march("creep", f),
+      ...scene.beside("creep", f),
     ],
   };
 }
@@ -110,7 +123,7 @@ function shear(scene) {
     pointLabel: `peak ${shown("peak_shear_stress", n.peak_shear_stress, 3)}`,
     lines: [
       scene.line("shear_stress", "blue", "shear stress", f),
-      ...scene.march("shear_stress", f),
+      ...scene.beside("shear_stress", f),
     ],
     ...(Number.isFinite(G) && G > 0 ? { other: angle } : {}),
   };
@@ -182,9 +195,9 @@ export function creepBySource(figure, wide) {
   const side = n.effective_tension < 0 ? -1 : 1;
   const partsOf = (/** @type {Record<string, number>} */ m) => PARTS.map((k) => m[k] / f);
   const bars = [{ label: "distributed", parts: partsOf(n) }];
-  const march = whole() ? wholeArc()?.paper : null;
-  if (march?.status === "solved")
-    bars.push({ label: "paper's march", parts: partsOf(march.numbers) });
+  const march = marched();
+  if (march) bars.push({ label: "paper's march", parts: partsOf(march.numbers) });
+  if (besides.pinned) bars.push({ label: "pinned", parts: partsOf(besides.pinned.numbers) });
   const names = ["belt shrinkage", "lagging compression", "global creep"];
   const legend = PARTS.map((k, i) => {
     const e = document.createElement("span");

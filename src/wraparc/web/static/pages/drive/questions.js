@@ -7,6 +7,7 @@ import { h } from "../../vendor/preact.js";
 
 export { raise, raiseAlone } from "./advice.js";
 export { bars } from "./bars.js";
+export { pins } from "./pins.js";
 
 /** @import { Children } from "../../types.d.ts" */
 /** @typedef {{open: (at?: any) => void, panel: () => Children}} Question */

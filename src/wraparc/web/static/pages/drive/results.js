@@ -8,7 +8,7 @@ import { choose } from "../../parts/choose.js";
 import { toFillIn } from "../../parts/problems.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { figures, peek, placeText, reading } from "./figures.js";
-import { creepBySource, Pictures, QUANTITIES } from "./pictures.js";
+import { besides, creepBySource, Pictures, QUANTITIES } from "./pictures.js";
 import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, QuickAnswer } from "../../types.d.ts" */
@@ -60,7 +60,7 @@ export class Results extends Component {
     const arc = answer.quick;
     if (!arc || !this.pictures || arc.status !== "solved") return this.painted(arc);
     const { quantity, part } = this.state;
-    const now = [arc, app.units, quantity, whole()];
+    const now = [arc, app.units, quantity, whole(), besides.turn];
     if (now.some((v, i) => v !== this.drawn[i])) {
       this.pictures.draw(arc, quantity);
       if (this.wide) creepBySource(this.budget.current, this.wide);
@@ -164,10 +164,11 @@ export class Results extends Component {
       "section",
       { class: "card", "aria-label": "Along the wrap", key: "along", hidden: !solved },
       h("h2", {}, "Along the wrap"),
-      h("div", { class: "plots", ref: this.plots }),
+      h("div", { key: "pins" }, arc && solved && beside?.pins(arc)),
+      h("div", { class: "plots", ref: this.plots, key: "plots" }),
       h(
         "div",
-        { class: "along" },
+        { class: "along", key: "place" },
         h("label", { for: "cursor" }, "Place on the arc"),
         h("input", cursor),
         arc && solved && reading(arc, part),
