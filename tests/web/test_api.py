@@ -12,11 +12,12 @@ from starlette.testclient import TestClient
 
 from cli.running import wraparc
 from web.calculators import API, client, document
-from wraparc import Distributed, WrapArc, solve
-from wraparc.checks import judge, least_tension
+from wraparc import Distributed, WrapArc, solve, solve_train
+from wraparc.checks import Level, judge, least_tension
 from wraparc.choose.cost import catalogue_price, energy_cost, lagging_cost
 from wraparc.drive.changes import with_lagging
 from wraparc.files import drive_from_document, load_lagging
+from wraparc.train.file import train_from_document
 from wraparc.web.examples import examples
 
 
@@ -220,6 +221,18 @@ def test_comparison_judges_every_load_case_and_shows_one(api: TestClient) -> Non
         assert row["cells"]["least_slack"]["value"] == pytest.approx(expected)
         told.add(row["level"])
     assert "OK" not in told
+
+
+def test_comparison_of_one_pulley_is_no_ok_where_another_slips(api: TestClient) -> None:
+    # expected: the verdict of `wraparc solve`; the second drum of this tandem is in gross slip
+    tandem = document("tandem-fabric")
+    tandem["train"]["exit_tension"] = "0.3 kN"
+    whole = solve_train(train_from_document(tandem), raise_on_failure=False)
+    assert judge(whole).level is Level.FAILS
+    rows = post(api, "/compare", document=tandem, pulley="first")["rows"]
+    assert {row["level"] for row in rows} == {"FAILS"}
+    assert all("pulley second" in row["short"] for row in rows)
+    assert all(row["cells"]["least_slack"]["value"] is None for row in rows)
 
 
 def test_what_a_comparison_changes_makes_that_drive(api: TestClient) -> None:

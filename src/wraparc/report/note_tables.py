@@ -1,5 +1,6 @@
 """Tables that a calculation note alone has: all arcs of all load cases, the shares of a train."""
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -53,7 +54,7 @@ def shares_table(train: "TrainResult", system: System) -> Table:
             values = (
                 percent(m.share),
                 number("drum_power", m.drum_power, system),
-                f"{100.0 * (m.speed_ratio - 1.0):+.4f}",
+                NONE if math.isnan(m.speed_ratio) else f"{100.0 * (m.speed_ratio - 1.0):+.4f}",
                 trim_text(m.speed_trim),
                 percent(m.motor.motor_load) if m.motor else NONE,
             )

@@ -1,7 +1,7 @@
 """The same drive with other laggings or other belts, side by side, with what they cost."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -129,7 +129,8 @@ def compare(asked: CompareRequest) -> CompareAnswer:
         try:
             if isinstance(changed, InputError):
                 raise changed
-            answered = _answered(changed, pulley.name)
+            names = [pulley.name, *(p.name for p in drive.pulleys if p.name != pulley.name)]
+            answered = [_answered(changed, each) for each in names]
         except InputError as error:
             impossible.append(Impossible(name=name, problems=told(error.problems)))
             continue
@@ -230,28 +231,29 @@ def _answered(drive: Drive, pulley: str) -> DriveResult:
 
 def _row(
     name: str,
-    answered: DriveResult,
+    all_answered: Sequence[DriveResult],
     case: str,
     change: Changes,
     asked: CompareRequest,
     *,
     present: bool,
 ) -> Candidate:
+    answered = all_answered[0]
     drive = answered.drive
     result = answered.arc(drive.pulleys[0].name, case)
     lagging = drive.pulleys[0].lagging
     what = lagging if asked.what == "laggings" else drive.belt
     origin = lagging.source_of("law") if isinstance(what, Lagging) else what.provenance
-    judged = judge(answered)
+    judged = Verdict(tuple(check for each in all_answered for check in judge(each).checks))
     cost, note = _cost(drive, lagging, result, asked)
     return Candidate(
         name=name,
         title=lagging.title if isinstance(what, Lagging) else what.kind,
         condition=lagging.condition,
         level=judged.level,
-        short=_short(judged, answered, result),
+        short=_short(judged, all_answered, result),
         status_text=str(result.status),
-        cells={**_cells(answered, result), **cost},
+        cells={**_cells(answered, result, alone=len(all_answered) == 1), **cost},
         cost_note=note,
         kind=origin.kind.value,
         source=str(origin),
@@ -260,20 +262,25 @@ def _row(
     )
 
 
-def _short(judged: Verdict, answered: DriveResult, result: ArcResult) -> str:
-    """Return the answer in a few words, with the load case it is of unless that is shown."""
+def _short(judged: Verdict, all_answered: Sequence[DriveResult], result: ArcResult) -> str:
+    """Return the answer in a few words, with the pulley and load case it is of unless shown."""
     worst = judged.governing
     if worst is None or not worst.missed:
-        return "not driven" if all(idle(r.arc) for r in answered) else "carries"
-    place = worst.place
-    if place.load_case in ("", result.arc.load_case):
-        return short(answered, result)
-    return f"{short(answered, answered.arc(result.arc.pulley, place.load_case))}, {place.load_case}"
+        driven = any(not idle(r.arc) for each in all_answered for r in each)
+        return "carries" if driven else "not driven"
+    place, shown_of = worst.place, result.arc
+    of = next((r for r in all_answered if r.arcs[0].arc.pulley == place.pulley), all_answered[0])
+    words = [short(of, of.arc(of.arcs[0].arc.pulley, place.load_case))]
+    if place.pulley not in ("", shown_of.pulley):
+        words.append(f"pulley {place.pulley}")
+    if place.load_case not in ("", shown_of.load_case):
+        words.append(place.load_case)
+    return ", ".join(words)
 
 
-def _cells(answered: DriveResult, result: ArcResult) -> dict[str, Cell]:
+def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str, Cell]:
     solved, c = result.status.solved, result.capacities
-    least = least_tension(answered)
+    least = least_tension(answered) if alone else None  # one pulley does not tell that of all
     numbers = {
         "creep": ("exit_creep", abs(result.exit_creep), solved),
         "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress, solved),

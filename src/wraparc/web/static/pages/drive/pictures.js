@@ -16,7 +16,8 @@ const degrees = (v) => (v * 180) / Math.PI;
 
 /**
  * What is drawn beside the arc: the paper's march if it is asked for, and an arc that was pinned.
- * @typedef {{name: string, numbers: QuickAnswer["numbers"], profile: QuickAnswer["profile"]}} Pinned
+ * @typedef {{name: string, numbers: QuickAnswer["numbers"],
+ *   profile: QuickAnswer["profile"]}} Pinned
  */
 export const besides = { march: false, pinned: /** @type {Pinned | null} */ (null), turn: 0 };
 

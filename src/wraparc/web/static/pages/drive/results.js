@@ -281,7 +281,7 @@ function chips(arc) {
     kinds.includes("calibrated") && chip("calibrated", "calibrated data"),
     out > 0
       ? chip("outside", `outside the tested range on ${percent(out)} of the wrap`)
-      : tested && chip("inside", `within the tested range (${range})`),
+      : tested && arc.status === "solved" && chip("inside", `within the tested range (${range})`),
     (arc.remarks || []).map((r, i) => h("span", { class: "remark", key: i }, words(r))),
   );
 }
