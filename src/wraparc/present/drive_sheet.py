@@ -150,8 +150,7 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
 
 
 def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
-    arc, solved = result.arc, result.status.solved
-    creep = result.exit_creep if solved else math.nan
+    arc, creep = result.arc, result.exit_creep
     return (
         number("entry_tension", arc.entry_tension, system),
         number("exit_tension", arc.exit_tension, system),

@@ -1,6 +1,5 @@
 """The sheet and the plain data of a family of tension ratios."""
 
-import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -74,8 +73,8 @@ def family_document(results: Sequence[ArcResult]) -> dict[str, Any]:
                 "entry_tension": r.arc.entry_tension,
                 "exit_tension": r.arc.exit_tension,
                 "status": r.status.name.lower(),
-                "exit_creep": r.exit_creep if r.status.solved else math.nan,
-                "exit_slip": r.exit_slip if r.status.solved else math.nan,
+                "exit_creep": r.exit_creep,
+                "exit_slip": r.exit_slip,
                 "position": r.profile.position.tolist(),
                 "creep": r.profile.creep.tolist(),
             }

@@ -279,21 +279,17 @@ def _short(judged: Verdict, all_answered: Sequence[DriveResult], result: ArcResu
 
 
 def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str, Cell]:
-    solved, c = result.status.solved, result.capacities
     least = least_tension(answered) if alone else None  # one pulley does not tell that of all
     numbers = {
-        "creep": ("exit_creep", abs(result.exit_creep), solved),
-        "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress, solved),
-        "peak_shear_angle": ("peak_shear_angle", result.peak_shear_angle, solved),
-        "margin": ("creep_limit_margin", c.creep_limit_margin, True),
-        "least_slack": ("least_exit_tension", least.tension if least else math.nan, True),
-        "power_loss": ("power_loss", result.energy.power_loss, solved),
+        "creep": ("exit_creep", abs(result.exit_creep)),
+        "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress),
+        "peak_shear_angle": ("peak_shear_angle", result.peak_shear_angle),
+        "margin": ("creep_limit_margin", result.capacities.creep_limit_margin),
+        "least_slack": ("least_exit_tension", least.tension if least else math.nan),
+        "power_loss": ("power_loss", result.energy.power_loss),
     }
-    cells = {
-        key: _cell(name, v if known else math.nan) for key, (name, v, known) in numbers.items()
-    }
-    share = abs(result.exit_creep) / result.arc.creep_limit if solved else math.nan
-    outside = result.outside_tested_share if solved else math.nan
+    cells = {key: _cell(name, value) for key, (name, value) in numbers.items()}
+    share, outside = abs(result.exit_creep) / result.arc.creep_limit, result.outside_tested_share
     return {**cells, "of_limit": _share(share), "outside": _share(outside)}
 
 
