@@ -14,8 +14,10 @@ from wraparc.arc import Distributed, WrapArc
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
+from wraparc.present.study_words import histogram_sentence, part
 from wraparc.schema.source import parse, read_text
-from wraparc.study.monte_carlo import PERCENTS, _Collected, over_conditions, summarise, wilson
+from wraparc.study.histogram import limit_column
+from wraparc.study.monte_carlo import PERCENTS, _Collected, over_conditions, summarise
 from wraparc.study.parameter_study import OUTPUTS
 from wraparc.study.plan import Array, Saltelli
 from wraparc.study.run import run_study
@@ -26,6 +28,7 @@ from wraparc.study.sensitivity import (
     local_sensitivity,
     sobol_indices,
 )
+from wraparc.study.share import wilson
 
 
 @pytest.mark.parametrize(
@@ -69,7 +72,7 @@ def test_groups_are_what_a_table_says(results: Path) -> None:
             & (frame.load_case == group.load_case)
             & (frame.condition == group.condition)
         ]
-        assert len(rows) == 100 == group.answered
+        assert len(rows) == 100 == group.rows
         over = int((~rows.within_creep_limit).sum())
         assert (group.over_limit.count, group.over_limit.total) == (over, 100)
         for name in ("exit_creep", "least_exit_tension", "peak_shear_stress"):
@@ -100,9 +103,9 @@ def test_many_draws_are_thinned_evenly() -> None:
     rng = np.random.default_rng(2)
     gathered = _Collected(("exit_creep",), 100_000)
     numbers = rng.normal(size=(20, 50_000))
-    for part in numbers:
-        status = np.zeros(len(part), dtype=np.int64)
-        gathered.take(status, np.ones(len(part), dtype=bool), status, {"exit_creep": part})
+    for some in numbers:
+        status = np.zeros(len(some), dtype=np.int64)
+        gathered.take(status, np.ones(len(some), dtype=bool), status, {"exit_creep": some})
     group = gathered.group(levels={}, load_case="a", condition="", share=None)
     assert sum(map(len, gathered.kept["exit_creep"])) <= 100_000
     assert group.known["exit_creep"] == 1_000_000
@@ -123,6 +126,53 @@ def test_breakaways_are_counted_and_have_a_creep_without_bound(tmp_path: Path) -
     assert first.percentiles["exit_creep"][0] == math.inf
     assert first.judged.share(Level.FAILS).value == 1.0
     assert first.judged.missed == {"gross_slip": 8}
+
+
+def test_a_histogram_holds_every_row_and_ends_a_bar_at_the_limit(results: Path) -> None:
+    """Independent: pandas over the whole file."""
+    frame = pq.read_table(results).to_pandas()
+    for group in summarise(results).groups:
+        rows = frame[
+            np.isclose(frame["pulley.head.exit_tension"], group.levels["pulley.head.exit_tension"])
+            & (frame.load_case == group.load_case)
+            & (frame.condition == group.condition)
+        ]
+        for name in ("exit_creep", "creep_limit_margin", "peak_shear_stress"):
+            found, values = group.histograms[name], rows[name].dropna()
+            assert sum(found.counts) == len(values)
+            inside = values.between(found.edges[0], found.edges[-1])
+            again, _ = np.histogram(values[inside], found.edges)
+            assert list(found.counts[1:-1]) == list(again[1:-1])
+        found = group.histograms["exit_creep"]
+        (limit,) = set(rows.exit_creep_limit)
+        assert (found.limit.least, found.limit.one) == (limit, True)
+        assert found.beyond == int((~rows.within_creep_limit).sum())
+        if found.edges[0] < limit < found.edges[-1]:
+            assert min(abs(edge - limit) for edge in found.edges) < 1e-12
+
+
+def test_draws_without_an_answer_are_no_draws_that_keep_the_limit() -> None:
+    """By hand: of ten draws four creep 1 mm, three 9 mm, two slip, one is no drive; limit 8 mm."""
+    creep = np.array([1.0] * 4 + [9.0] * 3 + [np.nan] * 3) / 1e3
+    status = np.array([0] * 7 + [1, 1, 4])
+    gathered = _Collected(("exit_creep",))
+    values = {"exit_creep": creep, limit_column("exit_creep"): np.full(10, 8e-3)}
+    gathered.take(status, creep <= 8e-3, np.zeros(10, dtype=np.int64), values)
+    group = gathered.group(levels={}, load_case="a", condition="", share=None)
+    found = group.histograms["exit_creep"]
+    assert (found.beyond, found.away, found.unanswered, found.total) == (6, 2, 1, 10)
+    assert (group.over_limit.count, group.over_limit.total) == (6, 10)
+    assert (group.breakaway.count, group.breakaway.total) == (2, 10)
+    assert histogram_sentence("exit_creep", found) == (
+        "60 % of 10 draws exceed the creep limit of 8 mm, "
+        "2 in gross slip and 1 without an answer among them."
+    )
+
+
+def test_a_share_is_rounded_to_neither_all_nor_none() -> None:
+    """By hand."""
+    assert [part(n, 100_000) for n in (0, 99_999, 100_000)] == ["none", "all but 1", "all"]
+    assert part(97, 100) == "97 %"
 
 
 def test_a_file_that_is_no_results(tmp_path: Path) -> None:

@@ -51,7 +51,7 @@ def test_monte_carlo_of_a_wet_and_dry_drive(tmp_path: Path) -> None:
         "--set", "sampling.samples=64", "--set", 'load_cases=["design"]', "--units", "us",
     )  # fmt: skip
     assert ran.code == 0, ran.err
-    assert "design, wet: probability by pulley.head.exit_tension" in ran.words
+    assert "design, wet: probability by exit tension" in ran.words
     assert "each condition counted by its share of the time" in ran.words
     assert "T2 for the limit 50 % [lbf]" in ran.words
     assert "wet: illustrative (about the 0.78 of the wet-season example)" in ran.words
@@ -74,7 +74,7 @@ def test_load_cases_at_the_accuracy_of_solve(tmp_path: Path) -> None:
     ran = wraparc("study", EXAMPLES / "load-cases.toml", "-o", tmp_path / "a.parquet")
     assert ran.code == 0, ran.err
     assert "8 designs in 3 cases; precise setting" in ran.words
-    assert "start: by belt.preset, pulley.head.lagging.thickness" in ran.words
+    assert "start: by belt, thickness of the lagging" in ran.words
 
 
 def test_a_dry_run_only_tells_the_size(tmp_path: Path) -> None:

@@ -92,7 +92,9 @@ def test_all_faults_are_told_at_once() -> None:
 def test_a_distribution_is_cut_where_the_field_ends_and_says_so() -> None:
     axis = {**NORMAL, "standard_deviation": "8 MN/m"}
     asked = study_of(axis, sampling=SAMPLING)
-    assert "belt.modulus: 6.7 % of the distribution lies beyond its limits" in asked.remarks[0]
+    assert (
+        "Modulus of the belt: 6.7 % of the distribution lies beyond its limits" in asked.remarks[0]
+    )
     assert asked.study.plan.values(0, 100)["belt.modulus"].min() > 0.0
 
 

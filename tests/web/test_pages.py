@@ -371,6 +371,18 @@ def test_study_is_started_followed_shown_and_cancelled(visitor: Visitor) -> None
     wait_for(lambda: image.evaluate("(e) => e.naturalWidth") > 100)
     assert image.get_attribute("alt")
     page.get_by_label("Samples").fill("200000")
+    # the share in the headline, of all draws; the picture has its limit as a labelled line
+    headline = done.locator(".headline")
+    expect(headline).to_contain_text(
+        re.compile(r"% of [\d,]+ designs exceed the creep limit of 6.35")
+    )
+    spread = done.locator(".spread")
+    expect(spread.locator("svg text", has_text="creep limit 6.35 mm")).to_be_visible()
+    spread.get_by_label("Result").select_option(label="Margin to the creep limit")
+    expect(spread.locator("svg")).to_have_attribute(
+        "aria-label", re.compile("fall short of the margin of 1")
+    )
+    assert "pulley.head" not in done.locator(".t-, .verdict").all_inner_texts()[0]
     page.locator("#study").get_by_label("Title").fill("Cancelled")
     page.get_by_role("button", name="Start the study").click()
     page.get_by_role("button", name="Cancel").click()

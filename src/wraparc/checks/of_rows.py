@@ -308,15 +308,25 @@ def _idle(arcs: Arcs) -> Flags:
     return np.asarray(np.abs(arcs.entry_tension - arcs.exit_tension) <= IDLE * arcs.entry_tension)
 
 
-def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple[Array, Array]:
-    """Rank of the level and margin of a check; 0 where nothing is compared."""
-    compared = ~np.isnan(limit)
+def kept_rows(value: Array, limit: Array, *, at_most: bool) -> Flags:
+    """Return which values keep their limits, compared in four digits as `keeps` does."""
+    return _kept(value, limit, at_most)[0]
+
+
+def _kept(value: Array, limit: Array, at_most: bool) -> tuple[Flags, Array]:
     kept = (value <= limit) if at_most else (value >= limit)
     with np.errstate(invalid="ignore", divide="ignore"):
         margins = margin_to(value, limit, at_most=at_most)
-    near = np.flatnonzero(compared & ~kept & (np.abs(margins) < _NEAR))
+    near = np.flatnonzero(~kept & (np.abs(margins) < _NEAR))
     for i in near:  # few: the digits decide
         kept[i] = keeps(float(value[i]), float(limit[i]), at_most=at_most)
+    return kept, margins
+
+
+def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple[Array, Array]:
+    """Rank of the level and margin of a check; 0 where nothing is compared."""
+    compared = ~np.isnan(limit)
+    kept, margins = _kept(value, limit, at_most)
     ranks = np.where(kept, Level.OK.rank, missed)
     margins = np.where(np.isnan(margins), np.where(kept, math.inf, -math.inf), margins)
     return np.where(compared, ranks, 0), np.where(compared, margins, math.inf)

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wraparc.glossary import GLOSSARY
-from wraparc.plot.picture import BLUE, GREY, LINES, ORANGE, Picture, styled
-from wraparc.study.monte_carlo import CONFIDENCE, Group, Summary
+from wraparc.plot.picture import BLUE, GREY, LINES, ORANGE, RED, Picture, styled
+from wraparc.study.fields import label_of, names_of
+from wraparc.study.monte_carlo import Group, Summary
 from wraparc.study.sensitivity import Indices, Swing
+from wraparc.study.share import CONFIDENCE
 from wraparc.units import Dimension, System, display, display_unit
 
 if TYPE_CHECKING:
@@ -21,18 +23,29 @@ _MOST_LINES = 8
 
 
 def plot_study(
-    summary: Summary, units: Mapping[str, Dimension | None], system: System = "si"
+    summary: Summary,
+    units: Mapping[str, Dimension | None],
+    system: System = "si",
+    *,
+    spread: bool = True,
 ) -> Picture:
-    """Return what a study says: probabilities or values over the levels, and how they settle."""
+    """Return what a study says.
+
+    Of draws how their creep is spread (`spread`), probabilities over the levels, and how they
+    settle; of a grid values over the levels.
+    """
+    shown = [spread, bool(_axis_of(summary)), True] if summary.drawn else [True, True]
     with styled():
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(9.6, 4.2), layout="constrained")
-        left, right = figure.subplots(1, 2)
+        figure = Figure(figsize=(4.8 * sum(shown), 4.2), layout="constrained")
+        axes = list(figure.subplots(1, sum(shown), squeeze=False)[0])
         if summary.drawn:
-            _chances(left, summary, units, system)
-            _settling(right, summary, units, system)
+            for draw, wanted in zip((_spread, _chances, _settling), shown, strict=True):
+                if wanted:
+                    draw(axes.pop(0), summary, units, system)
         else:
+            left, right = axes
             _over_levels(left, summary, "exit_creep", units, system)
             _over_levels(right, summary, "least_exit_tension", units, system)
         return Picture(figure)
@@ -55,6 +68,40 @@ def _curves(summary: Summary, axis: str) -> dict[str, list[Group]]:
     return dict(list(curves.items())[:_MOST_LINES])
 
 
+def _spread(
+    ax: Axes, summary: Summary, units: Mapping[str, Dimension | None], system: System
+) -> None:
+    """How the creep of the group is spread that keeps its limit least often."""
+    drawn = [g for g in summary.groups if "exit_creep" in g.histograms]
+    if not drawn:
+        return
+    group = max(drawn, key=lambda g: g.over_limit.value)
+    found, name = group.histograms["exit_creep"], "exit_creep"
+    _, scale = display_unit(GLOSSARY[name].dimension, system)
+    edges = np.array(found.edges) / scale
+    limit = found.limit.least / scale
+    for low, high, count in zip(edges, edges[1:], found.counts, strict=False):
+        beyond = abs(low + high) / 2.0 > limit
+        face, edge, hatch = ("#f3d5d8", RED, "////") if beyond else ("#9cc9e3", BLUE, None)
+        ax.bar(
+            low, count, high - low, align="edge", facecolor=face, edgecolor=edge, hatch=hatch,
+            linewidth=0.6,
+        )  # fmt: skip
+    if not math.isnan(limit):
+        told = f"creep limit {display(found.limit.least, 'length', system)}"
+        ax.axvline(limit, color=RED, linestyle=(0, (5, 2)), label=told)
+        if len(edges) and edges[0] < 0.0:
+            ax.axvline(-limit, color=RED, linestyle=(0, (5, 2)))
+    ax.set_title(f"{found.total:,} draws: {_place(group, units, system)}")
+    ax.set_xlabel(GLOSSARY[name].heading(system))
+    ax.set_ylabel("Draws")
+    lost = found.away + found.unanswered
+    if lost:
+        ax.plot([], [], " ", label=f"{lost:,} without a creep")
+    if ax.get_legend_handles_labels()[1]:
+        ax.legend(loc="best")
+
+
 def _chances(
     ax: Axes, summary: Summary, units: Mapping[str, Dimension | None], system: System
 ) -> None:
@@ -63,7 +110,7 @@ def _chances(
     for (name, groups), (color, dashes) in zip(
         _curves(summary, axis).items(), _cycle(), strict=False
     ):
-        x = [float(g.levels[axis]) / size for g in groups] if axis else [0.0] * len(groups)
+        x = [float(g.levels[axis]) / size for g in groups]
         p = np.array([100.0 * g.over_limit.value for g in groups])
         ends = 100.0 * np.array([g.over_limit.interval for g in groups])
         spread = np.abs(ends.T - p)
@@ -71,7 +118,7 @@ def _chances(
             x, p, yerr=spread, color=color, linestyle=dashes, marker="o", markersize=4,
             capsize=2, label=name,
         )  # fmt: skip
-    ax.set_xlabel(f"{axis} [{unit}]" if axis else "all draws")
+    ax.set_xlabel(f"{names_of(summary.data)(axis).capitalize()} [{unit}]")
     ax.set_ylabel("Creep over its limit [% of draws]")
     ax.set_title(f"Probability, {CONFIDENCE:.0%} interval")
     ax.set_ylim(bottom=0.0)
@@ -90,8 +137,7 @@ def _settling(
         n = [step.draws for step in group.steps]
         p = [100.0 * step.over_limit.value for step in group.steps]
         ends = 100.0 * np.array([step.over_limit.interval for step in group.steps]).reshape(-1, 2)
-        parts = [_shown(name, v, units, system) for name, v in group.levels.items()]
-        name = ", ".join(part for part in (*parts, group.load_case, group.condition) if part)
+        name = _place(group, units, system)
         ax.plot(n, p, color=color, linestyle=dashes, marker="o", markersize=4, label=name)
         ax.fill_between(n, ends[:, 0], ends[:, 1], color=color, alpha=0.15, linewidth=0.0)
     ax.set_xscale("log", base=2)
@@ -100,6 +146,12 @@ def _settling(
     ax.set_title("Convergence where it is least certain")
     if groups:
         ax.legend(loc="best")
+
+
+def _place(group: Group, units: Mapping[str, Dimension | None], system: System) -> str:
+    """Levels, load case and condition of a group."""
+    parts = [_shown(name, v, units, system) for name, v in group.levels.items()]
+    return ", ".join(part for part in (*parts, group.load_case, group.condition) if part)
 
 
 def _shown(field: str, value: Any, units: Mapping[str, Dimension | None], system: System) -> str:
@@ -123,7 +175,7 @@ def _over_levels(
         x = [float(g.levels[axis]) / size if axis else 0.0 for g in groups]
         y = [g.percentiles.get(result, (math.nan,) * 4)[1] / scale for g in groups]
         ax.plot(x, y, color=color, linestyle=dashes, marker="o", markersize=4, label=name)
-    ax.set_xlabel(f"{axis} [{unit}]" if axis else "")
+    ax.set_xlabel(f"{names_of(summary.data)(axis).capitalize()} [{unit}]" if axis else "")
     ax.set_ylabel(f"{GLOSSARY[result].title} [{of}]")
     if summary.groups:
         ax.legend(loc="best")
@@ -153,7 +205,7 @@ def plot_sensitivity(
 
 def _tornado(ax: Axes, result: str, swings: Sequence[Swing], system: System) -> None:
     unit, scale = display_unit(GLOSSARY[result].dimension, system)
-    names = [s.field for s in swings][::-1]
+    names = [label_of(s.field) for s in swings][::-1]
     for place, swing in enumerate(swings[::-1]):
         for end, color in ((swing.at_low, BLUE), (swing.at_high, ORANGE)):
             width = (end - swing.base) / scale
@@ -177,7 +229,7 @@ def _bars(ax: Axes, indices: Indices | None) -> None:
         ):
             ax.barh(place + shift, value, color=color, height=0.36)
             ax.plot(ends, [place + shift] * 2, color=GREY, linewidth=1.2)
-    ax.set_yticks(range(len(inputs)), [one.name for one in inputs])
+    ax.set_yticks(range(len(inputs)), [label_of(one.name) for one in inputs])
     ax.plot([], [], color=BLUE, linewidth=6, label="alone")
     ax.plot([], [], color=ORANGE, linewidth=6, label="with others")
     ax.legend(loc="best")

@@ -10,7 +10,8 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Row, Sheet, Table
 from wraparc.present.sheet import quantity as shown
 from wraparc.present.words import verdict
-from wraparc.study.seek import Sought, label_of
+from wraparc.study.fields import label_of
+from wraparc.study.seek import Sought
 from wraparc.units import System
 
 

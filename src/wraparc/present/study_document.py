@@ -7,7 +7,8 @@ from typing import Any
 
 from wraparc.glossary import GLOSSARY
 from wraparc.present.study_sheet import Global, Local
-from wraparc.study.monte_carlo import CONFIDENCE, PERCENTS, Group, Judged, Share, Summary
+from wraparc.study.monte_carlo import PERCENTS, Group, Judged, Summary
+from wraparc.study.share import CONFIDENCE, Share
 from wraparc.units import DIMENSION_TEXT
 
 
@@ -21,6 +22,7 @@ def study_document(
         "input": summary.data["input"],
         "counts": dict(summary.counts),
         "judged": _judged_data(summary.judged),
+        "over_limit": _share_data(summary.over_limit),
         "confidence": CONFIDENCE,
         "percents": list(PERCENTS),
         "groups": [_group_data(group) for group in summary.groups],

@@ -5,22 +5,21 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.page import sheet_page
-from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, number, percent, quantity
+from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, percent, quantity, started
+from wraparc.present.study_words import group_name, subtitle, varied_table, verdict
+from wraparc.study.fields import Called, names_of
 from wraparc.study.monte_carlo import (
-    CONFIDENCE,
     PERCENTS,
     Group,
-    Judged,
-    Share,
     Summary,
     over_conditions,
 )
 from wraparc.study.sensitivity import Indices, Swing
+from wraparc.study.share import CONFIDENCE, Share
 from wraparc.units import Dimension, System, display_unit
 
 Local = Mapping[tuple[str, str], Mapping[str, Sequence[Swing]]]
@@ -29,7 +28,6 @@ Global = Mapping[tuple[str, str], Mapping[str, Indices]]
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
 _MOST_ROWS = 60
 BAD = (Level.FAILS, Level.ATTENTION)
-_SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
 
 
 def study_sheet(
@@ -60,105 +58,28 @@ def study_sheet(
     data = summary.data
     tables: list[Table] = []
     if indices is not None:
-        tables += _index_tables(indices, units, system)
+        tables += _index_tables(indices, names_of(data), system)
     if local is not None:
         wanted = set(next(iter(indices.values()), {})) if indices else None
-        tables += _tornado_tables(local, units, system, wanted)
+        tables += _tornado_tables(local, units, names_of(data), system, wanted)
     if local is None and summary.groups:
         tables += _group_tables(summary, units, system)
+    tables += varied_table(data)
     return Sheet(
         title=str(data["title"]),
-        subtitle=_subtitle(data),
-        verdict=_verdict(summary),
+        subtitle=subtitle(data),
+        verdict=verdict(summary, system),
         tables=tuple(tables),
         remarks=(*_remarks(summary), *remarks),
         sources=tuple(sources),
     )
 
 
-def _subtitle(data: Mapping[str, Any]) -> str:
-    drawn = f", {data['sampling']} draws, seed {data['seed']}" if data["sampling"] else ""
-    cases = len(data["load_cases"]) * max(1, len(data["conditions"]))
-    times = f" in {cases} cases" if cases > 1 else ""
-    setting = _SETTINGS[data["setting"]]
-    return f"{data['designs']:,} designs{times}{drawn}; {data['setting']} setting, {setting}."
-
-
-def _verdict(summary: Summary) -> Verdict:
-    counts, judged, total = summary.counts, summary.judged, sum(summary.counts.values())
-    solved, away = counts["solved"], counts["breakaway"]
-    sentences = [f"{solved:,} carry their load, {away:,} break away."]
-    for word, why in (
-        ("refused", "the friction law is unfit for their arc"),
-        ("invalid", "their tensions or sizes cannot be"),
-        ("unsolved", "the solver did not reach its accuracy"),
-    ):
-        if counts[word]:
-            sentences.append(f"{counts[word]:,} rows have no answer: {why}.")
-    if summary.groups:
-        within = sum(g.answered - g.over_limit.count for g in summary.groups)
-        share = _share(within, total)
-        sentences.insert(1, f"{within:,} of {solved + away:,} keep the creep limit ({share}).")
-    missed = judged.missed
-    level = Level.ATTENTION if missed or judged.total < total else Level.OK
-    if judged.share(Level.FAILS).count == total:
-        level = Level.FAILS
-    left = summary.data.get("not_checked", ())
-    ground = summary.data.get("ground", "") if level is Level.OK else ""
-    headline = f"{total:,} rows: {_ends(judged)}."
-    if missed:
-        name, most = next(iter(missed.items()))
-        of = "all of them" if len(missed) == 1 else f"{_share(most, sum(missed.values()))} of them"
-        headline = f"{headline[:-1]}; {RULES[name].what} governs {of}."
-    if left:
-        sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
-    if level is Level.OK:
-        ground = ground or ", ".join(f"without {what}" for what in left)
-    return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
-
-
-def _ends(judged: Judged) -> str:
-    """Say which part of the rows fails, needs attention, keeps every check."""
-    parts = []
-    for level, one in (
-        (Level.FAULT, "could not be solved"),
-        (Level.FAILS, "fail"),
-        (Level.ATTENTION, "need attention"),
-        (Level.OK, "keep every check that is made"),
-    ):
-        share = judged.share(level)
-        if share.count:
-            whole = "all" if share.count == judged.total else percent(share.value)
-            parts.append(f"{whole} {one}")
-    return ", ".join(parts) or "none could be judged"
-
-
-def _share(part: int, total: int) -> str:
-    return percent(part / total if total else math.nan)
-
-
-def _field(name: str) -> str:
-    return name.removeprefix("condition.")
-
-
-def _value(
-    name: str, value: float | str, units: Mapping[str, Dimension | None], system: System
-) -> str:
-    dimension = units.get(name)
-    if isinstance(value, str | bool) or dimension is None:
-        return str(value)
-    return quantity(value, dimension, system)
-
-
-def _name(group: Group, units: Mapping[str, Dimension | None], system: System) -> str:
-    parts = [_value(name, value, units, system) for name, value in group.levels.items()]
-    return ", ".join(parts)
-
-
 def _group_tables(
     summary: Summary, units: Mapping[str, Dimension | None], system: System
 ) -> Iterator[Table]:
-    fields = ", ".join(summary.data["levels"])
+    called = names_of(summary.data)
+    fields = ", ".join(called(name) for name in summary.data["levels"])
     by_case: dict[tuple[str, str], list[Group]] = {}
     for group in summary.groups:
         by_case.setdefault((group.load_case, group.condition), []).append(group)
@@ -194,8 +115,8 @@ def _chances(
         for name in outputs:
             of = group.percentiles[name]
             cells += [number(name, value, system) for value in of[1:3]]
-        rows.append(Row(_name(group, units, system) or "all", tuple(cells)))
-    lacking = any(g.known.get(n, 0) < g.answered for g in groups for n in outputs)
+        rows.append(Row(group_name(group, units, system) or "all", tuple(cells)))
+    lacking = any(math.isinf(v) for g in groups for n in outputs for v in g.percentiles[n][1:3])
     note = "without bound: so many draws have none within the tested pressures" if lacking else ""
     more = len(groups) - len(rows)
     note += f"; {more} more in the file" if more > 0 else ""
@@ -220,7 +141,7 @@ def _values(
     for group in groups[:_MOST_ROWS]:
         cells = [_answer(group)]
         cells += [number(name, group.percentiles[name][1], system) for name in names]
-        rows.append(Row(_name(group, units, system), tuple(cells)))
+        rows.append(Row(group_name(group, units, system), tuple(cells)))
     more = len(groups) - len(rows)
     note = f"{more} more designs are in the file" if more > 0 else ""
     return Table(title, tuple(rows), tuple(heads), note)
@@ -228,8 +149,8 @@ def _values(
 
 def _answer(group: Group) -> str:
     """Say how a single design ends: its verdict with what governs it, or why there is none."""
-    for verdict, name in group.judged.counts:
-        return verdict if verdict == str(Level.OK) else f"{verdict}: {RULES[name].what}"
+    for level, name in group.judged.counts:
+        return level if level == str(Level.OK) else f"{level}: {RULES[name].what}"
     return next(word for word, count in group.counts.items() if count)
 
 
@@ -240,7 +161,8 @@ def _together(
 ) -> Table:
     rows = []
     for group, away, over in groups[:_MOST_ROWS]:
-        name = ", ".join(part for part in (_name(group, units, system), group.load_case) if part)
+        parts = (group_name(group, units, system), group.load_case)
+        name = ", ".join(part for part in parts if part)
         rows.append(Row(name, (percent(away), percent(over))))
     note = "each condition counted by its share of the time"
     heads = ("breakaway", "creep over limit")
@@ -254,15 +176,13 @@ def _convergence(summary: Summary, units: Mapping[str, Dimension | None], system
         Row(f"{s.draws:,} draws", (percent(s.breakaway.value), _with_interval(s.over_limit)))
         for s in group.steps[-6:]
     ]
-    parts = (_name(group, units, system), group.load_case, group.condition)
+    parts = (group_name(group, units, system), group.load_case, group.condition)
     where = ", ".join(part for part in parts if part)
     heads = ("breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]")
     return Table(f"Convergence where it is least certain ({where})", tuple(rows), heads)
 
 
-def _index_tables(
-    indices: Global, units: Mapping[str, Dimension | None], system: System
-) -> Iterator[Table]:
+def _index_tables(indices: Global, called: Called, system: System) -> Iterator[Table]:
     for (load, condition), of_case in indices.items():
         where = ", ".join(part for part in (load, condition) if part)
         for name, found in of_case.items():
@@ -275,11 +195,12 @@ def _index_tables(
                 continue
             rows = [
                 Row(
-                    _field(i.name),
+                    started(called(i.name)),
                     (
                         _index(i.first, i.first_interval),
                         _index(i.total, i.total_interval),
                     ),
+                    name=i.name,
                 )
                 for i in found.inputs
             ]
@@ -296,6 +217,7 @@ def _index(value: float, interval: tuple[float, float]) -> str:
 def _tornado_tables(
     local: Local,
     units: Mapping[str, Dimension | None],
+    called: Called,
     system: System,
     wanted: set[str] | None,
 ) -> Iterator[Table]:
@@ -306,12 +228,13 @@ def _tornado_tables(
                 continue
             rows = [
                 Row(
-                    _field(s.field),
+                    started(called(s.field)),
                     (
                         named(name, s.per_percent, system),
                         _range(s, units, system),
                         f"{named(name, s.at_low, system)} to {named(name, s.at_high, system)}",
                     ),
+                    name=s.field,
                 )
                 for s in swings
             ]

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from wraparc.drive import Limit
 from wraparc.errors import InputError, Problem
 from wraparc.schema.below import below, own_key, tables_of
 from wraparc.schema.kinds import Kind, Quantity, TextOr, WordOr, table_labels
+from wraparc.schema.overrides import parse_path
 from wraparc.schema.problems import Place, place_text
 from wraparc.schema.source import Document
 from wraparc.schema.tables import unknown_key_remedy
 from wraparc.train.columns import OF_DRUM
 from wraparc.train.keys import TRAIN_FILE
+
+#: From the key path of a field to its words.
+Called = Callable[[str], str]
 
 FRICTION_FACTOR, SLIP_FACTOR = "friction_factor", "slip_factor"
 #: Keys below the lagging of a pulley that no drive file has: they scale its law.
@@ -24,6 +28,42 @@ FACTOR = Quantity("number", Limit("number", open=True, most=100.0))
 DRUM_KEYS: Mapping[str, Quantity] = {
     key: Quantity(OF_DRUM[key].dimension, OF_DRUM[key]) for key in ("wear", "share", "speed_trim")
 }
+
+
+def label_of(field: str, alone: str = "") -> str:
+    """Return a field in words: ``wrap angle of pulley head``.
+
+    Parameters
+    ----------
+    field
+        Its key path.
+    alone
+        The pulley that need not be named.
+    """
+    *above, key = (str(step).replace("_", " ") for step in parse_path(field))
+    match above:
+        case ["pulley", name, *parts]:
+            of = [f"the {part}" for part in reversed(parts)]
+            of += [] if name == alone else [f"pulley {name}"]
+        case ["belt"]:
+            if key == "preset":
+                return "belt"
+            of = ["the belt"]
+        case _:
+            of = [" ".join(above)] if above else []
+    return " of ".join([key, *of])
+
+
+def names_of(data: Mapping[str, Any]) -> Called:
+    """Return the words of the fields of a study; a pulley that all are of is not named."""
+    paths = [parse_path(field) for field in (*data["levels"], *data["drawn"])]
+    pulleys = {str(path[1]) for path in paths if len(path) > 2 and path[0] == "pulley"}
+    alone = next(iter(pulleys)) if len(pulleys) == 1 else ""
+
+    def called(field: str) -> str:
+        return label_of(field, alone)
+
+    return called
 
 
 def canonical(steps: Place, document: Document) -> Place:

@@ -25,7 +25,7 @@ from wraparc.schema.problems import Place, Report, place_text
 from wraparc.schema.source import Document, check_format, parse, read_text, read_whole
 from wraparc.schema.tables import Record
 from wraparc.study.across_rows import ACROSS_OUTPUTS
-from wraparc.study.fields import DRUM_KEYS, SCALING
+from wraparc.study.fields import DRUM_KEYS, SCALING, label_of
 from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
 from wraparc.study.fitted import DrawnFit
 from wraparc.study.keys import STUDY
@@ -368,8 +368,8 @@ def _remarks(axes: Sequence[tuple[Axis, Place]], conditions: Sequence[Condition]
     told = [(a.field, a.distribution) for a, _ in axes if isinstance(a, DrawnField)]
     told += [(d.field, d.distribution) for c in conditions for d in c.drawn()]
     return [
-        f"{name}: {100.0 * (1.0 - d.kept):.2g} % of the distribution lies beyond its limits "
-        "and is left out."
+        f"{label_of(name).capitalize()}: {100.0 * (1.0 - d.kept):.2g} % of the distribution "
+        "lies beyond its limits and is left out."
         for name, d in told
         if d.kept < 1.0 - 1e-6
     ]
@@ -392,7 +392,7 @@ def _sources(
     for table in record["axis"]:
         origin = own_provenance(table, quiet)
         if origin is not None:
-            yield f"{table['field']}: {origin}"
+            yield f"{label_of(table['field'])}: {origin}"
     for condition in conditions:
         if condition.provenance != Provenance():
             yield f"{condition.name}: {condition.provenance}"

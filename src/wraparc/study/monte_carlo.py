@@ -9,13 +9,13 @@ import math
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from statistics import NormalDist
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.checks import Level
+from wraparc.study.histogram import Histogram, Limit, bars, limit_column, limit_of, misses
 from wraparc.study.parameter_study import (
     BREAKAWAY,
     DESIGN,
@@ -28,6 +28,7 @@ from wraparc.study.parameter_study import (
     WITHIN,
 )
 from wraparc.study.parquet import batches, read_data
+from wraparc.study.share import Share
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -43,53 +44,8 @@ LEAST_KEPT = 2_000
 WITHOUT_BOUND = ("exit_creep", "exit_slip", "least_exit_tension")
 #: Most groups that are told apart.
 MOST_GROUPS = 400
-CONFIDENCE = 0.95
 _CHECKS = len(JUDGED[GOVERNING])
 _PAIRS = len(JUDGED[VERDICT]) * _CHECKS
-
-
-@dataclass(frozen=True)
-class Share:
-    """An estimated probability.
-
-    Attributes
-    ----------
-    count, total
-        How many of how many.
-    """
-
-    count: int
-    total: int
-
-    @property
-    def value(self) -> float:
-        """count/total; nan of nothing [-]."""
-        return self.count / self.total if self.total else math.nan
-
-    @property
-    def interval(self) -> tuple[float, float]:
-        """Wilson's score interval at `CONFIDENCE`."""
-        return wilson(self.count, self.total)
-
-
-def wilson(count: int, total: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
-    """Wilson's score interval of a proportion [-].
-
-    (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) for independent draws; Latin
-    hypercube and Sobol draws are spread more evenly, and their estimate is mostly better than that.
-
-    References
-    ----------
-    E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
-    """
-    if not total:
-        return 0.0, 1.0
-    z = NormalDist().inv_cdf(0.5 + 0.5 * confidence)
-    p, n = count / total, float(total)
-    middle = p + z * z / (2.0 * n)
-    half = z * math.sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))
-    low, high = (middle - half) / (1.0 + z * z / n), (middle + half) / (1.0 + z * z / n)
-    return (0.0 if count == 0 else max(0.0, low)), (1.0 if count == total else min(1.0, high))
 
 
 @dataclass(frozen=True)
@@ -155,7 +111,8 @@ class Group:
     counts
         Rows by their status.
     over_limit
-        Rows that break away or creep beyond the creep limit, of those that have an answer.
+        Rows that do not keep the creep limit, of all: those that creep beyond it, break away or
+        have no answer.
     judged
         Rows by verdict and by the check that governs them, of those that have one.
     percentiles
@@ -165,6 +122,8 @@ class Group:
         By result: rows that have one.
     steps
         How the estimates settle, as draws are added in their order.
+    histograms
+        By result: how it is spread, and which rows keep its limit.
     """
 
     levels: Mapping[str, float | str]
@@ -177,16 +136,17 @@ class Group:
     percentiles: Mapping[str, tuple[float, ...]]
     known: Mapping[str, int]
     steps: tuple[Step, ...]
+    histograms: Mapping[str, Histogram]
 
     @property
-    def answered(self) -> int:
-        """Rows with an answer: solved, or a breakaway."""
-        return self.counts["solved"] + self.counts["breakaway"]
+    def rows(self) -> int:
+        """All rows, with and without an answer."""
+        return sum(self.counts.values())
 
     @property
     def breakaway(self) -> Share:
         """Probability of breakaway."""
-        return Share(self.counts["breakaway"], self.answered)
+        return Share(self.counts["breakaway"], self.rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,6 +161,8 @@ class Summary:
         Rows by their status.
     judged
         Rows by verdict and by the check that governs them.
+    over_limit, creep_limit
+        Rows that do not keep the creep limit, and that limit.
     groups
         One for each combination of levels, load case and condition; none where there are more
         than `MOST_GROUPS`.
@@ -209,6 +171,8 @@ class Summary:
     data: Mapping[str, Any]
     counts: Mapping[str, int]
     judged: Judged
+    over_limit: Share
+    creep_limit: Limit
     groups: tuple[Group, ...]
 
     @property
@@ -249,27 +213,33 @@ class _Collected:
     seen: dict[str, int] = field(default_factory=dict)
     thinned: dict[str, int] = field(default_factory=dict)
     marks: list[tuple[int, int, int]] = field(default_factory=list)  # draws, breakaways, over
+    beyond: dict[str, int] = field(default_factory=dict)
+    limits: dict[str, Limit] = field(default_factory=dict)
 
     def take(
         self, status: Integers, within: Flags, judged: Integers, values: Mapping[str, Array]
     ) -> None:
-        """Add rows in the order of their draws."""
+        """Add rows in the order of their draws, their results and the limits of these."""
         self.judged += np.bincount(judged, minlength=_PAIRS)
-        answered = (status == SOLVED) | (status == BREAKAWAY)
-        away, over = (status == BREAKAWAY), answered & ~within
-        self._mark(answered, away, over)
+        solved, away, over = (status == SOLVED), (status == BREAKAWAY), ~within
+        self._mark(away, over)
         self.counts += np.bincount(status, minlength=len(STATUS_WORDS))
         self.over += int(over.sum())
         for name in self.outputs:
-            self._keep(name, values[name][answered])
+            self._keep(name, values[name][solved | away])
+            limit = values.get(limit_column(name))
+            missed = ~solved | misses(name, values[name], limit)
+            self.beyond[name] = self.beyond.get(name, 0) + int(missed.sum())
+            found = limit_of(name, limit)
+            held = self.limits.setdefault(name, found)
+            self.limits[name] = held.joined(found.least, found.most)
 
-    def _mark(self, answered: Flags, away: Flags, over: Flags) -> None:
+    def _mark(self, away: Flags, over: Flags) -> None:
         """Note the estimates at every power of 2 of draws."""
-        before = int(self.counts[SOLVED] + self.counts[BREAKAWAY])
-        done = before + np.cumsum(answered)
+        before = int(self.counts.sum())
         power = 16 if before < 16 else 1 << before.bit_length()
-        while len(done) and power <= done[-1]:
-            at = int(np.searchsorted(done, power)) + 1
+        while len(away) and power <= before + len(away):
+            at = power - before
             marked = int(self.counts[BREAKAWAY] + away[:at].sum())
             self.marks.append((power, marked, self.over + int(over[:at].sum())))
             power *= 2
@@ -291,22 +261,38 @@ class _Collected:
     def group(self, **of: Any) -> Group:
         """Return the group."""
         counts = {word: int(n) for word, n in zip(STATUS_WORDS, self.counts, strict=True)}
-        answered = counts["solved"] + counts["breakaway"]
-        percentiles = {}
+        total = sum(counts.values())
+        percentiles, histograms = {}, {}
         for name in self.outputs:
             numbers = np.concatenate(self.kept.get(name) or [np.empty(0)])
             found = _percentiles(numbers)
             percentiles[name] = tuple(float(v) for v in found)
-        last = (answered, counts["breakaway"], self.over)
-        marks = [*self.marks, *([last] if answered and last not in self.marks else [])]
+            histograms[name] = self._histogram(name, numbers, counts)
+        last = (total, counts["breakaway"], self.over)
+        marks = [*self.marks, *([last] if total and last not in self.marks else [])]
         return Group(
             counts=counts,
-            over_limit=Share(self.over, answered),
+            over_limit=Share(self.over, total),
             judged=_judged(self.judged),
             percentiles=percentiles,
             known={name: self.known.get(name, 0) for name in self.outputs},
             steps=tuple(Step(n, Share(b, n), Share(o, n)) for n, b, o in marks),
+            histograms=histograms,
             **of,
+        )
+
+    def _histogram(self, name: str, numbers: Array, counts: Mapping[str, int]) -> Histogram:
+        limit, total = self.limits.get(name, Limit()), sum(counts.values())
+        known, answered = self.known.get(name, 0), counts["solved"] + counts["breakaway"]
+        edges, found = bars(numbers[np.isfinite(numbers)], known, limit)
+        return Histogram(
+            edges=edges,
+            counts=found,
+            limit=limit,
+            beyond=self.beyond.get(name, 0),
+            away=min(counts["breakaway"], answered - known),
+            unanswered=total - answered,
+            total=total,
         )
 
 
@@ -334,13 +320,17 @@ def summarise(path: str | os.PathLike[str]) -> Summary:
     most = max(LEAST_KEPT, KEPT // max(1, combinations * len(cases) * len(outputs)))
     collected: dict[tuple[int, int], _Collected] = {}
     per_combination = data["designs"] // max(1, combinations)
-    columns = [DESIGN, STATUS, WITHIN, *JUDGED, *([] if many else outputs)]
-    judged = np.zeros(_PAIRS)
+    limited = {limit_column(name) for name in data.get("limited", ())}
+    columns = [DESIGN, STATUS, WITHIN, *JUDGED, *limited, *([] if many else outputs)]
+    judged, over, creep_limit = np.zeros(_PAIRS), 0, Limit()
     for batch in batches(path, columns):
         status = batch[STATUS][0]
         counts += np.bincount(status, minlength=len(STATUS_WORDS))
         pairs = batch[VERDICT][0] * _CHECKS + batch[GOVERNING][0]
         judged += np.bincount(pairs, minlength=_PAIRS)
+        over += int((~batch[WITHIN]).sum())
+        found = limit_of("exit_creep", batch.get(limit_column("exit_creep")))
+        creep_limit = creep_limit.joined(found.least, found.most)
         if many:
             continue
         combination = batch[DESIGN] // per_combination
@@ -348,12 +338,14 @@ def summarise(path: str | os.PathLike[str]) -> Summary:
         for key in sorted(set(zip(combination.tolist(), case.tolist(), strict=True))):
             rows = (combination == key[0]) & (case == key[1])
             group = collected.setdefault(key, _Collected(outputs, most))
-            values = {name: batch[name][rows] for name in outputs}
+            values = {name: batch[name][rows] for name in (*outputs, *limited)}
             group.take(status[rows], batch[WITHIN][rows], pairs[rows], values)
     return Summary(
         data=data,
         counts={w: int(n) for w, n in zip(STATUS_WORDS, counts, strict=True)},
         judged=_judged(judged),
+        over_limit=Share(over, int(counts.sum())),
+        creep_limit=creep_limit,
         groups=tuple(_groups(data, cases, collected)),
     )
 

@@ -15,12 +15,13 @@ from wraparc.arc import Capacities
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
-from wraparc.checks.of_rows import LEVELS, NAMES, Held, worst_of_rows
+from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.checks.rules import NO_GRIP
 from wraparc.drive import Drive
 from wraparc.provenance import Provenance
 from wraparc.study.across_rows import solve_rows
 from wraparc.study.distributions import Distribution
+from wraparc.study.histogram import LIMITED, limit_column
 from wraparc.study.plan import DrawnField, Plan, Values
 from wraparc.units import Dimension
 from wraparc.version import __version__
@@ -202,6 +203,11 @@ class Study:
         return len(self.plan) * len(self.cases)
 
     @property
+    def limited(self) -> tuple[str, ...]:
+        """Results whose limits are kept beside them, that of the creep always."""
+        return tuple(n for n in LIMITED if n == "exit_creep" or n in self.outputs)
+
+    @property
     def fingerprint(self) -> str:
         """Says whether two studies give the same numbers."""
         known = {
@@ -269,7 +275,8 @@ class Study:
         status[good] = solved[STATUS]
         columns[STATUS] = status
         within = np.zeros(size, dtype=bool)
-        within[good] = np.abs(solved["exit_creep"]) <= rows.arcs.creep_limit[good]
+        creep, limit = np.abs(solved["exit_creep"]), rows.arcs.creep_limit[good]
+        within[good] = kept_rows(creep, limit, at_most=True)
         columns[WITHIN] = within & (status == SOLVED)
         for name in JUDGED:
             columns[name] = np.zeros(size, dtype=np.int8)
@@ -277,6 +284,9 @@ class Study:
         for name in self.outputs:
             columns[name] = np.full(size, np.nan)
             columns[name][good] = solved[name]
+        limits = _limits(rows)
+        for name in self.limited:
+            columns[limit_column(name)] = np.where(rows.valid, limits[name], np.nan)
         _lose(columns, rows, self.outputs)
         return columns
 
@@ -326,6 +336,16 @@ class Study:
             kept = {n: more[n] if n in more else solved[n] for n in wanted}
             found.append(kept | dict(zip(JUDGED, judged[:2], strict=True)))
         return {name: np.concatenate([part[name] for part in found]) for name in found[0]}
+
+
+def _limits(rows: Rows) -> Mapping[str, Array]:
+    """Limits of the results that have one in every row, nan where a row has none [SI]."""
+    held = rows.held
+    return {
+        "exit_creep": rows.arcs.creep_limit,
+        "entry_tension": np.fmin(held.belt_tension, held.momentary_tension),
+        "peak_shear_stress": held.bond_stress,
+    }
 
 
 def _lose(columns: Columns, rows: Rows, outputs: Sequence[str]) -> None:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from wraparc.checks.of_rows import NOT_CHECKED
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.glossary import GLOSSARY
+from wraparc.study.histogram import limit_column
 from wraparc.study.parameter_study import (
     CONDITION,
     DESIGN,
@@ -72,6 +73,8 @@ def units_of(study: Study) -> dict[str, str]:
         units[FRICTION_FACTOR] = ""
     for name in study.outputs:
         units[name] = DIMENSION_TEXT[GLOSSARY[name].dimension].si_unit
+    for name in study.limited:
+        units[limit_column(name)] = DIMENSION_TEXT[GLOSSARY[name].dimension].si_unit
     return units
 
 
@@ -81,10 +84,11 @@ def schema_of(study: Study) -> Any:
     word = pa.dictionary(pa.int32(), pa.string())
     levels = [axis.field for axis in study.plan.levels]
     words, units = words_of(study), units_of(study)
-    axes = list(dict.fromkeys([*levels, *(n for n in units if n not in study.outputs)]))
+    results = [*study.outputs, *map(limit_column, study.limited)]
+    axes = list(dict.fromkeys([*levels, *(n for n in units if n not in results)]))
     first = [DESIGN, LOAD_CASE, *([CONDITION] if study.conditions else []), *axes]
     fields = []
-    for name in (*first, STATUS, WITHIN, *JUDGED, *study.outputs):
+    for name in (*first, STATUS, WITHIN, *JUDGED, *results):
         if name in words:
             fields.append(pa.field(name, word))
         elif name == DESIGN:
@@ -115,6 +119,7 @@ def study_data(study: Study) -> dict[str, Any]:
         "conditions": {c.name: c.share for c in study.conditions},
         "setting": study.setting.value,
         "outputs": list(study.outputs),
+        "limited": list(study.limited),
         "ground": study.ground,
         "not_checked": list(NOT_CHECKED),
         "input": study.description,

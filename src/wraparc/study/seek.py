@@ -281,9 +281,3 @@ def _illinois(
             return c, fc
         b, fb = c, fc
     return b, fb
-
-
-def label_of(field: str) -> str:
-    """Return an input in words: ``wrap angle of pulley head``."""
-    *above, key = (str(step).replace("_", " ") for step in parse_path(field))
-    return f"{key} of {' '.join(above)}" if above else key

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.errors import InputError, Problem
-from wraparc.study.monte_carlo import CONFIDENCE
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import batches, read_data
 from wraparc.study.plan import Drawn, DrawnField
+from wraparc.study.share import CONFIDENCE
 
 Array = NDArray[np.float64]
 #: by load case and condition, then by result

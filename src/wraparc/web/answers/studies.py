@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -10,17 +11,18 @@ from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
 from wraparc.present.study_document import study_document
 from wraparc.present.study_sheet import Global, Local, study_page, study_sheet
+from wraparc.present.study_words import group_name, histogram_sentence
 from wraparc.schema.emit import document_text
 from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads
 from wraparc.study.file import StudyFile, study_from_document
 from wraparc.study.keys import STUDY
-from wraparc.study.monte_carlo import Summary, summarise
+from wraparc.study.monte_carlo import Group, Summary, summarise
 from wraparc.study.run import Run, part_designs, run_problems, run_study
 from wraparc.study.sensitivity import sensitivities
-from wraparc.units import DIMENSIONS, Dimension, parse_quantity
+from wraparc.units import DIMENSIONS, Dimension, System, parse_quantity
 from wraparc.web.answers.documents import read, without_none
-from wraparc.web.answers.shown import Answer, Data, Sheet, plain, sheet
+from wraparc.web.answers.shown import Answer, Both, Data, Sheet, both, plain, sheet
 from wraparc.web.answers.texts import PlanAnswer, file_stem, plan_text
 from wraparc.web.asked import StudyRequest
 from wraparc.web.progress import tell
@@ -28,6 +30,7 @@ from wraparc.web.progress import tell
 _DRIVE = "drive.toml"
 _WORDS = ("title", "description", "provenance", "source", "note")
 _LEAST_PART, _STEPS = 64, 20  # designs of a part, and parts that progress is told by
+_MOST_SPREADS = 40  # groups whose histograms are looked at
 _MOST_BYTES = 30_000_000  # of results that are kept for download
 
 
@@ -38,10 +41,28 @@ class Size(Answer):
     rows: int
 
 
+class Spread(Answer):
+    """How a result is spread over the draws of a group [SI]; `limit` is None where there is none.
+
+    `edges` are those of the bars; `without` are draws without a number.
+    """
+
+    result: str
+    where: Both
+    edges: list[float]
+    counts: list[int]
+    limit: float | None
+    at_most: bool
+    beyond: int
+    without: int
+    told: Both
+
+
 class StudyResult(Sheet):
     """What came out of a study."""
 
     summary: Data
+    spreads: list[Spread]
     pictures: dict[str, str]
     html: str
     parquet: bytes
@@ -138,13 +159,44 @@ def _result(asked: StudyFile, path: str) -> StudyResult:
         for system in ("si", "us")
     }  # fmt: skip
     pictures = _pictures(asked, summary, local, indices, dimensions)
+    kept = list(pictures.values())
+    if indices is None and summary.drawn:
+        from wraparc.plot.study import plot_study
+
+        kept = [plot_study(summary, dimensions).to_bytes("svg").decode("utf-8")]
     return StudyResult(
         summary=plain(study_document(summary, local=local, indices=indices)),
+        spreads=list(_spreads(summary, dimensions)),
         pictures=pictures,
-        html=study_page(sheets["si"], list(pictures.values()), summary),
+        html=study_page(sheets["si"], kept, summary),
         parquet=Path(path).read_bytes() if os.path.getsize(path) <= _MOST_BYTES else b"",
         **sheet(lambda system: sheets[system]),
     )
+
+
+def _spreads(summary: Summary, units: dict[str, Dimension | None]) -> Iterator[Spread]:
+    """Yield how the results of draws are spread, the group first that keeps its limit least."""
+    groups = sorted(summary.groups, key=lambda g: -g.over_limit.value) if summary.drawn else []
+    for group in groups[:_MOST_SPREADS]:
+        for name, found in group.histograms.items():
+            if not found.edges:
+                continue
+            yield Spread(
+                result=name,
+                where=both(partial(_where, group, units)),
+                edges=list(found.edges),
+                counts=list(found.counts),
+                limit=found.limit.least if found.limit.one else None,
+                at_most=found.limit.at_most,
+                beyond=found.beyond,
+                without=found.total - sum(found.counts),
+                told=both(partial(histogram_sentence, name, found)),
+            )
+
+
+def _where(group: Group, units: dict[str, Dimension | None], system: System) -> str:
+    parts = (group_name(group, units, system), group.load_case, group.condition)
+    return ", ".join(part for part in parts if part)
 
 
 def _pictures(
@@ -154,11 +206,11 @@ def _pictures(
     indices: Global | None,
     dimensions: dict[str, Dimension | None],
 ) -> dict[str, str]:
-    """Return pictures by name, as SVG."""
+    """Return pictures by name, as SVG; the page draws how results are spread itself."""
     from wraparc.plot.study import plot_sensitivity, plot_study
 
     if local is None or indices is None:
-        drawn = {"results": plot_study(summary, dimensions)}
+        drawn = {"results": plot_study(summary, dimensions, spread=False)}
     else:
         several = len(indices) > 1
         drawn = {

@@ -46,6 +46,7 @@ class StudyAnswer(JobAnswer):
     remarks: list[Both] | None = None
     table_sources: list[str] | None = None
     summary: Data | None = None
+    spreads: list[studies.Spread] | None = None
     pictures: list[str] | None = None
     files: list[str] | None = None
 

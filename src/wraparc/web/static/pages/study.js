@@ -6,6 +6,7 @@ import { list, refused, table, verdict } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
 import { form } from "./study/form.js";
 import { asFile, freshPlan } from "./study/plan.js";
+import { Spreads } from "./study/spread.js";
 
 export { openStudy } from "./study/plan.js";
 
@@ -137,6 +138,7 @@ function result(j, full) {
   };
   return [
     full.verdict && verdict(full.verdict),
+    full.spreads?.length > 0 && h(Spreads, { spreads: full.spreads, key: "spreads" }),
     list(full.remarks, "help"),
     h(
       "div",

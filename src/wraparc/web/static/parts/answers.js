@@ -103,7 +103,7 @@ function tableRow(t, r) {
   return h(
     "tr",
     { class: levelClass(r.level) },
-    h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning }, r.title),
+    h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning ?? r.name }, r.title),
     symbols && h("td", { class: "sym" }, sign(r.symbol)),
     r.values[app.units].map((v) => h("td", { class: "num" }, v)),
     notes && h("td", { class: "remark" }, badge(r.level), " ", words(r.note)),
