@@ -363,6 +363,6 @@ def test_a_creep_whose_interval_reaches_beyond_the_limit_is_no_ok() -> None:
     assert verdict.governing.name == "creep_interval"
     assert verdict.governing.value == pytest.approx(creep * math.exp(1.96 * 0.05), rel=0.01)
     assert "By the uncertainty of the friction law" in verdict.headline()
-    # where the creep itself is beyond its limit, that is enough said
+    # a creep beyond its limit comes first
     over = judged(replace(of, creep_limit=0.99 * creep))
-    assert [c.name for c in over.missed] == ["creep"]
+    assert [c.name for c in over.missed] == ["creep", "creep_interval"]

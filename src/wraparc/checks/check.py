@@ -293,10 +293,14 @@ DATA_WORDS = (
 )
 
 
-def _badness(check: Check) -> tuple[int, float]:
-    """Sort key: worst level first, then the least margin; what binds no design comes last."""
+def _badness(check: Check) -> tuple[float, float]:
+    """Sort key: worst level first, then the least margin; what binds no design comes last.
+
+    What could not be checked at one place stands before what is kept at another.
+    """
     order = order_of(check.margin, check.missed, check.binding, check.advises)
-    return -check.level.rank, order
+    unknown = check.level is Level.NOT_CHECKED
+    return -(Level.OK.rank + 0.5 if unknown else check.level.rank), order
 
 
 def behind(margin: _Number) -> _Number:

@@ -15,6 +15,9 @@ from wraparc.train import CaseResult, TrainResult, TrainStatus
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
+#: Titles of the checks that only a train has.
+FIGHT = "Drives work together"
+BALANCE = "Tensions, speeds and torques of the train agree"
 
 _told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
 
@@ -117,11 +120,15 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
     place = Place("", case.case.name)
     if case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
         yield operating_point(case.status, case.reason, place)
+    several = len(case.members) > 1
     if not case.status.solved:
+        why = "the drives do not carry the load"
+        if several:
+            yield of_drive.not_checked("fight", FIGHT, why, place)
+        yield of_drive.not_checked("train_balance", BALANCE, why, place)
         return
-    pulls = [m.arc.effective_tension for m in case.members]
-    if len(pulls) > 1:
-        yield fight(pull_against(pulls), place)
+    if several:
+        yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
     yield train_balance(max(case.tension_error, case.speed_error), place)
 
 
@@ -143,7 +150,7 @@ def fight(lost: float, place: Place) -> Check:
     fights = lost > 0.0
     return Check(
         name="fight",
-        title="Drives work together",
+        title=FIGHT,
         level=Level.ATTENTION if fights else Level.OK,
         short="drives fight" if fights else "",
         says="The drives work against each other with {lost} of pull." if fights else "",
@@ -159,7 +166,7 @@ def train_balance(error: float, place: Place) -> Check:
     """Check that tensions, speeds and torques of a solved train agree."""
     return of_drive.judged(
         RULES["train_balance"],
-        "Tensions, speeds and torques of the train agree",
+        BALANCE,
         error,
         TRAIN_BALANCE,
         "number",

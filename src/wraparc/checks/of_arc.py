@@ -34,6 +34,20 @@ INTERVAL = "Creep at exit, end of the 95 % interval of the law"
 OWN_FACTORS = "taken where the drive file says nothing"
 
 
+def no_state(result: ArcResult) -> str:
+    """Say why an arc that is not solved has no numbers to be checked."""
+    if result.status is Status.UNSOLVED:
+        return "the arc was not solved"
+    return "in gross slip the belt has no state at rest"
+
+
+def _known(check: Check, result: ArcResult) -> Check:
+    """Return a check of what an arc does, as not made where it is not solved."""
+    if result.status.solved or check.level is Level.NOT_CHECKED:
+        return check
+    return not_checked(check.name, check.title, no_state(result), check.place)
+
+
 def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
     """Check whether an arc carries its load, and with which factor in hand."""
     result = arcs[index]
@@ -132,18 +146,19 @@ def design_slack(drive: Drive, case: LoadCase, result: ArcResult, factor: float)
     return asked_slack(factor, start, result.arc.effective_tension)
 
 
-def creep(drive: Drive, result: ArcResult) -> Check | None:
-    """Check the creep at the exit; None on an arc that does not carry its load."""
+def creep(drive: Drive, result: ArcResult) -> Check:
+    """Check the creep at the exit."""
+    title, place = "Creep at exit", Place(result.arc.pulley, result.arc.load_case)
     if not result.status.solved:
-        return None
+        return not_checked("creep", title, no_state(result), place)
     limit = result.arc.creep_limit
     return judged(
         RULES["creep"],
-        "Creep at exit",
+        title,
         abs(result.exit_creep),
         limit,
         "length",
-        place=Place(result.arc.pulley, result.arc.load_case),
+        place=place,
         source="conservative limit, 1/4 in; B. DeVries, A model of lagging friction"
         if limit == CREEP_LIMIT
         else "given",
@@ -157,10 +172,11 @@ def creep(drive: Drive, result: ArcResult) -> Check | None:
 
 def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
     """Check the end of the interval that the uncertainty of a fitted law leaves of the creep."""
-    ends = result.creep_interval
-    if math.isnan(ends[0]) or not result.within_creep_limit:
-        return None  # where the creep itself is beyond its limit, that is told
-    place = Place(result.arc.pulley, result.arc.load_case)
+    place, ends = Place(result.arc.pulley, result.arc.load_case), result.creep_interval
+    if result.arc.fit is not None and result.arc.fit.knots and not result.status.solved:
+        return not_checked("creep_interval", INTERVAL, no_state(result), place)
+    if math.isnan(ends[0]):
+        return None
     most = max(ends, key=abs)
     told = "reaches {value}" if math.isfinite(most) else "ends where the belt slips through"
     return judged(
@@ -210,22 +226,21 @@ def _strength(name: str) -> float | None:
 
 def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     """Check the peak shear stress against bond and fatigue of the lagging."""
-    if not result.status.solved:
-        return
     place = Place(pulley.name, result.arc.load_case)
-    yield bond(pulley, result.peak_shear_stress, place)
+    yield _known(bond(pulley, result.peak_shear_stress, place), result)
     often = ""
     more: dict[str, tuple[float, Dimension]] = {}
     if result.arc.belt_speed is not None:
         often = ", {passes} times an hour,"
         more["passes"] = passes_an_hour(result.arc.belt_speed, result.arc.diameter), "number"
-    yield _stress(
+    fatigue = _stress(
         pulley, result.peak_shear_stress, place, "fatigue_stress", "fatigue_limit",
         "Shear stress of lagging and bond, at every pass", "lagging tires",
         f"At every pass of the belt{often} the shear stress rises to {{value}}, more than the "
         "fatigue limit {limit}.",
         more,
     )  # fmt: skip
+    yield _known(fatigue, result)
 
 
 def bond(pulley: Pulley, stress: float, place: Place) -> Check:
@@ -264,11 +279,15 @@ def _stress(
 
 
 def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
-    """Check slip and slip speed of a solved arc against the tests of the lagging."""
+    """Check slip and slip speed of an arc against the tests of the lagging."""
+    place = Place(pulley.name, result.arc.load_case)
+    slip = speed = math.inf
     if result.status.solved:
-        slip = float(np.abs(result.profile.slip).max())
-        place = Place(pulley.name, result.arc.load_case)
-        yield from slip_in_tests(pulley, slip, slip_speed(result), place)
+        slip, speed = float(np.abs(result.profile.slip).max()), slip_speed(result)
+    elif result.arc.belt_speed is None:
+        speed = math.nan
+    for check in slip_in_tests(pulley, slip, speed, place):
+        yield _known(check, result)
 
 
 def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> Iterator[Check]:
@@ -293,7 +312,8 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
     if tested.slip_speed is None:
         why = "the friction law does not say at which speed it was tested"
         unchecked = not_checked("tested_slip_speed", title, why, place)
-        yield replace(unchecked, value=speed, dimension="speed")
+        found = speed if math.isfinite(speed) else math.nan
+        yield replace(unchecked, value=found, dimension="speed")
     elif math.isnan(speed):
         yield not_checked("tested_slip_speed", title, "the belt speed is not given", place)
     else:

@@ -1,9 +1,9 @@
 """The words of the checks with what depends on the drive left open, from the checks themselves."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from itertools import product
 from typing import Any, get_args
 
@@ -18,6 +18,7 @@ from wraparc.drive import (
     DesignStandard,
     Drive,
     LoadCase,
+    Pulley,
     Sag,
     TakeUp,
 )
@@ -25,7 +26,7 @@ from wraparc.drive.criteria import CaseKind
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
 from wraparc.train import TrainStatus
-from wraparc.web.answers.judging import Words, words_of
+from wraparc.web.answers.judging import Words, either, words_of
 from wraparc.web.answers.solving import main_solver
 
 PULLEY, CASE = "⟦pulley⟧", "⟦case⟧"
@@ -75,7 +76,7 @@ def words_by_key() -> Found:
     yield from _belt_tension(drive, case)
     yield from _sizes(drive, case)
     yield from _stresses(drive, arc)
-    yield from _tested(drive, case)
+    yield from _tested(drive, case, arc)
     yield from _take_up(drive, case)
     yield "balance", _some(of_arc.balance(arc), "solved")
     yield "data", _some(of_data.data(drive, drive.pulleys[0]))
@@ -86,6 +87,18 @@ def _some(check: Check | None, when: str = "", **open_: str) -> list[Words]:
     if check is None:
         raise AssertionError("the drive of the words lacks a check")
     return [_open(words_of(check, when), {text: name for name, text in open_.items()})]
+
+
+def _ends(check: Callable[[ArcResult], Check], arc: ArcResult) -> Iterator[Words]:
+    """Yield the words of a check of an arc, however that ends."""
+    return either([check(arc)], [check(replace(arc, status=Status.BREAKAWAY))])
+
+
+def _at(
+    place: int, checks: Callable[..., Iterator[Check]], pulley: Pulley, arc: ArcResult
+) -> Check:
+    """Return one of the checks that a function yields."""
+    return list(checks(pulley, arc))[place]
 
 
 def _open(words: Words, open_: Mapping[str, str]) -> Words:
@@ -142,9 +155,9 @@ def _creep(drive: Drive, arc: ArcResult) -> Found:
     }
     for key, more in belts.items():
         belt = replace(drive.belt, **more)
-        yield f"creep:{key}", _some(of_arc.creep(replace(drive, belt=belt), arc), "solved")
+        yield f"creep:{key}", _ends(partial(of_arc.creep, replace(drive, belt=belt)), arc)
     other = replace(arc, arc=replace(arc.arc, creep_limit=0.01))
-    yield "creep:given", _some(of_arc.creep(drive, other), "solved")
+    yield "creep:given", _ends(partial(of_arc.creep, drive), other)
 
 
 def _belt_tension(drive: Drive, case: LoadCase) -> Found:
@@ -184,23 +197,22 @@ def _stresses(drive: Drive, arc: ArcResult) -> Found:
         )
         of = replace(arc, arc=replace(arc.arc, belt_speed=speed))
         pulley = replace(drive.pulleys[0], lagging=lagging)
-        bond, fatigue = of_arc.lagging_stress(pulley, of)
-        yield f"bond_stress:{key}", _some(bond, "solved")
-        yield _key("fatigue_stress", key, word), _some(fatigue, "solved")
+        for place, of_key in enumerate((f"bond_stress:{key}", _key("fatigue_stress", key, word))):
+            yield of_key, _ends(partial(_at, place, of_arc.lagging_stress, pulley), of)
 
 
-def _tested(drive: Drive, case: LoadCase) -> Found:
-    own, place = drive.pulleys[0].lagging, Place(PULLEY, case.name)
+def _tested(drive: Drive, case: LoadCase, arc: ArcResult) -> Found:
+    own = drive.pulleys[0].lagging
     law: Any = own.law  # a dataclass, as every law is
     for key, speed in {"none": None, "given": 0.01}.items():
         at_speed = replace(law, tested=replace(law.tested, slip_speed=speed))
         lagging = replace(own, name="⟦lagging⟧", law=at_speed)
         pulley = replace(drive.pulleys[0], lagging=lagging)
         yield "tested_pressure:given", map(words_of, of_drive.tested_pressure(drive, case, pulley))
-        for word, found in {"moving": 0.1, "still": math.nan}.items():
-            slip, speeds = of_arc.slip_in_tests(pulley, 0.01, found, place)
-            yield "tested_slip", _some(slip, "solved")
-            yield _key("tested_slip_speed", key, word), _some(speeds, "solved")
+        for word, speed_of_belt in {"moving": 3.0, "still": None}.items():
+            of = replace(arc, arc=replace(arc.arc, belt_speed=speed_of_belt))
+            for place, of_key in enumerate(("tested_slip", _key("tested_slip_speed", key, word))):
+                yield of_key, _ends(partial(_at, place, of_arc.tested_slip, pulley), of)
     untested = replace(own, name="⟦lagging⟧", law=replace(law, tested=None))
     pulley = replace(drive.pulleys[0], lagging=untested)
     yield "tested_pressure:none", map(words_of, of_drive.tested_pressure(drive, case, pulley))

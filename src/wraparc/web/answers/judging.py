@@ -1,7 +1,7 @@
 """What the drive page needs to judge a drive of one pulley itself: its numbers, and the words."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -113,7 +113,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
                 elsewhere=elsewhere(document, drive, case),
                 tested=None if law.tested is None else Tested.model_validate(law.tested),
                 criteria={k: float(v) for k, v in _criteria(drive, case)._asdict().items()},
-                checks=list(_either(_of(first, case), _of(other, case))),
+                checks=list(either(_of(first, case), _of(other, case))),
                 asks=asks[case.name],
             )
         )
@@ -183,11 +183,15 @@ def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:
     return [check for check in checks if check.place.load_case == case.name]
 
 
-def _either(solved: list[Check], broken: list[Check]) -> Iterator[Words]:
+def either(solved: Sequence[Check], broken: Sequence[Check]) -> Iterator[Words]:
     """Yield what is checked of an arc however it ends, each once."""
     here, there = set(map(_key, solved)), set(map(_key, broken))
-    yield from (words_of(c, "breakaway") for c in broken if _key(c) not in here)
-    yield from (words_of(c, "" if _key(c) in there else "solved") for c in solved)
+    slips = {c.name: words_of(c, "breakaway") for c in broken if _key(c) not in here}
+    for check in solved:
+        if check.name in slips:
+            yield slips.pop(check.name)
+        yield words_of(check, "" if _key(check) in there else "solved")
+    yield from slips.values()
 
 
 def _key(check: Check) -> tuple[str, str, bool]:

@@ -89,13 +89,8 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
   const words = (/** @type {string} */ key) => book.words[key];
   const all = [...keys.flatMap(words), ...law.checks, ...after.flatMap(words)];
   const checks = all.map((w) => put(w, names));
-  return { checks: brokenFirst(checks), asks: asksOf(standard, said, criteria, names, book, law) };
+  return { checks, asks: asksOf(standard, said, criteria, names, book, law) };
 }
-/** What is for a slipping arc alone comes first, as the server tells it. @param {Words[]} checks */
-const brokenFirst = (checks) => [
-  ...checks.filter((w) => w.when === "breakaway"),
-  ...checks.filter((w) => w.when !== "breakaway"),
-];
 /** @param {Said} said @param {import("./standard.js").Asked} asked @param {Case} c
  * @param {Record<string, number>} criteria */
 function standardKey({ standard }, asked, c, criteria) {

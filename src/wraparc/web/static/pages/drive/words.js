@@ -76,8 +76,12 @@ function placed(c) {
   return !where || said.startsWith(where) ? said : `${where}: ${said}`;
 }
 
+/** What could not be checked at one place stands before what is kept at another.
+ * @param {Check} c */
+const badness = (c) => (c.level === NOT_CHECKED ? 1.5 : c.rank);
 /** The worse of two first. @param {Check} a @param {Check} b */
-const byBadness = (a, b) => b.rank - a.rank || (a.order < b.order ? -1 : +(a.order > b.order));
+const byBadness = (a, b) =>
+  badness(b) - badness(a) || (a.order < b.order ? -1 : +(a.order > b.order));
 /** @param {Check[]} checks */
 export const worstOf = (checks) =>
   checks.filter((c) => c.level !== NOT_CHECKED).sort(byBadness)[0] ?? null;
