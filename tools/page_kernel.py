@@ -65,6 +65,7 @@ TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"
 TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.in_case,
     in_page_train.less_runs,
+    in_page_train.fallen_of,
     in_page_train.behind,
     in_page_train.ends_of,
     in_page_train.total_of,

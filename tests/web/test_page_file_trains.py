@@ -38,7 +38,9 @@ TRAINS: dict[str, str] = {
     .partition("# The tensions above")[0],
     "runs": divided('share = [0.6, 0.4]\nrun.second = "2 kN"'),
     "worn drum": divided('speeds = "equal"\ndiameters = ["800 mm", "797 mm"]'),
-    "breakaway": FABRIC.replace('exit_tension = "45 kN"', 'exit_tension = "2 kN"'),
+    "breakaway": FABRIC.replace('exit_tension = "45 kN"', 'exit_tension = "0.65 kN"'),
+    "no division": divided('speeds = "equal"').replace('"45 kN"', '"0.65 kN"')
+    .replace('"105 kN"', '"300 kN"').replace("format = 1", 'format = 1\ncondition = "wet"'),
     "speeds break away": divided('speeds = ["100 %", "104 %"]').replace('"45 kN"', '"9 kN"'),
     "take-up between": divided('share = ["50 %", "50 %"]', '[take_up]\nafter = "first"\n'),
     "fixed take-up": divided('share = ["50 %", "50 %"]', '[take_up]\nkind = "fixed"\n'),

@@ -17,6 +17,7 @@ from wraparc.train import CaseResult, TrainResult, TrainStatus
 TRAIN_BALANCE = 1e-5
 #: Titles of the checks that only a train has.
 FIGHT = "Drives work together"
+NO_DIVISION = "no division of the load is found"
 BALANCE = "Tensions, speeds and torques of the train agree"
 
 _told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
@@ -112,20 +113,22 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
 def _train(result: TrainResult) -> Iterator[Check]:
     for case in result:
         yield from _of_train(case)
-    yield from _drive(result.drive_result())
+    adrift = {case.case.name for case in result if case.adrift}
+    for check in _drive(result.drive_result()):
+        if check.name == "gross_slip" and check.place.load_case in adrift:
+            yield of_drive.not_checked(check.name, check.title, NO_DIVISION, check.place)
+        else:
+            yield check
 
 
 def _of_train(case: CaseResult) -> Iterator[Check]:
     """Yield what only a train can miss: motors, drives that fight, the balance of the whole."""
     place = Place("", case.case.name)
-    if case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
+    if case.adrift or case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
         yield operating_point(case.status, case.reason, place)
     several = len(case.members) > 1
     if not case.status.solved:
-        why = "the drives do not carry the load"
-        if several:
-            yield of_drive.not_checked("fight", FIGHT, why, place)
-        yield of_drive.not_checked("train_balance", BALANCE, why, place)
+        yield from not_working(place) if several else ()
         return
     if several:
         yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
@@ -135,14 +138,21 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
 def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:
     """Return the check that a train without an operating point misses."""
     fault = status is TrainStatus.UNSOLVED
+    shorts = {TrainStatus.BREAKAWAY: "gross slip", TrainStatus.BEYOND_MOTOR: "beyond a motor"}
     return Check(
         name="operating_point",
         title="Operating point of the drives",
         level=Level.FAULT if fault else Level.FAILS,
-        short="not solved" if fault else "beyond a motor",
+        short=shorts.get(status, "not solved"),
         says=of_drive.escaped(f"{reason} {status}".strip()),
         place=place,
     )
+
+
+def not_working(place: Place) -> Iterator[Check]:
+    """Yield what is not checked of drives that do not carry the load."""
+    for name, title in (("fight", FIGHT), ("train_balance", BALANCE)):
+        yield of_drive.not_checked(name, title, "the drives do not carry the load", place)
 
 
 def fight(lost: float, place: Place) -> Check:

@@ -108,8 +108,11 @@ def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
 
     Returns
     -------
-    None where nothing is pulled, or the method finds no capacities.
+    None where nothing is pulled, the method finds no capacities, or no division of the load is
+    found.
     """
+    if isinstance(result, TrainResult) and result.adrift:
+        return None
     one = result.drive_result() if isinstance(result, TrainResult) else result
     if one not in _found:
         _found[one] = _of(one)

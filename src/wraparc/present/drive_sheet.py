@@ -5,7 +5,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import Verdict as Judgement
 from wraparc.checks import before, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import (
@@ -28,6 +27,7 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, perc
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone, level_of, short, verdict
+from wraparc.train import TrainResult
 from wraparc.units import System, display_unit
 
 
@@ -35,7 +35,7 @@ def drive_sheet(
     results: Sequence[DriveResult],
     system: System = "si",
     detail: Sequence[int] | None = None,
-    judged: Judgement | None = None,
+    train: TrainResult | None = None,
 ) -> Sheet:
     """Return everything to show of a solved drive.
 
@@ -47,16 +47,17 @@ def drive_sheet(
         Units to show.
     detail
         Positions in `DriveResult.arcs` to show in full; the governing arc unless given.
-    judged
-        The checks, where they are those of a train.
+    train
+        What the pulleys are of, where they are those of a train: it is judged.
     """
     first = results[0]
+    whole = train or first
     if detail is None:
         detail = [first.arcs.index(first.governing)]
     of = Sources()
     tables = [conditions_table(first, system)] if first.drive.conditions else []
-    tables.append(check_table(judged or judge(first), system, of))
-    least = least_table(first, system)
+    tables.append(check_table(judge(whole), system, of))
+    least = least_table(whole, system)
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, system, of)
     tables += [summary_table(results, system)] if len(first) > 1 else []

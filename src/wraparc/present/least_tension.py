@@ -21,8 +21,9 @@ def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> 
     if math.isinf(found.tension):
         return _none(found, result, system)
     what = least_name(result)
+    as_now = ", the load divided as it is," if divides_anew(result) else ""
     text = (
-        f"The least {what} with which every binding check is kept is {least}, set by "
+        f"The least {what} with which every binding check is kept{as_now} is {least}, set by "
         f"{why} ({governs.place}); given {given}"
     )
     standard = found.standard
@@ -30,6 +31,11 @@ def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> 
         asked = named("tension", standard.tension, system)
         text += f"; that is below the {asked} that {standard.title} asks for"
     return f"{text}."
+
+
+def divides_anew(result: DriveResult | TrainResult) -> bool:
+    """Whether another tension divides the load anew, as drums do that turn as given."""
+    return isinstance(result, TrainResult) and not all(c.case.pulls_given for c in result)
 
 
 def _none(found: LeastTension, result: DriveResult | TrainResult, system: System) -> str:

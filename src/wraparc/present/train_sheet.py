@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from math import isnan
 
 from wraparc.arc import DriveResult
-from wraparc.checks import Level, idle, judge, least_tension
+from wraparc.checks import Level, idle, least_tension
 from wraparc.glossary import GLOSSARY
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.input_tables import input_tables
@@ -59,7 +59,7 @@ def train_sheet(
     pulleys
         Its pulleys by one method or several; as in the train unless given.
     """
-    arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail, judge(result))
+    arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail, result)
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
     tables = (*arcs.tables[:checks], *train_tables(result, system), *arcs.tables[checks:])
     verdict = train_verdict(result, system)
@@ -202,8 +202,8 @@ def _creep_row(case: CaseResult, system: System) -> Row:
     texts = []
     for m in case.members:
         creep = m.arc.exit_creep
-        part = percent(abs(creep) / m.arc.arc.creep_limit, 2)
-        texts.append(f"{named('exit_creep', creep, system)} ({part})")
+        part = f" ({percent(abs(creep) / m.arc.arc.creep_limit, 2)})"
+        texts.append(f"{named('exit_creep', creep, system)}{'' if isnan(creep) else part}")
     over = any(not m.arc.within_creep_limit for m in case.members)
     entry = term("exit_creep")
     level = Level.ATTENTION if over else None
@@ -212,6 +212,8 @@ def _creep_row(case: CaseResult, system: System) -> Row:
 
 
 def _loss_note(case: CaseResult, system: System) -> str:
+    if isnan(case.loss_ratio):
+        return ""
     ratio = f"{percent(case.loss_ratio)} of the power"
     if isnan(case.power_loss):
         return f"together {ratio}"

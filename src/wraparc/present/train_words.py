@@ -54,9 +54,10 @@ def _against(case: CaseResult) -> float:
 
 def case_sentences(case: CaseResult, system: System) -> Iterator[str]:
     """Tell of the load case that governs: who carries what, how the drums turn, what is lost."""
-    yield f"Load case {case.case.name}: {_shares(case, system)}."
     if case.status is not TrainStatus.SOLVED:
+        yield f"Load case {case.case.name}: {case.reason}"
         return
+    yield f"Load case {case.case.name}: {_shares(case, system)}."
     if len(case.other_splits) > 0:
         listed = "; ".join(", ".join(percent(s) for s in split) for split in case.other_splits)
         yield (

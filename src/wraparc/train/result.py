@@ -168,8 +168,8 @@ class CaseResult:
     reason
         A sentence on what stands in the way, empty when solved.
     members
-        The drives in belt order. When not solved, at the largest pull that there is, or what else
-        comes nearest.
+        The drives in belt order. Those that break away have their tensions alone; where no
+        division of the load is found, as in the state that comes nearest.
     sensitivity
         d share_i / d ln(speed of drive j), row i and column j [-].
     belt_speed
@@ -200,6 +200,11 @@ class CaseResult:
             if member.name == pulley:
                 return member
         raise KeyError(pulley)
+
+    @property
+    def adrift(self) -> bool:
+        """Whether the drums turn as given, and friction holds no division of the load."""
+        return self.status is TrainStatus.BREAKAWAY and not self.case.pulls_given
 
     @property
     def shares(self) -> tuple[float, ...]:
@@ -260,6 +265,11 @@ class TrainResult(Viewable):
             if result.case.name == case:
                 return result
         raise KeyError(case)
+
+    @property
+    def adrift(self) -> bool:
+        """Whether there is no division of the load in some load case, see `CaseResult`."""
+        return any(c.adrift for c in self.cases)
 
     @property
     def solved(self) -> bool:

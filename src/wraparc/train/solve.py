@@ -26,6 +26,7 @@ from wraparc.train.train import (
 )
 from wraparc.train.turning import (
     Nip,
+    as_asked,
     beyond_motor,
     driven,
     held_speeds,
@@ -99,6 +100,8 @@ def solve_case(train: Train, case: TrainCase, method: Distributed) -> CaseResult
     pairs = [Pair(p.entry, p.exit) for p in located.passages]
     if located.status.solved:
         pairs = rounded(pairs, case.exit_tension, setup.system.runs)
+    elif located.status is TrainStatus.BREAKAWAY:
+        pairs = as_asked(pairs, case.entry_tension, case.exit_tension, setup.system.runs)
     return _reported(setup, method, pairs, located)
 
 
@@ -223,22 +226,21 @@ def _reported(
         method.solve(arc_of(train, case, p, pair, v if v == v else None))
         for p, pair, v in zip(train.pulleys, pairs, speeds, strict=True)
     ]
-    ratios = [arc.entry_creep_ratio for arc in arcs]
-    if located is not None and not located.status.solved:  # a sliding drive creeps as it must
-        ratios = [
-            p.ratio if p.ratio == p.ratio else g
-            for p, g in zip(located.passages, ratios, strict=True)
-        ]
+    for i in () if located is None else located.fallen:  # what slides has no state at rest
+        if arcs[i].status is Status.SOLVED:
+            arcs[i] = arcs[i].without_state(
+                Status.BREAKAWAY, arcs[i].method, arcs[i].arc, arcs[i].capacities
+            )
     nips = [
         Nip(
             entry=arc.entry_tension,
             pull=arc.effective_tension,
-            creep_ratio=g,
+            creep_ratio=arc.entry_creep_ratio,
             radius=arc.arc.radius,
             compression=arc.arc.compression,
             nominal=nominal,
         )
-        for arc, g, nominal in zip(arcs, ratios, train.nominal, strict=True)
+        for arc, nominal in zip(arcs, train.nominal, strict=True)
     ]
     total = case.effective_tension
     turnings = [

@@ -14,7 +14,7 @@ from wraparc.train.motors import Motor
 from wraparc.train.newton import linearized
 from wraparc.train.result import MotorPoint
 from wraparc.train.system import Line, System
-from wraparc.train.train import Pair
+from wraparc.train.train import Pair, along
 from wraparc.units import GIVEN_DIGITS, display
 
 #: Pull over tension that is rounding only.
@@ -30,6 +30,29 @@ def rounded(pairs: Sequence[Pair], exit_: float, runs: Sequence[float]) -> list[
         exits[last - 1] = exit_ - runs[last - 1]
     entries = [pairs[0].entry, *[b + run for b, run in zip(exits[:-1], runs[:-1], strict=True)]]
     return [Pair(a, b) for a, b in zip(entries, exits, strict=True)]
+
+
+def as_asked(
+    pairs: Sequence[Pair], entry: float, exit_: float, runs: Sequence[float]
+) -> list[Pair]:
+    """Return tensions between the ends that are asked for, the load divided as between others.
+
+    Parameters
+    ----------
+    pairs
+        Of the state that comes nearest, in which the drives pull less.
+    entry, exit_
+        Tensions of the belt before the first and behind the last pulley [N].
+    runs
+        What the belt gains behind each pulley [N].
+    """
+    pulls = [at.entry - at.exit for at in pairs]
+    total = sum(pulls)
+    if total == 0.0:
+        return list(pairs)
+    part = (entry - exit_ + sum(runs)) / total
+    found = along(entry, exit_, runs, [part * pull for pull in pulls])
+    return found if min(min(at.entry, at.exit) for at in found) > 0.0 else list(pairs)
 
 
 class Nip(NamedTuple):
@@ -78,8 +101,9 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
     ratio = (1.0 + a / stiffness) * (1.0 - g1) / ((1.0 + a1 / stiffness) * leaves)
     arm, arm1 = at.radius - at.compression, first.radius - first.compression
     surface = belt_speed / leaves
+    pull = at.pull if g == g else nan  # what slides carries nothing that is known
     return Turning(
-        share=at.pull / total if total != 0.0 else nan,
+        share=pull / total if total != 0.0 else nan,
         speed_ratio=ratio,
         contraction_term=-(a1 - a) / stiffness,
         creep_term=g - g1,
@@ -88,7 +112,7 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
         surface_speed=surface,
         rotation_speed=surface / arm,
         speed_trim=ratio * arm1 / arm * at.nominal / first.nominal,
-        drum_torque=at.pull * arm,
+        drum_torque=pull * arm,
         drum_power=surface * at.pull,
     )
 

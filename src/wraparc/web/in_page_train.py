@@ -23,6 +23,7 @@ from wraparc.train.train import Pair, along
 from wraparc.train.turning import (
     Nip,
     Turning,
+    as_asked,
     beyond_motor,
     held_speeds,
     motor_point,
@@ -171,6 +172,8 @@ def divided(
         pairs = [Pair(at.entry, at.exit) for at in found.passages]
         if found.status == TrainStatus.SOLVED:
             pairs = rounded(pairs, system.exit, system.runs)
+        elif found.status == TrainStatus.BREAKAWAY:
+            pairs = as_asked(pairs, system.entry, system.exit, system.runs)
     stretch = system.members[0].stretch
     at_first = speed
     if found is not None and reference == reference:
@@ -178,6 +181,11 @@ def divided(
     first = 1.0 + pairs[0].entry * stretch
     speeds = [at_first * (1.0 + at.entry * stretch) / first for at in pairs]
     return Divided(pairs, found, speeds)
+
+
+def fallen_of(of: Divided) -> list[int]:
+    """The drives that break away where no division of the load is found, by index."""
+    return [] if of.located is None else list(of.located.fallen)
 
 
 class Told(NamedTuple):
@@ -202,17 +210,14 @@ def told(
     motors: Sequence[Motor | None],
 ) -> Told:
     """What a train has beside its arcs, these solved for their tensions."""
-    located = of.located
+    located, fallen = of.located, fallen_of(of)
     nips = [
         _nip(at, arc, diameter)
         for at, arc, diameter in zip(system.members, arcs, nominal, strict=True)
     ]
+    for i in fallen:  # what slides has no state at rest
+        nips[i] = nips[i]._replace(creep_ratio=nan)
     failed = located is not None and located.status != TrainStatus.SOLVED
-    if located is not None and failed:  # a sliding drive creeps as it must
-        nips = [
-            nip if at.ratio != at.ratio else nip._replace(creep_ratio=at.ratio)
-            for nip, at in zip(nips, located.passages, strict=True)
-        ]
     stiffness = 1.0 / system.members[0].stretch
     turnings = [
         turning(nips[0], nip, stiffness, system.pull, speed)
@@ -222,7 +227,7 @@ def told(
         None if motor is None else motor_point(motor, at.drum_torque, at.rotation_speed)
         for motor, at in zip(motors, turnings, strict=True)
     ]
-    stuck = [i for i, arc in enumerate(arcs) if not arc.solved]
+    stuck = [i for i, arc in enumerate(arcs) if not arc.solved or i in fallen]
     passages: list[Passage | None] = [None for _ in arcs]
     if len(stuck) == 0:
         passages = [_passage(m, arc) for m, arc in zip(system.members, arcs, strict=True)]

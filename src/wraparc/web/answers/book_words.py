@@ -11,7 +11,13 @@ from wraparc.arc import ArcResult, DriveResult, Status, solve
 from wraparc.checks import Check, of_arc, of_data, of_drive
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.judge import fight, operating_point, train_balance
+from wraparc.checks.judge import (
+    NO_DIVISION,
+    fight,
+    not_working,
+    operating_point,
+    train_balance,
+)
 from wraparc.drive import (
     TAKE_UPS,
     Criteria,
@@ -241,5 +247,10 @@ def train_words() -> dict[str, list[Words]]:
         "fight:fights": fight(1.0, place),
         "train_balance": train_balance(0.0, place),
         "operating_point": operating_point(TrainStatus.BEYOND_MOTOR, "⟦reason⟧", place),
+        "operating_point:adrift": operating_point(TrainStatus.BREAKAWAY, "⟦reason⟧", place),
+        "gross_slip:adrift": of_drive.not_checked(
+            "gross_slip", "⟦title⟧", NO_DIVISION, Place(PULLEY, CASE)
+        ),
+        **{f"{check.name}:none": check for check in not_working(place)},
     }
     return {key: [words_of(check)] for key, check in checks.items()}

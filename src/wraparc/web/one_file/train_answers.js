@@ -15,6 +15,7 @@ import { tableOf, wholeAnswer } from "./whole_tables.js";
 
 const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
 const SOLVED = "The drives carry the load.";
+const POINT = "operating_point";
 /** The train that was asked about last: both pages ask for the same. */
 let last = { doc: "", found: /** @type {any} */ (null) };
 
@@ -25,6 +26,11 @@ async function judgedTrain(doc, data) {
   const { problems, judging, cases } = trainOf(doc, data.book, data.trains);
   if (!judging || !cases) throw new Refused(problems, 422);
   const all = await beside(arcsOf(judging));
+  const quicks = cases.flatMap((c) => c.quicks);
+  all?.forEach((numbers, i) => {
+    const { solved, summary } = quicks[i];
+    if (numbers.solved && !solved) Object.assign(numbers, { solved, summary });
+  });
   const judged = all && judge(judging, doc, all);
   if (!judged) throw new Refused([{ path: "", message: UNSOLVED, sentence: UNSOLVED }], 422);
   judged.checks.unshift(...cases.flatMap((c) => ofTrain(c, data.trains.words, judging.levels)));
@@ -34,17 +40,18 @@ async function judgedTrain(doc, data) {
 }
 /** What only several drives can miss. @param {any} one @param {Record<string, Words[]>} words
  * @param {any} levels */
-function ofTrain({ c, told, divided }, words, levels) {
+function ofTrain({ c, told, divided, adrift }, words, levels) {
   /** @param {string} key @param {any} numbers */
   const made = (key, numbers) => {
     const [w] = words[key].map((word) => put(word, { case: c.name, reason: told.reason }));
     return check({ ...w, ...numbers.more }, numbers, c.name, levels);
   };
   const none = { values: {}, limits: {} };
-  if (told.status !== SOLVED)
-    return told.reason && told.status.startsWith("No operating point")
-      ? [made("operating_point", none)]
-      : [];
+  if (told.status !== SOLVED) {
+    const beyond = told.status.startsWith("No operating point") ? [made(POINT, none)] : [];
+    const point = adrift ? [made(`${POINT}:adrift`, none)] : beyond;
+    return [...point, ...["fight", "train_balance"].map((name) => made(`${name}:none`, none))];
+  }
   const pulls = divided.pairs.map((/** @type {any} */ p) => p.entry - p.exit);
   const lost = K.numbers__pull_against(pulls);
   const error = Math.max(told.tension_error, told.speed_error);

@@ -1352,6 +1352,11 @@ export function in_page_train__in_case(of, over, fixed, speed, runs) {
   return new Pulls(0.5 * both + between, 0.5 * both - between, NaN, NaN, NaN);
 }
 
+/** The drives that break away where no division of the load is found, by index. */
+export function in_page_train__fallen_of(of) {
+  return of.located === null ? [] : [...of.located.fallen];
+}
+
 /** Tensions of a load case that gives its pull alone, by a take-up between drives. */
 export function in_page_train__behind(of, over, after, before, speed) {
   let now = in_page_train__ends_of(over, speed);
@@ -1973,6 +1978,23 @@ export function turning__rounded(pairs, exit_, runs) {
   return [...$zip(entries, exits)].map(([a, b]) => new Pair(a, b));
 }
 
+/** Return tensions between the ends that are asked for, the load divided as between others. */
+export function turning__as_asked(pairs, entry, exit_, runs) {
+  let pulls = [...pairs].map((at) => at.entry - at.exit);
+  let total = $sum(pulls);
+  if (total === 0.0) {
+    return [...pairs];
+  }
+  let part = (entry - exit_ + $sum(runs)) / total;
+  let found = train__along(
+    entry,
+    exit_,
+    runs,
+    [...pulls].map((pull) => part * pull),
+  );
+  return $minOf([...found].map((at) => min(at.entry, at.exit))) > 0.0 ? found : [...pairs];
+}
+
 /** Tensions of all pulleys, from what is given: their pulls, or what turns their drums. */
 export function in_page_train__divided(system, names, softening, pulls, speed, reference) {
   let pairs;
@@ -1984,6 +2006,8 @@ export function in_page_train__divided(system, names, softening, pulls, speed, r
     pairs = [...found.passages].map((at) => new Pair(at.entry, at.exit));
     if (found.status === SOLVED) {
       pairs = turning__rounded(pairs, system.exit, system.runs);
+    } else if (found.status === BREAKAWAY) {
+      pairs = turning__as_asked(pairs, system.entry, system.exit, system.runs);
     }
   }
   let stretch = system.members[0].stretch;
@@ -2019,8 +2043,9 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
   let arm = at.radius - at.compression;
   let arm1 = first.radius - first.compression;
   let surface = belt_speed / leaves;
+  let pull = g === g ? at.pull : NaN;
   return new Turning(
-    total !== 0.0 ? at.pull / total : NaN,
+    total !== 0.0 ? pull / total : NaN,
     ratio,
     -(a1 - a) / stiffness,
     g - g1,
@@ -2029,7 +2054,7 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
     surface,
     surface / arm,
     (((ratio * arm1) / arm) * at.nominal) / first.nominal,
-    at.pull * arm,
+    pull * arm,
     surface * at.pull,
   );
 }
@@ -2178,19 +2203,19 @@ export function turning__sensitivity(system, located, passages) {
 
 /** What a train has beside its arcs, these solved for their tensions. */
 export function in_page_train__told(system, names, of, arcs, nominal, motors) {
-  let at, beyond, entries, leaving, motor, name, point;
+  let at, beyond, entries, i, leaving, motor, name, point;
   let located = of.located;
+  let fallen = in_page_train__fallen_of(of);
   let nips = [...$zip(system.members, arcs, nominal)].map(([at, arc, diameter]) =>
     in_page_train___nip(at, arc, diameter),
   );
-  let failed = located !== null && located.status !== SOLVED;
-  if (located !== null && failed) {
-    nips = [...$zip(nips, located.passages)].map(([nip, at]) =>
-      at.ratio !== at.ratio
-        ? nip
-        : Object.assign(Object.create(Object.getPrototypeOf(nip)), nip, { creep_ratio: at.ratio }),
-    );
+  for (const each1 of fallen) {
+    i = each1;
+    nips[i] = Object.assign(Object.create(Object.getPrototypeOf(nips[i])), nips[i], {
+      creep_ratio: NaN,
+    });
   }
+  let failed = located !== null && located.status !== SOLVED;
   let stiffness = 1.0 / system.members[0].stretch;
   let turnings = [...$zip(nips, of.belt_speeds)].map(([nip, speed]) =>
     turning__turning(nips[0], nip, stiffness, system.pull, speed),
@@ -2198,7 +2223,9 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   let points = [...$zip(motors, turnings)].map(([motor, at]) =>
     motor === null ? null : turning__motor_point(motor, at.drum_torque, at.rotation_speed),
   );
-  let stuck = [...$enumerate(arcs)].filter(([i, arc]) => !arc.solved).map(([i, arc]) => i);
+  let stuck = [...$enumerate(arcs)]
+    .filter(([i, arc]) => !arc.solved || fallen.includes(i))
+    .map(([i, arc]) => i);
   let passages = [...arcs].map((_) => null);
   if (stuck.length === 0) {
     passages = [...$zip(system.members, arcs)].map(([m, arc]) => in_page_train___passage(m, arc));
@@ -2223,8 +2250,8 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     status = BREAKAWAY;
     reason = locate__away(names, stuck);
   }
-  for (const each1 of $zip(names, turnings, motors, points)) {
-    [name, at, motor, point] = each1;
+  for (const each2 of $zip(names, turnings, motors, points)) {
+    [name, at, motor, point] = each2;
     beyond = "";
     if (status === SOLVED && motor !== null && point !== null) {
       beyond = turning__beyond_motor(name, at.rotation_speed, motor, point);
@@ -2556,15 +2583,16 @@ export function* train_words___motor_losses(case_, system) {
 /** Tell of the load case that governs: who carries what, how the drums turn, what is lost. */
 export function* train_words__case_sentences(case_, system) {
   let listed, m;
+  if (case_.status !== SOLVED) {
+    yield "" + "Load case " + $text(case_.case.name) + ": " + $text(case_.reason);
+    return;
+  }
   yield "" +
     "Load case " +
     $text(case_.case.name) +
     ": " +
     $text(train_words___shares(case_, system)) +
     ".";
-  if (case_.status !== SOLVED) {
-    return;
-  }
   if (case_.other_splits.length > 0) {
     listed = [...case_.other_splits]
       .map((split) => [...split].map((s) => sheet__percent(s)).join(", "))
@@ -2684,8 +2712,12 @@ export function train_sheet___creep_row(case_, system) {
   for (const each1 of case_.members) {
     m = each1;
     creep = m.arc.exit_creep;
-    part = sheet__percent(Math.abs(creep) / m.arc.arc.creep_limit, 2);
-    texts.push("" + $text(sheet__named("exit_creep", creep, system)) + " (" + $text(part) + ")");
+    part = "" + " (" + $text(sheet__percent(Math.abs(creep) / m.arc.arc.creep_limit, 2)) + ")";
+    texts.push(
+      "" +
+        $text(sheet__named("exit_creep", creep, system)) +
+        $text(Number.isNaN(creep) ? "" : part),
+    );
   }
   let over = [...case_.members].some((m) => !m.arc.within_creep_limit);
   let entry = term("exit_creep");
@@ -2705,6 +2737,9 @@ export function train_sheet___lost(m, system) {
 }
 
 export function train_sheet___loss_note(case_, system) {
+  if (Number.isNaN(case_.loss_ratio)) {
+    return "";
+  }
   let ratio = "" + $text(sheet__percent(case_.loss_ratio)) + " of the power";
   if (Number.isNaN(case_.power_loss)) {
     return "" + "together " + $text(ratio);

@@ -5,7 +5,7 @@ import { caseOf, judgingOf, lawOf, NOT_HERE, read } from "../static/pages/drive/
 import { numbersOf } from "../static/pages/drive/own.js";
 import { Reader } from "../static/pages/drive/reading.js";
 import { checkShape } from "../static/pages/drive/shape.js";
-import { dataWords, general, named } from "../static/pages/drive/wording.js";
+import { dataWords, general, named, put } from "../static/pages/drive/wording.js";
 import { TENSIONS } from "../static/parts/problems.js";
 import { plainDrive } from "./plain_drive.js";
 import * as K from "./train_kernel.js";
@@ -127,9 +127,20 @@ function solved(c, { saids, names, nominal, speed }, laws, book) {
   const quicks = arcs.map((/** @type {any} */ { prepared, tested }) =>
     quick(prepared.law, numbersOf(prepared.given), tested, POINTS),
   );
+  const fallen = K.in_page_train__fallen_of(divided);
+  for (const i of fallen) if (quicks[i]?.solved) quicks[i] = stateless(quicks[i]);
   return { c, system, divided, arcs, quicks, motors, nominal };
 }
 
+/** @param {any} w */
+const isGrip = (w) => w.name === "gross_slip";
+const ENDS = ["entry_tension", "exit_tension", "effective_tension", "tension_ratio"];
+/** An arc as one that slides has it: tensions, and no state at rest. @param {any} found */
+function stateless(found) {
+  const { summary } = found;
+  const numbers = Object.keys(summary).map((k) => [k, ENDS.includes(k) ? summary[k] : none]);
+  return { ...found, solved: false, summary: Object.fromEntries(numbers) };
+}
 /** What keeps the page from a case that is solved; empty for nothing. @param {any} one */
 function kept({ arcs, quicks, divided }) {
   if (!(K.in_page_train__least_of(divided.pairs) > 0))
@@ -169,6 +180,9 @@ export function trainOf(design, book, known) {
     if (why) return refusing(`Load case ${c.name}: ${why}.`, true);
     const { system, divided, quicks, motors, nominal } = one;
     const told = K.in_page_train__told(system, names, divided, quicks, nominal ?? [], motors);
+    const adrift = told.status.startsWith("Breakaway") && !c.division.parts;
+    const unknown = (/** @type {any} */ { title }, /** @type {number} */ i) =>
+      put(known.words["gross_slip:adrift"][0], { title, pulley: names[i], case: c.name });
     const sags = c.entry >= c.exit ? names.length - 1 : 0;
     const arcs = one.arcs.map((/** @type {any} */ arc, /** @type {number} */ i) => ({
       ...arc,
@@ -177,9 +191,11 @@ export function trainOf(design, book, known) {
       among: K.in_page_train__among(divided.pairs, i, fixed, after),
       checks: arc.checks
         .filter((/** @type {any} */ w) => w.name !== "sag" || i === sags)
+        .filter((/** @type {any} */ w) => !(adrift && isGrip(w) && w.when === "solved"))
+        .map((/** @type {any} */ w) => (adrift && isGrip(w) ? unknown(w, i) : w))
         .map((/** @type {any} */ w) => ({ ...w, pulley: names[i] })),
     }));
-    cases.push({ ...one, told, arcs });
+    cases.push({ ...one, told, arcs, adrift });
   }
   const usual = lawsIn(saids, doc, undefined);
   const at = Math.max(after, 0);
@@ -195,6 +211,8 @@ export function trainOf(design, book, known) {
       cases.flatMap((x) => x.arcs),
       book,
     ),
+    anew: cases.some((x) => !x.c.division.parts),
+    adrift: cases.some((x) => x.adrift),
     checks: [...of("pulley_diameter"), { ...of("usual_sizes")[0], pulley: "" }, ...of("data")],
     qualifier: Object.values(book.grounds).find((g) => data.some((d) => d.short === g)) ?? "",
     kinds: [...new Set(data.flatMap((d) => d.kinds))],

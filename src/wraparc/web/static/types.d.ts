@@ -197,6 +197,8 @@ export interface Judging {
   /** Of a drive that the page has put together: what is said where load cases contradict the
    * take-up, what that holds, and names for the words. */
   odd?: Words | null;
+  anew?: boolean;
+  adrift?: boolean;
   held?: string;
   names?: Record<string, string>;
   kinds?: string[];

@@ -30,7 +30,7 @@ const governingOf = (all) =>
  */
 export function leastOf(judged) {
   const all = figuresOf(judged);
-  if (!all.some((f) => f.binding && f.at_least)) return null;
+  if (judged.of.adrift || !all.some((f) => f.binding && f.at_least)) return null;
   const first = /** @type {any} */ (governingOf(all));
   if (first.name === "gross_slip") first.tension = first.settled;
   const governing = governingOf(all);
@@ -48,8 +48,10 @@ function sentence(l, { of, arcs }) {
   const { governing: g, highest } = l;
   const name = of.least_name;
   if (Number.isFinite(l.tension)) {
+    const asNow = of.anew ? ", the load divided as it is," : "";
     const text =
-      `The least ${name} with which every binding check is kept is ${force(l.tension)}, set by ` +
+      `The least ${name} with which every binding check is kept${asNow} is ` +
+      `${force(l.tension)}, set by ` +
       `${g.what} (${g.place}); given ${force(g.given)}`;
     const rule = l.all.find((f) => f.name === "design_standard");
     if (!rule || l.tension >= rule.tension * (1 - 1e-9)) return `${text}.`;

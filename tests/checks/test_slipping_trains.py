@@ -1,0 +1,103 @@
+"""Trains that a drum of slips: one verdict in every door, and no number where there is no state.
+
+Expected: gross slip by the friction's own limit (`Grip`, held to closed forms elsewhere), and the
+same verdict as `wraparc solve` from every other door.
+"""
+
+from pathlib import Path
+
+import pytest
+
+from cli.running import wraparc
+from wraparc import Train, load_train, solve_train
+from wraparc.checks import Level, judge, least_tension
+from wraparc.train import TrainResult, TrainStatus
+
+TANDEM = Path(__file__).parents[2] / "examples" / "tandem-fabric.toml"
+SHARES = 'share = ["50 %", "50 %"]'
+
+
+def tandem(tmp_path: Path, **changed: str) -> Path:
+    """A file of the tandem: T2, pull and division as given."""
+    text = TANDEM.read_text("utf-8").partition("# The drives in time")[0]
+    text = text.replace('"45 kN"', f'"{changed.get("exit", "45 kN")}"')
+    text = text.replace('"105 kN"', f'"{changed.get("pull", "105 kN")}"')
+    text = text.replace(SHARES, changed.get("by", SHARES))
+    path = tmp_path / "tandem.toml"
+    path.write_text(text, "utf-8")
+    return path
+
+
+@pytest.fixture
+def slipping(tmp_path: Path) -> Path:
+    """The second drum slips in load case design; load case empty is carried."""
+    return tandem(tmp_path, exit="0.65 kN")
+
+
+def solved(path: Path) -> TrainResult:
+    train: Train = load_train(path)
+    return solve_train(train, raise_on_failure=False)
+
+
+def test_what_slips_is_not_checked_and_no_other_case_hides_it(slipping: Path) -> None:
+    result = solved(slipping)
+    told = {c.name: c for c in judge(result).listed}
+    assert told["gross_slip"].level is Level.FAILS
+    for name in ("fight", "train_balance"):
+        assert told[name].level is Level.NOT_CHECKED
+        assert told[name].place.load_case == "design"
+    # the creep of the other load case is beyond its limit: that is worse than not known
+    assert told["creep"].level is Level.ATTENTION
+    assert told["creep"].place.load_case == "empty"
+    own = {c.name: c for c in judge(result).at("second", "design").listed}
+    assert own["creep"].level is Level.NOT_CHECKED
+    assert "gross slip" in own["creep"].short
+
+
+def test_a_kept_creep_does_not_hide_one_that_has_no_number(slipping: Path) -> None:
+    text = slipping.read_text("utf-8").replace('"40 kN"', '"4 kN"')
+    slipping.write_text(text, "utf-8")
+    result = solved(slipping)
+    assert judge(result).at("second", "empty").listed
+    told = {c.name: c for c in judge(result).listed}
+    assert told["creep"].level is Level.NOT_CHECKED
+    assert told["creep"].place == ("second", "design", "")
+
+
+def test_what_slips_has_no_share_torque_or_speed(slipping: Path) -> None:
+    slips = solved(slipping)["design"]["second"]
+    assert slips.arc.effective_tension == pytest.approx(52.5e3)  # as asked for
+    for value in (slips.share, slips.drum_torque, slips.speed_ratio, slips.speed_trim):
+        assert value != value
+    ran = wraparc("solve", slipping)
+    assert ran.code == 1
+    assert "Load case design: second breaks away: no creep makes enough friction." in ran.words
+    assert "second carries 50 %" not in ran.words.partition("Load case empty")[0]
+
+
+def test_held_speeds_that_friction_cannot_hold_fail(tmp_path: Path) -> None:
+    """Both drums slip: ln(500.65/0.65) = 6.6 is more than their friction carries together."""
+    path = tandem(tmp_path, exit="0.65 kN", pull="500 kN", by='speeds = "equal"')
+    result = solved(path)
+    case = result["design"]
+    assert case.status is TrainStatus.BREAKAWAY
+    assert case.adrift
+    assert judge(result).level is Level.FAILS
+    # the ends are those of the file, and nothing else is known
+    first, second = case.members
+    assert first.arc.entry_tension == 500.65e3
+    assert second.arc.exit_tension == 650.0
+    assert not (first.arc.status.solved or second.arc.status.solved)
+    told = {c.name: c for c in judge(result).listed}
+    assert told["operating_point"].level is Level.FAILS
+    assert told["gross_slip"].level is Level.NOT_CHECKED
+    assert least_tension(result) is None
+    ran = wraparc("solve", path)
+    assert ran.code == 1
+    assert "cannot carry the load. Breakaway" in ran.words
+
+
+def test_a_least_tension_of_held_speeds_says_that_the_load_divides_anew(tmp_path: Path) -> None:
+    said = "is kept, the load divided as it is, is"
+    assert said in wraparc("solve", tandem(tmp_path, by='speeds = "equal"')).words
+    assert said not in wraparc("solve", tandem(tmp_path)).words
