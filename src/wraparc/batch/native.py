@@ -25,7 +25,7 @@ from typing import Any
 
 from wraparc.errors import MissingExtraError
 
-_KEPT = 64  # folders of compiled code, the newest: six states of the ten entries there are
+_KEPT = 96  # folders of compiled code, the newest: five states of the 19 entries there are
 _PLAIN = (int, float, str, bool, type(None))
 #: The one switch of what reaches into numba's private parts (`underlay.optimised_once`): set this
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.
@@ -246,15 +246,27 @@ def _code(code: CodeType) -> tuple[object, ...]:
 
 def _folder(name: str) -> Path | None:
     """Folder of one state of the kernel, the older ones cleared away; None if none can be made."""
-    given = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("WRAPARC_CACHE_DIR")
+    root = kept_in()
+    if root is None:
+        return None
+    folder = root / name
     try:
-        root = Path(given) if given else _user_cache() / "wraparc"
-        folder = root / "compiled" / name
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, exist_ok=True)
         os.utime(folder)
         others = sorted(folder.parent.iterdir(), key=lambda p: p.stat().st_mtime, reverse=True)
         for old in others[_KEPT:]:
             shutil.rmtree(old, ignore_errors=True)
+    except OSError:
+        return None
+    return folder if os.access(folder, os.W_OK) else None
+
+
+def kept_in() -> Path | None:
+    """Folder of all compiled code, made if there is none; None if it cannot be written."""
+    given = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("WRAPARC_CACHE_DIR")
+    try:
+        folder = (Path(given) if given else _user_cache() / "wraparc") / "compiled"
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     except (OSError, RuntimeError):  # RuntimeError: a user without a home
         return None
     return folder if os.access(folder, os.W_OK) else None
