@@ -21,13 +21,18 @@ WORK = """
 import json, sys
 import numpy as np
 from wraparc import Setting, load_lagging, load_train, solve_batch
+from numba.core.dispatcher import Dispatcher
 from wraparc.batch import native
 
-asked, given = [], native._cached
-def noted(entry, *rest):
-    asked.append(f"{entry.__module__}.{entry.__qualname__}")
+entries, asked, given, made = set(), [], native._cached, Dispatcher.compile
+def kept(entry, *rest):
+    entries.add(entry)
     return given(entry, *rest)
-native._cached = noted
+def noted(self, signature):  # compiled, or read from the disk
+    if self.py_func in entries:
+        asked.append(f"{self.py_func.__module__}.{self.py_func.__qualname__}")
+    return made(self, signature)
+native._cached, Dispatcher.compile = kept, noted
 
 from wraparc.cli import run
 code = run(["warm"])
