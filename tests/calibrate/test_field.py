@@ -15,6 +15,7 @@ from wraparc.calibrate.field_numbers import (
     passes,
     wear_coefficient,
 )
+from wraparc.checks.check import Verdict
 from wraparc.present.field_sheet import field_sheet
 
 
@@ -103,7 +104,6 @@ def test_the_command(tmp_path: Path) -> None:
         (["--measured-wear", "4", "--wear-hours", "design=1"], "no unit"),
         (["--depth", "-1 mm"], "must be more than 0"),
         (["--pulley", "tail"], "the drive has no such pulley"),
-        (["--set", "pulley.head.entry_tension=9000 kN"], "Breakaway"),
     ],
 )
 def test_bad_input_is_told(tmp_path: Path, arguments: list[str], sentence: str) -> None:
@@ -111,6 +111,15 @@ def test_bad_input_is_told(tmp_path: Path, arguments: list[str], sentence: str) 
     assert ran.code == 2
     assert sentence in " ".join(ran.err.split()), ran.err
     assert "Traceback" not in ran.err
+
+
+def test_a_belt_that_slips_shows_nothing_to_measure(tmp_path: Path) -> None:
+    """The verdict is that of `wraparc solve`, and so is the exit code."""
+    changed = ["--set", "pulley.head.entry_tension=9000 kN"]
+    ran = wraparc("field", drive_file(tmp_path, DRIVE), *changed)
+    assert (ran.code, ran.code) == (wraparc("solve", drive_file(tmp_path, DRIVE), *changed).code, 1)
+    assert "Pulley head: nothing to measure, as the belt slips on it." in ran.words
+    assert "Gross slip: the friction carries at most" in ran.words
 
 
 def test_wear_shows_as_a_difference_of_speed() -> None:
@@ -123,6 +132,6 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     assert found.seen(0.0, 8e-3) == pytest.approx(0.02)
     assert found.seen(0.01, 8e-3) == pytest.approx(1.0 - 0.99 * 0.98)
     assert found.seen(0.01, found.wear_to_alarm) == pytest.approx(found.alarm)
-    text = " ".join(field_sheet(found, "Drive", "head").verdict.sentences)  # type: ignore[union-attr]
+    text = " ".join(field_sheet(found, Verdict(()), "Drive", "head").verdict.sentences)  # type: ignore[union-attr]
     assert "need the drum speed from a measured circumference" in text
     assert "8 mm moves every difference by 2 %" in text

@@ -98,6 +98,26 @@ def test_held_speeds_that_friction_cannot_hold_fail(tmp_path: Path) -> None:
     assert "cannot carry the load. Breakaway" in ran.words
 
 
+@pytest.mark.parametrize("by", [SHARES, 'speeds = "equal"'])
+@pytest.mark.parametrize("pulley", ["first", "second"])
+def test_every_door_gives_the_verdict_of_the_whole_file(
+    tmp_path: Path, by: str, pulley: str
+) -> None:
+    """A drum slips in load case design, whichever pulley is asked about."""
+    path = tandem(tmp_path, exit="0.65 kN", pull="105 kN" if by == SHARES else "500 kN", by=by)
+    asked = ["--pulley", pulley]
+    headline = judge(solved(path)).headline()
+    for ran in (
+        wraparc("what-if", path, *asked, "--thickness", "20 mm"),
+        wraparc("what-if", path, *asked, "--load-case", "empty", "--worn", "6 mm"),
+        wraparc("field", path, *asked),
+    ):
+        assert ran.code == 1, ran.err
+        assert "FAILS" in ran.out.splitlines()[3]
+        assert headline in ran.words
+        assert "OK, on" not in ran.out
+
+
 def test_a_least_tension_of_held_speeds_says_that_the_load_divides_anew(tmp_path: Path) -> None:
     said = "is kept, the load divided as it is, is"
     assert said in wraparc("solve", tandem(tmp_path, by='speeds = "equal"')).words

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from wraparc.arc import ArcResult, Distributed, Method, WrapArc
+from wraparc.arc import ArcResult
 from wraparc.calibrate.field_numbers import (
     FieldNumbers,
     at_creep_limit,
@@ -15,6 +15,7 @@ from wraparc.calibrate.field_numbers import (
 )
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.train.whole import Whole, by_pulley
 from wraparc.units import Dimension, parse_quantity
 
 
@@ -41,21 +42,20 @@ class OnSite:
     depth: str = ""
 
 
-def on_site(
-    drive: Drive, pulley: str, asked: OnSite, method: Method | None = None
-) -> tuple[FieldNumbers, str]:
-    """Return what to expect of a pulley, and where its wear coefficient came from.
+def on_site(whole: Whole, pulley: str, asked: OnSite) -> tuple[FieldNumbers | None, str]:
+    """Return what to expect of a pulley of a solved drive, and the source of its wear coefficient.
+
+    There is nothing to expect where the pulley slips in a load case.
 
     Raises
     ------
     InputError
         If something asked cannot be used, under the name of its field.
     """
-    solver = method or Distributed()
-    results = {
-        case.name: solver.solve(WrapArc.of(drive, drive.pulley(pulley), case))
-        for case in drive.load_cases
-    }
+    drive = by_pulley(whole).drive
+    results = {case.name: by_pulley(whole).arc(pulley, case.name) for case in drive.load_cases}
+    if not all(r.status.solved for r in results.values()):
+        return None, ""
     limits = {case: at for case, r in results.items() if (at := at_creep_limit(r)) is not None}
     coefficient, source = _coefficient(drive, pulley, results, asked)
     half = 0.5 * drive.pulley(pulley).lagging.thickness

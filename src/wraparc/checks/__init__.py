@@ -16,7 +16,7 @@ it finds there; it judges nothing itself::
 binding check is kept.
 """
 
-from wraparc.checks.check import Check, Level, Place, Verdict, keeps
+from wraparc.checks.check import Check, Level, Place, Verdict, keeps, placed
 from wraparc.checks.gross_slip import Margins, margins, margins_of
 from wraparc.checks.judge import before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
@@ -40,4 +40,5 @@ __all__ = [
     "least_tension",
     "margins",
     "margins_of",
+    "placed",
 ]

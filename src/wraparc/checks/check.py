@@ -262,7 +262,7 @@ class Verdict:
         if worst is None:
             return "Nothing could be checked."
         if worst.missed:
-            return _placed(worst, system)
+            return placed(worst, system)
         kept = sum(c.level is Level.OK for c in self.listed)
         text = f"All {kept} checks are kept"
         if math.isnan(worst.margin) or math.isinf(worst.margin):
@@ -278,7 +278,7 @@ class Verdict:
         """Return what is missed besides the headline, and what could not be checked."""
         first = self.governing.name if self.governing else ""
         others = (check for check in self.missed if check.name != first)
-        told = [f"{check.level}: {_placed(check, system)}" for check in others]
+        told = [f"{check.level}: {placed(check, system)}" for check in others]
         if self.level.rank > Level.OK.rank and self.qualifier:
             told.append(f"All of this stands {self.qualifier}.")
         return tuple(told)
@@ -309,7 +309,7 @@ def behind(margin: _Number) -> _Number:
     return found
 
 
-def _placed(check: Check, system: System) -> str:
+def placed(check: Check, system: System) -> str:
     """Return the sentence of a check with its place, once."""
     where, said = _capital(str(check.place)), check.sentence(system)
     return said if not where or said.startswith(where) else f"{where}: {said}"

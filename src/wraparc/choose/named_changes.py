@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from wraparc import catalogue
 from wraparc.choose.what_if import Change, redivided
@@ -65,40 +65,42 @@ def changes_of(
     InputError
         If a change cannot be made, under the name of its field.
     """
-    for change in _changes(drive, pulley, asked, allow_paths):
-        if isinstance(read, Drive):
-            yield change
-        else:
-            yield replace(change, drive=redivided(read, change.drive))
+    for title, changed, note in _changes(drive, pulley, asked, allow_paths):
+        as_read = changed if isinstance(read, Drive) else redivided(read, changed)
+        yield Change(title, as_read, note)
 
 
-def _changes(drive: Drive, pulley: str, asked: Named, allow_paths: bool) -> Iterator[Change]:
+#: Title, the drive, and what to know.
+_Changed = tuple[str, Drive, str]
+
+
+def _changes(drive: Drive, pulley: str, asked: Named, allow_paths: bool) -> Iterator[_Changed]:
     rows = [changes.other_carcass(drive.belt)] if asked.other_carcass else []
     with placed("belt"):
         rows += [catalogue.belt(name) for name in asked.belts]
     for row in rows:
-        yield Change(row.name, changes.with_belt(drive, row), f"{row.kind}, {row.provenance}")
+        yield row.name, changes.with_belt(drive, row), f"{row.kind}, {row.provenance}"
     for name in asked.laggings:
         with placed("lagging"):
             lagging = load_lagging(name, allow_paths=allow_paths)
         note = str(lagging.source_of("law"))
-        yield Change(lagging.name, changes.with_lagging(drive, pulley, lagging), note)
+        yield lagging.name, changes.with_lagging(drive, pulley, lagging), note
     for text in asked.thicknesses:
         thickness = _length(text, "thickness")
-        yield Change(f"h {text}", changes.with_thickness(drive, pulley, thickness))
+        yield f"h {text}", changes.with_thickness(drive, pulley, thickness), ""
     for text in asked.worn:
         note = "thinner, diameter smaller; what wear takes off the friction is not known"
         worn = changes.worn_to(drive, pulley, _length(text, "worn"))
-        yield Change(f"worn to {text}", worn, note)
+        yield f"worn to {text}", worn, note
     if asked.wet:
         with placed("wet"):
             yield _wet(drive, pulley, asked.wet)
     if asked.bare:
         changed, source = changes.bare(drive, pulley, asked.bare)
-        yield Change(f"bare, {asked.bare}", changed, source)
+        yield f"bare, {asked.bare}", changed, source
 
 
-def _wet(drive: Drive, pulley: str, text: str) -> Change:
+def _wet(drive: Drive, pulley: str, text: str) -> _Changed:
     if text[:1].isdigit() or text[:1] == ".":
         condition = Condition(name="wet", factor=parse_number(text))
     else:
@@ -106,7 +108,7 @@ def _wet(drive: Drive, pulley: str, text: str) -> Change:
     lagging = drive.pulley(pulley).lagging
     factor, source = condition.factor_of(lagging)
     note = f"friction factor {factor:.3g}, {source}"
-    return Change("wet", changes.with_lagging(drive, pulley, condition.lagging(lagging)), note)
+    return "wet", changes.with_lagging(drive, pulley, condition.lagging(lagging)), note
 
 
 def _length(text: str, key: str) -> float:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
-from wraparc.arc import ArcResult, Distributed, DriveResult, Method, solve
+from wraparc.arc import ArcResult, DriveResult, Method
 from wraparc.drive import Drive
 from wraparc.train import Train
-from wraparc.train.as_drive import as_drive
+from wraparc.train.whole import Described, Whole, by_pulley, solved
 
 
 @dataclass(frozen=True)
@@ -20,13 +21,13 @@ class Change:
     title
         What was changed, in a few words.
     drive
-        The whole drive as it is then.
+        The whole drive as it is then, or the train.
     note
         What to know about it, such as where a number came from.
     """
 
     title: str
-    drive: Drive
+    drive: Described
     note: str = ""
 
 
@@ -39,20 +40,25 @@ class WhatIf:
     pulley, load_case
         Which.
     wholes
-        The whole drive in that load case, solved: as it is, then after each change.
+        The whole drive in all its load cases, solved: as it is, then after each change.
     changes
         What was changed.
     """
 
     pulley: str
     load_case: str
-    wholes: tuple[DriveResult, ...]
+    wholes: tuple[Whole, ...]
     changes: tuple[Change, ...]
 
-    @property
+    @cached_property
+    def drives(self) -> tuple[DriveResult, ...]:
+        """The same pulley by pulley."""
+        return tuple(map(by_pulley, self.wholes))
+
+    @cached_property
     def results(self) -> tuple[ArcResult, ...]:
         """The pulley as it is, then after each change."""
-        return tuple(whole.arc(self.pulley, self.load_case) for whole in self.wholes)
+        return tuple(drive.arc(self.pulley, self.load_case) for drive in self.drives)
 
     @property
     def before(self) -> ArcResult:
@@ -65,47 +71,34 @@ class WhatIf:
         return self.results[1:]
 
 
-def redivided(train: Train, changed: Drive) -> Drive:
-    """Return a changed drive with the load of its train divided anew.
+def redivided(train: Train, changed: Drive) -> Train:
+    """Return a train with belt and pulleys of a changed drive: it divides its load anew.
 
-    Belt and pulleys are those of the changed drive; the drums turn, or share, as in the train.
-
-    Raises
-    ------
-    InputError
-        If there is no such division.
+    The drums turn, or share, as in the train.
     """
-    return as_drive(
-        replace(
-            train,
-            belt=changed.belt,
-            pulleys=changed.pulleys,
-            nominal_diameters=train.nominal,
-        )
+    return replace(
+        train, belt=changed.belt, pulleys=changed.pulleys, nominal_diameters=train.nominal
     )
 
 
 def what_if(
-    drive: Drive,
+    drive: Described,
     pulley: str,
     load_case: str,
     changes: Sequence[Change],
     *,
     method: Method | None = None,
 ) -> WhatIf:
-    """Solve a drive in one load case before and after each change.
+    """Solve a drive in all its load cases before and after each change, to compare one arc.
 
     Raises
     ------
     InputError
         If the drive has no such pulley or load case, or a law is unfit for an arc.
     """
-    solver = Distributed() if method is None else method
-
-    def solved(one: Drive) -> DriveResult:
-        case = one.load_case(load_case)
-        one.pulley(pulley)
-        return solve(replace(one, load_cases=(case,)), method=solver, raise_on_failure=False)
-
-    wholes = tuple(solved(one) for one in (drive, *(change.drive for change in changes)))
-    return WhatIf(pulley, load_case, wholes, tuple(changes))
+    wholes = (solved(one, method) for one in (drive, *(change.drive for change in changes)))
+    found = WhatIf(pulley, load_case, tuple(wholes), tuple(changes))
+    for whole in found.drives:
+        whole.drive.pulley(pulley)
+        whole.drive.load_case(load_case)
+    return found

@@ -42,11 +42,18 @@ def field(
     json_file: str | None,
     **said: str | None,
 ) -> int:
-    """Show what to expect of a drive FILE on site: speeds to measure, alarm levels, wear."""
-    from wraparc.train.file import load_drive
+    """Show what to expect of a drive FILE on site: speeds to measure, alarm levels, wear.
+
+    The numbers are those of one pulley; the verdict, and the exit code, are those of the whole
+    drive, as wraparc solve gives them.
+    """
+    from wraparc.cli.solve import exit_code
+    from wraparc.train.file import load_drive_or_train
+    from wraparc.train.whole import by_pulley, solved
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
-    drive = load_drive(file, overrides=settings)
+    whole = solved(load_drive_or_train(file, overrides=settings))
+    drive = by_pulley(whole).drive
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
     asked = OnSite(
@@ -55,18 +62,16 @@ def field(
         **{key: text or "" for key, text in said.items()},
     )
     with options():
-        found, source = on_site(drive, name, asked)
-    from wraparc.checks import before
+        found, source = on_site(whole, name, asked)
+    from wraparc.checks import judge
     from wraparc.present.document import json_text
     from wraparc.present.field_sheet import field_document, field_sheet
 
     deliver(
-        {json_file: json_text(field_document(found))} if json_file else {},
-        lambda: field_sheet(
-            found, drive.title or "Drive", name, source, units, before(drive).qualifier
-        ),
+        {json_file: json_text(field_document(found, judge(whole)))} if json_file else {},
+        lambda: field_sheet(found, judge(whole), drive.title or "Drive", name, source, units),
     )
-    return 0
+    return exit_code(whole)
 
 
 def _hours(texts: Iterable[str], option: str) -> dict[str, float]:

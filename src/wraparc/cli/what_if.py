@@ -54,18 +54,19 @@ def what_if(
 ) -> int:
     """Show a pulley of a drive FILE before and after changes, with the reason for each.
 
-    Every change is one column of the table, each made to the drive as it is in the file. The
-    verdict, and the exit code, are those of the drive as it is; every column has its own.
+    Every change is one column of the table, each made to the drive as it is in the file. Verdicts
+    are those of the whole drive, all pulleys in all load cases, as wraparc solve gives them; the
+    exit code is that of the drive as it is.
     """
     from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.files.conditions import refuse_several
-    from wraparc.train.as_drive import as_drive
+    from wraparc.train.as_drive import nearest_drive
     from wraparc.train.file import load_drive_or_train
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
     read = load_drive_or_train(file)
-    drive = read if isinstance(read, Drive) else as_drive(read)
+    drive = read if isinstance(read, Drive) else nearest_drive(read)
     refuse_several(drive, "what-if changes")
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
@@ -82,25 +83,24 @@ def what_if(
                 "--wet, --bare or --change.",
             )
         )
-    found = solve_both(drive, name, case, changes)
+    found = solve_both(read, name, case, changes)
     title = drive.title or "What if"
-    from wraparc.cli.solve import code_of
+    from wraparc.cli.solve import exit_code
     from wraparc.present.document import json_text
     from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
-    from wraparc.present.words import level_of
 
     deliver(
         {json_file: json_text(what_if_document(found))} if json_file else {},
         lambda: what_if_sheet(found, title, units),
     )
-    return code_of(level_of(found.wholes[0], found.before))
+    return exit_code(found.wholes[0])
 
 
 def _settings(file: str, said: dict[str, object]) -> Iterator[Change]:
-    from wraparc.train.file import load_drive
+    from wraparc.train.file import load_drive_or_train
 
     for text in _texts(said["changes"]):
-        yield Change(text, load_drive(file, overrides=[text]))
+        yield Change(text, load_drive_or_train(file, overrides=[text]))
 
 
 def _texts(value: object) -> tuple[str, ...]:

@@ -5,20 +5,30 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
-from wraparc.checks import Level
+from wraparc.checks import Verdict as Judgement
+from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.units import System
 
 
 def field_sheet(
-    found: FieldNumbers,
+    found: FieldNumbers | None,
+    judged: Judgement,
     title: str,
     pulley: str,
     wear_source: str = "",
     system: System = "si",
-    ground: str = "",
 ) -> Sheet:
-    """Return what to expect of a drive in the field; `ground` is the data that it stands on."""
+    """Return what to expect of a pulley in the field; `judged` is that of the whole drive."""
+    if found is None:
+        return Sheet(
+            title=title,
+            subtitle=f"Pulley {pulley}: nothing to measure, as the belt slips on it.",
+            verdict=Verdict(
+                judged.level, judged.headline(system), judged.sentences(system), judged.word
+            ),
+            tables=(),
+        )
     rows = [
         Row(f"Healthy, {name}", (percent(entry), percent(leaving)), "g, g2")
         for name, (entry, leaving) in found.healthy.items()
@@ -33,24 +43,26 @@ def field_sheet(
     return Sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
-        verdict=_verdict(found, system, ground),
+        verdict=_verdict(found, judged, system),
         tables=(speeds, _levels(found, system), *_wear(found, wear_source, system)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )
 
 
-def _verdict(found: FieldNumbers, system: System, ground: str) -> Verdict:
-    worst = found.worst
-    level = Level.OK
-    if found.at_limit is not None and worst > found.at_limit:
-        level = Level.ATTENTION
+def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
+    worst, governing = found.worst, judged.governing
+    why, as_is = "", []
+    if governing is not None and governing.missed:
+        where = f" ({governing.place})" if str(governing.place) else ""
+        why = f"As it is: {governing.short}{where}. "
+        as_is = [f"As it is: {judged.headline(system)}"]
     return Verdict(
-        level,
-        f"A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "
+        judged.level,
+        f"{why}A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "
         f"{percent(found.alarm)}, trip at {percent(found.trip)}.",
-        (*_rules(found, worst), _circumference(found, system)),
-        f"{level}, {ground}" if level is Level.OK and ground else "",
+        (*as_is, *_rules(found, worst), _circumference(found, system)),
+        judged.word,
     )
 
 
@@ -139,10 +151,13 @@ def _remarks(found: FieldNumbers) -> Iterator[str]:
         yield "The friction law is flat past its peak, so no particular creep marks gross slip."
 
 
-def field_document(found: FieldNumbers) -> dict[str, Any]:
-    """Return the numbers as plain data [SI] for JSON."""
+def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, Any]:
+    """Return verdict and numbers as plain data [SI] for JSON."""
+    told = {"format": 1, "verdict": verdict_document(judged)}
+    if found is None:
+        return told
     return {
-        "format": 1,
+        **told,
         "healthy": {
             name: {"entry_creep_ratio": a, "exit_creep_ratio": b}
             for name, (a, b) in found.healthy.items()

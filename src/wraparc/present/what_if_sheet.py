@@ -6,13 +6,15 @@ from typing import Any
 
 from wraparc.across import across_of
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Check, judge
+from wraparc.checks import Place, judge, placed
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
 from wraparc.present.least_tension import least_name, shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.present.words import alone, level_of, short, word_of
+from wraparc.present.words import alone, short
+from wraparc.train import TrainResult
+from wraparc.train.whole import Whole
 from wraparc.units import System
 
 _SHOWN = (
@@ -40,10 +42,12 @@ _WORTH_TELLING = 0.02
 def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     """Return the table of a pulley before and after changes, with reasons."""
     results, wholes = found.results, found.wholes
-    heads = ("before", *(c.title for c in found.changes))
+    heads, first = ("before", *(c.title for c in found.changes)), found.drives[0].drive
+    several = len(first.pulleys) > 1
+    whole = " on the whole drive" if several or len(first.load_cases) > 1 else ""
     rows = [
-        Row("Result", tuple(short(w, r) for w, r in zip(wholes, results, strict=True))),
-        Row("Verdict", tuple(word_of(w, r) for w, r in zip(wholes, results, strict=True))),
+        Row("Result", tuple(short(w, r) for w, r in zip(found.drives, results, strict=True))),
+        Row(f"Verdict{whole}", tuple(judge(w).word for w in wholes)),
     ]
     rows += [
         row_of(name, *(_value(r, name) for r in results), system=system)
@@ -52,23 +56,23 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         and not (name in _TENSIONS and len({_value(r, name) for r in results}) == 1)
     ]
     least = tuple(shown_least(whole, system) for whole in wholes)
-    between = bool(wholes[0].drive.criteria.take_up.after)
-    behind = ", behind the drives" if len(wholes[0].drive.pulleys) > 1 and not between else ""
-    note = f"every binding check kept{behind}"
+    behind = ", behind the drives" if several and not first.criteria.take_up.after else ""
+    note = f"for every binding check to be kept{behind}"
     rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
     across = compared_table(_by_itself(found), heads, system)
-    sentences, several = [], len(wholes[0].drive.pulleys) > 1
-    for change, whole, after in zip(found.changes, wholes[1:], found.after, strict=True):
-        told = (*_missed(found, whole, system), *reasons(found.before, after, system, several))
+    as_is = judge(wholes[0])
+    sentences = [f"As it is: {as_is.headline(system)}"] if as_is.missed else []
+    for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
+        told = (*_missed(found, after_it, system), *_reasons(found, after_it, after, system))
         sentences += [f"{change.title}: {s}" for s in told]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
         verdict=Verdict(
-            level_of(wholes[0], found.before),
+            as_is.level,
             _headline(found, system),
             tuple(sentences),
-            word_of(wholes[0], found.before),
+            as_is.word,
         ),
         tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
@@ -81,21 +85,18 @@ def _value(result: ArcResult, name: str) -> float:
     return float(result.scalars()[name])
 
 
-def _missed(found: WhatIf, whole: DriveResult, system: System) -> Iterator[str]:
+def _missed(found: WhatIf, whole: Whole, system: System) -> Iterator[str]:
     """Yield what a change makes miss a limit that is kept before it: a new belt, a small drum."""
-
-    def missed(of: DriveResult) -> tuple[Check, ...]:
-        return judge(of).at(found.pulley, found.load_case).missed
-
-    already = {check.name for check in missed(found.wholes[0])}
-    for check in missed(whole):
-        if check.name not in already:
-            yield f"{check.level}: {check.sentence(system)}"
+    already = {check.name: check.level.rank for check in judge(found.wholes[0]).missed}
+    for check in judge(whole).missed:
+        if check.level.rank > already.get(check.name, 0):
+            here = check.place == Place(found.pulley, found.load_case)
+            yield f"{check.level}: {check.sentence(system) if here else placed(check, system)}"
 
 
 def _headline(found: WhatIf, system: System) -> str:
     parts = []
-    for change, whole, after in zip(found.changes, found.wholes[1:], found.after, strict=True):
+    for change, whole, after in zip(found.changes, found.drives[1:], found.after, strict=True):
         if after.status.solved:
             parts.append(f"{change.title} {named('exit_creep', after.exit_creep, system)}")
         else:
@@ -103,11 +104,17 @@ def _headline(found: WhatIf, system: System) -> str:
     before = "gross slip"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep, system)
-    worst = judge(found.wholes[0]).at(found.pulley, found.load_case).governing
-    why = ""
-    if worst is not None and worst.missed and worst.name != "creep":
-        why = f"As it is: {worst.short}. "
-    return f"{why}Creep at the exit: as it is {before}; {'; '.join(parts)}."
+    worst, here = judge(found.wholes[0]).governing, (found.pulley, found.load_case)
+    why = of = ""
+    if worst is not None and worst.missed:
+        where = (worst.place.pulley, worst.place.load_case)
+        elsewhere = "" if where == here or not any(where) else f" ({worst.place})"
+        if elsewhere or worst.name != "creep":
+            why = f"As it is: {worst.short}{elsewhere}. "
+    drive = found.drives[0].drive
+    if len(drive.pulleys) > 1 or len(drive.load_cases) > 1:
+        of = f" of pulley {found.pulley}, load case {found.load_case}"
+    return f"{why}Creep at the exit{of}: as it is {before}; {'; '.join(parts)}."
 
 
 def reasons(
@@ -243,11 +250,14 @@ def _per_stress(compliance: float) -> str:
 
 def _by_itself(found: WhatIf) -> list[DriveResult]:
     """Return the pulley by itself, as it is and after each change: for what is across the width."""
-    return [alone(w.drive, r) for w, r in zip(found.wholes, found.results, strict=True)]
+    return [alone(w.drive, r) for w, r in zip(found.drives, found.results, strict=True)]
 
 
-def _reasons(found: WhatIf, after: ArcResult) -> Iterator[str]:
-    return reasons(found.before, after, several=len(found.wholes[0].drive.pulleys) > 1)
+def _reasons(found: WhatIf, whole: Whole, after: ArcResult, system: System = "si") -> Iterator[str]:
+    if isinstance(whole, TrainResult) and whole[found.load_case].adrift:
+        yield whole[found.load_case].reason
+        return
+    yield from reasons(found.before, after, system, len(found.drives[0].drive.pulleys) > 1)
 
 
 def what_if_document(found: WhatIf) -> dict[str, Any]:
@@ -264,9 +274,9 @@ def what_if_document(found: WhatIf) -> dict[str, Any]:
                 "title": title,
                 "status": r.status.name.lower(),
                 **{name: _value(r, name) for name in _SHOWN},
-                "verdict": str(level_of(whole, r)),
-                "word": word_of(whole, r),
-                "reasons": [] if r is found.before else list(_reasons(found, r)),
+                "verdict": str(judge(whole).level),
+                "word": judge(whole).word,
+                "reasons": [] if r is found.before else list(_reasons(found, whole, r)),
                 **({"across": across_data(a)} if a is not None else {}),
             }
             for title, whole, r, a in zip(titles, found.wholes, results, uneven, strict=True)

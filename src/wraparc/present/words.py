@@ -35,11 +35,6 @@ def level_of(result: DriveResult, arc: ArcResult) -> Level:
     return judge(result).at(arc.arc.pulley, arc.arc.load_case).level
 
 
-def word_of(result: DriveResult, arc: ArcResult) -> str:
-    """Return the word of the verdict on one arc; an OK says on what data it stands."""
-    return judge(result).at(arc.arc.pulley, arc.arc.load_case).word
-
-
 def short(result: DriveResult, arc: ArcResult) -> str:
     """Return the answer for one arc in a few words, for a table."""
     if arc.status is Status.BREAKAWAY:

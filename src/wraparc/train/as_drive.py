@@ -8,7 +8,7 @@ from wraparc.arc import Distributed
 from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.errors import InputError, Problem
 from wraparc.train.result import drive_with
-from wraparc.train.solve import solve_case
+from wraparc.train.solve import solve_case, solve_train
 from wraparc.train.train import Pulls, Shares, Train, TrainCase, tensions_at
 
 
@@ -38,6 +38,12 @@ def as_drive(train: Train) -> Drive:
     if problems:
         raise InputError(problems)
     return drive_with(train, cases)
+
+
+def nearest_drive(train: Train, method: Distributed | None = None) -> Drive:
+    """Return a train as a drive; with the nearest tensions where its load has no division."""
+    solver = method or Distributed(capacities=False)
+    return solve_train(train, method=solver, raise_on_failure=False).drive_result().drive
 
 
 def _pairs(train: Train, case: TrainCase) -> Sequence[tuple[float, float]]:

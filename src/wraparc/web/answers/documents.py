@@ -8,7 +8,8 @@ from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.errors import placed
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
-from wraparc.train import Train, solve_train
+from wraparc.train import Train
+from wraparc.train.as_drive import nearest_drive
 from wraparc.web.answers.shown import DriveKind
 
 
@@ -59,8 +60,7 @@ def read(document: Document) -> Drive | Train:
 
 def divided(train: Train, points: int = 180) -> Drive:
     """Return the drive of a train with the tensions that its division of the load makes."""
-    method = Distributed(points=points, capacities=False)
-    return solve_train(train, method=method, raise_on_failure=False).drive_result().drive
+    return nearest_drive(train, Distributed(points=points, capacities=False))
 
 
 def case_only(train: Train, name: str | None) -> Train:

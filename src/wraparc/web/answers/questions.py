@@ -1,7 +1,7 @@
 """What is asked beside the answer: before and after changes, and what to expect on site."""
 
 from wraparc.calibrate.on_site import OnSite, on_site
-from wraparc.checks import before
+from wraparc.checks import judge
 from wraparc.choose.named_changes import Named, changes_of
 from wraparc.choose.what_if import what_if
 from wraparc.drive import Drive
@@ -9,7 +9,8 @@ from wraparc.errors import InputError, Problem
 from wraparc.files.conditions import refuse_several
 from wraparc.present.field_sheet import field_sheet
 from wraparc.present.what_if_sheet import what_if_sheet
-from wraparc.train.as_drive import as_drive
+from wraparc.train.as_drive import nearest_drive
+from wraparc.train.whole import by_pulley, solved
 from wraparc.web.answers.documents import asked_for, read
 from wraparc.web.answers.shown import Sheet, sheet
 from wraparc.web.answers.solving import main_solver
@@ -19,7 +20,7 @@ from wraparc.web.asked import OnSiteRequest, WhatIfRequest
 def changed(asked: WhatIfRequest) -> Sheet:
     """A pulley before and after changes, with reasons, as `wraparc what-if` tells it."""
     thing = read(asked.document)
-    drive = thing if isinstance(thing, Drive) else as_drive(thing)
+    drive = thing if isinstance(thing, Drive) else nearest_drive(thing)
     refuse_several(drive, "what-if changes")
     pulley, case = asked_for(drive, asked.pulley, asked.load_case)
     named = Named(
@@ -34,19 +35,19 @@ def changed(asked: WhatIfRequest) -> Sheet:
     changes = list(changes_of(thing, drive, pulley.name, named, allow_paths=False))
     if not changes:
         raise InputError(Problem(message="nothing is to be changed", remedy="Name a change."))
-    found = what_if(drive, pulley.name, case.name, changes, method=main_solver())
+    found = what_if(thing, pulley.name, case.name, changes, method=main_solver())
     title = drive.title or "What if"
     return Sheet(**sheet(lambda system: what_if_sheet(found, title, system)))
 
 
 def expected(asked: OnSiteRequest) -> Sheet:
     """Speeds to measure, alarm levels and wear of a drive, as `wraparc field` tells them."""
-    thing = read(asked.document)
-    drive = thing if isinstance(thing, Drive) else as_drive(thing)
+    whole = solved(read(asked.document), main_solver())
+    drive = by_pulley(whole).drive
     pulley, _ = asked_for(drive, asked.pulley, None)
     known = OnSite(**asked.model_dump(exclude={"document", "pulley"}))
-    found, source = on_site(drive, pulley.name, known, main_solver())
-    ground, title = before(drive).qualifier, drive.title or "Drive"
+    found, source = on_site(whole, pulley.name, known)
+    judged, title = judge(whole), drive.title or "Drive"
     return Sheet(
-        **sheet(lambda system: field_sheet(found, title, pulley.name, source, system, ground))
+        **sheet(lambda system: field_sheet(found, judged, title, pulley.name, source, system))
     )
