@@ -14,14 +14,16 @@ const box = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** Draw everything that is seen; Preact changes only what is another. */
 function draw() {
-  document.title = [app.doc?.title, PAGES[app.page].title, "wraparc"].filter(Boolean).join(" – ");
-  document.documentElement.dataset.units = app.units;
+  const title = [app.doc?.title, PAGES[app.page].title, "wraparc"].filter(Boolean).join(" – ");
+  if (document.title !== title) document.title = title;
+  const seen = document.documentElement.dataset;
+  if (seen.units !== app.units) seen.units = app.units;
   present()?.update?.();
   render(h(Header, {}), box("header"));
   render(h(Main, {}), box("main"));
-  box("toast").className = told.bad ? "bad" : "";
+  if (box("toast").className !== (told.bad ? "bad" : ""))
+    box("toast").className = told.bad ? "bad" : "";
   render(told.text || null, box("toast"));
-  render(h(PrintHead, {}), box("print-head"));
 }
 /** What a sheet of paper must say of itself. */
 const PrintHead = () => {
@@ -82,8 +84,11 @@ function skip() {
   });
 }
 function paper() {
+  const head = () => render(h(PrintHead, {}), box("print-head"));
+  matchMedia("print").addEventListener("change", head);
   addEventListener("beforeprint", () => {
     draw();
+    head();
     for (const d of document.querySelectorAll("main details.table:not([open])")) {
       d.setAttribute("open", "");
       d.setAttribute("data-shut", "");

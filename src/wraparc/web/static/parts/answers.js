@@ -3,7 +3,7 @@
 import { app } from "../base/design.js";
 import { sentence } from "../base/server.js";
 import { sign, words } from "../base/units.js";
-import { h } from "../vendor/preact.js";
+import { Component, h } from "../vendor/preact.js";
 
 /** @import { Children, Level, Problem, Table, TableRow, Text, Verdict } from "../types.d.ts" */
 
@@ -59,27 +59,43 @@ export const refused = (headline, problems) =>
     list(problems.map(sentence)),
   );
 
-/** @param {Table} t @param {boolean} [open] */
-export const table = (t, open = true) =>
-  h(
-    "details",
-    { class: `table t-${t.key}`, open, key: t.key + t.title },
-    h("summary", {}, t.title),
-    scroll(
-      t.title,
-      h(
-        "table",
-        {},
-        tableHead(t),
+/**
+ * A table, drawn anew when it is another one.
+ * @typedef {{of: Table, open: boolean, units: string}} TableProps
+ * @extends {Component<TableProps>}
+ */
+class Tabled extends Component {
+  /** @param {TableProps} next */
+  shouldComponentUpdate({ of, open, units }) {
+    const now = this.props;
+    return of !== now.of || open !== now.open || units !== now.units;
+  }
+  render() {
+    const { of: t, open } = this.props;
+    return h(
+      "details",
+      { class: `table t-${t.key}`, open },
+      h("summary", {}, t.title),
+      scroll(
+        t.title,
         h(
-          "tbody",
+          "table",
           {},
-          t.rows.map((r) => tableRow(t, r)),
+          tableHead(t),
+          h(
+            "tbody",
+            {},
+            t.rows.map((r) => tableRow(t, r)),
+          ),
         ),
       ),
-    ),
-    words(t.note) && h("p", { class: "help" }, words(t.note)),
-  );
+      words(t.note) && h("p", { class: "help" }, words(t.note)),
+    );
+  }
+}
+/** @param {Table} t */
+export const table = (t, open = true) =>
+  h(Tabled, { of: t, open, units: app.units, key: t.key + t.title });
 /** @param {Table} t */
 const columns = (t) => ({
   symbols: t.rows.some((r) => r.symbol),

@@ -12,5 +12,5 @@ export const choose = (value, choices, put, id) =>
   h(
     "select",
     { id, value, onChange: (/** @type {Event} */ e) => put(valueIn(e)) },
-    choices.map(([v, text]) => h("option", { value: v, key: v }, text)),
+    choices.map(([v, text]) => h("option", { value: String(v), key: v }, text)),
   );

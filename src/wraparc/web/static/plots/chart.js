@@ -1,6 +1,6 @@
 // Lines over a common axis, with hatched zones, a limit, points, a second scale and a cursor.
 import { trim } from "../base/units.js";
-import { attr, fixed, fresh, hatches, put, roundStep, s, ticks } from "./svg.js";
+import { attr, each, fixed, fresh, hatches, put, roundStep, s, ticks } from "./svg.js";
 
 /** @import { ChartData, ChartLook, Line } from "../types.d.ts" */
 
@@ -44,6 +44,7 @@ export class Chart {
   back = s("g");
   zones = s("g");
   marks = s("g");
+  bound = s("path", { class: "limit" });
   layer = s("g");
   cursor = s("path", { class: "cursor" });
   legend = document.createElement("figcaption");
@@ -76,6 +77,7 @@ export class Chart {
       this.back,
       this.zones,
       this.layer,
+      this.bound,
       this.marks,
       this.cursor,
     );
@@ -151,25 +153,25 @@ export class Chart {
   /** Zones, the limit and points. @param {ChartData} data */
   signs({ zones = [], limit, points = [] }) {
     const tall = this.floor - TOP;
-    put(
+    each(
       this.zones,
+      "rect",
       zones.map(([a, b, kind]) => {
         const width = Math.max(0.5, this.X(b) - this.X(a));
         const fill = `url(#${this.id}${kind})`;
-        return s("rect", { x: this.X(a), width, y: TOP, height: tall, fill });
+        return { x: this.X(a), width, y: TOP, height: tall, fill };
       }),
     );
     const line = limit && this.sees(limit.y);
-    put(
+    const d = line ? `M${this.left} ${fixed(this.Y(limit.y))}H${this.wide - this.right}` : "";
+    attr(this.bound, { d });
+    each(
       this.marks,
-      line &&
-        s("path", {
-          d: `M${this.left} ${this.Y(limit.y)}H${this.wide - this.right}`,
-          class: "limit",
-        }),
-      points.map(([x, y, cls = ""]) =>
-        s("circle", { cx: this.X(x), cy: this.Y(y), r: 3.5, class: `pt ${cls}` }),
-      ),
+      "circle",
+      points.map(([x, y, cls = ""]) => {
+        const [cx, cy] = [this.X(x), this.Y(y)].map(fixed);
+        return { cx, cy, r: 3.5, class: `pt ${cls}` };
+      }),
     );
   }
   /** @param {number} y */
@@ -193,7 +195,7 @@ export class Chart {
       );
     }
     const told = data.told || words.map((v) => v[1]).join(", ");
-    this.svg.setAttribute("aria-label", `${this.title}: ${told}`);
+    attr(this.svg, { "aria-label": `${this.title}: ${told}` });
   }
   /** @param {ChartData} data @param {number} step */
   axes(data, step) {
@@ -236,7 +238,7 @@ export class Chart {
   at(part) {
     if (!this.data) return;
     const x = this.X(this.x0 + part * (this.x1 - this.x0));
-    this.cursor.setAttribute("d", `M${fixed(x)} ${TOP}V${this.floor}`);
+    attr(this.cursor, { d: `M${fixed(x)} ${TOP}V${this.floor}` });
   }
 }
 

@@ -1,6 +1,6 @@
 // The pulley with its arc: coloured, and with the same quantity as height of a second ring.
 import { digits } from "../base/units.js";
-import { attr, fixed, fresh, hatches, put, s, warm } from "./svg.js";
+import { attr, each, fixed, fresh, hatches, put, s, say, warm } from "./svg.js";
 
 /** @typedef {[number, number]} Point */
 /**
@@ -78,21 +78,24 @@ export class Pulley {
     if (this.phi !== d.phi) this.frame(d.phi);
     this.colour(d);
     const hatch = (/** @type {string} */ kind) => `url(#${this.id}${kind})`;
-    put(
+    /** @type {[number, number, string][]} */
+    const zones = d.outside.map(([a, b]) => [a, b, "out"]);
+    if (d.stuck > 0) zones.push([0, d.stuck, "rest"]);
+    each(
       this.zones,
-      d.outside.map(([a, b]) => s("path", { d: this.ring(a, b, SHELL, LAG), fill: hatch("out") })),
-      d.stuck > 0 && s("path", { d: this.ring(0, d.stuck, SHELL, LAG), fill: hatch("rest") }),
+      "path",
+      zones.map(([a, b, kind]) => ({ d: this.ring(a, b, SHELL, LAG), fill: hatch(kind) })),
     );
     const [cx, cy] = this.place(d.peak, (SHELL + LAG) / 2);
     attr(this.peak, { cx, cy });
     const most = Math.max(d.t1, d.t2);
     [d.t1, d.t2].forEach((t, i) => {
       const { start, out } = this.strands[i];
-      this.pulls[i].setAttribute("d", `M${start}L${add(start, out, 25 + 75 * (t / most))}`);
+      attr(this.pulls[i], { d: `M${start}L${add(start, out, 25 + 75 * (t / most))}` });
+      say(this.texts[i], [d.text1, d.text2][i]);
     });
-    [this.texts[0].textContent, this.texts[1].textContent] = [d.text1, d.text2];
-    this.duty.textContent = d.duty;
-    this.svg.setAttribute("aria-label", d.told);
+    say(this.duty, d.duty);
+    attr(this.svg, { "aria-label": d.told });
   }
   /** Colours of the cells and the ring of heights. @param {PulleyData} d */
   colour(d) {
@@ -106,7 +109,7 @@ export class Pulley {
       const f = (mid - d.position[j]) / (d.position[j + 1] - d.position[j] || 1);
       const value = d.values[j] + f * (d.values[j + 1] - d.values[j]);
       const v = Math.abs(value) / (d.most || 1);
-      this.cells[i].setAttribute("fill", warm(0.92 * v));
+      attr(this.cells[i], { fill: warm(Math.round(92 * v) / 100) });
       inner.push(this.place(mid, SHELL - 4 - 26 * v));
     }
     this.height.setAttribute(
@@ -181,7 +184,7 @@ export class Pulley {
   /** Show the cursor at an angle from the entry nip. @param {number} theta */
   at(theta) {
     const [a, b] = [this.place(theta, SHELL - 34), this.place(theta, BELT + 6)];
-    this.hand.setAttribute("d", `M${a}L${b}`);
+    attr(this.hand, { d: `M${a}L${b}` });
   }
 }
 
@@ -197,25 +200,26 @@ const arrowHead = (id) => {
  * @param {HTMLElement} box @param {string} label @param {number} most
  */
 export function colourScale(box, label, most) {
+  if (!box.firstChild) put(box, emptyScale());
+  const texts = box.querySelectorAll("text");
+  [0, most / 2, most].forEach((v, i) => {
+    say(texts[i], v ? digits(v, 3) : "0");
+  });
+  say(texts[3], label);
+}
+function emptyScale() {
   const wide = 260;
   const cells = Array.from({ length: 52 }, (_, i) =>
     s("rect", { x: 4 + i * 4.85, y: 1, width: 5, height: 10, fill: warm((0.92 * (i + 0.5)) / 52) }),
   );
   const texts = [0, 0.5, 1].map((f, i) =>
-    s(
-      "text",
-      { x: 4 + f * 252, y: 22, class: ["tr", "tx", "ty"][i] },
-      f ? digits(f * most, 3) : "0",
-    ),
+    s("text", { x: 4 + f * 252, y: 22, class: ["tr", "tx", "ty"][i] }),
   );
-  put(
-    box,
-    s(
-      "svg",
-      { viewBox: `0 0 ${wide} 40`, width: wide, height: 40, "aria-hidden": "true" },
-      cells,
-      texts,
-      s("text", { x: wide / 2, y: 36, class: "al" }, label),
-    ),
+  return s(
+    "svg",
+    { viewBox: `0 0 ${wide} 40`, width: wide, height: 40, "aria-hidden": "true" },
+    cells,
+    texts,
+    s("text", { x: wide / 2, y: 36, class: "al" }),
   );
 }

@@ -14,10 +14,24 @@ export function s(tag, attributes = {}, ...children) {
 const flat = (children) => children.flat(9).filter((k) => k != null && k !== false);
 /** @param {Element} e @param {...any} children */
 export const put = (e, ...children) => e.replaceChildren(...flat(children));
-/** @template {Element} E @param {E} e @param {Record<string, any>} attributes @returns {E} */
+/** Set attributes that are others than before: a browser styles and paints anew what is written.
+ * @template {Element} E @param {E} e @param {Record<string, any>} attributes @returns {E} */
 export function attr(e, attributes) {
-  for (const key in attributes) e.setAttribute(key, attributes[key]);
+  for (const key in attributes) {
+    const value = String(attributes[key]);
+    if (e.getAttribute(key) !== value) e.setAttribute(key, value);
+  }
   return e;
+}
+/** @param {Node} e @param {string} text */
+export function say(e, text) {
+  if (e.textContent !== text) e.textContent = text;
+}
+/** One child of a kind for each row of attributes, those that are there changed in place.
+ * @param {Element} e @param {string} tag @param {Record<string, any>[]} rows */
+export function each(e, tag, rows) {
+  while (e.childElementCount > rows.length) e.lastChild?.remove();
+  for (const [i, row] of rows.entries()) attr(e.children[i] ?? e.appendChild(s(tag)), row);
 }
 /** @param {number} v */
 export const fixed = (v) => Math.round(v * 10) / 10;

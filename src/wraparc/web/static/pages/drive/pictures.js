@@ -1,16 +1,17 @@
 // The pictures of one arc: four plots along the wrap and the pulley itself.
 import { app } from "../../base/design.js";
-import { digits, dimensionOf, percent, show, shown, title, unit } from "../../base/units.js";
-import { drawBudget, swatch } from "../../plots/budget.js";
+import { digits, dimensionOf, show, shown, title, unit } from "../../base/units.js";
 import { Chart } from "../../plots/chart.js";
 import { colourScale, Pulley } from "../../plots/pulley.js";
-import { answer, whole, wholeArc } from "./solving.js";
+import { whole, wholeArc } from "./solving.js";
 
 /** @import { ChartData, Line, QuickAnswer } from "../../types.d.ts" */
 
 export const QUANTITIES = ["shear_stress", "friction_used", "wrap_pressure", "slip", "creep"];
-export const PARTS = ["creep_shrinkage", "creep_compression", "creep_global"];
 const TITLES = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"];
+/** The wrap angle; as the march adds it up it differs in the last digits from step to step.
+ * @param {QuickAnswer["profile"]} profile */
+const wrapOf = ({ position }) => +position[position.length - 1].toPrecision(10);
 /** @param {number} v */
 const degrees = (v) => (v * 180) / Math.PI;
 
@@ -53,11 +54,11 @@ class Scene {
     /** @type {[number, number, string][]} */
     const zones = this.arc.outside.map(([a, b]) => [degrees(a), degrees(b), "out"]);
     if (this.n.stuck_arc > 0) zones.push([0, degrees(this.n.stuck_arc), "rest"]);
-    return { x: this.x, zones, angles: true, xs: [0, this.x[this.x.length - 1]], zero: true };
+    return { x: this.x, zones, angles: true, xs: [0, degrees(wrapOf(this.p))], zero: true };
   }
 }
 /** The paper's march, once it is asked for and solved. */
-function marched() {
+export function marched() {
   const march = besides.march && whole() ? wholeArc()?.paper : null;
   return march?.status === "solved" ? march : null;
 }
@@ -158,7 +159,7 @@ export class Pictures {
     const most = Math.max(...p[q].map(Math.abs));
     const pull = n.effective_tension;
     this.pulley.draw({
-      phi: p.position[p.position.length - 1],
+      phi: wrapOf(p),
       position: p.position,
       values: p[q],
       most,
@@ -182,35 +183,6 @@ export class Pictures {
   /** Show the cursor. @param {QuickAnswer} arc @param {number} part of the arc */
   at(arc, part) {
     for (const chart of this.charts) chart.at(part);
-    const at = arc.profile.position;
-    this.pulley.at(part * at[at.length - 1]);
+    this.pulley.at(part * wrapOf(arc.profile));
   }
-}
-
-/** Creep by source, a bar for each method. @param {HTMLElement} figure @param {number} wide */
-export function creepBySource(figure, wide) {
-  const arc = answer.quick;
-  if (!arc) return;
-  const [u, f] = unit("length");
-  const n = arc.numbers;
-  const side = n.effective_tension < 0 ? -1 : 1;
-  const partsOf = (/** @type {Record<string, number>} */ m) => PARTS.map((k) => m[k] / f);
-  const bars = [{ label: "distributed", parts: partsOf(n) }];
-  const march = marched();
-  if (march) bars.push({ label: "paper's march", parts: partsOf(march.numbers) });
-  if (besides.pinned) bars.push({ label: "pinned", parts: partsOf(besides.pinned.numbers) });
-  const names = ["belt shrinkage", "lagging compression", "global creep"];
-  const legend = PARTS.map((k, i) => {
-    const e = document.createElement("span");
-    const share = n.exit_creep ? ` (${percent(n[k] / n.exit_creep, 2)})` : "";
-    e.append(swatch(i), `${names[i]} ${shown(k, n[k], 3)}${share}`);
-    return e;
-  });
-  const head = document.createElement("strong");
-  head.textContent = "Creep by source";
-  const [caption, box] = figure.children;
-  caption.replaceChildren(head, ...legend);
-  const told = PARTS.map((k) => `${title(k)} ${shown(k, n[k], 3)}`).join(", ");
-  const limit = (side * arc.creep_limit) / f;
-  drawBudget(/** @type {HTMLElement} */ (box), wide, bars, limit, u, `Creep by source: ${told}`);
 }

@@ -7,6 +7,7 @@ import { h } from "../../vendor/preact.js";
 
 export { raise, raiseAlone } from "./advice.js";
 export { bars } from "./bars.js";
+export { BySource } from "./by_source.js";
 export { pins } from "./pins.js";
 
 /** @import { Children } from "../../types.d.ts" */

@@ -8,7 +8,7 @@ import { choose } from "../../parts/choose.js";
 import { toFillIn } from "../../parts/problems.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { figures, peek, placeText, reading } from "./figures.js";
-import { besides, creepBySource, Pictures, QUANTITIES } from "./pictures.js";
+import { besides, Pictures, QUANTITIES } from "./pictures.js";
 import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, QuickAnswer } from "../../types.d.ts" */
@@ -35,20 +35,14 @@ export class Results extends Component {
   pulley = createRef();
   scale = createRef();
   budget = createRef();
-  wide = 0;
+  bySource = /** @type {import("./by_source.js").BySource | null} */ (null);
   /** @type {unknown[]} */
   drawn = [];
 
   componentDidMount() {
     const pick = (/** @type {number} */ part) => this.setState({ part });
-    const { plots, pulley, scale, budget } = this;
+    const { plots, pulley, scale } = this;
     this.pictures = new Pictures(plots.current, pulley.current, scale.current, pick);
-    new ResizeObserver(([e]) => {
-      const wide = Math.floor(e.contentRect.width);
-      if (!wide || wide === this.wide) return;
-      this.wide = wide;
-      creepBySource(budget.current, wide);
-    }).observe(budget.current);
     onAnswer(() => this.forceUpdate());
     this.paint();
   }
@@ -63,9 +57,13 @@ export class Results extends Component {
     const now = [arc, app.units, quantity, whole(), besides.turn];
     if (now.some((v, i) => v !== this.drawn[i])) {
       this.pictures.draw(arc, quantity);
-      if (this.wide) creepBySource(this.budget.current, this.wide);
+      this.bySource?.draw(arc);
     }
     this.pictures.at(arc, part);
+    if (beside && !this.bySource) {
+      this.bySource = new beside.BySource(this.budget.current);
+      this.bySource.draw(arc);
+    }
     this.painted(arc);
     this.drawn = now;
   }
