@@ -118,6 +118,40 @@ def test_every_door_gives_the_verdict_of_the_whole_file(
         assert "OK, on" not in ran.out
 
 
+def test_trim_says_why_there_is_nothing_to_trim(slipping: Path) -> None:
+    ran = wraparc("trim", slipping)
+    assert ran.code == 1
+    assert judge(solved(slipping)).headline() in ran.words
+    assert "every speed must be positive" not in ran.words + ran.err
+
+
+def test_trim_gives_the_verdict_of_solve(tmp_path: Path) -> None:
+    """T2 = 16 kN presses with 2 T2/(B D) = 33.3 kPa, less than the 34 kPa of the tests."""
+    path = tandem(tmp_path, exit="16 kN")
+    ran = wraparc("trim", path, "--points", "3")
+    assert ran.out.splitlines()[2].startswith("ATTENTION")
+    assert f"As it is: {judge(solved(path)).headline()}" in ran.words
+
+
+@pytest.mark.parametrize("by", [SHARES, 'speeds = "equal"'])
+def test_check_tells_of_the_tensions_of_a_train(tmp_path: Path, by: str) -> None:
+    """By hand: 2 T2/(B D) = 2 x 650 N/(1.2 m x 0.8 m) = 1.354 kPa, tested from 34 kPa."""
+    ran = wraparc("check", tandem(tmp_path, exit="0.65 kN", by=by))
+    assert ran.code == 0
+    assert (
+        "The drive file of the train is in order: 2 pulleys, load cases: design, empty."
+        in ran.words
+    )
+    assert (
+        "Pulley second, load case design: The wrap pressure 1.35 kPa is below the 34 kPa"
+        in ran.words
+    )
+    assert "ATTENTION" in ran.out
+    assert "OK The drive file" in wraparc("check", tandem(tmp_path, by=by)).words.replace(
+        ", on illustrative data", ""
+    )
+
+
 def test_a_least_tension_of_held_speeds_says_that_the_load_divides_anew(tmp_path: Path) -> None:
     said = "is kept, the load divided as it is, is"
     assert said in wraparc("solve", tandem(tmp_path, by='speeds = "equal"')).words

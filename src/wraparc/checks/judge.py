@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
@@ -10,8 +10,9 @@ from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.numbers import pull_against
 from wraparc.checks.rules import RULES
-from wraparc.drive import Drive, LoadCase
-from wraparc.train import CaseResult, TrainResult, TrainStatus
+from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.train import CaseResult, Train, TrainResult, TrainStatus
+from wraparc.train.unsolved import unsolved_drive
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
@@ -34,19 +35,27 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     return _told[result]
 
 
-def before(drive: Drive) -> Verdict:
-    """Return the checks of a drive that need no solving."""
+def before(described: Drive | Train) -> Verdict:
+    """Return the checks of a drive or train that need no solving.
+
+    Where the load of a train is found by solving, its tensions are known at both ends alone.
+    """
+    drive = described if isinstance(described, Drive) else unsolved_drive(described)
+    cases = () if isinstance(described, Drive) else described.cases
+    divided = {case.name for case in cases if not case.pulls_given}
     checks: list[Check] = [of_data.data(drive, p) for p in drive.pulleys]
     checks += of_drive.usual_sizes(drive)
     checks += of_drive.take_up(drive)
     checks += (of_drive.pulley_diameter(drive, p) for p in drive.pulleys)
     for case in drive.load_cases:
-        checks += _unsolved(drive.in_case(case), case)
+        there = drive.in_case(case)
+        known = (there.pulleys[0], there.pulleys[-1]) if case.name in divided else there.pulleys
+        checks += _unsolved(there, case, known)
     return Verdict(tuple(checks))
 
 
-def _unsolved(drive: Drive, case: LoadCase) -> Iterator[Check]:
-    for pulley in drive.pulleys:
+def _unsolved(drive: Drive, case: LoadCase, pulleys: Sequence[Pulley]) -> Iterator[Check]:
+    for pulley in pulleys:
         yield of_drive.belt_tension(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)

@@ -67,7 +67,7 @@ def _sizes(drive: Drive) -> Iterator[_Size]:
     least, most = (bound * drive.belt.width for bound in USUAL_TENSION)
     for case in drive.load_cases:
         for name, pair in case.tensions.items():
-            for side, value in (("entry tension", pair.entry), ("exit tension", pair.exit)):
+            for side, value in (("exit tension", pair.exit), ("entry tension", pair.entry)):
                 yield f"pulley {name}", Place(name, case.name), side, value, ("force", least, most)
 
 

@@ -15,8 +15,6 @@ from wraparc.train.file import load_train
 from wraparc.train.matching import wet_laggings
 from wraparc.units import System, display, parse_quantity
 
-SOLVED = 0
-
 
 @click.command()
 @click.argument("file", type=click.Path())
@@ -61,7 +59,11 @@ def trim(
 
     Shares are computed against speed trim, diameter and load with all other speeds held, with the
     places where a drive begins to brake or reaches its creep limit, and with one drum worn or wet.
+    Verdict and exit code are those of wraparc solve; a train that does not carry its load has no
+    speeds to trim.
     """
+    from wraparc.cli.solve import exit_code
+
     outputs = {
         "--json": (json_file, (".json",)),
         "--csv": (csv_file, (".csv",)),
@@ -77,7 +79,13 @@ def trim(
     depth = _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))
     _check_case(train, load_case, file)
+    files: dict[str, Content] = {}
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
+    if not (result[load_case] if load_case else result.cases[0]).status.solved:
+        if json_file:
+            files[json_file] = _verdict_json(result)
+        deliver(files, lambda: _verdict(result, units))
+        return exit_code(result)
     matching = match_drives(
         result,
         load_case,
@@ -88,9 +96,8 @@ def trim(
         points=points,
     )
     over_load = _map(result, load_case, drive, matching) if with_map else None
-    files: dict[str, Content] = {}
     if json_file:
-        files[json_file] = _json(matching, over_load, file)
+        files[json_file] = _json(result, matching, over_load, file)
     if csv_file:
         files[csv_file] = _csv(matching)
     if plot_file:
@@ -98,7 +105,7 @@ def trim(
 
         files[plot_file] = plot_matching(matching, over_load, title=train.title).save
     deliver(files, lambda: _sheet(result, matching, units))
-    return SOLVED
+    return exit_code(result)
 
 
 def _sheet(result: TrainResult, matching: Matching, units: System) -> Sheet:
@@ -107,11 +114,26 @@ def _sheet(result: TrainResult, matching: Matching, units: System) -> Sheet:
     return matching_sheet(result, matching, units)
 
 
-def _json(matching: Matching, over_load: ShareMap | None, file: str) -> str:
+def _verdict(result: TrainResult, units: System) -> Sheet:
+    from wraparc.present.train_words import train_verdict
+
+    title = f"{result.train.title or 'Train'}: nothing to trim"
+    return Sheet(title=title, verdict=train_verdict(result, units))
+
+
+def _verdict_json(result: TrainResult) -> str:
+    from wraparc.checks import judge
+    from wraparc.present.checks_table import verdict_document
+    from wraparc.present.document import json_text
+
+    return json_text({"format": 1, "verdict": verdict_document(judge(result))})
+
+
+def _json(result: TrainResult, matching: Matching, over_load: ShareMap | None, file: str) -> str:
     from wraparc.present.document import json_text
     from wraparc.present.train_document import matching_document
 
-    return json_text(matching_document(matching, over_load, file=file))
+    return json_text(matching_document(result, matching, over_load, file=file))
 
 
 def _csv(matching: Matching) -> str:

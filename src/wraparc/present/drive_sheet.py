@@ -27,7 +27,7 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, perc
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone, level_of, short, verdict
-from wraparc.train import TrainResult
+from wraparc.train import Train, TrainResult
 from wraparc.units import System, display_unit
 
 
@@ -80,17 +80,27 @@ def drive_sheet(
 def input_sheet(drive: Drive, system: System = "si") -> Sheet:
     """Return what was read of a drive, and what there is to remark on it before it is solved."""
     of = Sources()
-    tables = input_tables(drive_inputs(drive), system, of)
-    counted = f"{len(drive.pulleys)} {'pulley' if len(drive.pulleys) == 1 else 'pulleys'}, "
-    counted += f"load cases: {', '.join(case.name for case in drive.load_cases)}."
-    judged = before(drive)
-    headline = f"The drive file is in order: {counted}"
+    inputs = input_tables(drive_inputs(drive), system, of)
+    tables = (*conveyor_tables(drive, system, of), *inputs)
+    return read_sheet(drive, "The drive file", tables, of, system)
+
+
+def read_sheet(
+    of: Drive | Train, what: str, inputs: Sequence[Table], sources: Sources, system: System
+) -> Sheet:
+    """Return what was read, below what needs no solving to be judged."""
+    cases = of.load_cases if isinstance(of, Drive) else of.cases
+    counted = f"{len(of.pulleys)} {'pulley' if len(of.pulleys) == 1 else 'pulleys'}, "
+    counted += f"load cases: {', '.join(case.name for case in cases)}."
+    judged = before(of)
+    headline = f"{what} is in order: {counted}"
     told = Verdict(judged.level, headline, judged.sentences(system), judged.word)
     if judged.missed:
         told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
-    tables = (*conveyor_tables(drive, system, of), *tables)
-    found = check_table(judged, system, of, "Checks before anything is solved")
-    return Sheet(drive.title or "Drive", "", told, (found, *tables), judged.data, of.listed())
+    found = check_table(judged, system, sources, "Checks before anything is solved")
+    title = of.title or ("Drive" if isinstance(of, Drive) else "Train")
+    about = "" if isinstance(of, Drive) else of.description
+    return Sheet(title, about, told, (found, *inputs), judged.data, sources.listed())
 
 
 def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:

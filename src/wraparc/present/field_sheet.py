@@ -8,6 +8,7 @@ from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Verdict as Judgement
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.present.words import as_it_is, in_words
 from wraparc.units import System
 
 
@@ -24,10 +25,7 @@ def field_sheet(
         return Sheet(
             title=title,
             subtitle=f"Pulley {pulley}: nothing to measure, as the belt slips on it.",
-            verdict=Verdict(
-                judged.level, judged.headline(system), judged.sentences(system), judged.word
-            ),
-            tables=(),
+            verdict=in_words(judged, system, [*judged.sentences(system)]),
         )
     rows = [
         Row(f"Healthy, {name}", (percent(entry), percent(leaving)), "g, g2")
@@ -56,7 +54,7 @@ def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
     if governing is not None and governing.missed:
         where = f" ({governing.place})" if str(governing.place) else ""
         why = f"As it is: {governing.short}{where}. "
-        as_is = [f"As it is: {judged.headline(system)}"]
+        as_is = [as_it_is(judged, system)]
     return Verdict(
         judged.level,
         f"{why}A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "

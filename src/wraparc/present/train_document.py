@@ -25,14 +25,14 @@ def train_document(result: TrainResult) -> Data:
 
 
 def matching_document(
-    matching: Matching, over_load: ShareMap | None = None, *, file: str = ""
+    result: TrainResult, matching: Matching, over_load: ShareMap | None = None, *, file: str = ""
 ) -> Data:
     """Return how the drives of a train must be matched."""
     return {
         "format": 1,
         "program": {"name": "wraparc", "version": __version__},
         "file": file,
-        "verdict": _verdict_data(matching_verdict(matching)),
+        "verdict": _verdict_data(matching_verdict(result, matching)),
         "drive": matching.case.members[matching.drive].name,
         "load_case": _case_data(matching.case),
         "equal_shares": _case_data(matching.equal),

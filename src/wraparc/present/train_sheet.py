@@ -6,7 +6,7 @@ from math import isnan
 from wraparc.arc import DriveResult
 from wraparc.checks import Level, idle, least_tension
 from wraparc.glossary import GLOSSARY
-from wraparc.present.drive_sheet import drive_sheet
+from wraparc.present.drive_sheet import drive_sheet, read_sheet
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import drive_inputs
 from wraparc.present.sheet import (
@@ -14,7 +14,6 @@ from wraparc.present.sheet import (
     Row,
     Sheet,
     Table,
-    Verdict,
     named,
     percent,
     term,
@@ -71,10 +70,7 @@ def train_input_sheet(train: Train, system: System = "si") -> Sheet:
     of = Sources()
     inputs = (*drive_inputs(train, divided=True), *train_inputs(train))
     tables = input_tables(inputs, system, of)
-    count = f"{len(train.pulleys)} pulleys, {len(train.cases)} load cases"
-    told = Verdict(Level.OK, f"The drive file of the train is in order: {count}.")
-    title = train.title or "Train"
-    return Sheet(title, train.description, told, tables, (), of.listed())
+    return read_sheet(train, "The drive file of the train", tables, of, system)
 
 
 def train_tables(result: TrainResult, system: System = "si") -> tuple[Table, ...]:
@@ -244,7 +240,7 @@ def matching_sheet(result: TrainResult, matching: Matching, system: System = "si
         _changes_table(matching, system),
     ]
     pulleys = drive_sheet([result.drive_result()], system, [])
-    verdict = matching_verdict(matching, system)
+    verdict = matching_verdict(result, matching, system)
     title = f"{pulleys.title}: matching of {_names(matching.case)[matching.drive]}"
     return Sheet(title, "", verdict, tuple(tables), pulleys.remarks, pulleys.sources)
 

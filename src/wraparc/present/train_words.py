@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from math import isfinite, isnan
 
-from wraparc.checks import Level, idle, judge
+from wraparc.checks import idle, judge
 from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
-from wraparc.present.words import in_words
+from wraparc.present.words import as_it_is, in_words
 from wraparc.train import (
     CaseResult,
     MarkKind,
@@ -195,8 +195,8 @@ def _matching(case: CaseResult) -> Iterator[str]:
         )
 
 
-def matching_verdict(matching: Matching, system: System = "si") -> Verdict:
-    """Return how exactly the drives of a train must be matched, in words."""
+def matching_verdict(result: TrainResult, matching: Matching, system: System = "si") -> Verdict:
+    """Return how exactly the drives of a train must be matched, under the verdict on it."""
     case, drive = matching.case, matching.drive
     name = case.members[drive].name
     what = GLOSSARY[matching.trim.quantity].title.lower()
@@ -204,16 +204,16 @@ def matching_verdict(matching: Matching, system: System = "si") -> Verdict:
     headline = f"{name} carries {percent(case.members[drive].share)} of load case {case.case.name}"
     if slope:
         headline += f"; 0.1 % of {what} moves {percent(abs(slope), 2)} of the load"
+    judged = judge(result)
     sentences = [
+        *([as_it_is(judged, system)] if judged.missed else []),
         *_who_and_why(matching),
         *_range(matching.trim, name, what.split()[-1]),
         *_against_load(matching.load),
         *_changes(matching, system),
         *_losses(matching),
     ]
-    fine = case.within_creep_limit and not _fights(case)
-    level = Level.OK if fine else Level.ATTENTION
-    return Verdict(level, f"{headline}.", tuple(sentences))
+    return Verdict(judged.level, f"{headline}.", tuple(sentences), judged.word)
 
 
 def _who_and_why(matching: Matching) -> Iterator[str]:

@@ -12,7 +12,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
 from wraparc.present.least_tension import least_name, shown_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.present.words import alone, short
+from wraparc.present.words import alone, as_it_is, short
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
 from wraparc.units import System
@@ -61,7 +61,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
     across = compared_table(_by_itself(found), heads, system)
     as_is = judge(wholes[0])
-    sentences = [f"As it is: {as_is.headline(system)}"] if as_is.missed else []
+    sentences = [as_it_is(as_is, system)] if as_is.missed else []
     for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
         told = (*_missed(found, after_it, system), *_reasons(found, after_it, after, system))
         sentences += [f"{change.title}: {s}" for s in told]

@@ -30,6 +30,11 @@ def in_words(told: Judgement, system: System, sentences: list[str]) -> Verdict:
     return Verdict(told.level, told.headline(system), tuple(sentences), told.word)
 
 
+def as_it_is(told: Judgement, system: System) -> str:
+    """Return the verdict on a drive in a sentence, for an answer to another question about it."""
+    return f"As it is: {told.headline(system)}"
+
+
 def level_of(result: DriveResult, arc: ArcResult) -> Level:
     """Return how good the news of one arc of a drive is."""
     return judge(result).at(arc.arc.pulley, arc.arc.load_case).level

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from wraparc.arc import Distributed
-from wraparc.drive import Drive, LoadCase, Tensions
+from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem
 from wraparc.train.result import drive_with
 from wraparc.train.solve import solve_case, solve_train
-from wraparc.train.train import Pulls, Shares, Train, TrainCase, tensions_at
+from wraparc.train.train import Train, TrainCase
+from wraparc.train.unsolved import given_pairs, load_case
 
 
 def as_drive(train: Train) -> Drive:
@@ -31,10 +32,7 @@ def as_drive(train: Train) -> Drive:
         except InputError as error:
             problems += error.problems
             continue
-        names = [p.name for p in train.pulleys]
-        tensions = {n: Tensions(entry=a, exit=b) for n, (a, b) in zip(names, pairs, strict=True)}
-        made = LoadCase(name=case.name, kind=case.kind, condition=case.condition, tensions=tensions)
-        cases.append(made)
+        cases.append(load_case(train, case, pairs))
     if problems:
         raise InputError(problems)
     return drive_with(train, cases)
@@ -47,11 +45,8 @@ def nearest_drive(train: Train, method: Distributed | None = None) -> Drive:
 
 
 def _pairs(train: Train, case: TrainCase) -> Sequence[tuple[float, float]]:
-    division, total = case.division, case.effective_tension
-    if isinstance(division, Shares):
-        return tensions_at(case, [f * total for f in division.fractions])
-    if isinstance(division, Pulls):
-        return tensions_at(case, division.effective_tensions)
+    if case.pulls_given:
+        return given_pairs(case)
     solved = solve_case(train, case, Distributed(capacities=False))
     if not solved.status.solved:
         message = f"load case {case.name}: {solved.reason} {solved.status}"

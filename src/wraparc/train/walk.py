@@ -35,8 +35,16 @@ def held(result: TrainResult, case: str = "") -> tuple[Train, CaseResult]:
     """Return a train whose drums keep the speeds of a solved load case, and that case.
 
     Drives on motors keep their motors: those have their own way with speeds.
+
+    Raises
+    ------
+    InputError
+        If the load case has no solution: there are no speeds to keep.
     """
     found = result[case] if case else result.cases[0]
+    if not found.status.solved:
+        message = f"load case {found.case.name} has no solution to start from: {found.reason}"
+        raise InputError(Problem(key="load_case", message=message))
     train = result.train.in_case(found.case)
     alone = replace(found.case, condition="")  # the laggings are in it
     if isinstance(found.case.division, Motors):
@@ -200,7 +208,7 @@ def varied(base: System, train: Train, axis: Axis, drive: int, change: float) ->
 
 
 def check_axis(case: CaseResult, axis: Axis, drive: int) -> None:
-    """Raise if there is no solution to start from, or an axis has no meaning for a drive."""
+    """Raise if an axis has no meaning for a drive."""
     problems = []
     count, name = len(case.members), case.case.name
     if count < 2:
@@ -212,10 +220,7 @@ def check_axis(case: CaseResult, axis: Axis, drive: int) -> None:
     elif axis is Axis.TRIM and drive == 0:
         message = "trims are relative to the first drive"
         problems.append(Problem(key="drive", value="0", message=message))
-    if not case.status.solved:
-        message = f"load case {name} has no solution to start from: {case.reason}"
-        problems.append(Problem(key="load_case", message=message))
-    elif case.case.effective_tension == 0.0:
+    if case.case.effective_tension == 0.0:
         message = f"in load case {name} the drives together pull nothing that they could share"
         problems.append(Problem(key="load_case", message=message))
     if problems:

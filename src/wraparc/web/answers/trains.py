@@ -116,7 +116,7 @@ def _matching(thing: Train, result: TrainResult, asked: TrainRequest) -> Matchin
             x=np.linspace(values[0], values[-1], _MAP_POINTS),
             y=np.linspace(0.1, 1.25, _MAP_POINTS),
         )
-    told = plain(matching_document(matching, over))
+    told = plain(matching_document(result, matching, over))
     return MatchingPart(**{**told, **_sheet(result, matching)})
 
 
