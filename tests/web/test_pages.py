@@ -345,6 +345,14 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     page.click("#nav-train")
     page.wait_for_selector("#train svg.chart")
     assert "second must turn 0.345 % slower" in page.inner_text("#train .verdict")
+    # by hand: 45 kN leave, 105 kN are divided in halves; the wider the line the more tension
+    drawn = page.get_by_label("Load case design", exact=True).locator("svg.chart")
+    told = drawn.locator("text").all_text_contents()
+    assert {"carrying strand 150 kN", "97.5 kN", "return strand", "45 kN"} <= set(told)
+    assert {"180° wrap", "200° wrap"} <= set(told)
+    spans = drawn.locator("path[d*='L'][stroke-width]").all()
+    widths = [float(span.get_attribute("stroke-width") or "") for span in spans]
+    assert widths == pytest.approx([8.0, 1.5 + 6.5 * 97.5 / 150, 1.5 + 6.5 * 45 / 150], abs=0.051)
     page.fill("#t-train-share-0", "70 %")
     page.fill("#t-train-share-1", "30 %")
     page.wait_for_selector("#train .verdict:has-text('first carries 70 %')")
@@ -352,6 +360,10 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     expect(page.locator("#train fieldset legend").filter(has_text="Drive 3")).to_be_visible()
     page.get_by_role("button", name="Remove this drive").last.click()
     page.wait_for_selector("#train .verdict:has-text('first carries 70 %')")
+    page.fill("#t-train-exit_tension", "2")
+    page.locator("#t-train-exit_tension").blur()
+    expect(drawn.locator("text", has_text="slips")).to_have_count(1)
+    expect(drawn).to_have_attribute("aria-label", re.compile("second: slips on its whole wrap"))
     page.click("#nav-drive")
     page.wait_for_selector("#pick-pulley")
 

@@ -93,6 +93,8 @@ def _case_data(case: CaseResult) -> Data:
 def _member_data(case: CaseResult, index: int, m: MemberResult) -> Data:
     return {
         "pulley": m.name,
+        "status": m.arc.status.name.lower(),
+        "wrap_angle": m.arc.arc.wrap_angle,
         **m.scalars(),
         "share_sensitivity": case.share_per_trim(index),
         "entry_tension": m.arc.entry_tension,

@@ -65,13 +65,15 @@ function resultOf({ c, system, told, arcs, quicks, divided }, numbers) {
   const members = arcs.map((/** @type {any} */ { pulley, prepared }, /** @type {number} */ i) => {
     const { summary, solved } = quicks[i];
     const limit = +prepared.given.creep_limit;
+    const wrap_angle = +prepared.given.wrap_angle;
     const { compliance } = system.members[i];
     const { entry_tension, exit_tension, effective_tension } = summary;
     const { exit_creep, entry_creep_ratio } = summary;
     const arc = {
       ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
       within_creep_limit: solved && Math.abs(exit_creep) <= limit,
-      arc: { pulley, creep_limit: limit, compliance, entry_tension, exit_tension },
+      arc: { pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
+      status: solved ? "solved" : "breakaway",
       energy: { power_loss: summary.power_loss },
       capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
     };
@@ -147,6 +149,8 @@ const caseData = (r) => ({
   reason: r.reason,
   drives: r.members.map((/** @type {any} */ { arc, motor, ...turning }) => ({
     pulley: arc.arc.pulley,
+    status: arc.status,
+    wrap_angle: arc.arc.wrap_angle,
     ...finite({ ...turning, entry_tension: arc.entry_tension, exit_tension: arc.exit_tension }),
     ...finite({ exit_creep: arc.exit_creep }),
   })),

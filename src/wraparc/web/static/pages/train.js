@@ -5,8 +5,9 @@ import { PAGES } from "../frame/registry.js";
 import { list, refused, scroll, table, verdict } from "../parts/answers.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
+import { chain } from "./train/chain.js";
 import { trainInputs } from "./train/inputs.js";
-import { chain, matchingPlots } from "./train/plots.js";
+import { matchingPlots } from "./train/plots.js";
 
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 
@@ -155,20 +156,21 @@ const result = (a) =>
     { key: "result" },
     verdict(a.verdict),
     list(a.remarks, "help"),
-    a.load_cases.map((/** @type {any} */ c) =>
-      h(
-        "section",
-        { class: "card", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
-        h("h2", {}, `Load case ${c.load_case}`),
-        c.reason && h("p", { class: "error" }, c.reason),
-        scroll(`Drives in load case ${c.load_case}`, chain(c)),
-      ),
-    ),
+    h("div", { class: "plots" }, a.load_cases.map(loadCase)),
     h(
       "div",
       { class: "tables" },
       (a.tables || []).map((/** @type {Table} */ t) => table(t, /^(Drives|All)/.test(t.title))),
     ),
+  );
+/** @param {any} c */
+const loadCase = (c) =>
+  h(
+    "section",
+    { class: "card", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
+    h("h2", {}, `Load case ${c.load_case}`),
+    c.reason && h("p", { class: "error" }, c.reason),
+    scroll(`Drives in load case ${c.load_case}`, chain(c)),
   );
 /** @param {any} m */
 const matching = (m) =>

@@ -165,7 +165,8 @@ function limits(of, f) {
 const near = (v, first, last) => v > first - (last - first) && v < last + (last - first);
 /** @param {Spread} of @param {number} v */
 const beyond = (of, v) => of.limit != null && (of.at_most ? Math.abs(v) > of.limit : v < of.limit);
-/** @param {number} x @param {number} width @param {number} y @param {boolean} out @param {string} id */
+/** @param {number} x @param {number} width @param {number} y @param {boolean} out
+ * @param {string} id */
 function column(x, width, y, out, id) {
   const at = { x, width: Math.max(1, width), y, height: FLOOR - y };
   return [

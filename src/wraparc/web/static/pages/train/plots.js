@@ -1,6 +1,6 @@
-// Pictures of trains: the chain of drums, shares over trim, diameter and load, and their map.
+// Pictures of matched trains: shares over trim, diameter and load, and their map.
 import { app } from "../../base/design.js";
-import { digits, percent, show, shown, unit } from "../../base/units.js";
+import { digits, percent, unit } from "../../base/units.js";
 import { scroll } from "../../parts/answers.js";
 import { Plot } from "../../parts/plot.js";
 import { warm } from "../../plots/svg.js";
@@ -15,57 +15,8 @@ const AXES = {
   diameter_ratio: "Diameter over nominal diameter [%]",
   load_ratio: "Load over that of the load case [%]",
 };
-const GAP = 190;
-
-/** The drums in a row with their part of the load, the tensions of the belt between them.
- * @param {any} c a load case */
-export function chain(c) {
-  const n = c.drives.length;
-  const wide = GAP * n + 60;
-  const told = c.drives.map((/** @type {any} */ m) => `${m.pulley}: share ${percent(m.share)}`);
-  return h(
-    "svg",
-    {
-      viewBox: `0 0 ${wide} 172`,
-      width: wide,
-      height: 172,
-      class: "chart",
-      role: "img",
-      "aria-label": told.join(", "),
-    },
-    h("path", { d: `M4 20H${wide - 4}`, class: "belt-line" }),
-    c.drives.map(drum),
-    text(wide - 34, 14, "tx", show(c.drives[n - 1].exit_tension, "force")),
-  );
-}
 /** @param {number} x @param {number} y @param {string} cls @param {string} words */
 const text = (x, y, cls, words) => h("text", { x, y, class: cls }, words);
-/** @param {any} m @param {number} i */
-function drum(m, i) {
-  const x = 110 + GAP * i;
-  return h(
-    "g",
-    { key: m.pulley },
-    h("circle", { cx: x, cy: 70, r: 48, class: "shell" }),
-    h("circle", { cx: x, cy: 70, r: 42, class: "shell in" }),
-    pie(x, Math.max(-1, Math.min(1, m.share ?? 0))),
-    h("circle", { cx: x, cy: 70, r: 23, class: "hub" }),
-    text(x, 74, "t1", percent(m.share, 3)),
-    text(x, 136, "al", `${m.pulley}${m.share < 0 ? " (brakes)" : ""}`),
-    text(x, 151, "tx", `trim ${percent(m.speed_trim, 6)}`),
-    text(x, 166, "tx", `creep ${shown("exit_creep", m.exit_creep, 3)}`),
-    text(x - GAP / 2 + (i ? 0 : 30), 14, "tx", show(m.entry_tension, "force")),
-  );
-}
-/** Part of the load as a part of the circle. @param {number} x @param {number} share */
-function pie(x, share) {
-  const angle = 2 * Math.PI * Math.abs(share);
-  const cls = share < 0 ? "f-orange" : "f-blue";
-  if (Math.abs(share) > 0.9999) return h("circle", { cx: x, cy: 70, r: 42, class: cls });
-  const end = `${x + 42 * Math.sin(angle)} ${70 - 42 * Math.cos(angle)}`;
-  const large = angle > Math.PI ? 1 : 0;
-  return h("path", { class: cls, d: `M${x} 70V28A42 42 0 ${large} 1 ${end}z` });
-}
 
 /** @type {{of: any, units: string, data: ChartData[][]}} */
 let kept = { of: null, units: "", data: [] };

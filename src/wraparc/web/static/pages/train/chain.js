@@ -1,0 +1,226 @@
+// The belt as it runs over the drums of a train: true wrap angles, the tension of every span
+// written at it and shown by the width of the line, the drum that slips.
+import { percent, show, shown } from "../../base/units.js";
+import { fresh } from "../../plots/svg.js";
+import { h } from "../../vendor/preact.js";
+
+/** @typedef {[number, number]} Point */
+/** @typedef {{m: any, centre: Point, from: number, sense: number, start: Point, end: Point,
+ *   leaving: number}} Drum from: angle of the entry nip about the centre */
+
+const R = 50;
+const FAR = 2.2 * R;
+const PIECES = 16; // of a wrap, each as wide as its tension
+const COLOURS = ["blue", "orange", "green", "purple", "sky", "black"];
+const { PI, cos, sin } = Math;
+const LINE = { stroke: "var(--ink)", fill: "none" };
+
+/** @param {Point} p @param {number} angle @param {number} by @returns {Point} */
+const along = ([x, y], angle, by) => [x + by * cos(angle), y + by * sin(angle)];
+/** @param {Point} p */
+const at = ([x, y]) => `${Math.round(10 * x) / 10} ${Math.round(10 * y) / 10}`;
+/** How long a span may be at a wrap, so that it does not cross the span before.
+ * @param {number} wrap */
+const room = (wrap) => (wrap > PI ? (0.55 * R) / Math.tan((wrap - PI) / 2) : FAR);
+
+/** Drums one after the other, turned in alternate senses; y goes down. @param {any[]} drives
+ * @returns {Drum[]} */
+function layOut(drives) {
+  /** @type {Point} */
+  let start = [0, 0];
+  let heading = 0;
+  return drives.map((m, i) => {
+    const wrap = m.wrap_angle ?? PI;
+    const sense = i % 2 ? -1 : 1;
+    const inward = heading + (sense * PI) / 2;
+    const centre = along(start, inward, R);
+    const from = inward + PI;
+    const end = along(centre, from + sense * wrap, R);
+    const drum = { m, centre, from, sense, start, end, leaving: heading + sense * wrap };
+    const next = drives[i + 1]?.wrap_angle ?? PI;
+    heading = drum.leaving;
+    start = along(end, heading, Math.max(0.8 * R, Math.min(FAR, room(wrap), room(next))));
+    return drum;
+  });
+}
+/** @param {any} c a load case */
+export function chain(c) {
+  const drums = layOut(c.drives);
+  const [first, last] = [drums[0], drums[drums.length - 1]];
+  const all = c.drives.flatMap((/** @type {any} */ m) => [m.entry_tension, m.exit_tension]);
+  const most = Math.max(...all.filter(Number.isFinite), 1);
+  const wide = (/** @type {number} */ t) => (Number.isFinite(t) ? 1.5 + (6.5 * t) / most : 1.5);
+  const left = Math.min(...drums.map((d) => d.centre[0] - R), -2.5 * R) - 8;
+  /** @type {Point} */
+  const come = [left, 0];
+  const gone = along(last.end, last.leaving, 2.4 * R);
+  const box = around([
+    ...drums.flatMap(corners),
+    come,
+    along(gone, cos(last.leaving) > 0 ? 0 : PI, 84),
+  ]);
+  const id = fresh("belt");
+  const runs = drums.some((d, i) => drums[i + 1] && changes(d.m, drums[i + 1].m));
+  const told = drums.map((d) => `${d.m.pulley}: ${words(d.m)}`).join("; ");
+  return h(
+    "svg",
+    { ...size(box), class: "chart", role: "img", "aria-label": `The belt over its drums. ${told}` },
+    hatch(id),
+    drums.map((d) => shell(d, id)),
+    span(come, first.start, wide(first.m.entry_tension), false),
+    drums.map((d) => wrapped(d, wide)),
+    drums.slice(1).map((d, i) => between(drums[i], d, wide)),
+    span(last.end, gone, wide(last.m.exit_tension), false),
+    text([left, -13], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
+    label(gone, last, [...(runs ? [] : ["return strand"]), force(last.m.exit_tension)]),
+    drums.map(named),
+  );
+}
+/** @param {number} t */
+const force = (t) => show(t, "force");
+/** @param {any} m */
+const slips = (m) => m.status === "breakaway";
+/** Whether the tension changes from a drum to the next, over a run of the conveyor.
+ * @param {any} a @param {any} b */
+const changes = (a, b) => Math.abs(b.entry_tension - a.exit_tension) > 1e-3 * b.entry_tension;
+/** @param {any} m */
+function words(m) {
+  if (slips(m)) return "slips on its whole wrap";
+  const creep = shown("exit_creep", m.exit_creep);
+  return `share ${percent(m.share)}${m.share < 0 ? ", brakes" : ""}, creep ${creep}`;
+}
+/** @param {Drum} d @returns {Point[]} */
+const corners = ({ centre: [x, y] }) => [
+  [x - R, y - R],
+  [x + R, y + R],
+];
+/** @param {Point[]} points */
+function around(points) {
+  const [xs, ys] = [points.map((p) => p[0]), points.map((p) => p[1])];
+  const [x, y] = [Math.min(...xs) - 10, Math.min(...ys) - 28];
+  return { x, y, w: Math.max(...xs) + 14 - x, h: Math.max(...ys) + 24 - y };
+}
+/** @param {{x: number, y: number, w: number, h: number}} box */
+const size = ({ x, y, w, h: tall }) => ({
+  viewBox: [x, y, w, tall].map(Math.round).join(" "),
+  width: Math.round(w),
+  height: Math.round(tall),
+});
+/** @param {string} id */
+const hatch = (id) =>
+  h(
+    "defs",
+    {},
+    h(
+      "pattern",
+      { id, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+      h("path", { d: "M0 0V6", class: "hatch-red" }),
+    ),
+  );
+/** A drum, its share as a ring inside, hatched where it slips. @param {Drum} d
+ * @param {string} id */
+function shell({ m, centre: [x, y] }, id) {
+  const share = Math.max(-1, Math.min(1, m.share ?? 0));
+  const r = R - 8;
+  const turn = 2 * PI * Math.min(Math.abs(share), 0.9999);
+  const end = [x + r * sin(turn), y - r * cos(turn)].join(" ");
+  const ring = `M${x} ${y - r}A${r} ${r} 0 ${turn > PI ? 1 : 0} 1 ${end}`;
+  return h(
+    "g",
+    { key: `shell ${m.pulley}` },
+    h("circle", { cx: x, cy: y, r: R, class: "shell" }),
+    h("circle", { cx: x, cy: y, r: R - 14, class: "hub" }),
+    slips(m)
+      ? h("circle", { cx: x, cy: y, r: R, fill: `url(#${id})` })
+      : h("path", {
+          ...{ d: ring, fill: "none", "stroke-width": 8 },
+          stroke: share < 0 ? "var(--orange)" : "var(--blue)",
+          ...(share < 0 && { "stroke-dasharray": "4 3" }),
+        }),
+  );
+}
+/** Belt on a drum, as wide as its tension, from entry to exit. @param {Drum} d
+ * @param {(t: number) => number} wide */
+function wrapped({ m, centre, from, sense }, wide) {
+  const wrap = m.wrap_angle ?? PI;
+  const [a, b] = [wide(m.entry_tension), wide(m.exit_tension)];
+  return Array.from({ length: PIECES }, (_, k) => {
+    const ends = [k, k + 1.05].map((n) =>
+      along(centre, from + (sense * wrap * Math.min(n, PIECES)) / PIECES, R),
+    );
+    const part = (k + 0.5) / PIECES;
+    return h("path", {
+      ...{ d: `M${at(ends[0])}A${R} ${R} 0 0 ${sense > 0 ? 1 : 0} ${at(ends[1])}`, ...LINE },
+      "stroke-width": (a * (b / a) ** part).toFixed(1),
+      key: `${m.pulley} ${k}`,
+    });
+  });
+}
+/** A straight piece of belt with an arrow; broken where a run of the conveyor is left out.
+ * @param {Point} a @param {Point} b @param {number} width @param {boolean} broken */
+function span(a, b, width, broken) {
+  const angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
+  const long = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const tip = along(a, angle, (broken ? 0.85 : 0.6) * long);
+  const wing = (/** @type {number} */ by) => along(tip, angle + by, 8 + width);
+  const gap = [0.42, 0.5].map((part) => along(a, angle, part * long));
+  return h(
+    "g",
+    {},
+    h("path", { d: `M${at(a)}L${at(b)}`, ...LINE, "stroke-width": width.toFixed(1) }),
+    broken &&
+      h("path", { d: `M${at(gap[0])}L${at(gap[1])}`, stroke: "var(--paper)", "stroke-width": 14 }),
+    broken &&
+      gap.map((p) => {
+        const ends = [along(p, angle + 1.9, 9), along(p, angle - 1.25, 9)];
+        return h("path", { d: `M${at(ends[0])}L${at(ends[1])}`, ...LINE, "stroke-width": 1.5 });
+      }),
+    h("path", { d: `M${at(wing(2.65))}L${at(tip)}L${at(wing(-2.65))}z`, fill: "var(--ink)" }),
+  );
+}
+/** The belt from a drum to the next, its tension beside it, away from the drums.
+ * @param {Drum} a @param {Drum} b @param {(t: number) => number} wide */
+function between(a, b, wide) {
+  const broken = changes(a.m, b.m);
+  const off = b.from; // from the centre of the next drum outwards
+  const told = broken
+    ? `${force(a.m.exit_tension)} → ${force(b.m.entry_tension)}`
+    : force(b.m.entry_tension);
+  const width = (wide(a.m.exit_tension) + wide(b.m.entry_tension)) / 2;
+  const place = along(along(b.start, a.leaving, 2), off, 8 + width);
+  return [span(a.end, b.start, width, broken), beside(place, off, told)];
+}
+/** Words that begin or end at a place, on the side that an angle points to. @param {Point} p
+ * @param {number} angle @param {string} told */
+const beside = ([x, y], angle, told) => {
+  const c = cos(angle);
+  const cls = c > 0.35 ? "tr" : c < -0.35 ? "ty" : "tx";
+  const low = sin(angle) > 0.35 ? 9 : sin(angle) < -0.35 ? 0 : 4;
+  const halo = { stroke: "var(--paper)", "stroke-width": 3, "paint-order": "stroke" };
+  return h("text", { x, y: y + low, class: cls, ...halo }, told);
+};
+/** What leaves, beyond the tip of its arrow. @param {Point} tip @param {Drum} last
+ * @param {string[]} lines */
+function label([x, y], { leaving }, lines) {
+  const right = cos(leaving) > 0;
+  const cls = right ? "tr" : "ty";
+  return lines.map((told, k) => text([x + (right ? 8 : -8), y + 4 + 13 * k], cls, told));
+}
+/** Name, share and wrap angle in a drum. @param {Drum} d @param {number} i */
+function named({ m, centre: [x, y] }, i) {
+  const name = m.pulley.length > 10 ? `${m.pulley.slice(0, 9)}…` : m.pulley;
+  const said = slips(m) ? "slips" : percent(m.share, 3);
+  const wrap = m.wrap_angle == null ? "" : `${Math.round((180 * m.wrap_angle) / PI)}°`;
+  const does = m.share < 0 && !slips(m) ? "brakes" : "wrap";
+  return h(
+    "g",
+    { key: `named ${m.pulley}` },
+    h("title", {}, `${m.pulley}: ${words(m)}`),
+    text([x, y - 13], "tx", name),
+    text([x, y + 2], "t1", said),
+    text([x, y + 20], "tn", `${wrap} ${does}`),
+    h("path", { d: `M${x - 14} ${y + 27}H${x + 14}`, class: `line ${COLOURS[i % 6]}` }),
+  );
+}
+/** @param {Point} p @param {string} cls @param {string} words */
+const text = ([x, y], cls, words) => h("text", { x, y, class: cls }, words);
