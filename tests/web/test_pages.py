@@ -360,7 +360,7 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     expect(page.locator("#train fieldset legend").filter(has_text="Drive 3")).to_be_visible()
     page.get_by_role("button", name="Remove this drive").last.click()
     page.wait_for_selector("#train .verdict:has-text('first carries 70 %')")
-    page.fill("#t-train-exit_tension", "2")
+    page.fill("#t-train-exit_tension", "0.1")
     page.locator("#t-train-exit_tension").blur()
     expect(drawn.locator("text", has_text="slips")).to_have_count(1)
     expect(drawn).to_have_attribute("aria-label", re.compile("second: slips on its whole wrap"))
