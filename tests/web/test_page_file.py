@@ -299,8 +299,33 @@ def test_what_is_left_to_the_program_is_no_failure(page_of: Any) -> None:
         page.click("#file > summary")
         page.get_by_role("button", name="Open a drive file").click()
     asked.value.set_files(EXAMPLES / "worn-head-drive-fabric.toml")
-    expect(alert).to_contain_text("What is uneven across the width is not solved in this page")
+    expect(alert).to_contain_text("NOT CHECKED")
+    expect(alert).to_contain_text("The load across the width of pulley head is not solved")
+    expect(alert).to_contain_text("wraparc solve FILE")
+    expect(page.locator(".badge.good:visible")).to_have_count(0)
     expect(alert).not_to_contain_text("still needed")
+
+
+def test_a_belt_that_would_push_is_told_as_by_solve(page_of: Any, tmp_path: Path) -> None:
+    page = page_of(UPHILL)
+    page.wait_for_selector(READY)
+    file = tmp_path / "push.toml"
+    file.write_text(
+        UPHILL.replace('counterweight = "8 t"', 'counterweight = "0.2 t"').replace(
+            'lift = "20 m"', 'lift = "-20 m"'
+        ),
+        "utf-8",
+    )
+    ran = wraparc("solve", file)
+    assert ran.code != 0
+    told = ran.err.partition("conveyor.take_up_tension: ")[2].strip().partition(". ")[0]
+    assert "a belt cannot push" in told
+    with page.expect_file_chooser() as asked:
+        page.click("#file > summary")
+        page.get_by_role("button", name="Open a drive file").click()
+    asked.value.set_files(file)
+    expect(page.locator("#results [role=alert]")).to_contain_text(told)
+    expect(page.locator("#results")).not_to_contain_text("not found in this page")
 
 
 def test_a_drive_typed_from_nothing_is_solved(page_of: Any, tmp_path: Path) -> None:
@@ -406,7 +431,7 @@ def test_bundle_is_what_its_source_gives() -> None:
 @pytest.mark.parametrize(
     ("file", "says"),
     [
-        ("worn-head-drive-fabric.toml", "what is uneven across the width is not solved in"),
+        ("worn-head-drive-fabric.toml", "the load across the width is not solved in"),
         ("studies/wet-dry.toml", "is a study"),
         ("nowhere.toml", "No such file"),
     ],

@@ -206,7 +206,8 @@ def _pulley_problems(
     place: str, pulley: Pulley, table: Document, beyond: Callable[..., Problem]
 ) -> Iterator[Problem]:
     if pulley.across is not None:
-        yield beyond(f"{place}.across", "what is uneven across the width is not solved in")
+        remedy = "On the command line: wraparc solve FILE; on a page: wraparc serve."
+        yield beyond(f"{place}.across", "the load across the width is not solved in", remedy)
     lagging = table["lagging"]
     for key in lagging if isinstance(lagging, dict) else ():
         if key not in _LAGGING:

@@ -112,7 +112,7 @@ function fromConveyor(r, doc) {
       "Leave it out.",
     );
   const states = statesOf(r, table);
-  if (r.problems.length) return doc;
+  if (r.problems.length) return rest; // what is wrong with it is told, and no more of it
   const given = states.map((s) => ({
     name: s.name,
     kind: s.kind,

@@ -1,7 +1,14 @@
 // Several drives on one belt: read here, solved and judged by the functions of wraparc solve.
 import { si } from "../static/base/units.js";
 import { in_page__quick as quick, in_page__unjudged as unjudged } from "../static/kernel.js";
-import { caseOf, judgingOf, lawOf, NOT_HERE, read } from "../static/pages/drive/assemble.js";
+import {
+  acrossOf,
+  caseOf,
+  judgingOf,
+  lawOf,
+  NOT_HERE,
+  read,
+} from "../static/pages/drive/assemble.js";
 import { numbersOf } from "../static/pages/drive/own.js";
 import { Reader } from "../static/pages/drive/reading.js";
 import { checkShape } from "../static/pages/drive/shape.js";
@@ -16,7 +23,6 @@ import { TrainReader } from "./train_reading.js";
 
 const none = Number.NaN;
 const POINTS = 180;
-const PROGRAM = "wraparc solve and wraparc serve do";
 /** Whether a document is a train of this page. @param {Design} doc */
 export const isTrain = (doc) => Boolean(doc.train) && doc.pulley.length > 1;
 
@@ -31,10 +37,8 @@ function alone({ train, load_case, ...doc }, i) {
 }
 /** What of a train is left to the program; empty for nothing. @param {any} doc */
 export function beyondTrain(doc) {
-  for (const p of doc.pulley) {
-    if (p.across) return `What is uneven across the width is not solved in this page; ${PROGRAM}.`;
-  }
-  return "";
+  const uneven = doc.pulley.find((/** @type {any} */ p) => p.across);
+  return uneven ? acrossOf(uneven) : "";
 }
 /** @param {Problem[][]} all each once */
 function once(all) {

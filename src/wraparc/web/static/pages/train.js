@@ -90,13 +90,17 @@ export const Page = () =>
       several()
         ? state.answer && result(state.answer)
         : h("p", { class: "verdict", key: "single" }, SINGLE),
-      PAGES.saved && matchForm(), // some hundred solves: for a server
+      // some hundred solves: for a server
+      PAGES.saved ? matchForm() : several() && h("p", { class: "help", key: "trim" }, TRIM),
       state.matching && h("p", { class: "help", role: "status", key: "wait" }, WAIT),
       state.matched && matching(state.matched),
     ),
   );
 const SINGLE =
   "This drive has one pulley. Add a second one on the left, or open a tandem from the menu File.";
+const TRIM =
+  "How exactly the drives must be matched is not found in this page. " +
+  "On the command line: wraparc trim FILE.";
 const WAIT =
   "Solving the train some hundred times; this takes some seconds, " +
   "with the map up to half a minute …";

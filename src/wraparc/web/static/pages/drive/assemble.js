@@ -34,10 +34,15 @@ export function beyond(doc) {
   if (doc.conveyor)
     return `Tensions from the resistances of a conveyor are not found in this page; ${HERE}.`;
   const [pulley] = doc.pulley;
-  if (pulley.across) return `What is uneven across the width is not solved in this page; ${HERE}.`;
+  if (pulley.across) return acrossOf(pulley);
   if (pulley.belt_path) return `A wrap angle from a belt path is not found in this page; ${HERE}.`;
   return "";
 }
+
+/** What is said of a pulley whose load is uneven across the width. @param {any} pulley */
+export const acrossOf = ({ name }) =>
+  `The load across the width of pulley ${name} is not solved in this page, and there is no verdict ` +
+  "without it. On the command line: wraparc solve FILE.";
 
 /** @param {Design} doc @param {Book} book @param {Case[]} [known] cases that stand elsewhere */
 export function read(doc, book, known) {
