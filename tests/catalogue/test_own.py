@@ -13,6 +13,7 @@ from wraparc.catalogue.own import VARIABLE
 from wraparc.cli.serve import serve
 from wraparc.files import drive_from_document, load_lagging
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 BELTS = """
 format = 1
 [[belt]]
@@ -109,8 +110,43 @@ def test_a_name_that_ships_is_refused(own: Path, tmp_path_factory: pytest.TempPa
     (other / "laggings" / "full-ceramic.toml").write_text(shipped, "utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv(VARIABLE, str(other))
-        with pytest.raises(InputError, match="a lagging of this name already"):
+        with pytest.raises(InputError, match="a lagging of this name already") as caught:
             lagging_names()
+    assert caught.value.problems[0].file == str(other / "laggings" / "full-ceramic.toml")
+    assert caught.value.problems[0].value == '"full-ceramic"'
+
+
+def test_a_belt_that_ships_is_refused_at_its_place(own: Path) -> None:
+    (own / "belts.toml").write_text(BELTS.replace("ACME ST1000", "Plylon Plus 1000/4"), "utf-8")
+    with pytest.raises(InputError, match="a belt of this name already") as caught:
+        belts()
+    (problem,) = caught.value.problems
+    assert (problem.file, problem.key) == (str(own / "belts.toml"), "belt.2.name")
+
+
+def test_a_fitted_lagging_goes_into_the_catalogue_by_its_name(own: Path) -> None:
+    # expected: the law of the file that -o writes, by the new name
+    plan = EXAMPLES / "shear_tests" / "plan.toml"
+    ran = wraparc("fit", plan, "--name", "site-b", "-o", own / "apart.toml")
+    assert ran.code == 0, ran.err
+    assert f"Wrote {own / 'laggings' / 'site-b.toml'}" in ran.err
+    assert load_lagging("site-b").law == load_lagging(str(own / "apart.toml")).law
+    assert load_lagging("site-b").name == "site-b"
+    for name, told in (
+        ("site-b", "delete"),
+        ("diamond-rubber", "of this name already"),
+        ("a/b", "is no name of a lagging"),
+    ):
+        ran = wraparc("fit", plan, "--name", name)
+        assert ran.code == 2
+        assert told in ran.err
+
+
+def test_a_name_needs_a_catalogue_of_ones_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(VARIABLE, raising=False)
+    ran = wraparc("fit", EXAMPLES / "shear_tests" / "plan.toml", "--name", "site-b")
+    assert ran.code == 2
+    assert VARIABLE in ran.err
 
 
 def test_a_folder_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

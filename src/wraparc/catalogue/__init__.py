@@ -11,6 +11,7 @@ from wraparc.catalogue.loader import (
     lagging_names,
     lagging_text,
     own_lagging_names,
+    place_of_own,
     unknown_name,
 )
 
@@ -25,5 +26,6 @@ __all__ = [
     "lagging_names",
     "lagging_text",
     "own_lagging_names",
+    "place_of_own",
     "unknown_name",
 ]

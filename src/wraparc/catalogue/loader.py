@@ -9,7 +9,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from wraparc.catalogue.own import VARIABLE, own_belts, own_folder, own_laggings
+from wraparc.catalogue.own import (
+    BELTS_FILE,
+    LAGGINGS_FOLDER,
+    NAME,
+    VARIABLE,
+    own_belts,
+    own_folder,
+    own_laggings,
+)
 from wraparc.errors import InputError, Problem, near, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.source import read_text
@@ -119,13 +127,22 @@ def belts() -> tuple[CatalogueBelt, ...]:
 @cache
 def _belts(folder: Path | None) -> tuple[CatalogueBelt, ...]:
     own = () if folder is None else own_belts(folder)
-    given = (
+    given = [
         CatalogueBelt(**{"least_pulley_diameter": None, **row, "provenance": origin})
         for row, origin in own
-    )
-    found = (*_shipped_belts(), *given)
-    _refuse_twice("belt", [b.name for b in found])
-    return found
+    ]
+    shipped = tuple(_shipped_belts())
+    places = [(b.name, f"belt.{n}.name") for n, b in enumerate(given, start=1)]
+    file = "" if folder is None else str(folder / BELTS_FILE)
+    taken = _taken([b.name for b in shipped], places)
+    message = "the catalogue has a belt of this name already"
+    remedy = "Give your own belt another name."
+    if taken:
+        raise InputError(
+            Problem(file=file, key=place, value=shown(name), message=message, remedy=remedy)
+            for name, place in taken
+        )
+    return (*shipped, *given)
 
 
 def _shipped_belts() -> Iterable[CatalogueBelt]:
@@ -198,7 +215,14 @@ def _laggings(folder: Path | None) -> dict[str, Path]:
     """Return the lagging files by name."""
     own = {} if folder is None else own_laggings(folder)
     shipped = own_laggings(_DATA)
-    _refuse_twice("lagging", [*shipped, *own])
+    taken = _taken(shipped, [(name, str(path)) for name, path in own.items()])
+    message = "the catalogue has a lagging of this name already"
+    remedy = "Give file and lagging another name."
+    if taken:
+        raise InputError(
+            Problem(file=place, value=shown(name), message=message, remedy=remedy)
+            for name, place in taken
+        )
     return {**shipped, **own}
 
 
@@ -207,19 +231,39 @@ def _text(path: Path) -> str:
     return read_text(path)
 
 
-def _refuse_twice(what: str, names: list[str]) -> None:
-    """Refuse names of the user's own catalogue that are there already."""
-    plain = Counter(map(_plain, names))
-    twice = dict.fromkeys(name for name in names if plain[_plain(name)] > 1)
-    if twice:
-        raise InputError(
-            Problem(
-                key=VARIABLE,
-                value=", ".join(map(shown, twice)),
-                message=f"the catalogue has a {what} of this name already",
-                remedy=f"Give your own {what} another name.",
-            )
-        )
+def _taken(shipped: Iterable[str], own: list[tuple[str, str]]) -> list[tuple[str, str]]:
+    """Return names of the user's own with their places, those that are there already."""
+    plain = Counter(map(_plain, (*shipped, *(name for name, _ in own))))
+    return [(name, place) for name, place in own if plain[_plain(name)] > 1]
+
+
+def place_of_own(name: str) -> Path:
+    """Return where a new lagging of the user's own goes.
+
+    Raises
+    ------
+    InputError
+        If there is no folder of his own, the name is taken, or it is no name of a file.
+    """
+    folder = own_folder()
+
+    def refused(message: str, remedy: str) -> InputError:
+        return InputError(Problem(key="--name", value=shown(name), message=message, remedy=remedy))
+
+    if folder is None:
+        message = "there is no catalogue of your own"
+        raise refused(message, f"Name its folder in the environment variable {VARIABLE}.")
+    if not NAME.fullmatch(name):
+        message = "is no name of a lagging"
+        raise refused(message, "Take letters, digits, hyphens, underscores, 60 at most.")
+    _laggings.cache_clear()  # other programs put laggings there too
+    there = {_plain(known): path for known, path in _laggings(folder).items()}.get(_plain(name))
+    if there is not None:
+        ours = there.is_relative_to(folder)
+        message = "the catalogue has a lagging of this name already"
+        raise refused(message, f"Take another name{f', or delete {there}' if ours else ''}.")
+    _laggings.cache_clear()
+    return folder / LAGGINGS_FOLDER / f"{name}.toml"
 
 
 @cache

@@ -5,6 +5,7 @@ lagging files, which may have a cost in any currency; ``belts.toml`` lists belts
 """
 
 import os
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,9 @@ from wraparc.schema.tables import Entry, Table, need
 
 #: What names the folder.
 VARIABLE = "WRAPARC_CATALOGUE"
+BELTS_FILE, LAGGINGS_FOLDER = "belts.toml", "laggings"
+#: What a lagging of one's own may be called.
+NAME = re.compile(r"[A-Za-z0-9][\w-]{0,59}", re.ASCII)
 _SUFFIX = ".toml"
 _PER_WIDTH = Quantity("force_per_width", Limit("force_per_width", open=True))
 
@@ -76,7 +80,7 @@ def own_folder() -> Path | None:
 
 def own_laggings(folder: Path) -> dict[str, Path]:
     """Return the lagging files of a folder by name, sorted."""
-    inside = folder / "laggings"
+    inside = folder / LAGGINGS_FOLDER
     found = sorted(inside.glob(f"*{_SUFFIX}")) if inside.is_dir() else []
     return {path.stem: path for path in found if not path.name.startswith(".")}
 
@@ -89,7 +93,7 @@ def own_belts(folder: Path) -> Iterator[tuple[dict[str, Any], Provenance]]:
     InputError
         With everything that is wrong with its file.
     """
-    path = folder / "belts.toml"
+    path = folder / BELTS_FILE
     if not path.exists():
         return
     record, report = read_whole(BELTS, parse(read_text(path), str(path)), str(path))

@@ -105,6 +105,11 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
 @click.argument("plan", type=click.Path())
 @click.option("-o", "--output", metavar="FILE", help="Write the lagging file, .toml.")
 @click.option(
+    "--name",
+    metavar="NAME",
+    help="Put the lagging into your own catalogue, the folder WRAPARC_CATALOGUE, by this name.",
+)
+@click.option(
     "--report",
     "reports",
     multiple=True,
@@ -127,6 +132,7 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
 def fit(
     plan: str,
     output: str | None,
+    name: str | None,
     reports: tuple[str, ...],
     json_file: str | None,
     accept_misfit: str | None,
@@ -140,6 +146,7 @@ def fit(
     A law that does not describe its tests is reported, but its lagging file is written only where
     the misfit is accepted.
     """
+    from wraparc.catalogue import place_of_own
     from wraparc.files.write import lagging_text
     from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
@@ -154,6 +161,7 @@ def fit(
     }
     outputs |= {"--output": (output, (".toml",)), "--json": (json_file, (".json",))}
     check_outputs(outputs, [plan])
+    own = place_of_own(name) if name else None
     if accept_misfit is not None:
         accept_misfit = checked_reason(accept_misfit, "--accept-misfit")
     result = fit_plan(load_plan(plan), progress=_progress())
@@ -166,15 +174,18 @@ def fit(
     files: dict[str, Content] = {}
     if output and result.may_be_written:
         files[output] = lagging_text(result.laggings)
+    if own and result.may_be_written:
+        own.parent.mkdir(exist_ok=True)
+        files[str(own)] = lagging_text([replace(one, name=own.stem) for one in result.laggings])
     if reports:
         files |= dict.fromkeys(reports, make_report(result, units, laws=compare_laws).save)
     if json_file:
         files[json_file] = json_text(plan_document(result, laws=compare_laws))
     deliver(files, lambda: plan_sheet(result, units, laws=compare_laws))
-    if not output or result.may_be_written:
+    if not (output or own) or result.may_be_written:
         return _DONE
     click.echo(
-        f"{output} was not written: the law does not describe its tests "
+        f"{output or own} was not written: the law does not describe its tests "
         f"({counted(result.misfit)} above). Mend, repeat or leave out those tests, or write it "
         'with --accept-misfit "the reason".',
         err=True,

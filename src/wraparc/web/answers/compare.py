@@ -320,8 +320,8 @@ def _cost(
         low, high = price.cost.life_years
         if math.isnan(life):
             notes.append(
-                f"{_money(float(least))} to {_money(float(most))} for the vendor's life of "
-                f"{high:g} to {low:g} years, whatever the creep; {price.source}"
+                f"{_between(_money(float(least)), _money(float(most)))} for the vendor's life of "
+                f"{_between(f'{low:g}', f'{high:g}')} years, whatever the creep; {price.source}"
             )
         else:
             notes.append(f"life {life:.3g} years by its wear coefficient; {price.source}")
@@ -346,6 +346,10 @@ def _life(lagging: Lagging, result: ArcResult, hours: float) -> float:
 def _price(lagging: Lagging, currency: str) -> Price | None:
     found = catalogue_price(lagging)
     return found if found is not None and found.cost.currency == currency else None
+
+
+def _between(least: str, most: str) -> str:
+    return least if least == most else f"{least} to {most}"
 
 
 def _money(value: float) -> str:
