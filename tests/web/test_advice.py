@@ -125,3 +125,41 @@ def test_no_button_where_no_number_is_the_advice(visitor: Visitor) -> None:
     visitor.example("Tandem head drive, fabric belt")
     visitor.solved()
     expect(page.locator(".advice")).to_have_count(0)
+
+
+TANDEM = (EXAMPLES / "tandem-fabric.toml").read_text("utf-8").partition("# The drives in time")[0]
+SLIPS = TANDEM.replace('exit_tension = "45 kN"', 'exit_tension = "0.65 kN"')
+#: T1 is given, so that T2 follows the pull: the load cases ask for different lifts.
+BY_T1 = SLIPS.replace('exit_tension = "0.65 kN"', 'entry_tension = "112 kN"')
+
+
+@pytest.mark.parametrize("text", [SLIPS, BY_T1])
+def test_the_slack_side_of_a_train_is_raised_in_every_load_case(
+    visitor: Visitor, tmp_path: Path, text: str
+) -> None:
+    # expected: `wraparc solve` of the file before and after
+    file = tmp_path / "before.toml"
+    file.write_text(text, "utf-8")
+    before = solved(file)["train"]
+    least = before["least_tension"]
+    page = visitor.open("drive")
+    visitor.load(file)
+    expect(page.locator("#toast")).to_contain_text("Opened")
+    visitor.solved()
+    if text is SLIPS:  # the second drum slips: no green beside it, whichever pulley is chosen
+        expect(page.locator("#cases button").first).to_contain_text("design: second breaks away")
+        expect(page.locator(".chosen")).to_contain_text("Pulley second: ✕ FAILS")
+    page.locator(".verdict").get_by_role("button", name="Raise T2 to").click()
+    expect(page.locator("#toast")).to_contain_text("T2 is at least")
+    visitor.solved()
+    expect(page.locator("button.advice")).to_have_count(0)
+    after = solved(downloaded(page, tmp_path))["train"]
+    assert after["least_tension"]["tension"] == pytest.approx(least["tension"], rel=1e-6)
+    assert after["verdict"]["level"] in ("OK", "ATTENTION")  # CEMA asks for more, and binds not
+    for old, new in zip(before["load_cases"], after["load_cases"], strict=True):
+        ends = [
+            (c["drives"][0]["entry_tension"], c["drives"][-1]["exit_tension"]) for c in (old, new)
+        ]
+        (a, b), (c, d) = ends
+        assert c - d == pytest.approx(a - b, rel=1e-8)
+        assert d >= least["tension"]

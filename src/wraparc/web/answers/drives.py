@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from wraparc.arc import ArcResult, DriveResult, PaperMarch, WrapArc, solve
+from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
@@ -21,14 +21,16 @@ from wraparc.present.least_tension import (
     shown_least,
 )
 from wraparc.present.sheet import Table as SheetTable
+from wraparc.present.sheet import Verdict as Words
 from wraparc.present.sources import Sources
 from wraparc.present.train_sheet import train_input_sheet
 from wraparc.present.wear_table import life_table, wear_table
-from wraparc.present.words import short, verdict
+from wraparc.present.words import in_words, short, verdict
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
+from wraparc.train.whole import Whole
 from wraparc.units import System
-from wraparc.web.answers.documents import asked_for, case_only, divided, read
+from wraparc.web.answers.documents import asked_for, case_only, read
 from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
@@ -184,16 +186,27 @@ class SheetAnswer(Sheet):
 
 def solve_fast(asked: FastRequest) -> FastAnswer:
     """One arc without capacities, for sliders."""
-    thing = read(asked.document)
+    thing, whole = read(asked.document), None
     if isinstance(thing, Train):
         case = thing.cases[0].name if asked.load_case is None else asked.load_case
-        drive = divided(case_only(thing, case), asked.points)
+        method = Distributed(points=asked.points, capacities=False)
+        whole = solve_train(case_only(thing, case), method=method, raise_on_failure=False)
+        drive = whole.drive_result().drive
     else:
         drive = thing
     pulley, load = asked_for(drive, asked.pulley, asked.load_case)
-    method = main_solver(asked.points, capacities=False)
-    result = method.solve(WrapArc.of(drive, pulley, load))
+    if whole is not None:
+        result = whole.drive_result().arc(pulley.name, load.name)
+    else:
+        solver = main_solver(asked.points, capacities=False)
+        result = solver.solve(WrapArc.of(drive, pulley, load))
     answered = DriveResult(drive, (result,))
+
+    def told(system: System) -> Words:
+        if whole is None:
+            return verdict(answered, system)
+        own = judge(whole).at(pulley.name, load.name)
+        return in_words(own, system, [*own.sentences(system)])
 
     def first_tables(system: System) -> list[SheetTable]:
         return [answer_table((result,), system), creep_table((result,), system)]
@@ -201,13 +214,13 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     return FastAnswer(
         sequence=asked.sequence,
         kind="train" if isinstance(thing, Train) else "drive",
-        verdict=Verdict.both(lambda system: verdict(answered, system)),
+        verdict=Verdict.both(told),
         tables=tables(first_tables, TABLES[:2]) if asked.tables and result.status.solved else [],
         remarks=_remarks(answered),
         prepared=prepared(asked.document, drive, pulley, load)
         if asked.prepared and drive is thing
         else None,
-        **_arc(answered, result),
+        **_arc(whole or answered, result),
     )
 
 
@@ -249,7 +262,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
             calibrated=any(s.kind == "calibrated" for s in sources),
             outside_tested=any(a.outside_tested_share > 0.0 for a in first),
         ),
-        arcs=[_whole_arc(first, a, b) for a, b in zip(first, second, strict=True)],
+        arcs=[_whole_arc(whole, first, a, b) for a, b in zip(first, second, strict=True)],
         train=train,
         judging=judging(asked.document, first)
         if asked.prepared and asked.load_case is None and first is whole
@@ -329,7 +342,9 @@ def check(asked: CheckRequest) -> SheetAnswer:
     return SheetAnswer(kind="train", **sheet(lambda system: train_input_sheet(thing, system)))
 
 
-def _whole_arc(answered: DriveResult, result: ArcResult, paper: ArcResult) -> WholeArc:
+def _whole_arc(
+    whole: Whole, answered: DriveResult, result: ArcResult, paper: ArcResult
+) -> WholeArc:
     of = Sources()
     return WholeArc(
         status_text=str(result.status),
@@ -348,12 +363,12 @@ def _whole_arc(answered: DriveResult, result: ArcResult, paper: ArcResult) -> Wh
             numbers=numbers(paper.scalars()),
             profile=Profile.of(paper.profile, _PAPER_POINTS),
         ),
-        **_arc(answered, result),
+        **_arc(whole, result),
     )
 
 
-def _arc(answered: DriveResult, result: ArcResult) -> Data:
-    judged = judge(answered).at(result.arc.pulley, result.arc.load_case)
+def _arc(whole: Whole, result: ArcResult) -> Data:
+    judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     return {
         "pulley": result.arc.pulley,
         "load_case": result.arc.load_case,

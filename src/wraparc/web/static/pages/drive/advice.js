@@ -1,12 +1,13 @@
 // What a check advises with a number, to be applied with one press.
-import { app, change, undo } from "../../base/design.js";
+import { app, caseNames, change, set, undo } from "../../base/design.js";
 import { note, told } from "../../base/server.js";
-import { trim, unit } from "../../base/units.js";
+import { trim, unit, written } from "../../base/units.js";
+import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { raised } from "./load.js";
-import { answer } from "./solving.js";
+import { answer, whole } from "./solving.js";
 
-/** @import { Children, FullArc } from "../../types.d.ts" */
+/** @import { Children, Design, FullArc } from "../../types.d.ts" */
 
 const DIGITS = 3;
 /** A tension rounded up in the units looked at, so that what asks for it is kept: SI and text.
@@ -20,8 +21,41 @@ function enough(v) {
 /** A tension on the slack side that the page knows how to write. */
 const known = () => {
   const { pulley, train, conveyor, take_up } = app.doc;
-  return pulley.length === 1 && !train && !conveyor && take_up?.kind !== "fixed";
+  if (conveyor || take_up?.kind === "fixed") return false;
+  return train ? Array.isArray(train.share) && !take_up?.after : pulley.length === 1;
 };
+const ENDS = ["entry_tension", "exit_tension"];
+/** @param {number} v */
+const text = (v) => written(v, "force", 9);
+/** Tensions before and behind all drives in every load case, by the answer. */
+function endsOf() {
+  const arcs = whole()?.arcs ?? [];
+  return caseNames(app.doc).map((name) => {
+    const here = arcs.filter((a) => a.load_case === name);
+    return [here[0].numbers.entry_tension, here[here.length - 1].numbers.exit_tension];
+  });
+}
+/** A train whose slack side is raised to at least a tension [N], each load case pulling as it does.
+ * @param {Design} doc @param {number} least @returns {Design} */
+function raisedTrain(doc, least) {
+  const lifts = endsOf().map((ends) => Math.max(0, least - Math.min(...ends)));
+  const lifted = endsOf().map((ends, k) => ends.map((v) => v + lifts[k]));
+  /** @param {any} table @param {number[]} now */
+  const put = (table, now) => ({
+    ...table,
+    ...Object.fromEntries(ENDS.flatMap((e, i) => (table[e] == null ? [] : [[e, text(now[i])]]))),
+  });
+  let next = set(doc, ["train"], put(doc.train, lifted[0]));
+  (doc.load_case ?? []).forEach((/** @type {any} */ c, /** @type {number} */ k) => {
+    const own = c.train ?? {};
+    const apart = ENDS.some((e) => own[e] == null) && lifts[k + 1] !== lifts[0];
+    const both = Object.fromEntries(ENDS.map((e, i) => [e, text(lifted[k + 1][i])]));
+    const rest = Object.entries(own).filter(([key]) => !TENSIONS.includes(key));
+    const table = apart ? { ...Object.fromEntries(rest), ...both } : put(own, lifted[k + 1]);
+    if (Object.keys(table).length) next = set(next, ["load_case", k, "train"], table);
+  });
+  return next;
+}
 /**
  * A button that raises the slack side to what the checks ask for; none where they give no number.
  * @param {number | null | undefined} tension @param {string} [only] the load case that it is for
@@ -29,21 +63,24 @@ const known = () => {
  */
 export function raise(tension, only) {
   if (tension == null || !known()) return null;
-  const side = (answer.quick?.numbers.effective_tension ?? 0) < 0 ? "T1" : "T2";
-  const [least, text] = enough(tension);
+  const train = Boolean(app.doc.train);
+  if (train && !whole()) return null;
+  const [first, last] = train ? endsOf()[0] : [answer.quick?.numbers.effective_tension ?? 0, 0];
+  const side = first < last ? "T1" : "T2";
+  const [least, shown] = enough(tension);
   const where = only === undefined ? "in every load case" : `in the load case ${only}`;
   const apply = () => {
-    change(raised(app.doc, 0, least, only));
+    change(train ? raisedTrain(app.doc, least) : raised(app.doc, 0, least, only));
     const back = () => {
       undo();
       told.text = "";
     };
     note([
-      `${side} is at least ${text} now ${where}; the pull is as it was. `,
+      `${side} is at least ${shown} now ${where}; the pull is as it was. `,
       h("button", { type: "button", onClick: back }, "Undo"),
     ]);
   };
-  const words = `Raise ${side} to ${text}${only === undefined ? "" : ` in ${only} alone`}`;
+  const words = `Raise ${side} to ${shown}${only === undefined ? "" : ` in ${only} alone`}`;
   return h(
     "button",
     { type: "button", class: "main advice", key: "advice", onClick: apply },

@@ -11,7 +11,7 @@ import { figures, peek, placeText, reading } from "./figures.js";
 import { besides, Pictures, QUANTITIES } from "./pictures.js";
 import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
-/** @import { Children, QuickAnswer } from "../../types.d.ts" */
+/** @import { Children, FullArc, QuickAnswer } from "../../types.d.ts" */
 
 /** What can be asked and done beside the answer, fetched behind the first one. */
 let beside = /** @type {typeof import("./questions.js") | null} */ (null);
@@ -220,6 +220,7 @@ function verdicts(arc) {
   const several = app.doc.pulley.length > 1 || caseNames(app.doc).length > 1;
   const chosen = `Shown below: pulley ${arc.pulley}, load case ${arc.load_case}`;
   const all = known()?.least_tension?.raise_to;
+  const worse = worstIn(known()?.arcs, arc.load_case);
   const own = h(
     "div",
     { class: "chosen", key: "chosen" },
@@ -229,6 +230,7 @@ function verdicts(arc) {
       h("strong", {}, chosen),
       " ",
       ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
+      worse && worse.level !== arc.level && [` Pulley ${worse.pulley}: `, badge(worse.level), "."],
       " ",
       known() && !all && beside?.raiseAlone(wholeArc()),
     ),
@@ -257,9 +259,15 @@ function verdicts(arc) {
 /** One line for the phone: the verdict on the whole, and the arc that is shown.
  * @param {QuickAnswer} arc */
 function peeked(arc) {
-  if (caseNames(app.doc).length < 2) return [badge(arc.level), peek(arc)];
+  const alone = app.doc.pulley.length < 2;
+  if (alone && caseNames(app.doc).length < 2) return [badge(arc.level), peek(arc)];
   const all = known()?.verdict.level;
-  return [all && badge(all), ` all load cases; ${arc.load_case}:`, peek(arc)];
+  const whose = alone ? arc.load_case : `${arc.pulley}, ${arc.load_case}`;
+  return [
+    all && badge(all),
+    ` ${alone ? "all load cases" : "the whole drive"}; ${whose}:`,
+    peek(arc),
+  ];
 }
 /** What to know about the data. @param {QuickAnswer} arc */
 function chips(arc) {
@@ -292,6 +300,15 @@ const keyFigures = (arc) =>
     figures(arc),
   );
 
+const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
+/** The pulley that comes off worst in a load case, the one that is chosen before its like.
+ * @param {FullArc[] | undefined} arcs @param {string} name */
+function worstIn(arcs, name) {
+  const own = app.doc.pulley[app.pulley].name;
+  const rank = (/** @type {FullArc} */ a) => 2 * LEVELS.indexOf(a.level) + +(a.pulley === own);
+  const here = arcs?.filter((a) => a.load_case === name) ?? [];
+  return here.sort((a, b) => rank(b) - rank(a))[0];
+}
 /** Choice of pulley and load case, where there are several: each case with what it comes to. */
 function picks() {
   const names = app.doc.pulley.map((p) => p.name || "");
@@ -301,7 +318,8 @@ function picks() {
   const to = (/** @type {number} */ i) => look({ case: i ? cases[i] : "" });
   /** @param {string} name @param {number} i */
   const chip = (name, i) => {
-    const arc = arcs?.find((a) => a.load_case === name && a.pulley === names[app.pulley]);
+    const arc = worstIn(arcs, name);
+    const whose = arc && arc.pulley !== names[app.pulley] ? `: ${arc.pulley}` : "";
     const share = arc?.status === "solved" && Math.abs(arc.numbers.exit_creep) / arc.creep_limit;
     const creeps = share ? percent(share) : arc?.short;
     return h(
@@ -313,7 +331,7 @@ function picks() {
         onClick: () => to(i),
         title: share ? `Creep is ${creeps} of its limit: ${arc?.short}` : "",
       },
-      arc ? badge(arc.level, `${name} ${creeps}`) : name,
+      arc ? badge(arc.level, `${name}${whose} ${creeps}`) : name,
     );
   };
   const many = cases.length > MANY;
