@@ -51,6 +51,7 @@ ENTRIES: tuple[Callable[..., object], ...] = (
     numbers.held_alike,
     numbers.kept,
     numbers.margin_of,
+    numbers.times_of,
     numbers.order_of,
     answer.answer,
     answer.profile_of,

@@ -89,6 +89,14 @@ def test_bad_input_is_told_in_a_sentence(file: Path, setting: str, sentence: str
     assert "Traceback" not in ran.err
 
 
+def test_energy_may_cost_nothing(file: Path) -> None:
+    """Own power at no price: neither hours nor a belt speed are needed, and nothing is added."""
+    free = wraparc("choose", file, "--set", "cost.tariff=0", "--set", "cost.hours={}")
+    assert (free.code, free.err) == (0, "")
+    nothing = wraparc("choose", file, "--set", "cost.tariff=0")
+    assert free.out == nothing.out
+
+
 def test_a_lagging_without_cost_is_told(file: Path, tmp_path: Path) -> None:
     from wraparc.catalogue import lagging_text
 

@@ -6,8 +6,10 @@ import pytest
 
 from present.drives import drive, solved
 from wraparc import DriveResult, solve
+from wraparc.checks import Check, Level
 from wraparc.drive import Drive
 from wraparc.friction import Constant
+from wraparc.present.checks_table import margin_text
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.sheet import Row, percent
 
@@ -72,3 +74,21 @@ def test_the_k_factor_is_equation_7_of_the_paper() -> None:
     shown = rows(solved(), "Result")["Spring rate (k factor)"]
     assert shown.values == (f"{float(f'{result.k_factor / 1e3:.2e}'):.0f} kN/m",)
     assert "equation 7" in shown.note
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "at_most", "text"),
+    [
+        (0.553, 6.35e-3, True, "87.1 times the limit"),  # 553/6.35; -8.61e+03 % before
+        (1.714, 6.35e-3, True, "270 times the limit"),
+        (13.0e-3, 6.35e-3, True, "-105 %"),
+        (500.0, 1.25, False, "400 times the limit"),
+        (0.0, 1.25, False, "-100 %"),
+    ],
+)
+def test_what_is_far_from_its_limit_is_told_in_times(
+    value: float, limit: float, at_most: bool, text: str
+) -> None:
+    """By hand: value over limit; a margin is one less that, in percent."""
+    check = Check(name="x", title="x", level=Level.OK, value=value, limit=limit, at_most=at_most)
+    assert margin_text(check) == text

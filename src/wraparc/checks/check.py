@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.checks.numbers import BEHIND, kept, margin_of, order_of
+from wraparc.checks.numbers import BEHIND, kept, margin_of, order_of, times_of
 from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
@@ -135,6 +135,11 @@ class Check:
     def margin(self) -> float:
         """How far from the limit, over the limit: positive on the safe side [-]."""
         return margin_of(self.value, self.limit, self.at_most)
+
+    @property
+    def times(self) -> float:
+        """How many times its limit it is, where it is far from it; nan where it is not [-]."""
+        return times_of(self.value, self.limit)
 
     @property
     def advises(self) -> bool:

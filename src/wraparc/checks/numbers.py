@@ -54,6 +54,17 @@ def margin_of(value: float, limit: float, at_most: bool) -> float:
     return (1.0 if at_most else -1.0) * (1.0 - value / limit)
 
 
+#: Times the limit from which a value is told so, and not by a margin in percent.
+FAR = 10.0
+
+
+def times_of(value: float, limit: float) -> float:
+    """How many times its limit a value is, where it is far from it; nan where it is not [-]."""
+    if isnan(value) or isnan(limit) or limit <= 0.0 or not isfinite(value):
+        return nan
+    return value / limit if value / limit >= FAR else nan
+
+
 def order_of(margin: float, missed: bool, binding: bool, advises: bool) -> float:
     """Place of a check among those of its level: the least governs.
 

@@ -57,7 +57,7 @@ class Costing:
     belts
         Prices by name of the belt; empty where the belt costs the same in every design.
     tariff
-        Price of a kilowatt hour [currency], or None to leave energy out.
+        Price of a kilowatt hour [currency], 0 where it costs nothing, or None to leave energy out.
     hours
         Hours of running in a year by load case.
     face_width
@@ -194,7 +194,7 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
         )
         for name in missing
     ]
-    if costing.tariff is not None and not any(h > 0.0 for h in costing.hours.values()):
+    if costing.tariff and not any(h > 0.0 for h in costing.hours.values()):
         message = "a tariff, and no load case with hours"
         problems.append(
             Problem(key="cost.hours", message=message, remedy="Write hours.design = 6000.")

@@ -72,7 +72,7 @@ def costs_of(search: Search, grid: Grid, dry: Sequence[Mapping[str, Array]]) -> 
             price = c.belts[belt.name]
             belts[place] = price.price * float(purchases(c.years, price.life_years))
     energy = np.zeros(n)
-    if c.tariff is not None:
+    if c.tariff:
         for case, answer in zip(search.drive.load_cases, dry, strict=True):
             hours = c.hours.get(case.name, 0.0)
             if hours > 0.0:

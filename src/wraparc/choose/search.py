@@ -109,7 +109,7 @@ class Search:
         problems = price_problems(
             self.costing, [lag.name for lag in self.laggings], [b.name for b in self.belts]
         )
-        if self.costing.tariff is not None and any(b.speed is None for b in self.belts):
+        if self.costing.tariff and any(b.speed is None for b in self.belts):
             message = "needed to price the energy lost to creep"
             problems.append(
                 Problem(key="belt.speed", message=message, remedy="Add it to the drive file.")

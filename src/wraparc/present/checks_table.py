@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from wraparc.checks import Check, Level, Verdict
-from wraparc.present.sheet import NONE, Row, Table
+from wraparc.present.sheet import NONE, Row, Table, quantity
 from wraparc.present.sources import Sources
 from wraparc.units import System
 
@@ -38,7 +38,7 @@ def check_table(
 
 def _row(check: Check, system: System, of: Sources | None) -> Row:
     found, _ = check.texts(system)
-    values = (found or NONE, check.bound(system) or NONE, margin_text(check.margin))
+    values = (found or NONE, check.bound(system) or NONE, margin_text(check))
     number = "" if of is None else of.number(check.source)
     note = " ".join(part for part in (str(check.place), number) if part)
     return Row(check.title, values, note=note, level=check.level)
@@ -56,8 +56,11 @@ def _why(check: Check, system: System) -> str:
     return f"{check.short}; here it is {found}" if found else check.short
 
 
-def margin_text(margin: float) -> str:
-    """Return a margin as percent with its sign."""
+def margin_text(check: Check) -> str:
+    """Return a margin as percent with its sign; what is far from its limit as so many times it."""
+    margin = check.margin
+    if not math.isnan(check.times):
+        return f"{quantity(check.times, 'number')} times the limit"
     if not math.isfinite(margin):
         return NONE
     if 0.9995 <= margin < 1.0:

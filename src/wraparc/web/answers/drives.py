@@ -282,7 +282,7 @@ def _bars(result: DriveResult | TrainResult) -> list[Bar]:
     for check in judge(result).listed:
         share = check.value / check.limit if check.limit else math.nan
         silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
-        if silent or check.name == "balance":  # of the program, not of the drive
+        if silent or check.name in ("balance", "train_balance"):  # of the program, not of the drive
             continue
         made.append(
             Bar(

@@ -6538,6 +6538,14 @@ export function numbers__margin_of(value, limit, at_most) {
   return (at_most ? 1.0 : -1.0) * (1.0 - value / limit);
 }
 
+/** How many times its limit a value is, where it is far from it; nan where it is not [-]. */
+export function numbers__times_of(value, limit) {
+  if (Number.isNaN(value) || Number.isNaN(limit) || limit <= 0.0 || !Number.isFinite(value)) {
+    return NaN;
+  }
+  return value / limit >= 10.0 ? value / limit : NaN;
+}
+
 /** Place of a check among those of its level: the least governs. */
 export function numbers__order_of(margin, missed, binding, advises) {
   let found = margin;

@@ -57,7 +57,10 @@ function lateFigures(arc) {
   const least = found
     ? {
         value: words(found.shown),
-        small: words(found.shown) === "none" ? "keeps every check" : "every binding check kept",
+        small:
+          words(found.shown) === "none"
+            ? "no tension keeps every check"
+            : "every binding check kept",
         level: found.level,
       }
     : { value: "–", small: idle ? "no pull to carry" : "" };

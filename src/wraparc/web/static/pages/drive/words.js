@@ -1,6 +1,7 @@
 // What the checks of the page come to, in the words and digits of the server.
 import { app } from "../../base/design.js";
 import { factor, LARGER_SI, LARGER_US, unit } from "../../base/units.js";
+import { numbers__times_of as timesOf } from "../../kernel.js";
 
 /** @import { Level, Table, TableRow, Units, Verdict } from "../../types.d.ts" */
 /** @import { Check, Judged } from "./judge.js" */
@@ -129,8 +130,10 @@ export function verdictOf({ checks: all, of }, load_case, pulley) {
   return { ...words, levels: Object.fromEntries(levels) };
 }
 
-/** @param {number} m */
-function marginText(m) {
+/** @param {Check} c */
+function marginText({ margin: m, value, limit }) {
+  const times = timesOf(value, limit);
+  if (!Number.isNaN(times)) return `${quantity(times, "number")} times the limit`;
   if (!Number.isFinite(m)) return NONE;
   if (m >= 0.9995 && m < 1) return "> +99.9 %";
   if (Math.abs(m) < 1e-9) return "0 %";
@@ -142,7 +145,7 @@ function marginText(m) {
 }
 /** @param {Check} c @returns {TableRow} */
 function row(c) {
-  const cells = [texts(c)[0] || NONE, bound(c) || NONE, marginText(c.margin)];
+  const cells = [texts(c)[0] || NONE, bound(c) || NONE, marginText(c)];
   const { name, title, place, level } = c;
   return { name, title, symbol: "", values: { si: cells, us: cells }, note: place, level };
 }
@@ -150,7 +153,7 @@ function row(c) {
  * @returns {import("../../types.d.ts").Bar[]} */
 export const barsOf = ({ checks }) =>
   listed(checks)
-    .filter((c) => c.level !== NOT_CHECKED && c.name !== "balance")
+    .filter((c) => c.level !== NOT_CHECKED && !c.name.endsWith("balance"))
     .filter((c) => Number.isFinite(c.value / c.limit))
     .map((c) => {
       const { title, level, place, at_most } = c;
