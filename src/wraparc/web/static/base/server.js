@@ -19,9 +19,11 @@ export function refusal(x) {
   if (!(x instanceof Refused) || x.status === 0) throw x;
   return x.problems;
 }
+/** Whether the server did not answer. @param {unknown} x */
+export const unanswered = (x) => x instanceof Refused && x.status === 0;
 /** @param {unknown} x */
 export const aborted = (x) => x instanceof Error && x.name === "AbortError";
-const GONE = "The calculator does not answer: is `wraparc serve` still running?";
+export const GONE = "The calculator does not answer: is `wraparc serve` still running?";
 
 /**
  * @typedef {{method?: string, signal?: AbortSignal}} Asked
@@ -40,10 +42,14 @@ async function fetched(path, body, { method, signal } = {}) {
     if (app.gone) back();
     return response;
   } catch (x) {
-    if (aborted(x)) throw x;
-    lost();
-    throw new Refused([{ path: "", message: GONE }], 0);
+    return dropped(x);
   }
+}
+/** No answer came, or half of one. @param {unknown} x @returns {never} */
+function dropped(x) {
+  if (aborted(x)) throw x;
+  lost();
+  throw new Refused([{ path: "", message: GONE }], 0);
 }
 /** @param {Response} response */
 async function good(response) {
@@ -52,8 +58,8 @@ async function good(response) {
   let said = {};
   try {
     said = await response.json();
-  } catch {
-    /* no JSON: the status must do */
+  } catch (x) {
+    if (response.status === 500) dropped(x); // a server at its end: its own faults are JSON
   }
   const message = said.detail || `The server answered ${response.status}.`;
   throw new Refused(said.problems || [{ path: "", message }], response.status);
@@ -64,7 +70,7 @@ async function good(response) {
  */
 export async function ask(path, body, how) {
   const response = await good(await fetched(path, body, how));
-  return response.status === 204 ? null : response.json();
+  return response.status === 204 ? null : response.json().catch(dropped);
 }
 /** Ask for a file. @param {string} path @param {any} [body] @returns {Promise<[Blob, string]>} */
 export async function askFile(path, body) {

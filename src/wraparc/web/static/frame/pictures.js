@@ -122,27 +122,40 @@ function said(figure, left, top) {
   while (walk.nextNode()) {
     const e = walk.currentNode.parentElement;
     if (!e || e.closest("svg, label, select, button, .away") || !e.checkVisibility()) continue;
-    const range = document.createRange();
-    range.selectNodeContents(walk.currentNode);
-    const box = range.getBoundingClientRect();
     const look = getComputedStyle(e);
     const size = Number.parseFloat(look.fontSize);
-    found.push(
-      s(
-        "text",
-        {
-          x: (box.left - left).toFixed(1),
-          y: (box.top - top + (box.height + 0.7 * size) / 2).toFixed(1),
-          fill: look.color,
-          "font-size": look.fontSize,
-          "font-weight": look.fontWeight,
-          "font-family": look.fontFamily,
-        },
-        walk.currentNode.textContent ?? "",
-      ),
-    );
+    for (const { text, box } of linesOf(/** @type {Text} */ (walk.currentNode)))
+      found.push(
+        s(
+          "text",
+          {
+            x: (box.left - left).toFixed(1),
+            y: (box.top - top + (box.height + 0.7 * size) / 2).toFixed(1),
+            fill: look.color,
+            "font-size": look.fontSize,
+            "font-weight": look.fontWeight,
+            "font-family": look.fontFamily,
+          },
+          text,
+        ),
+      );
   }
   return found;
+}
+/** The lines that a text is broken into, each where it begins. @param {Text} node */
+function linesOf(node) {
+  /** @type {{text: string, box: DOMRect}[]} */
+  const found = [];
+  for (const { 0: word, index } of node.data.matchAll(/\S+\s*/g)) {
+    const range = document.createRange();
+    range.setStart(node, index);
+    range.setEnd(node, index + word.trimEnd().length);
+    const box = range.getBoundingClientRect();
+    const last = found[found.length - 1];
+    if (last && Math.abs(last.box.top - box.top) < 1) last.text += word;
+    else found.push({ text: word, box });
+  }
+  return found.map(({ text, box }) => ({ text: text.trimEnd(), box }));
 }
 
 /** Pixels of the picture for each of the page. */

@@ -1,6 +1,6 @@
 // A question beside an answer: its form, the answer as a sheet, and whether that is of before.
 import { app, redraw } from "../base/design.js";
-import { act, ask, refusal } from "../base/server.js";
+import { act, ask, complain, GONE, onReturn, refusal, unanswered } from "../base/server.js";
 import { words } from "../base/units.js";
 import { h } from "../vendor/preact.js";
 import { list, refused, table, verdict } from "./answers.js";
@@ -9,7 +9,29 @@ import { list, refused, table, verdict } from "./answers.js";
 /** @typedef {{subtitle: Text, verdict: Verdict | null, tables: Table[], remarks: Text[],
  *   table_sources: string[]}} Sheet */
 
+const AGAIN = { path: "", message: `${GONE} What was asked is asked again when it answers.` };
+/** @typedef {{busy: boolean, problems: Problem[], lost: boolean}} Asking */
+/** Ask, and keep what is refused. @param {Asking} one @param {() => Promise<void>} f */
+export async function attempt(one, f) {
+  Object.assign(one, { busy: true, problems: [], lost: false });
+  redraw();
+  try {
+    await f();
+  } catch (x) {
+    one.lost = unanswered(x);
+    one.problems = one.lost ? [AGAIN] : refusal(x);
+  } finally {
+    one.busy = false;
+    redraw();
+  }
+}
+/** Ask again what was lost. @param {Asking} one @param {() => boolean} shown
+ * @param {() => Promise<void>} find */
+export const again = (one, shown, find) =>
+  onReturn(() => one.lost && shown() && find().catch(complain));
+
 export class Question {
+  lost = false;
   shown = false;
   busy = false;
   problems = /** @type {Problem[]} */ ([]);
@@ -20,6 +42,7 @@ export class Question {
   constructor(name, title, path, asked) {
     Object.assign(this, { name, title, path });
     this.asked = () => ({ document: app.doc, ...asked() });
+    again(this, () => this.shown, this.find);
   }
   open = () => {
     this.shown = true;
@@ -29,21 +52,17 @@ export class Question {
     );
     return this.find();
   };
-  find = async () => {
-    const asked = this.asked();
-    Object.assign(this, { busy: true, problems: [] });
-    redraw();
-    try {
-      this.sheet = await ask(this.path, asked);
+  find = () =>
+    attempt(this, async () => {
+      const asked = this.asked();
+      try {
+        this.sheet = await ask(this.path, asked);
+      } catch (x) {
+        this.sheet = null;
+        throw x;
+      }
       this.of = JSON.stringify(asked);
-    } catch (x) {
-      this.sheet = null;
-      this.problems = refusal(x);
-    } finally {
-      this.busy = false;
-      redraw();
-    }
-  };
+    });
   close = () => {
     this.shown = false;
     redraw();

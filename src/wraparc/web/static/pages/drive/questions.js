@@ -1,6 +1,6 @@
 // What can be asked beside the answer: each question fetched when it is asked first.
 import { redraw } from "../../base/design.js";
-import { act } from "../../base/server.js";
+import { Advice, act, GONE } from "../../base/server.js";
 import { PAGES } from "../../frame/registry.js";
 import { seeking } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
@@ -11,7 +11,7 @@ export { BySource } from "./by_source.js";
 export { pins } from "./pins.js";
 
 /** @import { Children } from "../../types.d.ts" */
-/** @typedef {{open: (at?: any) => void, panel: () => Children}} Question */
+/** @typedef {{open: (at?: any) => any, panel: () => Children}} Question */
 
 /** Questions that the server answers, by their buttons. @type {Record<string, any>} */
 const QUESTIONS = {
@@ -23,11 +23,15 @@ const QUESTIONS = {
 };
 /** @type {Question[]} */
 const asked = [];
+/** A part of the page that cannot be fetched. @returns {never} */
+function away() {
+  throw new Advice(GONE);
+}
 /** @param {string} name @param {any} [at] */
 async function ask(name, at) {
-  const found = /** @type {Question} */ (await QUESTIONS[name]());
+  const found = /** @type {Question} */ (await QUESTIONS[name]().catch(away));
   if (!asked.includes(found)) asked.push(found);
-  found.open(at);
+  await found.open(at);
   redraw();
 }
 const [SEEK] = Object.keys(QUESTIONS);

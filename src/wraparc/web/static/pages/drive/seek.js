@@ -1,11 +1,12 @@
 // Which value of an input gives a wanted result: asked of the server, used with one press.
 import { app, change, get, redraw, set } from "../../base/design.js";
-import { act, ask, refusal } from "../../base/server.js";
+import { act, ask } from "../../base/server.js";
 import { dimensionOf, title, trim, unit, viewed, words, written } from "../../base/units.js";
 import { badge, refused } from "../../parts/answers.js";
 import { choose, valueIn } from "../../parts/choose.js";
 import { spec } from "../../parts/field.js";
 import { Plot } from "../../parts/plot.js";
+import { again, attempt } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
 import { answer } from "./solving.js";
 
@@ -31,6 +32,7 @@ const state = {
   result: RESULTS[0],
   wanted: "",
   busy: false,
+  lost: false,
   problems: /** @type {Problem[]} */ ([]),
   found: /** @type {Found | null} */ (null),
   /** Of what document and question it was found. */
@@ -102,20 +104,14 @@ const question = () => ({
   load_case: app.case,
   now: get(app.doc, input().path) == null ? ofPreset(input()) : "",
 });
-async function find() {
-  const asked = question();
-  Object.assign(state, { busy: true, problems: [], found: null });
-  redraw();
-  try {
+const find = () =>
+  attempt(state, async () => {
+    const asked = question();
+    state.found = null;
     state.found = await ask("seek", asked);
     state.of = JSON.stringify(asked);
-  } catch (x) {
-    state.problems = refusal(x);
-  } finally {
-    state.busy = false;
-    redraw();
-  }
-}
+  });
+again(state, () => state.open, find);
 /** Put a found value into the drive. @param {Value} v */
 function use(v) {
   const { path, spec: s } = input();
