@@ -306,6 +306,26 @@ def test_what_is_left_to_the_program_is_no_failure(page_of: Any) -> None:
     expect(alert).not_to_contain_text("still needed")
 
 
+def test_profiles_are_those_of_solve(page_of: Any, tmp_path: Path) -> None:
+    # expected: `wraparc solve --csv` of the same file, to what rounding leaves
+    page = page_of(HEAD)
+    page.wait_for_selector(READY)
+    page.click("#export > summary")
+    with page.expect_download() as asked:
+        page.get_by_role("button", name="Profiles along the wrap (CSV)").click()
+    asked.value.save_as(tmp_path / "own.csv")
+    (tmp_path / "drive.toml").write_text(HEAD, "utf-8")
+    wraparc("solve", tmp_path / "drive.toml", "--csv", tmp_path / "all.csv")
+    own, told = ((tmp_path / n).read_text("utf-8").splitlines() for n in ("own.csv", "all.csv"))
+    assert own[0] == told[0]
+    assert len(own) == len(told) > 600
+    for ours, theirs in zip(own[1:], told[1:], strict=True):
+        a, b = ours.split(","), theirs.split(",")
+        assert a[:3] == b[:3]
+        numbers = [[float(v) for v in cells[3:]] for cells in (a, b)]
+        assert numbers[0] == pytest.approx(numbers[1], rel=1e-7, abs=1e-9)
+
+
 def test_a_belt_that_would_push_is_told_as_by_solve(page_of: Any, tmp_path: Path) -> None:
     page = page_of(UPHILL)
     page.wait_for_selector(READY)

@@ -413,9 +413,7 @@ QUESTIONS = {
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-def test_question_is_asked_again_once_the_server_is_back(
-    calculator: Calculator, name: str
-) -> None:
+def test_question_is_asked_again_once_the_server_is_back(calculator: Calculator, name: str) -> None:
     """The server drops the request in the middle of it; what was asked needs no second press."""
     visitor = Visitor(calculator[0], calculator[1].address)
     page = visitor.open("drive")

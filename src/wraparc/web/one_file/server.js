@@ -10,8 +10,9 @@ import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { assembled } from "./plain_drive.js";
+import { profilesOf } from "./profiles.js";
 import { documentOf, rewritten, textOf } from "./toml.js";
-import { quickTrain, solveTrain, trainAnswer } from "./train_answers.js";
+import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { wholeAnswer } from "./whole_tables.js";
 
@@ -43,6 +44,8 @@ function prepared(doc) {
 }
 /** @param {string} message */
 const refused = (message) => new Refused([{ path: "", message, sentence: message }], 422);
+/** Points of a profile, as of wraparc solve. */
+const POINTS = 180;
 const OF_ONE =
   "Laggings and belts are compared in this page for a drive of one pulley; of several drives " +
   "wraparc what-if tells what a change brings.";
@@ -106,7 +109,23 @@ export async function ask(path, asked, _how) {
   if (!ANSWERS[path]) throw new Advice("This needs the calculator of wraparc serve.");
   return structuredClone(await ANSWERS[path](asked));
 }
-/** No file is made here but the drive itself. @returns {Promise<[Blob, string]>} */
-export async function askFile() {
-  throw new Advice("Reports are made by wraparc report, or in wraparc serve.");
+/** Profiles; results and reports are left to the program. @param {string} path @param {any} asked
+ * @returns {Promise<[Blob, string]>} */
+export async function askFile(path, asked) {
+  await unpacked;
+  if (path !== "results/csv")
+    throw new Advice("Reports are made by wraparc report, or in wraparc serve.");
+  const { document, units, name } = asked;
+  const all = isTrain(document) ? await trainArcs(document, data) : driveArcs(document);
+  return [new Blob([profilesOf(all, units)], { type: "text/csv" }), `${name}.csv`];
+}
+/** @param {Design} document */
+function driveArcs(document) {
+  const judging = prepared(document);
+  return arcsOf(judging).map((one, i) => {
+    const { load_case } = judging.cases[i];
+    const found = quick(one.law, one.given, one.tested, POINTS);
+    if (!found) throw refused(UNSOLVED);
+    return { load_case, pulley: document.pulley[0].name ?? "", found };
+  });
 }

@@ -159,6 +159,15 @@ const caseData = (r) => ({
 const finite = (of) =>
   Object.fromEntries(Object.entries(of).map(([k, v]) => [k, Number.isFinite(v) ? v : null]));
 
+/** The arcs of a train, solved. @param {Design} doc @param {any} data */
+export async function trainArcs(doc, data) {
+  const { cases } = await judgedTrain(doc, data);
+  return cases.flatMap((/** @type {any} */ { c, arcs, quicks }) =>
+    arcs.map((/** @type {any} */ a, /** @type {number} */ i) => ({
+      ...{ load_case: c.name, pulley: a.pulley, found: quicks[i] },
+    })),
+  );
+}
 /** One arc of a train. @param {any} asked @param {any} data */
 export async function quickTrain({ document: doc, pulley, load_case, sequence }, data) {
   const { judging, cases, judged } = await judgedTrain(doc, data);

@@ -12,13 +12,10 @@ const head = { project: "", number: "", revision: "", author: "", paper: "a4" };
 export const exportMenu = () => [
   item("Pictures of this page (SVG)", () => pictures("svg")),
   item("Pictures of this page (PNG)", () => pictures("png")),
+  item("Profiles along the wrap (CSV)", () => file("results/csv")),
   ...(PAGES.saved ? files() : []),
 ];
-const files = () => [
-  item("Profiles along the wrap (CSV)", () => file("results/csv")),
-  item("Results (JSON)", () => file("results/json")),
-  ...reportParts(),
-];
+const files = () => [item("Results (JSON)", () => file("results/json")), ...reportParts()];
 /** @param {"svg" | "png"} kind */
 async function pictures(kind) {
   const { png, svg } = await import("./pictures.js");

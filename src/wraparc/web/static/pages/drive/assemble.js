@@ -41,8 +41,8 @@ export function beyond(doc) {
 
 /** What is said of a pulley whose load is uneven across the width. @param {any} pulley */
 export const acrossOf = ({ name }) =>
-  `The load across the width of pulley ${name} is not solved in this page, and there is no verdict ` +
-  "without it. On the command line: wraparc solve FILE.";
+  `The load across the width of pulley ${name} is not solved in this page, and there is no ` +
+  "verdict without it. On the command line: wraparc solve FILE.";
 
 /** @param {Design} doc @param {Book} book @param {Case[]} [known] cases that stand elsewhere */
 export function read(doc, book, known) {
