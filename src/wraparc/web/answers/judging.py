@@ -33,6 +33,8 @@ class Miss(Plain):
     short: str
     says: str
     remedy: str
+    fails_beyond: float
+    because: str
 
 
 class Words(Plain):
