@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree as ET
 
 import pytest
 from PIL import Image
@@ -127,6 +128,29 @@ def test_pictures_stand_for_themselves_in_the_colours_of_paper(
     narrow = opened(exported(page, "Pictures of this page (PNG)", tmp_path))
     assert 600 < narrow.width < 900
     assert visitor.wrong == []
+    visitor.context.close()
+
+
+def test_a_sentence_that_wraps_is_whole_in_the_picture(
+    calculator: Calculator, tmp_path: Path
+) -> None:
+    """In gross slip there is a sentence in the place of curves, broken into lines on the page."""
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, {"width": 1100, "height": 900})
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "1")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.wait_for_selector("figure:has-text('gross slip')")
+    text = exported(page, "Pictures of this page (SVG)", tmp_path).read_text("utf-8")
+    root = ET.fromstring(text)  # noqa: S314 - of our own page
+    wide, lines = float(root.attrib["width"]), list(root.iter("{http://www.w3.org/2000/svg}text"))
+    told = [e for e in lines if "".join(e.itertext()).strip()]
+    sentence = " ".join("".join(e.itertext()) for e in told)
+    assert "No picture: the belt is in gross slip on this pulley" in sentence
+    # by hand: a letter of such a face takes about half its size
+    for e in told:
+        size = float(e.attrib["font-size"].removesuffix("px"))
+        assert float(e.attrib["x"]) + 0.5 * size * len("".join(e.itertext())) < wide + size
     visitor.context.close()
 
 
