@@ -7,7 +7,9 @@ the page's own solver takes of it and a page with a slider and nothing else stan
 drift with the machine, their ratio less. Then how often the server was asked meanwhile (never,
 unless a press takes longer than the pause that counts as rest), the first load, and the bytes it
 takes. With --bound the targets decide the exit code: median below 17 ms, 95 % below 25 ms, first
-answer below 0.25 s, no request.
+answer below 0.25 s, no request. With --kinds the presses are made once more under the browser's
+trace, and it is told what they cost by kind of work, in time of the processor: that does not drift
+with what else the machine does.
 """
 
 from __future__ import annotations
@@ -23,11 +25,13 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from playwright.sync_api import Page
+from web_kinds import CATEGORIES, by_kind
 
 from web.browser import READY, STEPS, Visitor, browser
 from web.calculators import serving, wait_for
 
 MEDIAN, MOST, LOAD = 17.0, 25.0, 250.0
+_SLIDER = "Entry tension, slider"
 #: A page with a slider and nothing else: what the browser itself takes from a press to a frame.
 _EMPTY = """() => {
   document.body.innerHTML = '<input type="range" aria-label="empty"><output></output>';
@@ -91,12 +95,29 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], int, dic
         empty.evaluate(_EMPTY)
         times = {
             "empty page": pressed(empty, "empty", presses, rest),
-            "key press to painted plot": pressed(page, "Entry tension, slider", presses, rest),
+            "key press to painted plot": pressed(page, _SLIDER, presses, rest),
             "solve within it": page.evaluate(_SOLVES)[-presses:],
         }
         asked = page.evaluate(_REQUESTS)
         best = min(loads, key=lambda load: load["answered"])
     return times, asked, best
+
+
+def kinds(presses: int, rest: float) -> dict[str, float]:
+    """Return what a press costs by kind of work [ms of the processor]."""
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        serving("--no-open", "--workers", "1", "--database", f"{folder}/d.sqlite") as server,
+        browser() as chromium,
+    ):
+        visitor = Visitor(chromium, server.address)
+        page = visitor.open("drive")
+        visitor.solved()
+        pressed(page, _SLIDER, 30, rest)  # what the browser compiles first
+        chromium.start_tracing(page=page, categories=CATEGORIES)
+        pressed(page, _SLIDER, presses, rest)
+        trace: dict[str, list[dict[str, Any]]] = json.loads(chromium.stop_tracing())
+    return by_kind(trace["traceEvents"], presses)
 
 
 def main() -> int:
@@ -105,6 +126,7 @@ def main() -> int:
     parser.add_argument("--presses", type=int, default=200)
     parser.add_argument("--rest", type=float, default=60.0, help="between presses [ms]")
     parser.add_argument("--bound", action="store_true", help="fail beyond the targets")
+    parser.add_argument("--kinds", action="store_true", help="tell what a press costs by kind")
     asked = parser.parse_args()
     times, requests, load = measure(asked.presses, asked.rest)
     for name, values in times.items():
@@ -116,6 +138,10 @@ def main() -> int:
     print(f"requests while the slider moved: {requests}")
     print(f"first load to the first answer {load['answered']:.0f} ms (best of five)")
     print(f"page, style and script {load['bytes']} bytes sent, {load['plain']} unpacked")
+    if asked.kinds:
+        cost = kinds(asked.presses, asked.rest)
+        parts = ", ".join(f"{kind} {v:.1f}" for kind, v in cost.items())
+        print(f"time of the processor for a press [ms]: {parts}")
     good = requests == 0
     good &= median(whole) < MEDIAN and late(whole) < MOST and load["answered"] < LOAD
     return 0 if good or not asked.bound else 1

@@ -307,6 +307,10 @@ export interface ChartLook {
   height?: number;
   xlabel?: string;
   onpick?: (part: number) => void;
+  /** One of several under each other on one axis: even margins, names at the lines. */
+  stacked?: boolean;
+  /** Whether the axis has its numbers, as only the lowest of several does. */
+  numbered?: boolean;
 }
 
 /** Numbers as JSON has them: those that it has none for are words. */

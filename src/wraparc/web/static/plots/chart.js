@@ -2,11 +2,14 @@
 import { trim } from "../base/units.js";
 import { attr, each, fixed, fresh, hatches, put, roundStep, s, ticks } from "./svg.js";
 
+/** @import { named } from "./named.js" */
 /** @import { ChartData, ChartLook, Line } from "../types.d.ts" */
 
 const RIGHT = 14;
 const RIGHT_WITH_SCALE = 50;
 const TOP = 8;
+/** Left margin of charts that stand under each other. */
+const LEFT = 62;
 
 /** @param {number} span @param {number} most */
 const angleStep = (span, most) =>
@@ -46,6 +49,9 @@ export class Chart {
   marks = s("g");
   bound = s("path", { class: "limit" });
   layer = s("g");
+  names = s("g");
+  /** What puts names at the lines, where a legend does not. @type {typeof named | null} */
+  named = null;
   cursor = s("path", { class: "cursor" });
   legend = document.createElement("figcaption");
   id = fresh("c");
@@ -65,11 +71,13 @@ export class Chart {
   words = "";
 
   /** @param {HTMLElement} box @param {ChartLook} look */
-  constructor(box, { title, height = 190, xlabel = "", onpick }) {
+  constructor(box, { title, height = 190, xlabel = "", onpick, stacked, numbered = true }) {
     this.box = box;
     this.title = title;
     this.height = height;
     this.xlabel = xlabel;
+    this.stacked = stacked;
+    this.numbered = numbered;
     this.svg = s(
       "svg",
       { class: "chart", role: "img" },
@@ -79,6 +87,7 @@ export class Chart {
       this.layer,
       this.bound,
       this.marks,
+      this.names,
       this.cursor,
     );
     put(box, this.legend, this.svg);
@@ -90,13 +99,17 @@ export class Chart {
       if (this.data) this.draw(this.data);
     });
     this.sized.observe(box);
-    if (onpick) this.svg.addEventListener("pointermove", (e) => this.picked(e, onpick));
+    if (onpick)
+      for (const kind of ["pointerdown", "pointermove"])
+        this.svg.addEventListener(kind, (e) =>
+          this.picked(/** @type {PointerEvent} */ (e), onpick),
+        );
   }
   /** @param {PointerEvent} e @param {(part: number) => void} onpick */
   picked(e, onpick) {
     const from = this.svg.getBoundingClientRect().left + this.left;
     const part = (e.clientX - from) / (this.wide - this.left - this.right);
-    if (part >= 0 && part <= 1) onpick(part);
+    onpick(Math.max(0, Math.min(1, part)));
   }
   /** @param {number} v */
   X(v) {
@@ -110,12 +123,12 @@ export class Chart {
   draw(data) {
     this.data = data;
     this.wide ||= this.box.clientWidth || 480;
-    this.right = data.other ? RIGHT_WITH_SCALE : RIGHT;
-    this.floor = this.height - (this.xlabel ? 36 : 22);
+    this.right = data.other || this.stacked ? RIGHT_WITH_SCALE : RIGHT;
+    this.floor = this.height - (this.numbered ? (this.xlabel ? 36 : 22) : 6);
     [this.x0, this.x1] = data.xs || [data.x[0], data.x[data.x.length - 1]];
     const { lo, hi, step } = range(data, this.height);
     const longest = Math.max(trim(lo).length, trim(hi).length, trim(hi - step).length);
-    Object.assign(this, { lo, hi, left: 26 + 6.8 * longest });
+    Object.assign(this, { lo, hi, left: this.stacked ? LEFT : 26 + 6.8 * longest });
     const scale = [data.ylabel, data.other?.label, data.other?.key.toPrecision(4)];
     const key = [this.wide, lo, hi, this.x0, this.x1, ...scale].join();
     if (key !== this.key) this.axes(data, step);
@@ -180,19 +193,16 @@ export class Chart {
   }
   /** @param {ChartData} data */
   caption(data) {
+    this.named?.(this, data);
     const words = data.lines.filter((l) => l.label).map((l) => [`line ${l.cls}`, l.label || ""]);
     if (data.limit && this.sees(data.limit.y)) words.push(["limit", data.limit.label]);
     if (data.pointLabel) words.push(["pt", data.pointLabel]);
-    const key = JSON.stringify(words);
+    const key = this.stacked ? this.title : JSON.stringify(words);
     if (key !== this.words) {
       this.words = key;
       const strong = document.createElement("strong");
       strong.textContent = this.title;
-      put(
-        this.legend,
-        strong,
-        words.map(([cls, text]) => legendOf(cls, text)),
-      );
+      put(this.legend, strong, this.stacked ? [] : words.map(([cls, text]) => legendOf(cls, text)));
     }
     const told = data.told || words.map((v) => v[1]).join(", ");
     attr(this.svg, { "aria-label": `${this.title}: ${told}` });
@@ -217,7 +227,8 @@ export class Chart {
       ),
       xs.map((v) => s("path", { d: `M${this.X(v)} ${TOP}V${floor}`, class: "grid" })),
       ys.map((v) => s("text", { x: left - 5, y: this.Y(v) + 3.5, class: "ty" }, trim(v))),
-      xs.map((v) => s("text", { x: this.X(v), y: floor + 14, class: "tx" }, trim(v))),
+      this.numbered &&
+        xs.map((v) => s("text", { x: this.X(v), y: floor + 14, class: "tx" }, trim(v))),
       this.second(data),
       upright(11, data.ylabel),
       data.other && upright(wide - 6, data.other.label),

@@ -44,7 +44,7 @@ function quickFigures(arc) {
       : {
           name: "Power lost to creep",
           value: shown("power_loss", n.power_loss, 3),
-          small: n.efficiency == null ? "" : `efficiency ${percent(n.efficiency, 4)}`,
+          small: n.efficiency == null ? "" : `efficiency ${percent(n.efficiency)}`,
         },
   ];
 }

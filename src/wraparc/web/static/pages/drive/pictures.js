@@ -5,6 +5,7 @@ import { Chart } from "../../plots/chart.js";
 import { colourScale, Pulley } from "../../plots/pulley.js";
 import { whole, wholeArc } from "./solving.js";
 
+/** @import { named } from "../../plots/named.js" */
 /** @import { ChartData, Line, QuickAnswer } from "../../types.d.ts" */
 
 export const QUANTITIES = ["shear_stress", "friction_used", "wrap_pressure", "slip", "creep"];
@@ -12,6 +13,7 @@ const TITLES = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"];
 /** The wrap angle; as the march adds it up it differs in the last digits from step to step.
  * @param {QuickAnswer["profile"]} profile */
 const wrapOf = ({ position }) => +position[position.length - 1].toPrecision(10);
+const TALL = 128; // of one plot [px]
 /** @param {number} v */
 const degrees = (v) => (v * 180) / Math.PI;
 
@@ -139,8 +141,10 @@ export class Pictures {
     this.charts = TITLES.map((name, i) => {
       const box = document.createElement("figure");
       plots.append(box);
-      const xlabel = i > 1 ? "Angle from the entry nip [deg]" : "";
-      return new Chart(box, { title: name, height: 170, xlabel, onpick });
+      const numbered = i === TITLES.length - 1; // one axis for all
+      const xlabel = numbered ? "Angle from the entry nip [deg]" : "";
+      const height = numbered ? TALL + 30 : TALL;
+      return new Chart(box, { title: name, height, xlabel, onpick, stacked: true, numbered });
     });
     this.pulley = new Pulley(pulley);
     this.scale = scale;
@@ -179,6 +183,13 @@ export class Pictures {
     this.scaleKey = key;
     const label = `${title(q)}${u ? ` [${u}]` : ""}; dot: peak shear stress`;
     colourScale(this.scale, label, most / f);
+  }
+  /** Put names at the lines from now on. @param {typeof named} by */
+  name(by) {
+    for (const chart of this.charts) {
+      chart.named = by;
+      if (chart.data) by(chart, chart.data);
+    }
   }
   /** Show the cursor. @param {QuickAnswer} arc @param {number} part of the arc */
   at(arc, part) {

@@ -5,6 +5,7 @@ import { PAGES } from "../../frame/registry.js";
 import { seeking } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 
+export { named } from "../../plots/named.js";
 export { raise, raiseAlone } from "./advice.js";
 export { bars } from "./bars.js";
 export { BySource } from "./by_source.js";

@@ -61,6 +61,7 @@ export class Results extends Component {
     }
     this.pictures.at(arc, part);
     if (beside && !this.bySource) {
+      this.pictures.name(beside.named);
       this.bySource = new beside.BySource(this.budget.current);
       this.bySource.draw(arc);
     }
@@ -106,8 +107,13 @@ export class Results extends Component {
     const late = arc?.own ? "before" : "";
     const least = (known() || answer.full)?.least_tension;
     return [
-      h("div", { class: "pair", key: "pair" }, this.pulleyCard(solved), arc && keyFigures(arc)),
-      this.alongTheWrap(arc, solved),
+      arc && keyFigures(arc),
+      h(
+        "div",
+        { class: "pair", key: "pair" },
+        h("div", { key: "pulley" }, this.pulleyCard(solved), this.place(arc, solved)),
+        this.alongTheWrap(arc, solved),
+      ),
       h(
         "figure",
         { class: "card", ref: this.budget, key: "budget", hidden: !solved },
@@ -143,8 +149,20 @@ export class Results extends Component {
       ),
     );
   }
-  /** @param {QuickAnswer | null} arc @param {boolean} solved */
+  /** The plots along the wrap, one under the other on one axis.
+   * @param {QuickAnswer | null} arc @param {boolean} solved */
   alongTheWrap(arc, solved) {
+    return h(
+      "section",
+      { class: "card", "aria-label": "Along the wrap", key: "along", hidden: !solved },
+      h("h2", {}, "Along the wrap"),
+      h("div", { key: "pins" }, arc && solved && beside?.pins(arc)),
+      h("div", { class: "plots", ref: this.plots, key: "plots" }),
+    );
+  }
+  /** Every quantity at one place of the wrap.
+   * @param {QuickAnswer | null} arc @param {boolean} solved */
+  place(arc, solved) {
     const { part } = this.state;
     const move = (/** @type {Event & {currentTarget: HTMLInputElement}} */ e) =>
       this.setState({ part: +e.currentTarget.value / 1000 });
@@ -160,17 +178,10 @@ export class Results extends Component {
     };
     return h(
       "section",
-      { class: "card", "aria-label": "Along the wrap", key: "along", hidden: !solved },
-      h("h2", {}, "Along the wrap"),
-      h("div", { key: "pins" }, arc && solved && beside?.pins(arc)),
-      h("div", { class: "plots", ref: this.plots, key: "plots" }),
-      h(
-        "div",
-        { class: "along", key: "place" },
-        h("label", { for: "cursor" }, "Place on the arc"),
-        h("input", cursor),
-        arc && solved && reading(arc, part),
-      ),
+      { class: "card along", "aria-label": "At one place", key: "place", hidden: !solved },
+      h("label", { for: "cursor" }, "Place on the arc"),
+      h("input", cursor),
+      arc && solved && reading(arc, part),
     );
   }
 }
@@ -295,7 +306,7 @@ function chips(arc) {
 const keyFigures = (arc) =>
   h(
     "section",
-    { class: "card", "aria-label": "Key figures" },
+    { class: "card", "aria-label": "Key figures", key: "figures" },
     h("h2", {}, "Key figures"),
     figures(arc),
   );
