@@ -18,6 +18,7 @@ import argparse
 import json
 import sys
 import tempfile
+from collections import Counter, defaultdict
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -25,13 +26,22 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
 from playwright.sync_api import Page
-from web_kinds import CATEGORIES, by_kind
 
 from web.browser import READY, STEPS, Visitor, browser
 from web.calculators import serving, wait_for
 
 MEDIAN, MOST, LOAD = 17.0, 25.0, 250.0
 _SLIDER = "Entry tension, slider"
+#: What the browser's trace must hold for it.
+_CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline", "v8", "toplevel"]
+_KINDS = {
+    "FunctionCall": "script", "v8.callFunction": "script", "EventDispatch": "script",
+    "FireAnimationFrame": "script", "TimerFire": "script", "RunMicrotasks": "script",
+    "MinorGC": "garbage", "MajorGC": "garbage", "UpdateLayoutTree": "style",
+    "Layout": "layout", "PrePaint": "pre-paint", "Paint": "paint", "Layerize": "layers",
+    "Commit": "layers", "RasterTask": "raster",
+}  # fmt: skip
+_PAGE, _WORKER = "CrRendererMain", "DedicatedWorker thread"
 #: A page with a slider and nothing else: what the browser itself takes from a press to a frame.
 _EMPTY = """() => {
   document.body.innerHTML = '<input type="range" aria-label="empty"><output></output>';
@@ -103,6 +113,48 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], int, dic
     return times, asked, best
 
 
+def _kind(name: str) -> str | None:
+    return _KINDS.get(name) or ("garbage" if name.startswith("V8.GC") else None)
+
+
+def by_kind(events: list[dict[str, Any]], presses: int) -> dict[str, float]:
+    """Return thread time by kind of work [ms a press].
+
+    The page's own thread, `raster` on those beside it and `worker`, what the page has computed
+    beside itself. Work inside other work counts once, as what it is: collecting garbage in a
+    script is no script.
+    """
+    names = {
+        (e["pid"], e["tid"]): e["args"]["name"]
+        for e in events
+        if e["ph"] == "M" and e["name"] == "thread_name"
+    }
+    threads = defaultdict(list)
+    for e in events:
+        if e["ph"] == "X":
+            threads[e["pid"], e["tid"]].append(e)
+    total: Counter[str] = Counter()
+    for thread, found in threads.items():
+        found.sort(key=lambda e: (e["ts"], -e.get("dur", 0)))
+        inside: list[tuple[float, str | None]] = []  # ends and kinds of what is going on
+        for e in found:
+            while inside and inside[-1][0] <= e["ts"]:
+                inside.pop()
+            above = inside[-1][1] if inside else None
+            kind = _kind(e["name"]) or above
+            if names.get(thread) == _WORKER and kind:
+                kind = "worker"
+            elif names.get(thread) != _PAGE and kind != "raster":
+                kind = None
+            if kind and kind != above:
+                total[kind] += e.get("tdur", 0)
+                if above:
+                    total[above] -= e.get("tdur", 0)
+            inside.append((e["ts"] + e.get("dur", 0), kind))
+    order = [*dict.fromkeys(_KINDS.values()), "worker"]
+    return {kind: total[kind] / 1e3 / presses for kind in order}
+
+
 def kinds(presses: int, rest: float) -> dict[str, float]:
     """Return what a press costs by kind of work [ms of the processor]."""
     with (
@@ -114,7 +166,7 @@ def kinds(presses: int, rest: float) -> dict[str, float]:
         page = visitor.open("drive")
         visitor.solved()
         pressed(page, _SLIDER, 30, rest)  # what the browser compiles first
-        chromium.start_tracing(page=page, categories=CATEGORIES)
+        chromium.start_tracing(page=page, categories=_CATEGORIES)
         pressed(page, _SLIDER, presses, rest)
         trace: dict[str, list[dict[str, Any]]] = json.loads(chromium.stop_tracing())
     return by_kind(trace["traceEvents"], presses)
