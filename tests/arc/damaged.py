@@ -126,7 +126,7 @@ def damage(document: dict[str, Any], rng: Random) -> None:
     for _ in range(rng.choice((1, 1, 2, 3))):
         node, key = rng.choice(fields(document))
         value = node[key]
-        if isinstance(value, list) and value and isinstance(value[0], int | float):
+        if isinstance(value, list) and value and all(isinstance(v, int | float) for v in value):
             node[key] = rows_of(value, rng)
         elif isinstance(value, list | dict | bool) or rng.random() < 0.03:
             node[key] = rng.choice((value, value, not value, [], {}, "x", 1, ""))

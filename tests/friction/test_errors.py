@@ -44,23 +44,23 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
     ),
     "constant": (
         lambda: Constant(friction_coefficient=-0.4),
-        ["friction_coefficient = -0.4: friction must be positive and finite."],
+        ["friction_coefficient = -0.4: friction must be at least 1e-06 and finite."],
     ),
     "not a number": (
         lambda: Constant(friction_coefficient=nan),
-        ["friction_coefficient = nan: friction must be positive and finite."],
+        ["friction_coefficient = nan: friction must be at least 1e-06 and finite."],
     ),
     "elastic-plastic": (
         lambda: ElasticPlastic(stiffness=inf, friction_coefficient=0.0),
         [
-            "friction_coefficient = 0: friction must be positive and finite.",
+            "friction_coefficient = 0: friction must be at least 1e-06 and finite.",
             "stiffness = inf Pa/m: the stiffness must be positive and finite.",
         ],
     ),
     "power": (
         lambda: PressurePower(friction_coefficient=0.0, reference_pressure=-1.0, exponent=1.0),
         [
-            "friction_coefficient = 0: friction must be positive and finite.",
+            "friction_coefficient = 0: friction must be at least 1e-06 and finite.",
             "reference_pressure = -1 Pa: the pressure must be positive and finite.",
             "exponent = 1: the exponent must lie in 0 <= n < 1.",
         ],
@@ -72,8 +72,8 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
         [
             "pressure = 200000, 100000 Pa: the pressures of the knots must be positive and in "
             "ascending order.",
-            "peak_friction = 0.8, -0.7: friction must be positive.",
-            "peak_slip = 0.01, 0 m: slip at the peak must be positive.",
+            "peak_friction = 0.8, -0.7: friction must be at least 1e-06.",
+            "peak_slip = 0.01, 0 m: slip at the peak must be at least 1 nm.",
         ],
     ),
     "tails": (
@@ -86,7 +86,7 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
         ),
         [
             "post_peak_slope = 3 1/m: the slope past the peak must be 0 or negative.",
-            "residual_friction = 0: residual friction must be positive.",
+            "residual_friction = 0: residual friction must be at least 1e-06.",
         ],
     ),
     "columns of different length": (
@@ -158,15 +158,15 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             "gives no positive friction.",
             "pieces[2].post_peak_slope = 1 1/m: the slope past the peak must be 0 or negative "
             "between 200000 and 300000 Pa.",
-            "pieces[2].residual_friction = -0.1: residual friction must be positive between 200000 "
-            "and 300000 Pa.",
+            "pieces[2].residual_friction = -0.1: residual friction must be at least 1e-06 "
+            "between 200000 and 300000 Pa.",
         ],
     ),
     "peak at no finite slip": (
         lambda: CoefficientPieces(pressure=(1e5, 2e5), pieces=(Piece(a=flat(-1e-3), b=flat(-3)),)),
         [
-            "pieces[1].b = -3 1/m: the slip at the peak exp(b/A - 1) must be finite between 100000 "
-            "and 200000 Pa.",
+            "pieces[1].b = -3 1/m: the slip at the peak exp(b/A - 1) must be finite and at least "
+            "1 nm between 100000 and 200000 Pa.",
         ],
     ),
     "pieces that do not meet": (
@@ -189,7 +189,7 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             "slip = 2 slips: at least two slips, the first of them 0, are needed.",
             "pressure: the pressures must be positive and in ascending order.",
             "friction: the table must have a row of 2 values for each of 2 pressures.",
-            "friction: friction must be positive past slip 0 and not negative at slip 0.",
+            "friction: friction must be at least 1e-06 past slip 0, that or 0 at slip 0.",
         ],
     ),
     "table with a jump at one pressure only": (
@@ -201,7 +201,7 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
         [
             "values: the table must hold finite numbers only.",
             "slip: the slips must be in ascending order.",
-            "friction: friction must be positive past slip 0 and not negative at slip 0.",
+            "friction: friction must be at least 1e-06 past slip 0, that or 0 at slip 0.",
             "friction: friction at slip 0 must be 0 at every pressure or positive at every "
             "pressure.",
         ],

@@ -143,6 +143,12 @@ def held_pressure(edges: ArrayLike, pressure: ArrayLike) -> tuple[Array, Array]:
     return np.clip(p, e[0], e[-1]), np.where(p > e[-1], e[-1] / p, 1.0)
 
 
+#: What no pair of materials falls short of by far; below, digits of the solvers would be lost [-].
+LEAST_FRICTION = 1e-6
+#: Between points of a table, and up to a peak [m].
+LEAST_SLIP = 1e-9
+
+
 def check(*tests: tuple[bool, str, str, str]) -> None:
     """Raise one InputError with every failed test (passed, key, value as given, sentence)."""
     failed = [

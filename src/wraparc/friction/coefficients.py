@@ -8,7 +8,7 @@ from math import exp, isfinite, log
 import numpy as np
 
 from wraparc.errors import InputError, Problem
-from wraparc.friction.base import Array, check
+from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, Array, check
 from wraparc.friction.trend import Trend
 
 
@@ -21,7 +21,7 @@ def ab_from_peak(peak_friction: float, peak_slip: float) -> tuple[float, float]:
     Parameters
     ----------
     peak_friction
-        mu_pk, > 0 [-].
+        mu_pk, >= 1e-6 [-].
     peak_slip
         x_pk, > 0 [any unit of length].
 
@@ -88,13 +88,13 @@ class PressureKnots:
     pressure
         Knots, ascending, > 0 [Pa], shape (n,). One knot makes a law free of pressure.
     peak_friction
-        mu_pk, > 0 [-], shape (n,).
+        mu_pk, >= 1e-6 [-], shape (n,).
     peak_slip
-        x_pk, > 0 [m], shape (n,).
+        x_pk, >= 1e-9 [m], shape (n,).
     post_peak_slope
         Slope of the straight line past the peak, <= 0 [1/m], shape (n,) or empty for 0.
     residual_friction
-        Level the line does not fall below, > 0 [-], shape (n,) or empty for the peak friction.
+        Level the line does not fall below, >= 1e-6 [-], shape (n,) or empty for the peak friction.
     """
 
     pressure: tuple[float, ...]
@@ -128,16 +128,16 @@ class PressureKnots:
                 "the pressures of the knots must be positive and in ascending order",
             ),
             (
-                all(v > 0 for v in self.peak_friction),
+                all(v >= LEAST_FRICTION for v in self.peak_friction),
                 "peak_friction",
                 _list(self.peak_friction),
-                "friction must be positive",
+                f"friction must be at least {LEAST_FRICTION:g}",
             ),
             (
-                all(v > 0 for v in self.peak_slip),
+                all(v >= LEAST_SLIP for v in self.peak_slip),
                 "peak_slip",
                 _list(self.peak_slip, "m"),
-                "slip at the peak must be positive",
+                "slip at the peak must be at least 1 nm",
             ),
             (
                 all(v <= 0 for v in self.post_peak_slope),
@@ -146,10 +146,10 @@ class PressureKnots:
                 "the slope past the peak must be 0 or negative",
             ),
             (
-                all(v > 0 for v in self.residual_friction),
+                all(v >= LEAST_FRICTION for v in self.residual_friction),
                 "residual_friction",
                 _list(self.residual_friction),
-                "residual friction must be positive",
+                f"residual friction must be at least {LEAST_FRICTION:g}",
             ),
         )
 
@@ -256,12 +256,13 @@ class CoefficientPieces:
                     message=f"A must be negative {where}, else the law gives no positive friction",
                 )
             )
-        elif not (np.all(np.isfinite(slip)) and np.all(slip > 0.0)):
+        elif not (np.all(np.isfinite(slip)) and np.all(slip * self.slip_unit >= LEAST_SLIP)):
             bad.append(
                 Problem(
                     key=f"{key}.b",
                     value=f"{float(b[0]):g} 1/m",
-                    message=f"the slip at the peak exp(b/A - 1) must be finite {where}",
+                    message="the slip at the peak exp(b/A - 1) must be finite and at least 1 nm "
+                    f"{where}",
                 )
             )
         if not np.all(slope <= 0.0):
@@ -272,12 +273,12 @@ class CoefficientPieces:
                     message=f"the slope past the peak must be 0 or negative {where}",
                 )
             )
-        if not np.all(residual > 0.0):
+        if not np.all(residual >= LEAST_FRICTION):
             bad.append(
                 Problem(
                     key=f"{key}.residual_friction",
                     value=f"{float(residual.min()):g}",
-                    message=f"residual friction must be positive {where}",
+                    message=f"residual friction must be at least {LEAST_FRICTION:g} {where}",
                 )
             )
         return bad

@@ -8,7 +8,15 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.friction.base import Array, Equation, FrictionLaw, TestedRange, check, held_pressure
+from wraparc.friction.base import (
+    LEAST_FRICTION,
+    Array,
+    Equation,
+    FrictionLaw,
+    TestedRange,
+    check,
+    held_pressure,
+)
 from wraparc.friction.compact import LIMIT, CompactLaw
 
 
@@ -23,7 +31,7 @@ class Constant(FrictionLaw):
     Attributes
     ----------
     friction_coefficient
-        mu_0, > 0 [-].
+        mu_0, >= 1e-6 [-].
     tested
         Range of the measurement behind it, or None.
     """
@@ -38,10 +46,10 @@ class Constant(FrictionLaw):
         mu = self.friction_coefficient
         check(
             (
-                0.0 < mu < np.inf,
+                LEAST_FRICTION <= mu < np.inf,
                 "friction_coefficient",
                 f"{mu:g}",
-                "friction must be positive and finite",
+                f"friction must be at least {LEAST_FRICTION:g} and finite",
             )
         )
 
@@ -72,7 +80,7 @@ class ElasticPlastic(FrictionLaw):
     stiffness
         kappa_s, shear stress per slip, > 0 [Pa/m].
     friction_coefficient
-        mu_0, > 0 [-].
+        mu_0, >= 1e-6 [-].
     tested
         Range of the measurement behind it, or None.
     """
@@ -93,10 +101,10 @@ class ElasticPlastic(FrictionLaw):
         mu, k = self.friction_coefficient, self.stiffness
         check(
             (
-                0.0 < mu < np.inf,
+                LEAST_FRICTION <= mu < np.inf,
                 "friction_coefficient",
                 f"{mu:g}",
-                "friction must be positive and finite",
+                f"friction must be at least {LEAST_FRICTION:g} and finite",
             ),
             (
                 0.0 < k < np.inf,
@@ -137,7 +145,7 @@ class PressurePower(FrictionLaw):
     Attributes
     ----------
     friction_coefficient
-        mu_0, friction at the reference pressure, > 0 [-].
+        mu_0, friction at the reference pressure, >= 1e-6 [-].
     reference_pressure
         p_0, > 0 [Pa].
     exponent
@@ -163,10 +171,10 @@ class PressurePower(FrictionLaw):
         mu, p, n = self.friction_coefficient, self.reference_pressure, self.exponent
         check(
             (
-                0.0 < mu < np.inf,
+                LEAST_FRICTION <= mu < np.inf,
                 "friction_coefficient",
                 f"{mu:g}",
-                "friction must be positive and finite",
+                f"friction must be at least {LEAST_FRICTION:g} and finite",
             ),
             (
                 0.0 < p < np.inf,

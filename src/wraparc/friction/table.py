@@ -10,7 +10,15 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.friction.base import Array, Equation, FrictionLaw, TestedRange, check
+from wraparc.friction.base import (
+    LEAST_FRICTION,
+    LEAST_SLIP,
+    Array,
+    Equation,
+    FrictionLaw,
+    TestedRange,
+    check,
+)
 from wraparc.friction.compact import TABLE, CompactLaw
 from wraparc.friction.interpolation import evaluate, pchip
 
@@ -29,7 +37,8 @@ class MeasuredTable(FrictionLaw):
     pressure
         Pressures of the columns, ascending, > 0 [Pa], shape (n,), n >= 1.
     values
-        Friction, one tuple for each pressure, shape (n, m), >= 0, positive past slip 0 [-].
+        Friction, one tuple for each pressure, shape (n, m), at least 1e-6 past slip 0, that or 0
+        there [-].
     """
 
     title = "measured table"
@@ -57,7 +66,8 @@ class MeasuredTable(FrictionLaw):
             ),
             (_ascending(self.slip), "slip", "", "the slips must be in ascending order"),
             (
-                all(b - a >= 1e-9 for a, b in pairwise(self.slip)) or not _ascending(self.slip),
+                all(b - a >= LEAST_SLIP for a, b in pairwise(self.slip))
+                or not _ascending(self.slip),
                 "slip",
                 "",
                 "the slips must be at least 1 nm apart",
@@ -79,11 +89,11 @@ class MeasuredTable(FrictionLaw):
                 "pressures",
             ),
             (
-                all(v >= 0 for row in self.values for v in row[:1])
-                and all(v > 0 for row in self.values for v in row[1:]),
+                all(v == 0.0 or v >= LEAST_FRICTION for row in self.values for v in row[:1])
+                and all(v >= LEAST_FRICTION for row in self.values for v in row[1:]),
                 "friction",
                 "",
-                "friction must be positive past slip 0 and not negative at slip 0",
+                f"friction must be at least {LEAST_FRICTION:g} past slip 0, that or 0 at slip 0",
             ),
             (
                 len({row[0] > 0 for row in self.values if row}) <= 1,

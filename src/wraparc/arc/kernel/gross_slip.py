@@ -26,7 +26,8 @@ PEAK_STEPS = 12  # mesh steps of a first search of the largest ratio; decides sp
 NEARBY = 0.02  # of effort, around an earlier result
 EDGE = 5e-4  # of effort: nearer to the end of where it was sought a peak may lie beyond
 _NO_SLACK = 50.0  # miss of a place where the slack side has no tension left
-_ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-10, 1.6
+_PIECE = 0.25  # of ln T: where friction is smooth, 5 points are exact to rounding
+_ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-9, 2.0
 
 
 def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
@@ -39,7 +40,7 @@ def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) 
     for _ in range(4 * len(law.edges) + 400):
         p = tight_pressure * exp(-q)
         segment = segment_of(law, p * (1.0 - 1e-12))
-        span = 0.25
+        span = _PIECE
         if segment >= 0:
             span = min(span, log(p / law.edges[segment]))
         taken = _plateau_angle(law, tight_pressure, segment, q, span)
@@ -108,51 +109,74 @@ def carried_log(law: CompactLaw, grip: Grip, tight: float) -> float:
     return max(q, 0.0)
 
 
-def excess_log(law: CompactLaw, grip: Grip, line: Line, k: float) -> float:
-    """ln(tight/slack) at a place of a line less what friction carries there [-]."""
+def _angle_needed(law: CompactLaw, tight_pressure: float, fall: float) -> float:
+    """Wrap angle over which ln T falls so far from the tight side at the plateau [rad]."""
+    q, angle = 0.0, 0.0
+    while q < fall:
+        p = tight_pressure * exp(-q)
+        segment = segment_of(law, p * (1.0 - 1e-12))
+        span = min(_PIECE, fall - q)
+        if segment >= 0:
+            span = min(span, log(p / law.edges[segment]))
+        angle += _plateau_angle(law, tight_pressure, segment, q, span)
+        q += span
+        if span <= 1e-15 * q:
+            break
+    return angle
+
+
+def _missing(law: CompactLaw, grip: Grip, line: Line, k: float) -> tuple[float, float]:
+    """Wrap angle that the tensions at a place of a line need less that of the arc, and its slope.
+
+    d angle = d ln T_tight / mu(p_tight) - d ln T_slack / mu(p_slack) at the plateau.
+    """
     tight = line.tight + (k - 1.0) * line.tight_rise
     slack = line.slack + (k - 1.0) * line.slack_rise
     if tight <= 0.0 or slack <= 0.0:
-        return _NO_SLACK
-    return log(tight / slack) - carried_log(law, grip, tight)
+        return _NO_SLACK, 0.0
+    if tight <= slack:
+        return -grip.wrap_angle, 0.0
+    top, fall = tight / grip.area, log(tight / slack) - grip.offset
+    end = top * exp(-fall)
+    at_top = plateau_at(law, segment_of(law, top), top)
+    at_end = plateau_at(law, segment_of(law, end), end)
+    slope = line.tight_rise / (tight * at_top) - line.slack_rise / (slack * at_end)
+    return _angle_needed(law, top, fall) - grip.wrap_angle, slope
 
 
 def slip_place(law: CompactLaw, grip: Grip, line: Line, way: float, low: float) -> float:
     """Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards.
 
-    Bracketed in growing steps, then by false position (Illinois); inf if there is none up to 1e4
-    times `low`, or 1e4.
+    Newton's method on the wrap angle that the tensions need, within what brackets the place; inf
+    if there is none up to 1e4 times `low`, or 1e4.
     """
-    a, f_a, step = low, -1.0, max(low, 1.0)
-    high = 1e4 * step
-    b = a + step
-    f_b = way * excess_log(law, grip, line, b)
-    while f_b < 0.0:
-        a, f_a = b, f_b
-        step *= _GROWTH
-        b += step
-        if b > high:
-            return inf
-        f_b = way * excess_log(law, grip, line, b)
-    side = 0
+    step = max(low, 1.0)
+    a, b, most = low, inf, 1e4 * step
+    if way > 0.0 and line.slack_rise < 0.0:
+        b = 1.0 - line.slack / line.slack_rise  # no tension is left there
+    k = a + step
+    if k >= b:
+        k = 0.5 * (a + b)
     for _ in range(_ROUNDS):
-        if b - a <= _TOLERANCE * b:
-            break
-        c = (a * f_b - b * f_a) / (f_b - f_a)
-        if not a < c < b:
-            c = 0.5 * (a + b)
-        f = way * excess_log(law, grip, line, c)
-        if abs(f) < 1e-14:
-            return c
+        f, slope = _missing(law, grip, line, k)
+        f, slope = way * f, way * slope
         if f < 0.0:
-            a, f_a = c, f
-            f_b = 0.5 * f_b if side < 0 else f_b
-            side = -1
+            a = k
+            if k >= most:
+                return inf
         else:
-            b, f_b = c, f
-            f_a = 0.5 * f_a if side > 0 else f_a
-            side = 1
-    return 0.5 * (a + b)
+            b = k
+        new = k - f / slope if slope > 0.0 else inf
+        if abs(new - k) <= _TOLERANCE * k:
+            return new
+        new = min(new, most)
+        if not a < new < b:
+            new = 0.5 * (a + b) if b < inf else min(a + step, most)
+            step *= _GROWTH
+        if abs(new - k) <= 1e-15 * k:
+            return k
+        k = new
+    return k
 
 
 def largest_ratio(

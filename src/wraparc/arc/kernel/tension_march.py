@@ -45,6 +45,8 @@ def _rates(t: Buffer, o: int, branch: int, gamma: float, a: float) -> tuple[floa
         lr = log(r)
         rl = r * lr
         f = r - rl
+        if f == 0.0:  # r = e, of a trial that is cut long before
+            f = SMALLEST
         w = 1.0 / f
         da = (gamma * t[o + 1] + t[o + 2]) * w + t[o + 3] * f + t[o + 4] * rl
         da /= 1.0 - t[o + 5] * lr

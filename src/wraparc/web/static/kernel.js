@@ -804,6 +804,7 @@ const LANDINGS = 40;
 const STUCK = 4;
 const NO_PULL = 1e-11;
 const FAR = 13.0;
+const _PIECE = 0.25;
 const CREEP = 1;
 const SMALL_RATIO = 1e-7;
 const NO_SHOT = new Shot(NaN, NaN, NaN, NaN, NaN, NaN, NaN);
@@ -855,10 +856,10 @@ const TESTED_SLIP = 4;
 const GROSS_SLIP = 16;
 const PEAK_STEPS = 12;
 const EDGE = 0.0005;
-const _NO_SLACK = 50.0;
-const _GROWTH = 1.6;
 const _ROUNDS = 200;
-const _TOLERANCE = 1e-10;
+const _NO_SLACK = 50.0;
+const _TOLERANCE = 1e-9;
+const _GROWTH = 2.0;
 const _STEPS = 24;
 const _SETTLED = 0.0001;
 const ROUNDS = 6;
@@ -3041,7 +3042,7 @@ export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
   for (let each1 = 0, end1 = 4 * law.edges.length + 400; each1 < end1; each1++) {
     p = tight_pressure * Math.exp(-q);
     segment = compact__segment_of(law, p * (1.0 - 1e-12));
-    span = 0.25;
+    span = _PIECE;
     if (segment >= 0) {
       span = min(span, Math.log(p / law.edges[segment]));
     }
@@ -3664,6 +3665,9 @@ export function tension_march___rates(t, o, branch, gamma, a) {
     lr = Math.log(r);
     rl = r * lr;
     f = r - rl;
+    if (f === 0.0) {
+      f = SMALLEST;
+    }
     w = 1.0 / f;
     da = (gamma * t[o + 1] + t[o + 2]) * w + t[o + 3] * f + t[o + 4] * rl;
     da /= 1.0 - t[o + 5] * lr;
@@ -6050,67 +6054,88 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   );
 }
 
-/** Largest ln(tight/slack) that friction carries with the tight side at a tension [N]. */
-export function gross_slip__carried_log(law, grip, tight) {
-  let q = gross_slip__plateau_capacity(law, tight / grip.area, grip.wrap_angle) + grip.offset;
-  return max(q, 0.0);
+/** Wrap angle over which ln T falls so far from the tight side at the plateau [rad]. */
+export function gross_slip___angle_needed(law, tight_pressure, fall) {
+  let p, segment, span;
+  let q = 0.0;
+  let angle = 0.0;
+  while (q < fall) {
+    p = tight_pressure * Math.exp(-q);
+    segment = compact__segment_of(law, p * (1.0 - 1e-12));
+    span = min(_PIECE, fall - q);
+    if (segment >= 0) {
+      span = min(span, Math.log(p / law.edges[segment]));
+    }
+    angle += gross_slip___plateau_angle(law, tight_pressure, segment, q, span);
+    q += span;
+    if (span <= 1e-15 * q) {
+      break;
+    }
+  }
+  return angle;
 }
 
-/** ln(tight/slack) at a place of a line less what friction carries there [-]. */
-export function gross_slip__excess_log(law, grip, line, k) {
+/** Wrap angle that the tensions at a place of a line need less that of the arc, and its slope. */
+export function gross_slip___missing(law, grip, line, k) {
   let tight = line.tight + (k - 1.0) * line.tight_rise;
   let slack = line.slack + (k - 1.0) * line.slack_rise;
   if (tight <= 0.0 || slack <= 0.0) {
-    return _NO_SLACK;
+    return [_NO_SLACK, 0.0];
   }
-  return Math.log(tight / slack) - gross_slip__carried_log(law, grip, tight);
+  if (tight <= slack) {
+    return [-grip.wrap_angle, 0.0];
+  }
+  let top = tight / grip.area;
+  let fall = Math.log(tight / slack) - grip.offset;
+  let end = top * Math.exp(-fall);
+  let at_top = compact__plateau_at(law, compact__segment_of(law, top), top);
+  let at_end = compact__plateau_at(law, compact__segment_of(law, end), end);
+  let slope = line.tight_rise / (tight * at_top) - line.slack_rise / (slack * at_end);
+  return [gross_slip___angle_needed(law, top, fall) - grip.wrap_angle, slope];
 }
 
 /** Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards. */
 export function gross_slip__slip_place(law, grip, line, way, low) {
-  let c, f;
-  let a = low;
-  let f_a = -1.0;
+  let f, new_, slope;
   let step = max(low, 1.0);
-  let high = 10000.0 * step;
-  let b = a + step;
-  let f_b = way * gross_slip__excess_log(law, grip, line, b);
-  while (f_b < 0.0) {
-    a = b;
-    f_a = f_b;
-    step *= _GROWTH;
-    b += step;
-    if (b > high) {
-      return Infinity;
-    }
-    f_b = way * gross_slip__excess_log(law, grip, line, b);
+  let a = low;
+  let b = Infinity;
+  let most = 10000.0 * step;
+  if (way > 0.0 && line.slack_rise < 0.0) {
+    b = 1.0 - line.slack / line.slack_rise;
   }
-  let side = 0;
+  let k = a + step;
+  if (k >= b) {
+    k = 0.5 * (a + b);
+  }
   for (let each1 = 0, end1 = _ROUNDS; each1 < end1; each1++) {
-    if (b - a <= _TOLERANCE * b) {
-      break;
-    }
-    c = (a * f_b - b * f_a) / (f_b - f_a);
-    if (!(a < c && c < b)) {
-      c = 0.5 * (a + b);
-    }
-    f = way * gross_slip__excess_log(law, grip, line, c);
-    if (Math.abs(f) < 1e-14) {
-      return c;
-    }
+    const found2 = gross_slip___missing(law, grip, line, k);
+    f = found2[0];
+    slope = found2[1];
+    [f, slope] = [way * f, way * slope];
     if (f < 0.0) {
-      a = c;
-      f_a = f;
-      f_b = side < 0 ? 0.5 * f_b : f_b;
-      side = -1;
+      a = k;
+      if (k >= most) {
+        return Infinity;
+      }
     } else {
-      b = c;
-      f_b = f;
-      f_a = side > 0 ? 0.5 * f_a : f_a;
-      side = 1;
+      b = k;
     }
+    new_ = slope > 0.0 ? k - f / slope : Infinity;
+    if (Math.abs(new_ - k) <= _TOLERANCE * k) {
+      return new_;
+    }
+    new_ = min(new_, most);
+    if (!(a < new_ && new_ < b)) {
+      new_ = b < Infinity ? 0.5 * (a + b) : min(a + step, most);
+      step *= _GROWTH;
+    }
+    if (Math.abs(new_ - k) <= 1e-15 * k) {
+      return k;
+    }
+    k = new_;
   }
-  return 0.5 * (a + b);
+  return k;
 }
 
 /** Pull at gross slip over the pull, tensions growing along a line; inf if it never slips. */
