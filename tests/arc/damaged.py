@@ -136,7 +136,7 @@ def damage(document: dict[str, Any], rng: Random) -> None:
 
 def rows_of(row: list[float], rng: Random) -> list[float]:
     """Friction of a table: a jump, flat or dead at the start, falling, tiny, or at random."""
-    n, k = len(row), rng.randrange(1, len(row))
+    n, k = len(row), rng.randrange(1, max(len(row), 2))
     low = rng.choice((0.0, 1e-300, 1e-12, 1e-6, 1e-3))
     return rng.choice((
         [low] * k + row[k:],

@@ -15,7 +15,7 @@ from wraparc.errors import InputError
 from wraparc.files import drive_from_document
 
 #: hung, or divided by zero, once
-FAILED = (6, 41, 69, 2126, 4460, 4743)
+FAILED = (6, 41, 69, 2126, 4460, 4743, 202291)
 
 
 def ends_of(seed: int) -> list[str]:

@@ -366,14 +366,12 @@ def _cut(
         return part, s1, a1, work1
     part = gap_0 / (gap_0 - gap_1)
     for _ in range(60):
+        if not low < part < high:
+            part = 0.5 * (low + high)
         fill(law, par, segment, False, 1.0, q, part * (q_end - q), table, PART, -1)
         s1, a1, work1 = _step(table, PART, branch, gamma, s, a, work)
         ds, _, _ = _rates(table, PART + 4 * NODE, branch, gamma, a1)
-        if to < 0:
-            gap, slope = s1 / par.length - 1.0, ds / (part * par.length)
-        else:
-            gap = _gap(table, PART + 4 * NODE, branch, to, a1)
-            slope = (gap - f_low) / (part - low) if low > 0.0 or part < 1.0 else 0.0
+        gap = s1 / par.length - 1.0 if to < 0 else _gap(table, PART + 4 * NODE, branch, to, a1)
         if abs(gap) < LANDING or high - low < 1e-15:
             break
         if gap > 0.0:
@@ -381,17 +379,14 @@ def _cut(
         else:
             low, f_low = part, gap
         if to >= 0:
-            slope = (f_high - f_low) / (high - low)
-            part = low - f_low / slope
+            part = low - f_low * (high - low) / (f_high - f_low)
             # regula falsi keeps one end: halve its weight (Illinois)
             if gap > 0.0:
                 f_low *= 0.5
             else:
                 f_high *= 0.5
         else:
-            part -= gap / slope
-        if not low < part < high:
-            part = 0.5 * (low + high)
+            part -= gap * part * par.length / ds if ds > 0.0 else part
     return part, s1, a1, work1
 
 

@@ -3781,7 +3781,7 @@ export function tension_march___cut(
   gap_1,
   table,
 ) {
-  let ds, gap, slope;
+  let ds, gap;
   let low = 0.0;
   let high = 1.0;
   let f_low = gap_0;
@@ -3795,6 +3795,9 @@ export function tension_march___cut(
   }
   part = gap_0 / (gap_0 - gap_1);
   for (let each1 = 0, end1 = 60; each1 < end1; each1++) {
+    if (!(low < part && part < high)) {
+      part = 0.5 * (low + high);
+    }
     tension_table__fill(law, par, segment, false, 1.0, q, part * (q_end - q), table, PART, -1);
     const found2 = tension_march___step(table, PART, branch, gamma, s, a, work);
     s1 = found2[0];
@@ -3802,13 +3805,8 @@ export function tension_march___cut(
     work1 = found2[2];
     const found3 = tension_march___rates(table, PART + 4 * NODE, branch, gamma, a1);
     ds = found3[0];
-    if (to < 0) {
-      gap = s1 / par.length - 1.0;
-      slope = ds / (part * par.length);
-    } else {
-      gap = tension_march___gap(table, PART + 4 * NODE, branch, to, a1);
-      slope = low > 0.0 || part < 1.0 ? (gap - f_low) / (part - low) : 0.0;
-    }
+    gap =
+      to < 0 ? s1 / par.length - 1.0 : tension_march___gap(table, PART + 4 * NODE, branch, to, a1);
     if (Math.abs(gap) < LANDING || high - low < 1e-15) {
       break;
     }
@@ -3820,18 +3818,14 @@ export function tension_march___cut(
       f_low = gap;
     }
     if (to >= 0) {
-      slope = (f_high - f_low) / (high - low);
-      part = low - f_low / slope;
+      part = low - (f_low * (high - low)) / (f_high - f_low);
       if (gap > 0.0) {
         f_low *= 0.5;
       } else {
         f_high *= 0.5;
       }
     } else {
-      part -= gap / slope;
-    }
-    if (!(low < part && part < high)) {
-      part = 0.5 * (low + high);
+      part -= ds > 0.0 ? (gap * part * par.length) / ds : part;
     }
   }
   return [part, s1, a1, work1];
