@@ -198,7 +198,7 @@ def _creep_row(case: CaseResult, system: System) -> Row:
     texts = []
     for m in case.members:
         creep = m.arc.exit_creep
-        part = f" ({percent(abs(creep) / m.arc.arc.creep_limit, 2)})"
+        part = f" ({percent(abs(creep) / m.arc.arc.creep_limit)})"
         texts.append(f"{named('exit_creep', creep, system)}{'' if isnan(creep) else part}")
     over = any(not m.arc.within_creep_limit for m in case.members)
     entry = term("exit_creep")

@@ -2712,7 +2712,7 @@ export function train_sheet___creep_row(case_, system) {
   for (const each1 of case_.members) {
     m = each1;
     creep = m.arc.exit_creep;
-    part = "" + " (" + $text(sheet__percent(Math.abs(creep) / m.arc.arc.creep_limit, 2)) + ")";
+    part = "" + " (" + $text(sheet__percent(Math.abs(creep) / m.arc.arc.creep_limit)) + ")";
     texts.push(
       "" +
         $text(sheet__named("exit_creep", creep, system)) +

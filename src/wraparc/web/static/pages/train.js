@@ -163,7 +163,7 @@ const result = (a) =>
     h("div", { class: "plots" }, a.load_cases.map(loadCase)),
     h(
       "div",
-      { class: "tables" },
+      { class: "tables one" },
       (a.tables || []).map((/** @type {Table} */ t) => table(t, /^(Drives|All)/.test(t.title))),
     ),
   );
