@@ -147,7 +147,7 @@ def test_a_law_scaled_to_its_condition_asks_for_attention_in_rows_too() -> None:
     assert one_by_one(of) == ("ATTENTION", "condition")
     assert of_rows(of, document=document) == one_by_one(of)
     # what has no number and binds nothing leaves the word to what has one
-    document = document | {"creep_limit": "1 mm"}
+    document = document | {"creep_limit": "0.1 mm"}
     of = drive_from_document(document)
     assert one_by_one(of) == ("ATTENTION", "creep")
     assert of_rows(of, document=document) == one_by_one(of)

@@ -156,20 +156,3 @@ def test_a_least_tension_of_held_speeds_says_that_the_load_divides_anew(tmp_path
     said = "is kept, the load divided as it is, is"
     assert said in wraparc("solve", tandem(tmp_path, by='speeds = "equal"')).words
     assert said not in wraparc("solve", tandem(tmp_path)).words
-
-
-@pytest.mark.parametrize(
-    ("times", "level"), [(9.9, Level.ATTENTION), (10.1, Level.FAILS), (173.0, Level.FAILS)]
-)
-def test_a_creep_of_ten_times_its_limit_is_sliding(
-    tmp_path: Path, times: float, level: Level
-) -> None:
-    """The same drive under a creep limit that its creep is so many times of; as of events."""
-    path = tandem(tmp_path, exit="8 kN")
-    creep = solved(path)["design"]["second"].arc.exit_creep
-    ran = wraparc("solve", path, "--creep-limit", f"{creep / times * 1e6:.3f} um", "--json", "-")
-    told = ran.json["train"]["verdict"]
-    found = next(c for c in told["checks"] if c["name"] == "creep")
-    assert found["level"] == level.value
-    assert ("slides" in found["sentence"]) is (level is Level.FAILS)
-    assert ran.code == (1 if level is Level.FAILS else 0)

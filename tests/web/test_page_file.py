@@ -533,7 +533,7 @@ def test_no_note_is_written_where_its_page_cannot_be(tmp_path: Path) -> None:
     file = str(EXAMPLES / "worn-head-drive-fabric.toml")
     out = str(tmp_path / "note.md"), "--page", str(tmp_path / "note.html")
     code, _, error = wraparc("report", file, "-o", *out)
-    assert (code, "uneven across the width" in error) == (2, True)
+    assert (code, "the load across the width is not solved" in error) == (2, True)
     assert list(tmp_path.iterdir()) == []
 
 

@@ -72,17 +72,12 @@ NOWHERE = Place()
 
 
 class Miss(NamedTuple):
-    """What a check says where it is not kept; see `Check`.
-
-    A value of more than `fails_beyond` times its limit fails, as `because` says.
-    """
+    """What a check says where it is not kept; see `Check`."""
 
     level: Level
     short: str
     says: str
     remedy: str
-    fails_beyond: float = math.inf
-    because: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,7 +22,7 @@ from wraparc.checks.of_drive import (
     origin,
     tests_of,
 )
-from wraparc.checks.rules import NO_GRIP, RULES, SLIDES, idle, standard_rule, start_factor
+from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.units import Dimension
 
@@ -165,7 +165,6 @@ def creep(drive: Drive, result: ArcResult) -> Check:
         short="over creep limit",
         more={"fabric": (MORE_CREEP["fabric"], "force_per_width")},
         says=f"Creeps {{value}}, more than the limit of {{limit}}. {_qualifies(drive, limit)}",
-        because=f"A belt that creeps more than {SLIDES:g} times its limit slides.",
         remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
         "more friction.",
     )

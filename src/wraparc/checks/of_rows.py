@@ -258,8 +258,6 @@ def _checks(
         missed = np.full(len(value), RULES[name].missed.rank)
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
-        if math.isfinite(RULES[name].fails_beyond):
-            missed[value > RULES[name].fails_beyond * limit] = Level.FAILS.rank
         never = np.isinf(limit) & (name == "design_standard")
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most

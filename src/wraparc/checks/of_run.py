@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.of_drive import judged, not_checked, origin
-from wraparc.checks.rules import RULES, SLIDES, tension_factor, tension_rule
+from wraparc.checks.rules import RULES, tension_factor, tension_rule
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 from wraparc.train.result import drive_with
 from wraparc.units import display
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from wraparc.motion.result import DrumHistory, RunResult
 
 
+#: Times the creep limit beyond which a drive slides and does not creep any more [-]; ours.
+SLIDES = 10.0
 #: Miss of the set speed over the belt speed with which a start or stop is over [-]; ours.
 SETTLED = 0.1
 

@@ -5,7 +5,6 @@ The numbers that are compared stand here too, as functions of plain numbers or o
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -29,10 +28,6 @@ USUAL: dict[str, tuple[Dimension, float, float]] = {
 }
 
 
-#: Times the creep limit beyond which a drive slides and does not creep any more [-]; ours.
-SLIDES = 10.0
-
-
 @dataclass(frozen=True)
 class Rule:
     """One check.
@@ -45,8 +40,6 @@ class Rule:
         What sets the limit, in words.
     missed
         Level where it is not kept.
-    fails_beyond
-        Times its limit beyond which a value fails [-].
     at_most
         Whether the limit is an upper one.
     """
@@ -55,7 +48,6 @@ class Rule:
     what: str
     missed: Level = Level.ATTENTION
     at_most: bool = True
-    fails_beyond: float = math.inf
 
 
 #: The checks of an arc in the order they are told; the balance of the solution is none of a row.
@@ -64,7 +56,7 @@ RULES = {
     for rule in (
         Rule("gross_slip", "the safety against gross slip", at_most=False),
         Rule("design_standard", "the design standard", at_most=False),
-        Rule("creep", "the creep limit", fails_beyond=SLIDES),
+        Rule("creep", "the creep limit"),
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),

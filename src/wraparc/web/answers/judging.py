@@ -33,8 +33,6 @@ class Miss(Plain):
     short: str
     says: str
     remedy: str
-    fails_beyond: float
-    because: str
 
 
 class Words(Plain):
