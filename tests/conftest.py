@@ -14,6 +14,7 @@ from hypothesis.internal.conjecture import providers
 from wraparc.across import compiled as across
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.batch import compiled
+from wraparc.checks import compiled as checks
 from wraparc.train import compiled as train
 
 # No wall clock in a test; in CI the same examples every time, at a desk new ones.
@@ -133,5 +134,6 @@ def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
             patch.setattr(compiled, "Distributed", Interpreted)
             patch.setattr(Distributed, "solve", solve)
             patch.setitem(across._ready, "compiled", True)
+            patch.setitem(checks._ready, "compiled", True)
             patch.setitem(train._ready, "compiled", True)
         yield

@@ -10,12 +10,13 @@ import numpy as np
 from wraparc.arc.kernel.answer import CAPACITIES, Answer, Carried, find_capacities
 from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
-from wraparc.arc.summary import NEXT_SLIP, capacity_numbers, operating_point, summary_of
+from wraparc.arc.summary import NEXT_SLIP, Summary, capacity_numbers, operating_point, summary_of
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan
 #: Numbers that a result has from others of it.
 DERIVED = ("effective_tension", "tension_ratio", "k_factor")
+_ENERGY = tuple(f.name for f in fields(Energy))
 
 
 @dataclass(frozen=True)
@@ -77,20 +78,27 @@ def result_of(
     if found.outcome != SOLVED:
         status = Status.BREAKAWAY if found.outcome == BREAKAWAY else Status.UNSOLVED
         return ArcResult.without_state(status, method, arc, capacities)
-    told = summary_of(
-        arc.law.compact(), arc.described(), arc.law.tested, found, out, count
-    )._asdict()
-    energy = Energy(**{f.name: told.pop(f.name) for f in fields(Energy)})
+    told = summary_of(arc.law.compact(), arc.described(), arc.law.tested, found, out, count)
+    profile = _profile(arc, found.par.entry_tension, out, count, found.shot.stuck_length)
+    return solved_result(method, arc, told, profile, capacities)
+
+
+def solved_result(
+    method: str, arc: WrapArc, told: Summary, profile: Profile, capacities: Capacities
+) -> ArcResult:
+    """Return the result of a solved arc."""
+    numbers = told._asdict()
+    energy = Energy(**{name: numbers.pop(name) for name in _ENERGY})
     for name in DERIVED:
-        del told[name]
+        del numbers[name]
     return ArcResult(
         status=Status.SOLVED,
         method=method,
         arc=arc,
-        profile=_profile(arc, found.par.entry_tension, out, count, found.shot.stuck_length),
+        profile=profile,
         capacities=capacities,
         energy=energy,
-        **told,
+        **numbers,
     )
 
 

@@ -197,6 +197,7 @@ def summary_of(
     lost = work + kept
     speed = arc.belt_speed / (1.0 - g) if g < 1.0 else nan
     part = arc.width * lost / abs(pull) if abs(pull) > 1e-6 * arc.entry_tension else nan
+    efficiency = 1.0 - part if pull > 0.0 else 1.0 / (1.0 + part)
     return Summary(
         entry_tension=entry,
         exit_tension=exit_tension,
@@ -221,7 +222,7 @@ def summary_of(
         sliding_power=speed * arc.width * work,
         shear_loss=speed * arc.width * kept,
         power_loss=speed * arc.width * lost,
-        efficiency=1.0 - part if pull > 0.0 else 1.0 / (1.0 + part),
+        efficiency=efficiency,
         frictional_energy=work,
         wear_rate=1e6 * arc.wear_coefficient * work,
         identity_error=abs(arc.width * lost - exact)

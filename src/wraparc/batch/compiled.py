@@ -8,38 +8,73 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from wraparc.arc import ArcResult, Capacities, Distributed, WrapArc
-from wraparc.arc.kernel.answer import CAPACITIES, Answer, Carried
+from wraparc.arc import ArcResult, Capacities, Distributed, Profile, WrapArc
+from wraparc.arc.kernel.answer import CAPACITIES, GROSS_SLIP, Answer, Carried
 from wraparc.arc.kernel.layers import NO_LAYERS
-from wraparc.arc.kernel.quantities import RECORD, SOLVED, Shot, parameters_at
-from wraparc.arc.solver import capacities_of, result_of
+from wraparc.arc.kernel.quantities import RECORD, SOLVED, Geometry, Shot, parameters_at
+from wraparc.arc.solver import capacities_of, solved_result
+from wraparc.arc.summary import Columns, Description, Summary, columns_of, summary_of
 from wraparc.batch import row
-from wraparc.batch.laws import LawBank
+from wraparc.batch.laws import bank_of, law_of
 from wraparc.batch.native import available, compiled
 from wraparc.batch.precise import capacity_rows, tension_rows
 from wraparc.friction import FrictionLaw
 
 _ROOM = 2_000  # records of a profile that there is room for at first
-_UNKNOWN = np.full((1, row.STARTS), math.nan)
-_SHOT = (  # where a row has it
-    row.LOG_RATIO,
-    row.EXIT_SLIP,
-    row.EXIT_CREEP,
-    row.EXIT_STRESS,
-    row.WORK,
-    row.CREEP_RATIO,
-    row.STUCK_LENGTH,
+_CARRIED = (  # where a row has it
+    row.CREEP_CAPACITY,
+    row.SLIP_CAPACITY,
+    row.GROSS_CAPACITY,
+    row.GROSS_CREEP,
+    row.LEAST_SLACK,
+    row.MOST_PULL,
 )
+_UNKNOWN = np.full((1, row.STARTS), math.nan)
 
 
-@lru_cache(maxsize=64)
-def _bank(law: FrictionLaw) -> LawBank:
-    return LawBank.of([law])
+class _Ends(NamedTuple):
+    """The tested range as compiled code reads it; nan without one."""
+
+    pressure_min: float
+    pressure_max: float
+    slip_max: float
+
+
+def _ends(law: FrictionLaw) -> _Ends:
+    tested = law.tested
+    if tested is None:
+        return _Ends(math.nan, math.nan, math.nan)
+    return _Ends(tested.pressure_min, tested.pressure_max, tested.slip_max)
+
+
+def read_off(
+    bank: Any,
+    geometry: Geometry,
+    arc: Description,
+    tested: Any,
+    found: Any,
+    steps: int,
+    out: Any,
+    count: int,
+) -> tuple[Summary, Columns]:
+    """Read the numbers and the profile of a solved arc off its records; compiled only."""
+    law, par = law_of(bank, 0), parameters_at(arc.entry_tension, geometry)
+    shot = Shot(
+        found[row.LOG_RATIO],
+        found[row.EXIT_SLIP],
+        found[row.EXIT_CREEP],
+        found[row.EXIT_STRESS],
+        found[row.WORK],
+        found[row.CREEP_RATIO],
+        found[row.STUCK_LENGTH],
+    )
+    solved = Answer(SOLVED, par, 0.0, shot, NO_LAYERS, steps)
+    told = summary_of(law, arc, tested, solved, out, count)
+    return told, columns_of(law, arc, solved, out, count)
 
 
 @dataclass(frozen=True)
@@ -63,16 +98,20 @@ class Compiled:
 
     def solve(self, arc: WrapArc) -> ArcResult:
         """Solve one arc; see `wraparc.arc.Distributed`."""
-        bank, given = _bank(arc.law).arrays, np.array([(*arc.geometry(), *arc.load())])
+        bank, given = _numbers(arc)
         found, out, count = self._operating_point(given, bank)
-        capacities = self._capacities(arc, given, bank) if self.capacities else Capacities()
+        capacities = Capacities()
+        if self.capacities:
+            capacities = capacities_of(arc, _carried(arc, CAPACITIES, self.steps))
         if not count:  # a breakaway: what is left to tell of it is not worth compiling
             plain = Distributed(self.steps, self.points, capacities=False)
             return replace(plain.solve(arc), capacities=capacities)
-        par = parameters_at(arc.entry_tension, arc.geometry())
-        solved = Answer(SOLVED, par, 0.0, Shot(*found[_SHOT,].tolist()), NO_LAYERS, self.steps)
-        records = out[: RECORD * count].tolist()
-        return result_of(self.name, arc, solved, records, count, capacities)
+        told, columns = compiled(read_off)(
+            bank, arc.geometry(), arc.described(), _ends(arc.law), found, self.steps, out, count
+        )
+        if arc.law.tested is None:
+            told = told._replace(outside_tested_share=math.nan)
+        return solved_result(self.name, arc, told, Profile(*columns), capacities)
 
     def _operating_point(self, given: Any, bank: Any) -> tuple[Any, Any, int]:
         """Row of results, profile and its number of records, 0 where the arc is not solved."""
@@ -85,20 +124,24 @@ class Compiled:
             kernel(given, bank, which, wanted, mesh, found, out, _UNKNOWN)
         return found[0], out, count
 
-    def _capacities(self, arc: WrapArc, given: Any, bank: Any) -> Capacities:
-        rows = np.full((1, row.FOUND_NUMBERS), math.nan)
-        rows[0, row.OUTCOME] = SOLVED
-        which, wanted = np.zeros(1, dtype=np.int64), np.array([CAPACITIES], dtype=np.int64)
-        compiled(capacity_rows)(given, bank, which, wanted, self.steps, rows, _UNKNOWN)
-        places = (
-            row.CREEP_CAPACITY,
-            row.SLIP_CAPACITY,
-            row.GROSS_CAPACITY,
-            row.GROSS_CREEP,
-            row.LEAST_SLACK,
-            row.MOST_PULL,
-        )
-        return capacities_of(arc, Carried(*rows[0, places].tolist()))
+
+def largest_log(arc: WrapArc, steps: int) -> float:
+    """Return ln(tight/slack) at gross slip with the tight side held [-]."""
+    return _carried(arc, GROSS_SLIP, steps).gross_slip
+
+
+def _numbers(arc: WrapArc) -> tuple[Any, Any]:
+    """Law and numbers of an arc, as compiled code reads them."""
+    return bank_of(arc.law.compact()), np.array([(*arc.geometry(), *arc.load())])
+
+
+def _carried(arc: WrapArc, parts: int, steps: int) -> Carried:
+    bank, given = _numbers(arc)
+    rows = np.full((1, row.FOUND_NUMBERS), math.nan)
+    rows[0, row.OUTCOME] = SOLVED
+    which, wanted = np.zeros(1, dtype=np.int64), np.array([parts], dtype=np.int64)
+    compiled(capacity_rows)(given, bank, which, wanted, steps, rows, _UNKNOWN)
+    return Carried(*rows[0, _CARRIED].tolist())
 
 
 def prepare() -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -100,6 +101,12 @@ def arrays_of(laws: Sequence[CompactLaw]) -> tuple[Integers, Array, Integers, Ar
     numbers, places = _packed(laws)
     kind = np.array([law.kind for law in laws], dtype=np.int64)
     return kind, numbers, places, np.array([law.onset_compliance for law in laws], dtype=float)
+
+
+@lru_cache(maxsize=64)
+def bank_of(law: CompactLaw) -> tuple[Integers, Array, Integers, Array]:
+    """What of one law a compiled kernel reads, the same arrays for the same law."""
+    return arrays_of([law])
 
 
 def _tested(law: FrictionLaw) -> tuple[float, float, float]:

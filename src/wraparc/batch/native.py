@@ -25,7 +25,7 @@ from typing import Any
 
 from wraparc.errors import MissingExtraError
 
-_KEPT = 96  # folders of compiled code, the newest: five states of the 19 entries there are
+_KEPT = 105  # folders of compiled code, the newest: five states of the 21 entries there are
 _PLAIN = (int, float, str, bool, type(None))
 #: The one switch of what reaches into numba's private parts (`underlay.optimised_once`): set this
 #: variable to 1, and numba compiles in its own way, to the same numbers in twice the time.

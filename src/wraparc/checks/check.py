@@ -35,7 +35,10 @@ class Level(StrEnum):
     @property
     def rank(self) -> int:
         """Place in the order from good to bad; what was not checked decides nothing."""
-        return list(Level).index(self)
+        return _RANKS[self]
+
+
+_RANKS = {level: rank for rank, level in enumerate(Level)}
 
 
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
@@ -240,7 +243,7 @@ class Verdict:
                 worst[check.name] = check
         return tuple(worst.values())
 
-    @property
+    @cached_property
     def missed(self) -> tuple[Check, ...]:
         """The checks of `listed` that are not kept, the worst first."""
         return tuple(sorted((c for c in self.listed if c.missed), key=_badness))

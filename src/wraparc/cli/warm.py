@@ -118,7 +118,7 @@ def _checks() -> None:
 
 
 def _one_by_one() -> None:
-    from wraparc.batch.compiled import prepare
+    from wraparc.checks.compiled import prepare
 
     prepare()
 

@@ -16,7 +16,7 @@ from wraparc.files.across_keys import build_across
 from wraparc.files.conditions import Conditions, at_its_place, condition_of
 from wraparc.files.drive_keys import BELT, CRITERIA, PULLEY
 from wraparc.files.lagging_build import build_laggings
-from wraparc.files.lagging_file import is_path, lagging_record
+from wraparc.files.lagging_file import catalogue_laggings, is_path, lagging_record
 from wraparc.files.lagging_keys import LAGGING_GIVEN
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_sources
@@ -92,8 +92,14 @@ class Laggings:
             return build_laggings(merged, self._report) if merged else ()
         if value in self._built:
             return self._built[str(value)]
-        record = self._found(str(value), place)
-        return build_laggings(record, self._report) if record else ()
+        name = str(value)
+        record = self._found(name, place)
+        if record is None:
+            return ()
+        if is_path(name):
+            return build_laggings(record, self._report)
+        kept = self._report.tried(lambda: catalogue_laggings(name), place, name)
+        return kept or ()
 
     def _found(self, name: str, place: Place) -> Record | None:
         """Return what a name or path stands for, outside the drive file or in it."""

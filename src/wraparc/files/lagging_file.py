@@ -43,7 +43,26 @@ def load_lagging_conditions(
     name_or_path: str | os.PathLike[str], *, allow_paths: bool = True
 ) -> tuple[Lagging, ...]:
     """Return a lagging in every condition of its file, in the order of the file."""
-    return _built(*lagging_record(os.fspath(name_or_path), "", allow_paths))
+    name = os.fspath(name_or_path)
+    if not is_path(name):
+        return catalogue_laggings(name)
+    return _built(*lagging_record(name, "", allow_paths))
+
+
+def catalogue_laggings(name: str) -> tuple[Lagging, ...]:
+    """Return a lagging of the catalogue in every condition; built once, for it is asked for often.
+
+    Raises
+    ------
+    InputError
+        If there is none of the name, or with everything that is wrong with it.
+    """
+    return _catalogue_laggings(name, lagging_text(name))
+
+
+@lru_cache(maxsize=64)
+def _catalogue_laggings(name: str, text: str) -> tuple[Lagging, ...]:
+    return _built(_catalogue_record(name, text), f"catalogue lagging {name}")
 
 
 def lagging_from_text(text: str, *, file: str = "") -> tuple[Lagging, ...]:

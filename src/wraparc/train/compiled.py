@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Any
 
 from wraparc.arc.kernel.effort import shoot_from
 from wraparc.arc.kernel.quantities import NO_SHOT, Parameters, Shot, zeros
-from wraparc.batch.laws import arrays_of, law_of
+from wraparc.batch.laws import bank_of, law_of
 from wraparc.batch.native import available, compiled
 from wraparc.friction.compact import LIMIT, CompactLaw
 
@@ -26,7 +25,7 @@ def shoot(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
     Where tension grows beyond all numbers, that of the shot is not finite.
     """
     if _ready["compiled"]:
-        shot: Shot = compiled(shoot_one)(_bank(law), par, float(z), steps)
+        shot: Shot = compiled(shoot_one)(bank_of(law), par, float(z), steps)
         return shot
     try:
         return shoot_plainly(law, par, z, steps)
@@ -39,16 +38,11 @@ def shoot_plainly(law: CompactLaw, par: Parameters, z: float, steps: int) -> Sho
     return shoot_from(law, par, z, steps, 0, zeros(0))[0]
 
 
-@lru_cache(maxsize=64)
-def _bank(law: CompactLaw) -> Any:
-    return arrays_of([law])
-
-
 def prepare() -> bool:
     """Make or load the compiled march and use it from now on; False where there is no compiler."""
     if available() and not _ready["compiled"]:
         law = CompactLaw(LIMIT, (), (0.5, 1.0, 0.0, 0.0))
         par = Parameters(1e5, 2e5, 0.5, 1.5, 1e-7, 5e-9, 0.0, 1.0, 1.0, 0.0)
-        compiled(shoot_one)(_bank(law), par, 1.0, 8)
+        compiled(shoot_one)(bank_of(law), par, 1.0, 8)
         _ready["compiled"] = True
     return _ready["compiled"]

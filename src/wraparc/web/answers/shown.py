@@ -118,12 +118,15 @@ class Profile(Answer):
     sliding: Numbers
 
     @classmethod
-    def of(cls, profile: ArcProfile, most: int = 0) -> Self:
+    def of(cls, profile: ArcProfile, most: int = 0) -> "Profile":
         """Return a profile, of at most so many points if said, both ends included."""
         kept: Any = slice(None)
         if 0 < most < len(profile):
             kept = np.unique(np.linspace(0, len(profile) - 1, most).round().astype(int))
-        return cls(**{name: rounded(column[kept]) for name, column in profile.columns()})
+        names, columns = zip(*profile.columns(), strict=True)
+        rows = rounded([column[kept] for column in columns])
+        # numbers of our own: to check each again takes longer than to solve the arc
+        return cls.model_construct(**dict(zip(names, rows, strict=True)))
 
 
 class Tested(Answer):
@@ -207,8 +210,6 @@ def finite(value: float) -> float | None:
 def rounded(values: Any, digits: int = 6) -> list[Any]:
     """Return numbers of an array with so many significant digits; None for what is not finite."""
     array = np.asarray(values, float)
-    if array.ndim > 1:
-        return [rounded(row, digits) for row in array]
     with np.errstate(divide="ignore", invalid="ignore"):
         power = np.floor(np.log10(np.abs(array)))
     power = np.where(np.isfinite(power), power, 0.0)
@@ -216,7 +217,10 @@ def rounded(values: Any, digits: int = 6) -> list[Any]:
     shift = np.clip(digits - 1 - power, -300, 300)
     up = 10.0 ** np.maximum(shift, 0.0)
     down = 10.0 ** np.maximum(-shift, 0.0)
-    return [finite(v) for v in (np.round(array * up / down) / up * down).tolist()]
+    found = np.round(array * up / down) / up * down
+    told: Any = np.where(np.isfinite(found), found, cast(Any, None))
+    plain: list[Any] = told.tolist()
+    return plain
 
 
 def plain(value: Any) -> Any:

@@ -5151,6 +5151,7 @@ export function summary__summary_of(law, arc, tested, found, out, count) {
   let lost = work + kept;
   let speed = g < 1.0 ? arc.belt_speed / (1.0 - g) : NaN;
   let part = Math.abs(pull) > 1e-6 * arc.entry_tension ? (arc.width * lost) / Math.abs(pull) : NaN;
+  let efficiency = pull > 0.0 ? 1.0 - part : 1.0 / (1.0 + part);
   return new Summary(
     entry,
     exit_tension,
@@ -5175,7 +5176,7 @@ export function summary__summary_of(law, arc, tested, found, out, count) {
     speed * arc.width * work,
     speed * arc.width * kept,
     speed * arc.width * lost,
-    pull > 0.0 ? 1.0 - part : 1.0 / (1.0 + part),
+    efficiency,
     work,
     1000000.0 * arc.wear_coefficient * work,
     Math.abs(arc.width * lost - exact) /
