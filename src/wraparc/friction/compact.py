@@ -181,6 +181,8 @@ def friction_at(
         friction is held, above the highest the traction mu p is held.
     """
     kind, edges, c = law.kind, law.edges, law.coefficients
+    if kind == TABLE:
+        return _table(law, segment, branch, slip, pressure)
     last = len(edges) - 1
     if kind == KNOTS and branch == RISE and 0 <= segment < last:
         # the common case, written out: `peak` and the formula below in one go
@@ -229,11 +231,9 @@ def friction_at(
         mu_x = 1.0 / (c[3] * pressure)
         mu = slip * mu_x
         return mu, mu_x, -mu / pressure
-    elif kind == LIMIT:
+    else:
         mu_x = 0.0
         mu, mu_p = _limit(c, at)
-    else:
-        mu, mu_x, mu_p = _table(law, segment, branch, slip, pressure)
     return _held(law, segment, pressure, mu, mu_x, mu_p)
 
 
@@ -276,11 +276,11 @@ def table_at(
     law: CompactLaw, segment: int, slip: float, pressure: float
 ) -> tuple[float, float, float]:
     """Friction of a measured table at any slip [m], with its derivatives as of `friction_at`."""
-    mu, mu_x, mu_p = _table(law, segment, _cell(law.slips, slip), slip, pressure)
-    return _held(law, segment, pressure, mu, mu_x, mu_p)
+    return _table(law, segment, cell_of(law.slips, slip), slip, pressure)
 
 
-def _cell(slips: Floats, slip: float) -> int:
+def cell_of(slips: Floats, slip: float) -> int:
+    """Cell of a table that a slip [m] lies in; the last one has no end."""
     cell = 0
     while cell < len(slips) - 1 and slip >= slips[cell + 1]:
         cell += 1
@@ -295,25 +295,31 @@ def _table(
     Well outside its cell a cubic goes on along its tangent: its own course knows no bounds.
     """
     edges, c, slips = law.edges, law.coefficients, law.slips
-    last = len(edges) - 1
-    cells = len(slips)  # the last cell is the constant past the last slip
-    t = slip - slips[branch]
-    at = t
-    if branch < cells - 1:
+    last, cells = len(edges) - 1, len(slips)
+    t = at = slip - slips[branch]
+    if branch < cells - 1:  # the last cell is the constant past the last slip
         cell = slips[branch + 1] - slips[branch]
-        at = min(max(t, -BEYOND_CELL * cell), (1.0 + BEYOND_CELL) * cell)
-    if last <= 0 or segment < 0:
-        mu, mu_x = _cubic(c, 4 * branch, at)
-        return mu + mu_x * (t - at), mu_x, 0.0
-    if segment >= last:
-        mu, mu_x = _cubic(c, 4 * (last * cells + branch), at)
-        return mu + mu_x * (t - at), mu_x, 0.0
-    low, low_x = _cubic(c, 4 * (segment * cells + branch), at)
-    high, high_x = _cubic(c, 4 * ((segment + 1) * cells + branch), at)
-    low, high = low + low_x * (t - at), high + high_x * (t - at)
+        if t > (1.0 + BEYOND_CELL) * cell:
+            at = (1.0 + BEYOND_CELL) * cell
+        elif t < -BEYOND_CELL * cell:
+            at = -BEYOND_CELL * cell
+    row = last if segment >= last else segment
+    o = 4 * (max(row, 0) * cells + branch)
+    c1, c2, c3 = c[o + 1], c[o + 2], c[o + 3]
+    mu_x = c1 + at * (2.0 * c2 + 3.0 * at * c3)
+    mu = c[o] + at * (c1 + at * (c2 + at * c3)) + mu_x * (t - at)
+    if segment < 0 or last < 0:
+        return mu, mu_x, 0.0
+    if segment >= last:  # the traction is held
+        factor = edges[last] / pressure
+        return mu * factor, mu_x * factor, -mu * factor / pressure
+    o += 4 * cells
+    c1, c2, c3 = c[o + 1], c[o + 2], c[o + 3]
+    high_x = c1 + at * (2.0 * c2 + 3.0 * at * c3)
+    higher = c[o] + at * (c1 + at * (c2 + at * c3)) + high_x * (t - at) - mu
     width = edges[segment + 1] - edges[segment]
     w = (pressure - edges[segment]) / width
-    return low + w * (high - low), low_x + w * (high_x - low_x), (high - low) / width
+    return mu + w * higher, mu_x + w * (high_x - mu_x), higher / width
 
 
 def branch_of(law: CompactLaw, segment: int, slip: float, pressure: float) -> int:
@@ -323,7 +329,7 @@ def branch_of(law: CompactLaw, segment: int, slip: float, pressure: float) -> in
         limit = plateau_at(law, segment, pressure) * pressure
         return ELASTIC if c[3] > 0.0 and slip < c[3] * limit else PLASTIC
     if kind == TABLE:
-        return _cell(slips, slip)
+        return cell_of(slips, slip)
     slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
     if slip <= slip_pk:
         return RISE

@@ -21,10 +21,12 @@ from wraparc.arc.kernel.butcher import (
 )
 from wraparc.arc.kernel.quantities import Parameters
 from wraparc.arc.kernel.step import MESH_POWER, pressure_at
+from wraparc.arc.kernel.table_slip import slip_under_table
 from wraparc.friction.compact import (
     KNOTS,
     PIECES,
     SMALLEST,
+    TABLE,
     CompactLaw,
     branch_of,
     friction_at,
@@ -46,6 +48,8 @@ def _slip_near(law: CompactLaw, par: Parameters, creep: float, q: float, share: 
     p = pressure_at(par, q)
     shear = par.shear
     segment = segment_of(law, p)
+    if law.kind == TABLE:
+        return slip_under_table(law, segment, shear * p, p, creep, share)[1]
     low, high = 0.0, creep
     x = share * creep if share > 0.0 else creep
     if share == 1.0 and law.kind in (KNOTS, PIECES):

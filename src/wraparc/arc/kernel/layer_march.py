@@ -23,12 +23,14 @@ from wraparc.arc.kernel.butcher import (
     to_third,
 )
 from wraparc.arc.kernel.quantities import Buffer, Parameters
+from wraparc.arc.kernel.table_slip import slip_under_table
 from wraparc.friction.compact import (
     KNOTS,
     LIMIT,
     PIECES,
     PLASTIC,
     SMALLEST,
+    TABLE,
     CompactLaw,
     branch_of,
     friction_at,
@@ -75,18 +77,26 @@ def _slip_and_friction(
     `share` is a first guess of slip over creep.
     """
     segment = segment_of(law, pressure)
-    x = share * creep
+    if law.kind == TABLE:
+        return slip_under_table(law, segment, ease, pressure, creep, share)
     if law.kind in (KNOTS, PIECES):
         slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
         if segment >= len(law.edges) - 1 >= 0:
             mu_pk *= law.edges[len(law.edges) - 1] / pressure
         if creep <= slip_pk + ease * mu_pk:
             return _on_the_rise(slip_pk, mu_pk, ease, creep, share)
-    if ease > 0.0:
+    if law.kind == LIMIT and ease > 0.0 and law.coefficients[3] == 0.0:
         # a law that starts with a jump holds the belt: the lagging alone gives way
-        held, _, _ = friction_at(law, segment, PLASTIC if law.kind == LIMIT else 0, 0.0, pressure)
-        if (law.kind != LIMIT or law.coefficients[3] == 0.0) and creep <= ease * held:
+        held, _, _ = friction_at(law, segment, PLASTIC, 0.0, pressure)
+        if creep <= ease * held:
             return creep / ease, 0.0
+    return _past_the_rise(law, segment, ease, pressure, creep, share * creep)
+
+
+def _past_the_rise(
+    law: CompactLaw, segment: int, ease: float, pressure: float, creep: float, x: float
+) -> tuple[float, float]:
+    """The same past a peak, and under a law with a limit; `x` is a first guess of the slip [m]."""
     low, high = 0.0, creep
     mu = 0.0
     for _ in range(60):

@@ -128,12 +128,16 @@ def _down(
     """
     floor = log(pull) if geometry.side > 0.0 else -inf  # no belt pulls more than its tight side
     low, p_low = high, p_high
+    step, slope = inf, 1.0
     while p_low >= pull:
-        # where little tension is left, the pull goes with it
-        high, p_high, low = low, p_low, low - 1.2 * log(p_low / pull) - 0.02
+        # where little tension is left, the pull goes with it; before that it falls more slowly
+        step = min(1.2 * log(p_low / pull) / slope + 0.02, 2.0 * step)
+        high, p_high, low = low, p_low, low - step
         if low <= floor:
             return floor, 0.5 * pull, high, p_high, guess
         p_low, guess = _pull(law, geometry, exp(low), limit, guess, MEET_STEPS)
+        if p_low >= pull:
+            slope = max(min(log(p_high / p_low) / step, 1.0), 1e-3)
     return low, p_low, high, p_high, guess
 
 

@@ -749,6 +749,7 @@ const OVERRUN = 1.25;
 const LIMIT = 0;
 const TABLE = 3;
 const PLASTIC = 1;
+const BEYOND_CELL = 0.1;
 const KNOTS = 1;
 const RISE = 0;
 const KNOT_STRIDE = 16;
@@ -757,12 +758,12 @@ const PIECES = 2;
 const PIECE_STRIDE = 25;
 const LINE = 1;
 const ELASTIC = 0;
-const BEYOND_CELL = 0.1;
 const STEPS = 24;
 const LEAST_COMPLIANCE = 1e-16;
 const TENSION = 0;
 const STEP_TOLERANCE = 1e-9;
 const NO_LAYERS = new Layers(false, NaN, NaN, NaN, NaN, NaN, NaN, NaN, NaN, NaN);
+const _MOST_TRIALS = 200;
 const RESIDUAL = 2;
 const FLOOR = 1e-9;
 const NEARBY = 8;
@@ -985,6 +986,48 @@ export function compact__segment_of(law, pressure) {
   return low;
 }
 
+/** A measured table: a cubic in slip for each pressure, blended linearly in pressure. */
+export function compact___table(law, segment, branch, slip, pressure) {
+  let at, cell, factor, t;
+  let edges = law.edges;
+  let c = law.coefficients;
+  let slips = law.slips;
+  let last = edges.length - 1;
+  let cells = slips.length;
+  t = at = slip - slips[branch];
+  if (branch < cells - 1) {
+    cell = slips[branch + 1] - slips[branch];
+    if (t > (1.0 + BEYOND_CELL) * cell) {
+      at = (1.0 + BEYOND_CELL) * cell;
+    } else if (t < -BEYOND_CELL * cell) {
+      at = -BEYOND_CELL * cell;
+    }
+  }
+  let row = segment >= last ? last : segment;
+  let o = 4 * (max(row, 0) * cells + branch);
+  let c1 = c[o + 1];
+  let c2 = c[o + 2];
+  let c3 = c[o + 3];
+  let mu_x = c1 + at * (2.0 * c2 + 3.0 * at * c3);
+  let mu = c[o] + at * (c1 + at * (c2 + at * c3)) + mu_x * (t - at);
+  if (segment < 0 || last < 0) {
+    return [mu, mu_x, 0.0];
+  }
+  if (segment >= last) {
+    factor = edges[last] / pressure;
+    return [mu * factor, mu_x * factor, (-mu * factor) / pressure];
+  }
+  o += 4 * cells;
+  c1 = c[o + 1];
+  c2 = c[o + 2];
+  c3 = c[o + 3];
+  let high_x = c1 + at * (2.0 * c2 + 3.0 * at * c3);
+  let higher = c[o] + at * (c1 + at * (c2 + at * c3)) + high_x * (t - at) - mu;
+  let width = edges[segment + 1] - edges[segment];
+  let w = (pressure - edges[segment]) / width;
+  return [mu + w * higher, mu_x + w * (high_x - mu_x), higher / width];
+}
+
 /** Value and derivative of the cubic with coefficients c[o:o+4] at t. */
 export function compact___cubic(c, o, t) {
   let a1 = c[o + 1];
@@ -1110,44 +1153,6 @@ export function compact___limit(c, pressure) {
   return [mu, (-c[2] * mu) / at];
 }
 
-/** A measured table: a cubic in slip for each pressure, blended linearly in pressure. */
-export function compact___table(law, segment, branch, slip, pressure) {
-  let cell, mu, mu_x;
-  let edges = law.edges;
-  let c = law.coefficients;
-  let slips = law.slips;
-  let last = edges.length - 1;
-  let cells = slips.length;
-  let t = slip - slips[branch];
-  let at = t;
-  if (branch < cells - 1) {
-    cell = slips[branch + 1] - slips[branch];
-    at = min(max(t, -BEYOND_CELL * cell), (1.0 + BEYOND_CELL) * cell);
-  }
-  if (last <= 0 || segment < 0) {
-    const found1 = compact___cubic(c, 4 * branch, at);
-    mu = found1[0];
-    mu_x = found1[1];
-    return [mu + mu_x * (t - at), mu_x, 0.0];
-  }
-  if (segment >= last) {
-    const found2 = compact___cubic(c, 4 * (last * cells + branch), at);
-    mu = found2[0];
-    mu_x = found2[1];
-    return [mu + mu_x * (t - at), mu_x, 0.0];
-  }
-  const found3 = compact___cubic(c, 4 * (segment * cells + branch), at);
-  let low = found3[0];
-  let low_x = found3[1];
-  const found4 = compact___cubic(c, 4 * ((segment + 1) * cells + branch), at);
-  let high = found4[0];
-  let high_x = found4[1];
-  [low, high] = [low + low_x * (t - at), high + high_x * (t - at)];
-  let width = edges[segment + 1] - edges[segment];
-  let w = (pressure - edges[segment]) / width;
-  return [low + w * (high - low), low_x + w * (high_x - low_x), (high - low) / width];
-}
-
 /** Friction held below the tested pressures, the traction held above them. */
 export function compact___held(law, segment, pressure, mu, mu_x, mu_p) {
   let factor;
@@ -1190,6 +1195,9 @@ export function compact__friction_at(law, segment, branch, slip, pressure) {
   let kind = law.kind;
   let edges = law.edges;
   let c = law.coefficients;
+  if (kind === TABLE) {
+    return compact___table(law, segment, branch, slip, pressure);
+  }
   let last = edges.length - 1;
   if (kind === KNOTS && branch === RISE && 0 <= segment && segment < last) {
     o = segment * KNOT_STRIDE;
@@ -1254,16 +1262,11 @@ export function compact__friction_at(law, segment, branch, slip, pressure) {
     mu_x = 1.0 / (c[3] * pressure);
     mu = slip * mu_x;
     return [mu, mu_x, -mu / pressure];
-  } else if (kind === LIMIT) {
+  } else {
     mu_x = 0.0;
     const found3 = compact___limit(c, at);
     mu = found3[0];
     mu_p = found3[1];
-  } else {
-    const found4 = compact___table(law, segment, branch, slip, pressure);
-    mu = found4[0];
-    mu_x = found4[1];
-    mu_p = found4[2];
   }
   return compact___held(law, segment, pressure, mu, mu_x, mu_p);
 }
@@ -1392,6 +1395,83 @@ export function stick__holds(law, par, length, end_creep) {
   return true;
 }
 
+/** Cell of a table that a slip [m] lies in; the last one has no end. */
+export function compact__cell_of(slips, slip) {
+  let cell = 0;
+  while (cell < slips.length - 1 && slip >= slips[cell + 1]) {
+    cell += 1;
+  }
+  return cell;
+}
+
+/** Friction mu [-] and slip x [m] with x + ease mu(x, p) = creep (Newton, inside a bracket). */
+export function table_slip__slip_under_table(law, segment, ease, pressure, creep, share) {
+  let a0, a1, a2, a3, change, found, i, j, miss, mu, mu_x, slope, start, t, trial;
+  let edges = law.edges;
+  let c = law.coefficients;
+  let slips = law.slips;
+  let last = edges.length - 1;
+  let cells = slips.length;
+  let row = 0;
+  let above = 0;
+  let weight = 0.0;
+  let factor = 1.0;
+  if (last >= 0 && segment >= last) {
+    row = last;
+    factor = edges[last] / pressure;
+  } else if (segment >= 0) {
+    row = segment;
+    above = 4 * cells;
+    weight = (pressure - edges[segment]) / (edges[segment + 1] - edges[segment]);
+  }
+  let o = 4 * row * cells;
+  ease *= factor;
+  let held = c[o] + weight * (c[o + above] - c[o]);
+  if (ease > 0.0 && creep <= ease * held) {
+    return [(factor * creep) / ease, 0.0];
+  }
+  let low = 0.0;
+  let high = creep;
+  let x = share > 0.0 ? share * creep : creep;
+  let cell = -1;
+  start = a0 = a1 = a2 = a3 = 0.0;
+  mu = mu_x = change = 0.0;
+  for (let each1 = 0, end1 = _MOST_TRIALS; each1 < end1; each1++) {
+    found = compact__cell_of(slips, x);
+    if (found !== cell) {
+      cell = found;
+      start = slips[found];
+      i = o + 4 * cell;
+      j = i + above;
+      a0 = c[i] + weight * (c[j] - c[i]);
+      a1 = c[i + 1] + weight * (c[j + 1] - c[i + 1]);
+      a2 = c[i + 2] + weight * (c[j + 2] - c[i + 2]);
+      a3 = c[i + 3] + weight * (c[j + 3] - c[i + 3]);
+    }
+    t = x - start;
+    mu = a0 + t * (a1 + t * (a2 + t * a3));
+    mu_x = a1 + t * (2.0 * a2 + 3.0 * t * a3);
+    miss = x + ease * mu - creep;
+    if (miss > 0.0) {
+      high = x;
+    } else {
+      low = x;
+    }
+    slope = 1.0 + ease * mu_x;
+    trial = slope > 0.0 ? x - miss / slope : low;
+    change = trial - x;
+    if (Math.abs(change) > 1e-15 * x && !(low < trial && trial < high)) {
+      trial = 0.5 * (low + high);
+      change = trial - x;
+    }
+    if (Math.abs(change) <= 1e-15 * x) {
+      break;
+    }
+    x = trial;
+  }
+  return [factor * (mu + mu_x * change), x + change];
+}
+
 /** The same before the peak of an integral-log law: r (1 + k (1 - ln r)) = w. */
 export function layer_march___on_the_rise(slip_pk, mu_pk, ease, creep, share) {
   let change, lr;
@@ -1443,14 +1523,6 @@ export function compact__plateau_at(law, segment, pressure) {
   return best;
 }
 
-export function compact___cell(slips, slip) {
-  let cell = 0;
-  while (cell < slips.length - 1 && slip >= slips[cell + 1]) {
-    cell += 1;
-  }
-  return cell;
-}
-
 /** Branch that holds at a magnitude of slip [m] and a pressure [Pa]. */
 export function compact__branch_of(law, segment, slip, pressure) {
   let limit, mu_pk, residual, slip_pk, slope;
@@ -1462,7 +1534,7 @@ export function compact__branch_of(law, segment, slip, pressure) {
     return c[3] > 0.0 && slip < c[3] * limit ? ELASTIC : PLASTIC;
   }
   if (kind === TABLE) {
-    return compact___cell(slips, slip);
+    return compact__cell_of(slips, slip);
   }
   const found1 = compact__peak(law, segment, pressure);
   slip_pk = found1[0];
@@ -1479,43 +1551,17 @@ export function compact__branch_of(law, segment, slip, pressure) {
   return LINE;
 }
 
-/** Friction [-] and slip x [m] with x + ease mu(x) = creep (Newton, inside a bracket). */
-export function layer_march___slip_and_friction(law, ease, pressure, creep, share) {
-  let branch, held, miss, mu_pk, mu_x, slip_pk, slope;
-  let segment = compact__segment_of(law, pressure);
-  let x = share * creep;
-  if (law.kind === KNOTS || law.kind === PIECES) {
-    const found1 = compact__peak(law, segment, pressure);
-    slip_pk = found1[0];
-    mu_pk = found1[1];
-    if (segment >= law.edges.length - 1 && law.edges.length - 1 >= 0) {
-      mu_pk *= law.edges[law.edges.length - 1] / pressure;
-    }
-    if (creep <= slip_pk + ease * mu_pk) {
-      return layer_march___on_the_rise(slip_pk, mu_pk, ease, creep, share);
-    }
-  }
-  if (ease > 0.0) {
-    const found2 = compact__friction_at(
-      law,
-      segment,
-      law.kind === LIMIT ? PLASTIC : 0,
-      0.0,
-      pressure,
-    );
-    held = found2[0];
-    if ((law.kind !== LIMIT || law.coefficients[3] === 0.0) && creep <= ease * held) {
-      return [creep / ease, 0.0];
-    }
-  }
+/** The same past a peak, and under a law with a limit; `x` is a first guess of the slip [m]. */
+export function layer_march___past_the_rise(law, segment, ease, pressure, creep, x) {
+  let branch, miss, mu_x, slope;
   let low = 0.0;
   let high = creep;
   let mu = 0.0;
-  for (let each3 = 0, end3 = 60; each3 < end3; each3++) {
+  for (let each1 = 0, end1 = 60; each1 < end1; each1++) {
     branch = compact__branch_of(law, segment, x, pressure);
-    const found4 = compact__friction_at(law, segment, branch, x, pressure);
-    mu = found4[0];
-    mu_x = found4[1];
+    const found2 = compact__friction_at(law, segment, branch, x, pressure);
+    mu = found2[0];
+    mu_x = found2[1];
     miss = x + ease * mu - creep;
     if (Math.abs(miss) <= 1e-13 * creep || high - low <= 1e-14 * creep) {
       break;
@@ -1532,6 +1578,34 @@ export function layer_march___slip_and_friction(law, ease, pressure, creep, shar
     }
   }
   return [mu, x];
+}
+
+/** Friction [-] and slip x [m] with x + ease mu(x) = creep (Newton, inside a bracket). */
+export function layer_march___slip_and_friction(law, ease, pressure, creep, share) {
+  let held, mu_pk, slip_pk;
+  let segment = compact__segment_of(law, pressure);
+  if (law.kind === TABLE) {
+    return table_slip__slip_under_table(law, segment, ease, pressure, creep, share);
+  }
+  if (law.kind === KNOTS || law.kind === PIECES) {
+    const found1 = compact__peak(law, segment, pressure);
+    slip_pk = found1[0];
+    mu_pk = found1[1];
+    if (segment >= law.edges.length - 1 && law.edges.length - 1 >= 0) {
+      mu_pk *= law.edges[law.edges.length - 1] / pressure;
+    }
+    if (creep <= slip_pk + ease * mu_pk) {
+      return layer_march___on_the_rise(slip_pk, mu_pk, ease, creep, share);
+    }
+  }
+  if (law.kind === LIMIT && ease > 0.0 && law.coefficients[3] === 0.0) {
+    const found2 = compact__friction_at(law, segment, PLASTIC, 0.0, pressure);
+    held = found2[0];
+    if (creep <= ease * held) {
+      return [creep / ease, 0.0];
+    }
+  }
+  return layer_march___past_the_rise(law, segment, ease, pressure, creep, share * creep);
 }
 
 /** Shear stress [Pa] and slip [m] at a creep and a tension. */
@@ -2309,6 +2383,9 @@ export function creep_step___slip_near(law, par, creep, q, share) {
   let p = step__pressure_at(par, q);
   let shear = par.shear;
   let segment = compact__segment_of(law, p);
+  if (law.kind === TABLE) {
+    return table_slip__slip_under_table(law, segment, shear * p, p, creep, share)[1];
+  }
   let low = 0.0;
   let high = creep;
   let x = share > 0.0 ? share * creep : creep;
@@ -5612,14 +5689,20 @@ export function least_slack___down(law, geometry, pull, limit, high, p_high, gue
   let floor = geometry.side > 0.0 ? Math.log(pull) : -Infinity;
   let low = high;
   let p_low = p_high;
+  let step = Infinity;
+  let slope = 1.0;
   while (p_low >= pull) {
-    [high, p_high, low] = [low, p_low, low - 1.2 * Math.log(p_low / pull) - 0.02];
+    step = min((1.2 * Math.log(p_low / pull)) / slope + 0.02, 2.0 * step);
+    [high, p_high, low] = [low, p_low, low - step];
     if (low <= floor) {
       return [floor, 0.5 * pull, high, p_high, guess];
     }
     const found1 = least_slack___pull(law, geometry, Math.exp(low), limit, guess, MEET_STEPS);
     p_low = found1[0];
     guess = found1[1];
+    if (p_low >= pull) {
+      slope = max(min(Math.log(p_high / p_low) / step, 1.0), 0.001);
+    }
   }
   return [low, p_low, high, p_high, guess];
 }
