@@ -373,7 +373,7 @@ def test_what_is_displayed_can_be_read_back(
 @pytest.mark.parametrize(
     ("value", "dimension", "si", "us"),
     [
-        (150e3, "force", "150 kN", "33.7 klbf"),
+        (150e3, "force", "150 kN", "33700 lbf"),
         (12.96e6, "force_per_width", "12960 kN/m", "74000 PIW"),
         (0.00635, "length", "6.35 mm", "0.25 in"),
         (1.2, "length", "1200 mm", "47.2 in"),
@@ -389,12 +389,12 @@ def test_what_is_displayed_can_be_read_back(
         (293.15, "temperature", "20 degC", "68 degF"),
         (5e-14, "wear_coefficient", "5.00e-05 mm3/J", "4.14e-09 in3/(ft lbf)"),
         (0.35, "number", "0.35", "0.35"),
-        (417.5e3, "force", "417.5 kN", "93.9 klbf"),  # given, it is shown whole
-        (417.53e3, "force", "418 kN", "93.9 klbf"),
+        (417.5e3, "force", "417.5 kN", "93900 lbf"),  # given, it is shown whole
+        (417.53e3, "force", "418 kN", "93900 lbf"),
         (107.287e6, "force_per_width", "107000 kN/m", "613000 PIW"),
         (0.0, "force", "0 kN", "0 lbf"),
         (-0.0, "force", "0 kN", "0 lbf"),
-        (-150e3, "force", "-150 kN", "-33.7 klbf"),
+        (-150e3, "force", "-150 kN", "-33700 lbf"),
         (math.inf, "length", "inf mm", "inf in"),
         (math.nan, "length", "nan mm", "nan in"),
     ],

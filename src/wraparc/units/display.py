@@ -47,7 +47,7 @@ _SI: dict[Dimension, _Row] = {
 
 _US: dict[Dimension, _Row] = _SI | {
     "length": ("in", ((400, "ft"),)),
-    "force": ("lbf", ((10_000, "klbf"),)),
+    "force": ("lbf", ()),
     "force_per_width": ("PIW", ()),
     "spring_rate": ("lbf/in", ()),
     "pressure": ("psi", ((10_000, "ksi"),)),

@@ -54,7 +54,6 @@ export const LARGER_SI = { length: [10, "m"], pressure: [1e7, "MPa"] };
 /** @type {Record<string, [number, string]>} */
 export const LARGER_US = {
   length: [10.16, "ft"],
-  force: [44482.2, "klbf"],
   pressure: [6.8948e7, "ksi"],
 };
 /**
