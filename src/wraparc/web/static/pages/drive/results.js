@@ -1,6 +1,6 @@
 // The answer: the governing verdict, the arc that is chosen, its pictures and tables.
 
-import { app, caseNames, look, redraw } from "../../base/design.js";
+import { app, caseNames, look } from "../../base/design.js";
 import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
 import { badge, list, table, verdict } from "../../parts/answers.js";
@@ -12,17 +12,6 @@ import { besides, Pictures, QUANTITIES } from "./pictures.js";
 import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, FullArc, QuickAnswer } from "../../types.d.ts" */
-
-/** What can be asked and done beside the answer, fetched behind the first one. */
-let beside = /** @type {typeof import("./questions.js") | null} */ (null);
-document.addEventListener(
-  "complete",
-  async () => {
-    beside ??= await import("./questions.js");
-    redraw();
-  },
-  { once: true },
-);
 
 /**
  * @typedef {{quantity: string, part: number}} ResultsState
@@ -60,9 +49,9 @@ export class Results extends Component {
       this.bySource?.draw(arc);
     }
     this.pictures.at(arc, part);
-    if (beside && !this.bySource) {
-      this.pictures.name(beside.named);
-      this.bySource = new beside.BySource(this.budget.current);
+    if (answer.beside && !this.bySource) {
+      this.pictures.name(answer.beside.named);
+      this.bySource = new answer.beside.BySource(this.budget.current);
       this.bySource.draw(arc);
     }
     this.painted(arc);
@@ -75,12 +64,13 @@ export class Results extends Component {
     this.drawn = [arc];
   }
   render() {
-    const { quick: arc, problems, slow, foreign } = answer;
+    const { quick: arc, problems, slow, foreign, awaited, beside } = answer;
     const refused = problems.length > 0;
-    const cls = `results${refused ? " refused" : ""}${slow ? " waiting" : ""}`;
+    const waits = (awaited || !arc) && !refused && !app.gone;
+    const cls = ["results", refused && "refused", slow && "waiting", waits && "awaited"];
     return h(
       "div",
-      { class: cls, id: "results" },
+      { class: cls.filter(Boolean).join(" "), id: "results" },
       h(
         "div",
         { class: "pick" },
@@ -91,7 +81,7 @@ export class Results extends Component {
       h("div", { role: "alert" }, refused && whatIsWrong(!foreign && arc !== null)),
       h(
         "div",
-        { class: "answer", hidden: !arc || (refused && foreign) },
+        { class: "answer", hidden: !arc || awaited || (refused && foreign) },
         arc && top(arc),
         beside?.bars((known() || answer.full)?.bars),
         beside?.questions(),
@@ -156,7 +146,7 @@ export class Results extends Component {
       "section",
       { class: "card", "aria-label": "Along the wrap", key: "along", hidden: !solved },
       h("h2", {}, "Along the wrap"),
-      h("div", { key: "pins" }, arc && solved && beside?.pins(arc)),
+      h("div", { key: "pins" }, arc && solved && answer.beside?.pins(arc)),
       h("div", { class: "plots", ref: this.plots, key: "plots" }),
     );
   }
@@ -243,12 +233,12 @@ function verdicts(arc) {
       ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
       worse && worse.level !== arc.level && [` Pulley ${worse.pulley}: `, badge(worse.level), "."],
       " ",
-      known() && !all && beside?.raiseAlone(wholeArc()),
+      known() && !all && answer.beside?.raiseAlone(wholeArc()),
     ),
   );
   if (known() && full)
     return [
-      h("div", { key: "governing" }, verdict(full.verdict, null, beside?.raise(all))),
+      h("div", { key: "governing" }, verdict(full.verdict, null, answer.beside?.raise(all))),
       several && own,
       whole() &&
         h("p", { class: "away", role: "status", key: "spoken" }, words(full.verdict.headline)),

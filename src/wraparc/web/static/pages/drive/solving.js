@@ -1,5 +1,5 @@
 // Answers: one arc while the hand moves, by the page itself where it can; all once it rests.
-import { app, redraw } from "../../base/design.js";
+import { app, caseNames, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
 import { mark } from "../../parts/problems.js";
 
@@ -19,6 +19,10 @@ export const answer = {
   slow: false,
   /** Whether the answers are of a design that was there before the present one was opened. */
   foreign: true,
+  /** Whether the whole of a design just opened is waited for, so that nothing jumps. */
+  awaited: true,
+  /** What can be asked and done beside the answer, fetched with the first whole one. */
+  beside: /** @type {typeof import("./questions.js") | null} */ (null),
   /** The whole as the page itself judges it. */
   judged: /** @type {FullAnswer | null} */ (null),
   judgedDoc: /** @type {Design | null} */ (null),
@@ -59,6 +63,8 @@ let busy = false;
 let wanted = false;
 
 const POINTS = 120;
+/** Most arcs whose whole answer comes close enough behind the first to be waited for. */
+const FEW = 9;
 /** What the server solved last: the page moves numbers from there.
  * @type {{doc: Design, answer: QuickAnswer, pulley: number, case: string} | null} */
 let base = null;
@@ -76,6 +82,7 @@ export function solve() {
   if (app.opened !== openedAs) {
     openedAs = app.opened;
     answer.foreign = true;
+    answer.awaited = app.doc.pulley.length * caseNames(app.doc).length <= FEW;
   }
   const found =
     base && !answer.foreign && own?.ownAnswer(base, POINTS, answer.judged && answer.quick);
@@ -87,7 +94,8 @@ export function solve() {
   } else quick();
   if (documentChanged) {
     document.documentElement.classList.add("stale");
-    complete();
+    if (answer.awaited) complete();
+    else completeLater();
   }
 }
 /** The server's word on what the page answered itself, once the hand rests. */
@@ -161,20 +169,26 @@ function told(problems) {
 
 /** @type {AbortController | null} */
 let stop = null;
-const complete = later(250, async () => {
+async function complete() {
   stop?.abort();
   stop = new AbortController();
   const doc = app.doc;
   try {
     const how = { points: 180, sequence: ++sequence, prepared: true };
+    const beside = import("./questions.js");
     const found = await ask("solve", { document: doc, ...how }, { signal: stop.signal });
+    answer.beside = await beside;
     if (doc !== app.doc) return;
     own?.compare(found);
-    Object.assign(answer, { full: found, fullDoc: doc });
+    Object.assign(answer, { full: found, fullDoc: doc, awaited: false });
     settle();
     redraw();
     document.dispatchEvent(new CustomEvent("complete"));
   } catch (x) {
-    if (!aborted(x) && !app.gone) refusal(x);
+    if (aborted(x)) return;
+    answer.awaited = false;
+    redraw();
+    if (!app.gone) refusal(x);
   }
-});
+}
+const completeLater = later(250, complete);

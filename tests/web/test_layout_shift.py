@@ -1,0 +1,56 @@
+"""What is read does not jump: load shift of the first page, as the browser counts it (CLS)."""
+
+import pytest
+from playwright.sync_api import Route, ViewportSize
+
+from web.browser import DESKTOP, PHONE, Calculator, Visitor
+from web.calculators import API, TOKEN, document, wait_for
+
+#: Sum of all shifts that no input explains; the script runs before the page.
+_COUNT = """() => {
+  window.shift = 0;
+  new PerformanceObserver((seen) => {
+    for (const e of seen.getEntries()) if (!e.hadRecentInput) window.shift += e.value;
+  }).observe({ type: "layout-shift", buffered: true });
+}"""
+#: Largest sum that users do not notice by far: https://web.dev/articles/cls says 0.1.
+MOST = 0.02
+
+
+@pytest.mark.parametrize("first", ["solve", "solve/fast"])
+@pytest.mark.parametrize("size", [DESKTOP, {"width": 1024, "height": 768}, PHONE])
+def test_nothing_jumps_while_the_first_page_loads(
+    calculator: Calculator, size: ViewportSize, first: str
+) -> None:
+    # whichever of both answers comes first: the other one is held until that one is there
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, size)
+    page = visitor.page
+    page.add_init_script(f"({_COUNT})()")
+    held: list[Route] = []
+    other = "solve" if first == "solve/fast" else "solve/fast"
+    page.route(f"**{API}/{other}", lambda route: held.append(route))  # noqa: PLW0108
+    with page.expect_response(f"**{API}/{first}"):
+        page.goto(f"{server.address}?token={TOKEN}")
+    visitor.painted()
+    wait_for(lambda: page.evaluate("true") and held)
+    held[0].continue_()
+    visitor.solved()
+    visitor.painted()
+    assert page.evaluate("shift") < MOST
+    visitor.context.close()
+
+
+def test_many_load_cases_are_not_waited_for(calculator: Calculator) -> None:
+    # the first arc stands there while the whole is on its way, however many load cases there are
+    visitor = Visitor(calculator[0], calculator[1].address)
+    page = visitor.open("drive")
+    visitor.solved()
+    page.route(f"**{API}/solve", lambda route: None)
+    doc = document()
+    case = {"pulley": {"head": {"entry_tension": "100 kN"}}}
+    doc["load_case"] = [{"name": f"case {i}", **case} for i in range(9)]
+    page.evaluate("(doc) => import('/static/base/design.js').then((m) => m.take(doc))", doc)
+    page.wait_for_selector("#drive .answer:visible >> text=All load cases are being solved")
+    page.unroute_all(behavior="ignoreErrors")
+    visitor.context.close()
