@@ -351,6 +351,10 @@ def test_idle_drive_shows_no_noise_of_the_arithmetic(visitor: Visitor) -> None:
     visitor.solved()
     figures = page.locator("#drive .figures").inner_text()
     assert "e-" not in figures
+    # nor in the middle of the arc, where nothing is left of what the entry does
+    reading = page.locator("#drive .reading").inner_text()
+    assert "0 kPa" in reading
+    assert "e-" not in reading
 
 
 def test_breakaway_draws_no_state_that_was_not_asked_for(visitor: Visitor) -> None:

@@ -12,6 +12,12 @@ import { h, render } from "./vendor/preact.js";
 /** @param {string} id */
 const box = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
+/** Fetched behind the first answer. */
+let keepFocus = () => {};
+document.addEventListener("complete", async () => {
+  ({ keepFocus } = await import("./frame/focus.js"));
+});
+
 /** Draw everything that is seen; Preact changes only what is another. */
 function draw() {
   const title = [app.doc?.title, PAGES[app.page].title, "wraparc"].filter(Boolean).join(" – ");
@@ -24,6 +30,7 @@ function draw() {
   if (box("toast").className !== (told.bad ? "bad" : ""))
     box("toast").className = told.bad ? "bad" : "";
   render(told.text || null, box("toast"));
+  keepFocus();
 }
 /** What a sheet of paper must say of itself. */
 const PrintHead = () => {

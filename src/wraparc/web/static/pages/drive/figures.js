@@ -139,7 +139,12 @@ export function reading(arc, part) {
   let j = 0;
   while (j < p.position.length - 2 && p.position[j + 1] < at) j++;
   const f = (at - p.position[j]) / (p.position[j + 1] - p.position[j] || 1);
-  const value = (/** @type {string} */ k) => p[k][j] + f * (p[k][j + 1] - p[k][j]);
+  /** What is next to nothing beside the largest of its course is what the arithmetic leaves.
+   * @param {string} k */
+  const value = (k) => {
+    const v = p[k][j] + f * (p[k][j + 1] - p[k][j]);
+    return Math.abs(v) > 1e-5 * Math.max(...p[k].map(Math.abs)) ? v : 0;
+  };
   const rows = READ.map((k) =>
     readOf(k, symbol(k), shown(k, k === "position" ? at : value(k)), title(k)),
   );
