@@ -30,7 +30,7 @@ def at(page: Page) -> str:
     return str(name)
 
 
-#: Buttons that are gone, or of no use, once they are pressed: page, button, where the focus is then.
+#: Buttons that are gone, or of no use, once pressed: page, button, where the focus is then.
 GONE = (
     ("drive", "Raise T2 to 89.4 kN in design alone", "verdict"),
     ("drive", "Pin this design", "Along the wrap"),
