@@ -104,6 +104,37 @@ def test_random_drives_end_alike_row_by_row(start: int) -> None:
     assert len(ends) >= 4  # not always the same
 
 
+@pytest.mark.parametrize(
+    ("modulus", "limit", "level"),
+    [(8e4, 20e-3, "ATTENTION"), (7e4, 20e-3, "FAILS"), (7e4, 80e-3, "ATTENTION")],
+)
+def test_a_creep_of_ten_customary_limits_is_sliding(
+    modulus: float, limit: float, level: str
+) -> None:
+    """63.5 mm, whatever limit is given: the same of rows and of drives."""
+    of = quiet(belt={"modulus": modulus}, creep_limit=limit)
+    (arc,) = solve(of, method=QUICK)
+    assert (arc.exit_creep > 63.5e-3) is (modulus < 7.5e4)
+    assert of_rows(of)[0] == one_by_one(of)[0] == level
+    found = next(c for c in judge(solve(of, method=QUICK)).checks if c.name == "creep")
+    assert ("more than 63.5 mm slides" in found.sentence()) is (level == "FAILS")
+
+
+def test_gross_slip_leads_whatever_else_fails() -> None:
+    """A belt of 30 times its rating in one load case, gross slip in another: rows alike."""
+    slips = quiet(lagging=lagging(0.2), entry=90e3, leaving=40e3)
+    torn = quiet(lagging=lagging(0.2), entry=90e3, leaving=90e3, belt={"rating": 3e3})
+    cases = (replace(torn.load_cases[0], name="full"), replace(slips.load_cases[0], name="start"))
+    verdict = judge(solve(replace(torn, load_cases=cases), method=QUICK, raise_on_failure=False))
+    assert {c.name for c in verdict.missed if c.level.value == "FAILS"} >= {
+        "gross_slip", "belt_tension",
+    }  # fmt: skip
+    assert verdict.governing is not None
+    assert (verdict.governing.name, verdict.governing.place.load_case) == ("gross_slip", "start")
+    both = quiet(lagging=lagging(0.2), entry=90e3, leaving=40e3, belt={"rating": 3e3})
+    assert of_rows(both) == one_by_one(both) == ("FAILS", "gross_slip")
+
+
 SOFT = load_lagging("diamond-rubber")
 CASES: list[tuple[str, Drive]] = [
     ("gross_slip", quiet(lagging=lagging(0.35), entry=90e3, leaving=40e3, creep_limit=1.0)),

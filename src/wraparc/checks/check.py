@@ -21,6 +21,8 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 MOST_DIGITS = 9
 #: Checks that advise where they are missed, as a design standard does that does not bind.
 ADVICE = ("creep_interval", "tested_slip_speed")
+#: Checks whose failure stands before every other one: the load is not carried at all.
+LEADING = ("gross_slip", "operating_point")
 
 
 class Level(StrEnum):
@@ -75,12 +77,17 @@ NOWHERE = Place()
 
 
 class Miss(NamedTuple):
-    """What a check says where it is not kept; see `Check`."""
+    """What a check says where it is not kept; see `Check`.
+
+    A value [SI] of more than `fails_beyond` fails, as `because` says.
+    """
 
     level: Level
     short: str
     says: str
     remedy: str
+    fails_beyond: float = math.inf
+    because: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -148,6 +155,11 @@ class Check:
     def advises(self) -> bool:
         """Whether it tells of what is not known or was not asked for, not of a limit."""
         return self.name in ADVICE or (self.name == "design_standard" and not self.binding)
+
+    @property
+    def leads(self) -> bool:
+        """Whether it is told before all others that fail: nothing else counts in gross slip."""
+        return self.level is Level.FAILS and self.name in LEADING
 
     @property
     def missed(self) -> bool:
@@ -306,7 +318,7 @@ def _badness(check: Check) -> tuple[float, float]:
 
     What could not be checked at one place stands before what is kept at another.
     """
-    order = order_of(check.margin, check.missed, check.binding, check.advises)
+    order = order_of(check.margin, check.missed, check.binding, check.advises, check.leads)
     unknown = check.level is Level.NOT_CHECKED
     return -(Level.OK.rank + 0.5 if unknown else check.level.rank), order
 
@@ -314,6 +326,12 @@ def _badness(check: Check) -> tuple[float, float]:
 def behind(margin: _Number) -> _Number:
     """Return a margin that sorts behind every other: advice leads where nothing else is missed."""
     found: _Number = np.maximum(margin, -BEHIND) + 2.0 * BEHIND
+    return found
+
+
+def ahead(margin: _Number) -> _Number:
+    """Return a margin that sorts before every other: gross slip leads whatever else fails."""
+    found: _Number = np.minimum(margin, BEHIND) - 4.0 * BEHIND
     return found
 
 

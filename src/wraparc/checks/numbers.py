@@ -65,14 +65,17 @@ def times_of(value: float, limit: float) -> float:
     return value / limit if value / limit >= FAR else nan
 
 
-def order_of(margin: float, missed: bool, binding: bool, advises: bool) -> float:
+def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: bool) -> float:
     """Place of a check among those of its level: the least governs.
 
-    What is missed without a number comes first where it binds a design, advice last.
+    What leads comes first whatever its margin, then what is missed without a number where it
+    binds a design, advice last.
     """
     found = margin
     if isnan(margin):
-        found = -inf if missed and binding else inf
+        found = -2.0 * BEHIND if missed and binding else inf
+    if leads:
+        return min(found, BEHIND) - 4.0 * BEHIND
     return max(found, -BEHIND) + 2.0 * BEHIND if missed and advises else found
 
 

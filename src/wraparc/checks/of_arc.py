@@ -22,7 +22,7 @@ from wraparc.checks.of_drive import (
     origin,
     tests_of,
 )
-from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
+from wraparc.checks.rules import NO_GRIP, RULES, SLIDES, idle, standard_rule, start_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.units import Dimension
 
@@ -163,8 +163,9 @@ def creep(drive: Drive, result: ArcResult) -> Check:
         if limit == CREEP_LIMIT
         else "given",
         short="over creep limit",
-        more={"fabric": (MORE_CREEP["fabric"], "force_per_width")},
+        more={"fabric": (MORE_CREEP["fabric"], "force_per_width"), "slides": (SLIDES, "length")},
         says=f"Creeps {{value}}, more than the limit of {{limit}}. {_qualifies(drive, limit)}",
+        because="A belt that creeps more than {slides} slides.",
         remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
         "more friction.",
     )

@@ -13,10 +13,10 @@ from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.batch import BatchResult
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.pull_factors import pull_factors
-from wraparc.checks.check import ADVICE, Level, behind, keeps, margin_to
+from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
-from wraparc.checks.numbers import IDLE, USUAL_TENSION
+from wraparc.checks.numbers import BEHIND, IDLE, USUAL_TENSION
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     NO_GRIP,
@@ -258,12 +258,13 @@ def _checks(
         missed = np.full(len(value), RULES[name].missed.rank)
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
+        missed[value > RULES[name].fails_beyond] = Level.FAILS.rank
         never = np.isinf(limit) & (name == "design_standard")
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
         )
         # what has no number comes first where it binds a design, and last where it does not
-        first = np.where(held.binding, -math.inf, math.inf)
+        first = np.where(held.binding, -2.0 * BEHIND, math.inf)
         ranks, margins = np.where(never, missed, ranks), np.where(never, first, margins)
         advice = ranks > Level.OK.rank
         advice &= ~held.binding if name == "design_standard" else name in ADVICE
@@ -348,7 +349,7 @@ def _gross_slip(
     ranks, margins = np.where(idle, Level.OK.rank, ranks), np.where(idle, math.inf, margins)
     fault = status == UNSOLVED
     ranks = np.where(fault, Level.FAULT.rank, ranks)
-    return "gross_slip", ranks, np.where(fault, -math.inf, margins)
+    return "gross_slip", ranks, np.where(gone, ahead(margins), margins)
 
 
 def _usual_sizes(arcs: Arcs) -> tuple[str, Array, Array]:

@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.of_drive import judged, not_checked, origin
-from wraparc.checks.rules import RULES, tension_factor, tension_rule
+from wraparc.checks.rules import RULES, SLIDES, tension_factor, tension_rule
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 from wraparc.train.result import drive_with
 from wraparc.units import display
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from wraparc.motion.result import DrumHistory, RunResult
 
 
-#: Times the creep limit beyond which a drive slides and does not creep any more [-]; ours.
-SLIDES = 10.0
 #: Miss of the set speed over the belt speed with which a start or stop is over [-]; ours.
 SETTLED = 0.1
 
@@ -126,7 +124,7 @@ def _settled(run: RunResult) -> Iterator[Check]:
 
 def _creeps(drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
-    if creep.value > SLIDES * limit:
+    if creep.value > max(SLIDES, limit):
         yield _slides(place, creep.value, creep.time)
     yield judged(
         RULES["creep"],
@@ -151,8 +149,8 @@ def _slides(place: Place, creep: float, time: float) -> Check:
         place=place,
         short="slides",
         says=f"The belt slides on the pulley: {display(creep, 'length', digits=3)} of creep at "
-        f"{display(time, 'time', digits=3)}, more than {SLIDES:g} times the creep limit, is gross "
-        "slip.",
+        f"{display(time, 'time', digits=3)}, more than {{slides}}, is gross slip.",
+        more={"slides": (SLIDES, "length")},
         remedy="Raise the slack-side tension, start and stop more slowly, or choose a lagging with "
         "more friction.",
     )

@@ -5,6 +5,7 @@ The numbers that are compared stand here too, as functions of plain numbers or o
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
 from wraparc.checks.numbers import DIAMETERS, MODULI, SPEEDS, WIDTHS, idles
-from wraparc.drive import Belt, Criteria
+from wraparc.drive import CREEP_LIMIT, Belt, Criteria
 from wraparc.units import Dimension
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
@@ -26,6 +27,10 @@ USUAL: dict[str, tuple[Dimension, float, float]] = {
     "speed": ("speed", *SPEEDS),
     "diameter": ("length", *DIAMETERS),
 }
+
+
+#: Creep beyond which a belt slides and does not creep any more: ten customary limits [m]; ours.
+SLIDES = 10.0 * CREEP_LIMIT
 
 
 @dataclass(frozen=True)
@@ -40,6 +45,8 @@ class Rule:
         What sets the limit, in words.
     missed
         Level where it is not kept.
+    fails_beyond
+        Value beyond which a miss fails [SI].
     at_most
         Whether the limit is an upper one.
     """
@@ -48,6 +55,7 @@ class Rule:
     what: str
     missed: Level = Level.ATTENTION
     at_most: bool = True
+    fails_beyond: float = math.inf
 
 
 #: The checks of an arc in the order they are told; the balance of the solution is none of a row.
@@ -56,7 +64,7 @@ RULES = {
     for rule in (
         Rule("gross_slip", "the safety against gross slip", at_most=False),
         Rule("design_standard", "the design standard", at_most=False),
-        Rule("creep", "the creep limit"),
+        Rule("creep", "the creep limit", fails_beyond=SLIDES),
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),

@@ -33,6 +33,8 @@ class Miss(Plain):
     short: str
     says: str
     remedy: str
+    fails_beyond: float
+    because: str
 
 
 class Words(Plain):
@@ -52,6 +54,7 @@ class Words(Plain):
     more: dict[str, tuple[float, Dimension]]
     binding: bool
     advises: bool
+    leads: bool
     miss: Miss | None
     when: str = ""
 
@@ -201,7 +204,9 @@ def _key(check: Check) -> tuple[str, str, bool]:
 def words_of(check: Check, when: str = "") -> Words:
     """Return a check without its numbers."""
     names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
-    fields = {name: getattr(check, name) for name in (*names, "remedy", "binding", "advises")}
+    fields = {
+        name: getattr(check, name) for name in (*names, "remedy", "binding", "advises", "leads")
+    }
     miss = None if check.miss is None else Miss(**check.miss._asdict())
     place = str(check.place)
     return Words(**fields, place=place, more=dict(check.more), miss=miss, when=when)

@@ -6650,10 +6650,13 @@ export function numbers__times_of(value, limit) {
 }
 
 /** Place of a check among those of its level: the least governs. */
-export function numbers__order_of(margin, missed, binding, advises) {
+export function numbers__order_of(margin, missed, binding, advises, leads) {
   let found = margin;
   if (Number.isNaN(margin)) {
-    found = missed && binding ? -Infinity : Infinity;
+    found = missed && binding ? -2.0 * BEHIND : Infinity;
+  }
+  if (leads) {
+    return min(found, BEHIND) - 4.0 * BEHIND;
   }
   return missed && advises ? max(found, -BEHIND) + 2.0 * BEHIND : found;
 }

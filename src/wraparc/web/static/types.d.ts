@@ -159,9 +159,19 @@ export interface Words {
   more: Record<string, [number | string, string]>;
   binding: boolean;
   advises: boolean;
-  miss: { level: Level; short: string; says: string; remedy: string } | null;
+  leads: boolean;
+  miss: Miss | null;
   when: string;
   pulley?: string;
+}
+/** What a check says that is not kept; far beyond its limit it fails, as `because` says. */
+export interface Miss {
+  level: Level;
+  short: string;
+  says: string;
+  remedy: string;
+  fails_beyond: number | string;
+  because: string;
 }
 /** What a check asks of the slack side, but for the tension. */
 export interface Ask {

@@ -12,7 +12,7 @@ import { put } from "./wording.js";
 import { headline, listed } from "./words.js";
 
 /** @import { Asked } from "./numbers.js" */
-/** @import { Ask, Design, FullAnswer, FullArc, Judging, Level, Words } from "../../types.d.ts" */
+/** @import { Ask, Design, FullAnswer, FullArc, Judging, Level, Miss, Words } from "../../types.d.ts" */
 
 /**
  * @typedef {Words & {value: number, limit: number, margin: number, order: number, rank: number,
@@ -79,6 +79,12 @@ function contradicts({ odd, cases, levels, names }, held) {
   words.more = { least: [least, "force"], most: [most, "force"] };
   return check(words, { values: {}, limits: {} }, "", levels);
 }
+/** What a check says that is not kept: it fails far beyond its limit, and says why.
+ * @param {Miss} miss @param {number} value */
+function beyond(miss, value) {
+  if (!(value > +miss.fails_beyond)) return miss;
+  return { ...miss, level: /** @type {Level} */ ("FAILS"), says: `${miss.says} ${miss.because}` };
+}
 /** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
  * @returns {Check} */
 export function check(w, { values, limits }, load_case, levels) {
@@ -88,12 +94,12 @@ export function check(w, { values, limits }, load_case, levels) {
     miss || !Number.isNaN(+known) ? (from[w.name] ?? +known) : Number.NaN;
   const [value, limit] = [now(values, w.value), now(limits, w.limit)];
   const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "" };
-  const said = miss ? (kept(value, limit, w.at_most) ? ok : miss) : w;
+  const said = miss ? (kept(value, limit, w.at_most) ? ok : beyond(miss, value)) : w;
   const { level, short, says, remedy } = said;
   const rank = levels.indexOf(level);
   const missed = rank >= levels.indexOf("ATTENTION");
   const margin = marginOf(value, limit, w.at_most);
-  const order = orderOf(margin, missed, w.binding, w.advises);
+  const order = orderOf(margin, missed, w.binding, w.advises, w.leads);
   const more = Object.fromEntries(
     Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
   );
