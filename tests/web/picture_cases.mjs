@@ -98,6 +98,7 @@ function pulleyOf({ data, cursor, turn, radius }) {
     pulls: pulley.pulls.map(of),
     ways: pulley.ways.map(of),
     texts: pulley.texts.map(of),
+    nip_texts: pulley.nipTexts.map(of),
     hand: of(pulley.hand),
     height: of(pulley.height),
     nips: of(pulley.nips),

@@ -226,6 +226,15 @@ def test_tensions_are_arrows_away_from_the_pulley_as_long_as_they_pull() -> None
     (x0, _), (x1, _) = points(found["ways"][1]["d"])
     assert x0 > x1
     assert [t["text"] for t in found["texts"]] == ["T1", "T2"]
+    assert [t["text"] for t in found["nip_texts"]] == ["entry nip", "exit nip"]
+    # at right angles to the radius, however far it is wrapped
+    (long,) = drawn({"kind": "pulley", "data": data(4.0)})
+    for pull, angle in zip(long["pulls"], (2.0, -2.0), strict=True):
+        (x0, y0), (x1, y1) = points(pull["d"])
+        assert (x1 - x0) * math.cos(angle) - (y1 - y0) * math.sin(angle) == pytest.approx(
+            0, abs=0.2
+        )
+        assert x1 < x0
     assert float(found["texts"][0]["y"]) < float(found["texts"][1]["y"])
 
 
@@ -249,6 +258,14 @@ def test_colours_and_heights_follow_the_values() -> None:
     inner = ring[61:]  # the first 61 points are the ring's base, radius 76
     assert math.hypot(*inner[0]) == pytest.approx(76 - 26, abs=0.4)
     assert math.hypot(*inner[-1]) == pytest.approx(76, abs=0.4)
+    # between its places a value runs straight: half way up a step that lies in the middle
+    values = [0.0] * 45 + [0.5] + [1.0] * 45
+    (stepped,) = drawn({"kind": "pulley", "data": data(values=values)})
+    radii = [math.hypot(*p) for p in points(stepped["height"]["d"])[61:]]
+    assert radii[10:40] == pytest.approx([50.0] * 30, abs=0.1)
+    assert radii[50:80] == pytest.approx([76.0] * 30, abs=0.1)
+    # by hand: 0.92 of the way from (226, 240, 250) to (8, 48, 107)
+    assert colour(braking["cells"][0]["fill"]) == pytest.approx([25, 63, 118], abs=5)
     # what brakes is blue, what drives red, pale between them; the belt runs a travel of 0.3 m on a
     # drum of 0.5 m drawn with 100: 60 px, the spoke a quarter turn
     first, last = colour(braking["cells"][0]["fill"]), colour(braking["cells"][-1]["fill"])
@@ -272,6 +289,11 @@ def test_parts_of_the_creep_are_laid_end_to_end_and_against_each_other() -> None
     assert b == pytest.approx((a[0] - 2 * scale, a[0]), abs=0.2)
     assert numbers(near["limit"]["d"])[0] == pytest.approx(a[0] + 6 * scale, abs=0.3)
     assert far["limit"]["d"] == ""
+    (row,) = drawn(
+        {"kind": "budget", "width": 500, "bars": [{"label": "", "parts": [3, 1, 2]}], "limit": 60}
+    )
+    starts = [float(p["x"]) for p in row["parts"]]
+    assert (starts[2] - starts[0]) / (starts[1] - starts[0]) == pytest.approx(4 / 3, abs=0.01)
 
 
 def spread(**more: Any) -> dict[str, Any]:
@@ -305,10 +327,11 @@ def test_a_histogram_has_its_bars_at_their_values_and_marks_those_beyond() -> No
     assert [b[2] / seen[3][2] for b in seen] == pytest.approx(
         [n / 8 for n in (1, 2, 4, 8, 8, 4, 2, 1)]
     )
+    assert seen[3][2] == bars(without)[-1][2] == 200 - 26  # the largest fills the plot
     for a, b in pairwise(seen):
         assert a[0] + a[1] == pytest.approx(b[0])
     assert [b[3] for b in seen] == [False] * 5 + [False, True, True]
-    line = next(e for e in upper if e.get("class") == "limit")
+    (line,) = [e for e in upper if e.get("class") == "limit"]
     assert numbers(line["d"])[0] == pytest.approx(seen[0][0] + 5.5 * seen[0][1])
     said = next(e for e in upper if e["text"] == "creep limit 5.5 mm" and e["tag"] == "text")
     assert said["class"] == "ty"  # right of the middle: its words end at the line
@@ -357,6 +380,9 @@ def test_a_belt_runs_over_its_drums_in_alternate_senses() -> None:
     assert len(wraps) == 2 * 16
     assert all(" 0 0 1 " in e["d"] for e in wraps[:16])  # clockwise, then the other way
     assert all(" 0 0 0 " in e["d"] for e in wraps[16:])
+    ends = [numbers(e["d"])[-2:] for e in wraps]
+    assert max(x for x, _ in ends[:16]) == pytest.approx(x1 + 50, abs=0.3)  # about its right side
+    assert min(x for x, _ in ends[16:]) == pytest.approx(x2 - 50, abs=0.3)
     first = [float(e["stroke-width"]) for e in wraps[:16]]
     assert all(a >= b for a, b in pairwise(first))
     told = [e["text"] for e in found if e["tag"] == "text"]
@@ -367,11 +393,33 @@ def test_a_belt_runs_over_its_drums_in_alternate_senses() -> None:
     told = [e["text"] for e in slip if e["tag"] == "text"]
     assert "80 kN → 60 kN" in told
     assert "120 kN" in told
-    assert "180° brakes" in told
+    assert [t for t in told if "°" in t] == ["180° wrap", "180° brakes"]
     (ring,) = [e for e in slip if e.get("stroke-dasharray")]
     # a quarter of the ring, from its top to its right
     end = numbers(ring["d"])[-2:]
     assert end == pytest.approx([circles(slip)[1][0] + 42, circles(slip)[1][1]], abs=1e-6)
+
+
+def test_belts_that_wrap_far_do_not_cross() -> None:
+    # by hand: of 240 degrees each, the span between them is 27.5 / tan(30 deg) long
+    far = {"wrap_angle": math.radians(240)}
+    (found,) = drawn(chain(drive("a", 120e3, 80e3, **far), drive("b", 80e3, 40e3, **far)))
+    spans = [points(e["d"].replace("L", " ")) for e in found if "L" in str(e.get("d"))]
+    lengths = [math.dist(*span) for span in spans if len(span) == 2]
+    assert lengths[1] == pytest.approx(27.5 / math.tan(math.radians(30)), abs=0.2)
+
+
+def test_a_share_is_a_part_of_a_ring_from_its_top() -> None:
+    # by hand: an eighth and seven eighths of a circle of radius 42, clockwise
+    few, most = drive("a", 120e3, 110e3, share=0.125), drive("b", 110e3, 40e3, share=0.875)
+    (found,) = drawn(chain(few, most))
+    rings = [e for e in found if e.get("stroke-width") == 8 and e.get("fill") == "none"]
+    side = 42 / math.sqrt(2)
+    for ring, (x, y), sign, large in zip(rings, circles(found), (1, -1), ("0", "1"), strict=True):
+        n = numbers(ring["d"])
+        assert n[:2] == pytest.approx([x, y - 42])
+        assert n[-2:] == pytest.approx([x + sign * side, y - side])
+        assert f" 0 {large} 1 " in ring["d"]
 
 
 def test_a_drum_that_slips_is_hatched_and_has_no_ring() -> None:
