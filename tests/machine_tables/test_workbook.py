@@ -4,6 +4,7 @@ import io
 import struct
 import tracemalloc
 import zipfile
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -116,3 +117,24 @@ def test_cells_of_every_kind_come_through_as_they_are() -> None:
     assert table.columns[4][0] is True
     assert np.isnan(table.numbers(4, NumeralStyle())).all()
     assert np.isnan(table.numbers(2, NumeralStyle())[4])
+
+
+def test_an_entity_of_a_workbook_reads_no_file(tmp_path: Path) -> None:
+    # a sheet whose text is an external entity (XXE): the file that it names is in no cell, no word
+    secret = tmp_path / "secret.txt"
+    secret.write_text("9876543", "utf-8")
+    out = io.BytesIO()
+    entity = f'<!DOCTYPE x [<!ENTITY e SYSTEM "{secret.as_uri()}">]>'
+    with zipfile.ZipFile(io.BytesIO(far("A1", "B2"))) as old, zipfile.ZipFile(out, "w") as new:
+        for name in old.namelist():
+            text = old.read(name).decode("utf-8")
+            if name.endswith("sheet1.xml"):
+                assert "<v>1</v>" in text
+                head, _, rest = text.partition("?>")
+                text = f"{head}?>{entity}{rest.replace('<v>1</v>', '<v>&e;</v>')}"
+            new.writestr(name, text)
+    try:
+        told = repr(tables_in_workbook(out.getvalue(), "entity.xlsx"))
+    except InputError as error:
+        told = str(error)
+    assert "9876543" not in told

@@ -1,4 +1,4 @@
-"""Every state of the pages is accessible, light and dark: failing, empty, without a server, asked."""
+"""Every state of the pages is accessible, light and dark: failing, empty, asked, left alone."""
 
 from collections.abc import Callable, Iterator
 
