@@ -254,7 +254,9 @@ def test_what_is_moved_and_saved_is_solved_alike_and_keeps_its_comments(
     page.get_by_label("Exit tension, slider", exact=True).focus()
     for _ in range(9):
         page.keyboard.press("ArrowRight")
-    page.select_option("#condition", label="wet")
+    page.get_by_role("group", name="Condition of the lagging").get_by_text(
+        "wet", exact=True
+    ).click()
     page.select_option("#f-pulley-0-lagging", "full-ceramic")
     page.select_option("#f-belt-preset", "Plylon Plus 1250/5")
     page.wait_for_selector(READY)

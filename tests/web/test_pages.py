@@ -520,7 +520,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
 
 #: Choices on the drive page, by their field.
 CHOICES = (
-    ("#f-pulley-0-lagging", "full-ceramic"), ("#condition", "1"), ("#condition", "3"),
+    ("#f-pulley-0-lagging", "full-ceramic"), ("#condition", "1"), ("#condition", "2"),
     ("#f-belt-preset", "Flexsteel ST1000"), ("#f-take_up-kind", "fixed"),
     ("#f-design_standard-name", "DIN 22101"), ("#f-pulley-0-lagging", "medium-ceramic"),
 )  # fmt: skip

@@ -111,7 +111,7 @@ def normal_slip(hand: Hand) -> None:
 
 
 def wet_and_dry_friction(hand: Hand) -> None:
-    hand.choose(hand.page.locator("#condition"), "4")
+    hand.choose(hand.page.locator("#condition"), "2")
     hand.visitor.solved()
     table = hand.page.locator(".t-conditions")
     assert_told(cells(table), printed("solve", HEAD, "--conditions", "dry,wet,wet and dirty"))

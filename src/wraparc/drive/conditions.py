@@ -115,7 +115,7 @@ class Condition:
         return factor, replace(source, note=note if others else source.note)
 
     def _uncovered(self, lagging: Lagging) -> Problem:
-        known = _conditions_of(lagging.surface)
+        known = published_conditions(lagging.surface)
         covered = f"of {lagging.surface} {', '.join(known)}" if known else "of its surface none"
         if not lagging.surface:
             covered = "its surface is not said, so that no published value applies"
@@ -136,7 +136,30 @@ class Condition:
         )
 
 
-def _conditions_of(surface: str) -> tuple[str, ...]:
+def covered(laws: Sequence[Lagging]) -> tuple[str, ...]:
+    """Return the conditions that the friction of a lagging is known in, the tested ones first.
+
+    Parameters
+    ----------
+    laws
+        The lagging in every condition that it has a law for.
+    """
+    first = laws[0]
+    names = (*(lag.condition for lag in laws), *first.condition_factors)
+    asked = dict.fromkeys((*names, *published_conditions(first.surface)))
+    return tuple(name for name in asked if _is_known(name, laws))
+
+
+def _is_known(name: str, laws: Sequence[Lagging]) -> bool:
+    try:
+        Condition(name=name).of(laws)
+    except InputError:
+        return False
+    return True
+
+
+def published_conditions(surface: str) -> tuple[str, ...]:
+    """Return the conditions that published values of friction cover for a surface."""
     values = (d for d in design_friction() if d.surface == surface and d.condition)
     return tuple(dict.fromkeys(d.condition for d in values))
 

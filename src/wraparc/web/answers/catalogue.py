@@ -5,7 +5,8 @@ from functools import cache
 import numpy as np
 
 from wraparc import catalogue
-from wraparc.drive import Lagging
+from wraparc.drive import SURFACES, Lagging
+from wraparc.drive.conditions import covered, published_conditions
 from wraparc.files.lagging_file import load_lagging_conditions, pick_condition
 from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.provenance import Kind
@@ -84,10 +85,11 @@ class CatalogueExample(Answer):
 
 
 class Catalogue(Answer):
-    """Everything there is to choose from."""
+    """Everything there is to choose from; `published` has the conditions of a surface."""
 
     belts: list[CatalogueBelt]
     laggings: list[CatalogueLagging]
+    published: dict[str, list[str]]
     design_friction: list[DesignFriction]
     examples: list[CatalogueExample]
 
@@ -116,6 +118,7 @@ def whole() -> Catalogue:
     return Catalogue(
         belts=[_belt(belt) for belt in catalogue.belts()],
         laggings=[_lagging(name) for name in catalogue.lagging_names()],
+        published={surface: list(published_conditions(surface)) for surface in SURFACES},
         design_friction=[
             DesignFriction(
                 standard=value.standard,
@@ -158,7 +161,7 @@ def _lagging(name: str) -> CatalogueLagging:
         name=name,
         title=first.title,
         surface=first.surface,
-        conditions=[lagging.condition for lagging in conditions],
+        conditions=list(covered(conditions)),
         thickness=_or_rigid(first.thickness, "length"),
         shear_modulus=_or_rigid(first.shear_modulus, "pressure"),
         compression_modulus=_or_rigid(first.compression_modulus, "pressure"),

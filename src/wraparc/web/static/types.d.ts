@@ -77,6 +77,8 @@ export interface CatalogueLagging {
 export interface Catalogue {
   belts: Belt[];
   laggings: CatalogueLagging[];
+  /** Conditions that published values cover, by surface. */
+  published: Record<string, string[]>;
   examples: { name: string; title: string; kind: string }[];
 }
 

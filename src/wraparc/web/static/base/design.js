@@ -94,10 +94,15 @@ export function caseNames(doc) {
     doc.conveyor && !doc.load_case
       ? states(doc.conveyor)
       : ["design", ...(doc.load_case || []).map((c) => c.name || "")];
-  const conditions = Array.isArray(doc.condition) && doc.condition.length > 1 ? doc.condition : [];
+  const conditions = besides(doc);
   if (!conditions.length) return named;
-  return named.flatMap((name) => conditions.map((c) => `${name}, ${c.name ?? c}`));
+  const own = doc.load_case?.filter((c) => c.condition).map((c) => c.name);
+  return named.flatMap((name) =>
+    own?.includes(name) ? name : conditions.map((c) => `${name}, ${c.name ?? c}`),
+  );
 }
+/** Conditions that load cases are solved in side by side. @param {Design} doc @returns {any[]} */
+export const besides = ({ condition: c }) => (Array.isArray(c) && c.length > 1 ? c : []);
 
 /** Names of the load cases that a conveyor gives. @param {Record<string, any>} of */
 const states = (of) => [

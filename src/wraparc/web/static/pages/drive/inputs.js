@@ -1,6 +1,6 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, change, edit, get, set } from "../../base/design.js";
+import { app, change, edit, get, redraw, set } from "../../base/design.js";
 import { freeName, nameCheck, renameCase, renamePulley } from "../../base/names.js";
 import { choose } from "../../parts/choose.js";
 import { field, more, parted, section, spec } from "../../parts/field.js";
@@ -133,7 +133,6 @@ function lagging(i) {
   const at = ["pulley", i, "lagging"];
   const now = laggingName(get(app.doc, at));
   const known = app.catalogue.laggings.find((x) => x.name === now);
-  const conditions = known?.conditions || Object.keys(app.doc.lagging?.[now]?.condition || {});
   const parts = PARTS.map((key) => laggingPart(at, key, known?.[key]?.[app.units]));
   const whole = field({
     spec: spec("pulley", "lagging"),
@@ -145,7 +144,7 @@ function lagging(i) {
   });
   return [
     whole,
-    conditions.length > 1 && condition(i, conditions),
+    (known || late) && condition("switched"),
     known &&
       h(
         "p",
@@ -156,17 +155,6 @@ function lagging(i) {
     more("Lagging in detail", parts, typeof get(app.doc, at) === "object"),
   ];
 }
-/** @param {number} i @param {string[]} conditions */
-const condition = (i, conditions) =>
-  field({
-    spec: spec("pulley", "condition"),
-    path: ["pulley", i, "condition"],
-    choices: [
-      {
-        choices: conditions.map((c, k) => /** @type {Choice} */ ([k ? c : "", c])),
-      },
-    ],
-  });
 /** A number of the lagging that the design may give in place of the catalogue's.
  * @param {Path} at @param {string} key @param {string | undefined} placeholder */
 const laggingPart = (at, key, placeholder) =>
@@ -186,6 +174,22 @@ const laggingPart = (at, key, placeholder) =>
       edit(at, Object.keys(next).join() === "preset" ? next.preset : next);
     },
   });
+
+/** The switches of the condition, fetched behind the first page; their places are kept free.
+ * @type {typeof import("./condition.js") | null} */
+let late = null;
+let fetching = false;
+/** @param {"switched" | "sideBySide"} what */
+function condition(what) {
+  if (late) return late[what](app.pulley);
+  if (!fetching)
+    import("./condition.js").then((found) => {
+      late = found;
+      redraw();
+    });
+  fetching = true;
+  return h("div", { class: "field late", key: "condition" });
+}
 
 function belt() {
   const skip = ["preset", "table"];
@@ -235,48 +239,8 @@ function putBelt(name) {
   change(set(app.doc, ["belt"], next));
 }
 
-/** Conditions that published values cover, one or several side by side. */
-const CONDITIONS = [
-  ["dry"],
-  ["wet"],
-  ["wet and dirty"],
-  ["dry", "wet"],
-  ["dry", "wet", "wet and dirty"],
-];
-function conditions() {
-  const now = JSON.stringify([app.doc.condition ?? []].flat());
-  const known = CONDITIONS.map((names) => JSON.stringify(names));
-  const at = now === "[]" ? -1 : known.indexOf(now);
-  const texts = CONDITIONS.map((names) => names.join(" | "));
-  const put = (/** @type {string} */ k) => {
-    const names = CONDITIONS[+k];
-    edit(["condition"], names && (names.length > 1 ? names : names[0]));
-  };
-  const own = now !== "[]" && at < 0;
-  return h(
-    "div",
-    { class: "field", key: "condition" },
-    h("label", { for: "condition" }, "Condition"),
-    h("span", {}),
-    h(
-      "span",
-      { class: "box" },
-      choose(
-        own ? "own" : at,
-        [
-          [-1, "as the laggings were tested"],
-          ...texts.map((text, k) => /** @type {[number, string]} */ ([k, text])),
-          ...(own ? [/** @type {[string, string]} */ (["own", "as in the file"])] : []),
-        ],
-        put,
-        "condition",
-      ),
-    ),
-  );
-}
-
 function cases() {
-  if (app.doc.conveyor && !app.doc.load_case) return [conditions()];
+  if (app.doc.conveyor && !app.doc.load_case) return [condition("sideBySide")];
   const list = app.doc.load_case || [];
   const add = () => {
     const names = ["design", ...list.map((c) => c.name)];
@@ -286,7 +250,7 @@ function cases() {
     edit(["load_case"], [...list, { name: freeName("case", names), ...pulleys }]);
   };
   return [
-    conditions(),
+    condition("sideBySide"),
     h(
       "p",
       { class: "help", key: "help" },

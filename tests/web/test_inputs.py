@@ -1,0 +1,271 @@
+"""The inputs of the drive page: their order, sliders with the focus, the condition by the lagging.
+
+Expected values: the layout that the page promises; which key goes before which as
+docs/reference/file_formats.md has it; verdicts of the command line.
+"""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from cli.running import wraparc
+from web.browser import PHONE, Calculator, Visitor
+from web.calculators import wait_for
+from wraparc.drive.conditions import covered
+from wraparc.files.lagging_file import lagging_from_text, load_lagging_conditions
+from wraparc.schema.emit import document_text
+from wraparc.train.keys import TRAIN_FILE
+
+HEAD = (Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml").read_text("utf-8")
+#: Where the rows stand within the form, from its top on.
+PLACES = """() => {
+  const form = document.querySelector("form.inputs");
+  const top = form.getBoundingClientRect().top - form.scrollTop;
+  return [...form.querySelectorAll(":is(.field, fieldset:not(.switch), details)")]
+    .filter((e) => e.checkVisibility())
+    .map((e) => Math.round(e.getBoundingClientRect().top - top));
+}"""
+JUDGED = """async () => {
+  const { answer } = await import("/static/pages/drive/solving.js");
+  const { app } = await import("/static/base/design.js");
+  return answer.judgedDoc === app.doc;
+}"""
+
+
+def row(page: Page, name: str) -> Locator:
+    return page.locator("form.inputs .field").filter(has=slider(page, name))
+
+
+def slider(page: Page, name: str) -> Locator:
+    return page.get_by_label(f"{name}, slider", exact=True)
+
+
+def seen(page: Page) -> list[str]:
+    """Return the names of the sliders that show."""
+    names = page.locator("form.inputs .field > input[type=range]").evaluate_all(
+        "all => all.filter((e) => getComputedStyle(e).opacity === '1').map((e) => e.ariaLabel)"
+    )
+    return [name.removesuffix(", slider") for name in names]
+
+
+def kept(page: Page) -> Any:
+    return page.evaluate("import('/static/base/design.js').then((m) => m.app.doc)")
+
+
+def switch(page: Page) -> Locator:
+    return page.get_by_role("group", name="Condition of the lagging")
+
+
+def says(page: Page, name: str) -> None:
+    expect(switch(page).get_by_label(name, exact=True)).to_be_checked()
+
+
+def turn(page: Page, name: str) -> None:
+    switch(page).get_by_text(name, exact=True).click()
+    says(page, name)
+
+
+def test_load_stands_first_then_pulley_lagging_and_belt(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    legends = page.locator("form.inputs > fieldset > legend").all_inner_texts()
+    assert legends[:4] == ["Load", "Pulley head", "Lagging", "Belt"]
+
+
+def test_slider_shows_with_focus_and_pointer_and_moves_nothing(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.mouse.move(900, 500)
+    assert seen(page) == []
+    places = page.evaluate(PLACES)
+    number = page.locator("#f-pulley-0-wrap_angle")
+    number.focus()
+    assert seen(page) == ["Wrap angle"]
+    # by mouse: the row under the pointer
+    row(page, "Belt speed").hover()
+    assert seen(page) == ["Wrap angle", "Belt speed"]
+    assert page.evaluate(PLACES) == places
+    # by keyboard: help, then the slider itself; the arrows move the number
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    expect(slider(page, "Wrap angle")).to_be_focused()
+    assert "Wrap angle" in seen(page)
+    page.keyboard.press("ArrowRight")
+    expect(number).not_to_have_value("180")
+    page.keyboard.press("Tab")
+    assert "Wrap angle" not in seen(page)
+
+
+def test_slider_stays_while_it_is_dragged_away_from(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    row(page, "Exit tension").hover()
+    box = slider(page, "Exit tension").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(900, 30, steps=4)
+    assert seen(page) == ["Exit tension"]
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("500")  # its upper end
+    page.mouse.up()
+
+
+def test_slider_is_found_by_finger_and_not_moved_unseen(calculator: Calculator) -> None:
+    visitor = Visitor(calculator[0], calculator[1].address, PHONE, has_touch=True, is_mobile=True)
+    page = visitor.open("drive")
+    number = page.locator("#f-pulley-0-entry_tension")
+    number.scroll_into_view_if_needed()
+    places = page.evaluate(PLACES)
+    box = slider(page, "Entry tension").bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 10, box["y"] + box["height"] / 2
+    page.touchscreen.tap(x, y)
+    visitor.painted()
+    assert seen(page) == []
+    expect(number).to_have_value("150")
+    number.tap()
+    assert seen(page) == ["Entry tension"]
+    assert box["height"] >= 24  # WCAG 2.2, 2.5.8
+    assert page.evaluate(PLACES) == places
+    page.touchscreen.tap(x, y)
+    expect(number).not_to_have_value("150")
+    visitor.context.close()
+    assert visitor.wrong == []
+
+
+@pytest.mark.parametrize("size", ["desktop", "phone"])
+def test_inputs_come_without_a_shift(calculator: Calculator, size: str) -> None:
+    # the switch of the condition is fetched behind the first page: its place is free until then
+    visitor = Visitor(calculator[0], calculator[1].address, PHONE if size == "phone" else None)
+    page = visitor.page
+    held: list[Any] = []
+    page.route("**/pages/drive/condition.js", lambda route: held.append(route))  # noqa: PLW0108
+    visitor.open("drive")
+    wait_for(lambda: (visitor.painted(), bool(held))[1])
+    places = page.evaluate(PLACES)
+    held[0].continue_()
+    expect(switch(page)).to_have_count(1)
+    assert page.evaluate(PLACES) == places
+    visitor.context.close()
+
+
+def opened(visitor: Visitor, tmp_path: Path, text: str) -> Page:
+    """Open a drive file on the page."""
+    page = visitor.open("drive")
+    file = tmp_path / "drive.toml"
+    file.write_text(text.replace("Head drive, ROM conveyor", "Opened"), "utf-8")
+    visitor.load(file)
+    expect(page.locator("#results h2").first).to_have_text("Opened")
+    visitor.solved()
+    return page
+
+
+def test_switch_of_the_condition_is_answered_without_the_server(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    page = visitor.open("drive")
+    visitor.solved()
+    page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+    before = kept(page)
+    assert "condition" not in before
+    says(page, "dry")
+    page.route("**/api/v1/**", lambda route: None)
+    turn(page, "wet")
+    wait_for(lambda: page.evaluate(JUDGED))
+    visitor.painted()
+    assert kept(page) == {**before, "condition": "wet"}
+    file = tmp_path / "wet.toml"
+    file.write_text(document_text(kept(page), TRAIN_FILE), "utf-8")
+    told = json.loads(wraparc("solve", str(file), "--json", "-")[1])["verdict"]
+    said = page.locator("#verdict .verdict .headline").inner_text()
+    assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
+    page.click("#undo")
+    says(page, "dry")
+    assert kept(page) == before
+    page.unroute_all(behavior="ignoreErrors")
+
+
+def test_switch_says_and_changes_the_condition_of_the_shown_load_case(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # a load case goes before its pulley, that before the drive
+    own = HEAD.replace('name = "start"', 'name = "start"\ncondition = "wet and dirty"')
+    own = own.replace('lagging = "diamond-rubber"', 'lagging = "diamond-rubber"\ncondition = "wet"')
+    page = opened(visitor, tmp_path, 'condition = "dry"\n' + own)
+    lagging = page.locator("form.inputs > fieldset").filter(
+        has=page.get_by_text("Lagging in detail")
+    )
+    says(page, "wet")
+    expect(lagging).to_contain_text("Of this pulley alone")
+    page.get_by_role("button", name="start").click()
+    expect(lagging).to_contain_text("Of load case start alone")
+    says(page, "wet and dirty")
+    turn(page, "dry")
+    assert [c.get("condition") for c in kept(page)["load_case"]] == [None, "dry"]
+    assert kept(page)["pulley"][0]["condition"] == "wet"
+    # without its own it has that of the pulley, and without that the drive's
+    for alone in ("load case start", "this pulley"):
+        expect(lagging).to_contain_text(f"Of {alone} alone")
+        lagging.get_by_role("button", name="Take that of the drive").click()
+    expect(lagging.get_by_role("button", name="Take that of the drive")).to_have_count(0)
+    says(page, "dry")
+    turn(page, "wet")
+    doc = kept(page)
+    assert doc["condition"] == "wet"
+    assert "condition" not in {**doc["pulley"][0], **doc["load_case"][1]}
+
+
+def test_switch_looks_at_one_of_conditions_side_by_side(visitor: Visitor, tmp_path: Path) -> None:
+    own = HEAD.replace('name = "start"', 'name = "start"\ncondition = "wet"')
+    page = opened(visitor, tmp_path, 'condition = ["dry", "wet"]\n' + own)
+    before = kept(page)
+    cases = page.get_by_role("group", name="Load case", exact=True).get_by_role("button")
+    wait_for(lambda: cases.count() == 5)  # that with a condition of its own stands once
+    says(page, "dry")
+    turn(page, "wet")
+    assert kept(page) == before
+    expect(page.locator("#verdict .chosen")).to_contain_text("load case design, wet")
+    # one more is solved beside them
+    turn(page, "wet and dirty")
+    assert kept(page)["condition"] == ["dry", "wet", "wet and dirty"]
+    expect(page.locator("#condition")).to_have_value("2")
+    visitor.solved()
+    expect(page.locator("#verdict .chosen")).to_contain_text("load case design, wet and dirty")
+    # and the shown one alone
+    page.select_option("#condition", "0")
+    assert kept(page)["condition"] == "wet and dirty"
+    says(page, "wet and dirty")
+    page.select_option("#condition", "1")
+    assert kept(page)["condition"] == ["dry", "wet"]
+    says(page, "dry")
+
+
+#: A lagging of the design, in lagging files as in drive files.
+PLAIN = 'law = { kind = "constant", friction = 0.4 }\n'
+SIZES = 'thickness = "12 mm"\nshear_modulus = "1 MPa"\ncompression_modulus = "9 MPa"\n'
+LAGGINGS = {
+    "no surface": PLAIN,
+    "published": 'surface = "polyurethane"\n' + PLAIN,
+    "own factor": PLAIN + 'condition_factor = [{ condition = "muddy", factor = 0.6, '
+    'provenance = { kind = "given" } }]\n',
+    "two laws": 'law = [{ condition = "icy", kind = "constant", friction = 0.2 }, '
+    '{ kind = "constant", friction = 0.4 }]\n',
+    "tested oily": 'surface = "rubber"\n' + PLAIN.replace("{ ", '{ condition = "oily", '),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LAGGINGS)
+def test_switch_offers_what_the_friction_of_a_lagging_is_known_in(
+    visitor: Visitor, tmp_path: Path, name: str
+) -> None:
+    table = SIZES + LAGGINGS[name]
+    laws = lagging_from_text(f'format = 1\nname = "mine"\n{table}')
+    text = HEAD.replace('lagging = "diamond-rubber"', 'lagging = "mine"')
+    page = opened(visitor, tmp_path, f"{text}\n[lagging.mine]\n{table}")
+    offered = [e.get_attribute("value") for e in switch(page).locator("input").all()]
+    known = list(covered(laws))
+    assert offered == (known if len(known) > 1 else [])
+    page.select_option("#f-pulley-0-lagging", "full-ceramic")
+    expect(switch(page).locator("input")).to_have_count(3)
+    offered = [e.get_attribute("value") for e in switch(page).locator("input").all()]
+    assert offered == list(covered(load_lagging_conditions("full-ceramic")))
