@@ -14,6 +14,10 @@ const INSTEAD = {
   "frame/registry.js": "registry.js",
   "pages/drive/beside.js": "beside.js",
 };
+/** Questions that only a server answers: the file has no button for them. */
+const ABSENT = ["seek", "what_if", "choosing", "site", "measured"].map((name) =>
+  join(pages, "pages/drive", `${name}.js`),
+);
 /** Modules of the first script, which the second finds there. */
 const SHARED = ["kernel.js", "pages/drive/numbers.js"].map((name) => join(pages, name));
 const instead = {
@@ -22,12 +26,14 @@ const instead = {
     onResolve({ filter: /^\./ }, ({ path, importer, resolveDir }) => {
       const found = resolve(resolveDir, path);
       if (SHARED.includes(found)) return { path: found, namespace: "shared" };
+      if (ABSENT.includes(found)) return { path: found, namespace: "absent" };
       for (const [name, other] of Object.entries(INSTEAD)) {
         const mine = join(here, other);
         if (found === join(pages, name) && importer !== mine) return { path: mine };
       }
       return undefined;
     });
+    onLoad({ filter: /.*/, namespace: "absent" }, () => ({ contents: "" }));
     onLoad({ filter: /.*/, namespace: "shared" }, () => ({ contents: "module.exports = solver;" }));
   },
 };
