@@ -141,7 +141,12 @@ def test_inputs_come_without_a_shift(calculator: Calculator, size: str) -> None:
     held: list[Any] = []
     page.route("**/pages/drive/condition.js", lambda route: held.append(route))  # noqa: PLW0108
     visitor.open("drive")
-    wait_for(lambda: (visitor.painted(), bool(held))[1])
+
+    def fetched() -> bool:
+        visitor.painted()
+        return bool(held)
+
+    wait_for(fetched)
     places = page.evaluate(PLACES)
     held[0].continue_()
     expect(switch(page)).to_have_count(1)
