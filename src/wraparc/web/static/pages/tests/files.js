@@ -98,8 +98,11 @@ async function take(found) {
   redraw();
 }
 let saying = /** @type {Promise<void>} */ (Promise.resolve());
-/** Wait until all that was said of files has arrived. */
-export const allSaid = () => saying;
+/** Wait until all that was said of files has arrived; what a lost server dropped is said again. */
+export async function allSaid() {
+  await saying.catch(() => {});
+  for (const f of session.files.filter((x) => x.unsaid)) await say(f, {});
+}
 /** Say something of a file that it does not tell itself, after what was said before: the last word
  * counts. @param {TestFile} of @param {any} more */
 function say(of, more) {
@@ -131,9 +134,17 @@ async function tell(of) {
     const later = Object.entries(session.files[i]).filter(
       ([key, value]) => key in told && value !== sent[key],
     );
-    session.files[i] = { ...f, refused: null, ...answer, ...Object.fromEntries(later) };
+    session.files[i] = {
+      ...f,
+      refused: null,
+      unsaid: false,
+      ...answer,
+      ...Object.fromEntries(later),
+    };
   } catch (x) {
-    Object.assign(f, { refused: refusal(x) });
+    f.unsaid = true;
+    f.refused = refusal(x);
+    f.unsaid = false;
   }
   redraw();
 }
