@@ -20,11 +20,14 @@ const ABSENT = ["seek", "what_if", "choosing", "site", "measured"].map((name) =>
 );
 /** Modules of the first script, which the second finds there. */
 const SHARED = ["kernel.js", "pages/drive/numbers.js"].map((name) => join(pages, name));
+/** The library that the pages have as one file. */
+const TOML = join(pages, "vendor/smol-toml.js");
 const instead = {
   name: "instead",
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /^\./ }, ({ path, importer, resolveDir }) => {
       const found = resolve(resolveDir, path);
+      if (found === TOML) return { path: join(root, "node_modules/smol-toml/dist/index.js") };
       if (SHARED.includes(found)) return { path: found, namespace: "shared" };
       if (ABSENT.includes(found)) return { path: found, namespace: "absent" };
       for (const [name, other] of Object.entries(INSTEAD)) {
@@ -52,7 +55,15 @@ async function built(name, how) {
   const { outputFiles } = await build({ ...common, ...how, entryPoints: [join(here, name)] });
   return outputFiles[0].text;
 }
+/** The reader and writer of TOML as one module, for the pages. */
+async function vendored() {
+  const contents = 'export { parse, stringify, TomlDate } from "smol-toml";';
+  const how = { stdin: { contents, resolveDir: root }, format: "esm" };
+  const { outputFiles } = await build({ ...common, ...how });
+  return outputFiles[0].text;
+}
 const made = {
+  "../../static/vendor/smol-toml.js": await vendored(),
   "solver.js": await built("solver.js", { globalName: "solver" }),
   "page.js": await built("main.js", { plugins: [instead] }),
   "page.css": await built("style.css", {}),

@@ -84,6 +84,29 @@ def test_units_are_a_view_and_the_file_keeps_what_was_typed(visitor: Visitor) ->
     assert after == before
 
 
+def test_comments_of_an_opened_file_stay_in_what_is_downloaded(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # expected: the file itself, with the one line that was typed over, after a reload too
+    text = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8") + "# not to be forgotten\n"
+    before = next(line for line in text.splitlines() if line.startswith("exit_tension"))
+    assert "#" in before
+    file = tmp_path / "with-words.toml"
+    file.write_text(text, "utf-8")
+    page = visitor.open("drive")
+    visitor.load(file)
+    expect(page.locator("#toast")).to_contain_text("Opened")
+    page.fill("#f-pulley-0-exit_tension", "61.5")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.reload()
+    visitor.solved()
+    page.click("#file > summary")
+    with page.expect_download() as arriving:
+        page.get_by_role("button", name="Download the drive file").click()
+    found = Path(arriving.value.path()).read_text("utf-8")
+    assert found == text.replace(before, before.replace("60 kN", "61.5 kN"))
+
+
 @pytest.mark.parametrize(
     ("name", "told", "shown"),
     [

@@ -56,7 +56,7 @@ def serve(
         token = own_token(user_folder())
     token = _checked_token(host, token)
     _check_catalogue()
-    start, start_file = _start(file)
+    start, start_text = _start(file)
     settings = Settings(
         host=host,
         port=port,
@@ -64,7 +64,8 @@ def serve(
         database=_database(database),
         names=names,
         start=start,
-        start_file=start_file,
+        start_file=file or "",
+        start_text=start_text,
         workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
     )
     with interrupted(lambda: "Every design that was saved is kept."):
@@ -118,9 +119,10 @@ def _checked_token(host: str, token: str | None) -> str:
 def _start(file: str | None) -> tuple[dict[str, Any] | None, str]:
     if file is None:
         return None, ""
+    from wraparc.schema.source import read_text
     from wraparc.web.opening import opened
 
-    return opened(file), file
+    return opened(file), read_text(file)
 
 
 def _database(given: str | None) -> str:

@@ -23,8 +23,8 @@ class Settings:
         Names besides addresses under which the server is reached.
     start
         A drive document to open first with its name, or None for the first example.
-    start_file
-        The file it was read from, as the user gave it.
+    start_file, start_text
+        The file it was read from, as the user gave it, and what stands in it.
     workers
         Processes that solve; 0 solves in threads of this one.
     """
@@ -36,6 +36,7 @@ class Settings:
     names: tuple[str, ...] = ()
     start: dict[str, object] | None = None
     start_file: str = ""
+    start_text: str = ""
     workers: int = 2
 
     @property

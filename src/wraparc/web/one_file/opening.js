@@ -23,7 +23,8 @@ export async function openFile(file) {
   const { document } = await ask("toml/read", { toml: text, name });
   if (!isDrive(document)) throw new Advice(`${name} ${whatIs(document)}`);
   opened(document);
-  take(document, { name: name.replace(/\.[^.]*$/, "") });
+  const source = { toml: text, document };
+  take(document, { name: name.replace(/\.[^.]*$/, ""), source });
   note(`Opened ${name}.`);
   redraw();
 }

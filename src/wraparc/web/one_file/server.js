@@ -1,6 +1,6 @@
 // What the server answers, answered in the file: by the same modules and from the same data.
-import { app } from "../static/base/design.js";
-import { Advice, note, Refused } from "../static/base/server.js";
+import { Advice, Refused } from "../static/base/server.js";
+import { documentOf, textOf } from "../static/base/toml.js";
 import { in_page__quick as quick } from "../static/kernel.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
@@ -11,7 +11,6 @@ import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { assembled } from "./plain_drive.js";
 import { profilesOf } from "./profiles.js";
-import { documentOf, rewritten, textOf } from "./toml.js";
 import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { wholeAnswer } from "./whole_tables.js";
@@ -28,13 +27,6 @@ const unpacked = (async () => {
   const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   data = JSON.parse(await new Response(plain).text());
 })();
-/** The text that the present design was read from, and its document then. */
-let source = { text: "", document: /** @type {any} */ (null), opened: 0 };
-/** @param {string} text @param {any} document */
-function from(text, document) {
-  source = { text, document, opened: app.opened + 1 };
-  return document;
-}
 
 /** @param {Design} doc @returns {Judging} */
 function prepared(doc) {
@@ -57,7 +49,7 @@ const ANSWERS = {
   catalogue: () => data.catalogue,
   about: () => data.about,
   book: () => data.book,
-  start: () => ({ ...data.start, document: from(data.start.toml, data.start.document) }),
+  start: () => data.start,
   "solve/fast"(asked) {
     const { document, load_case, points, sequence } = asked;
     if (isTrain(document)) return quickTrain(asked, data);
@@ -88,24 +80,15 @@ const ANSWERS = {
     if (isTrain(asked.document)) throw refused(OF_ONE);
     return compared(asked, data);
   },
-  "toml/read": ({ toml, name }) => ({ document: from(toml, documentOf(toml, name)) }),
-  "toml/write"({ document }) {
-    const known = source.opened === app.opened ? source : { text: "", document: null };
-    const kept = known.document && rewritten(known.text, known.document, document);
-    if (known.document && !kept && known.text.includes("#"))
-      note("The comments of the file that was opened are not kept: too much has changed.");
-    return { name: "", toml: kept ?? textOf(document) };
-  },
+  "toml/read": ({ toml, name }) => ({ document: documentOf(toml, name) }),
+  "toml/write": ({ document }) => ({ name: "", toml: textOf(document) }),
 };
 /** As of the server. @param {string} path @param {any} [asked] @param {any} [_how]
  * @returns {Promise<any>} */
 export async function ask(path, asked, _how) {
   await unpacked;
   const [first, name] = path.split("/");
-  if (first === "examples") {
-    const { toml, document } = data.examples[name];
-    return { document: from(toml, document) };
-  }
+  if (first === "examples") return structuredClone(data.examples[name]);
   if (!ANSWERS[path]) throw new Advice("This needs the calculator of wraparc serve.");
   return structuredClone(await ANSWERS[path](asked));
 }

@@ -53,6 +53,7 @@ class StartAnswer(Answer):
     name: str
     kind: DriveKind
     document: Data
+    toml: str
     file: str | None
 
 
@@ -100,13 +101,15 @@ def one_example(name: str) -> ExampleAnswer:
 def start(request: Request) -> StartAnswer:
     """The drive that the server was started with, or the first example."""
     settings = state_of(request).settings
-    name, document, file = examples()[0].name, settings.start, settings.start_file or None
+    first, file = examples()[0], settings.start_file or None
+    name, document, toml = first.name, settings.start, settings.start_text
     if document is None:
-        document = examples()[0].document
+        document, toml = first.document, first.text
     elif file:
         name = file.replace("\\", "/").rpartition("/")[2].removesuffix(".toml")
     kind = documents.kind_of(document)
-    return StartAnswer(name=name, kind=kind, document=documents.json_like(document), file=file)
+    document = documents.json_like(document)
+    return StartAnswer(name=name, kind=kind, document=document, toml=toml, file=file)
 
 
 offer(api, "/solve/fast", drives.solve_fast, queue=QUICK)

@@ -77,7 +77,7 @@ async function begin() {
     const title = first.document.title || first.name;
     const origin = first.file ? null : { title, document: first.document };
     opened(first.document);
-    take(first.document, { name: first.name, origin });
+    take(first.document, { name: first.name, origin, source: first });
   }
   if (!draft) offerDraft();
   redraw();

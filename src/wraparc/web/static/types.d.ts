@@ -266,6 +266,11 @@ export interface Origin {
   title: string;
   document: Design;
 }
+export interface Source {
+  toml: string;
+  document: Design;
+}
+
 export interface App {
   doc: Design;
   units: Units;
@@ -275,6 +280,8 @@ export interface App {
   name: string;
   design: Saved | null;
   origin: Origin | null;
+  /** The text that the design was read from, and its document then. */
+  source: Source | null;
   form: Form;
   catalogue: Catalogue;
   about: Record<string, any>;

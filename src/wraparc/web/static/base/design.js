@@ -1,5 +1,5 @@
 // The design on the page: one document, the parsed drive file, and its history.
-/** @import { App, Design, Path, Saved, Origin, Units } from "../types.d.ts" */
+/** @import { App, Design, Path, Saved, Origin, Source, Units } from "../types.d.ts" */
 
 /** State of the page; form, catalogue and document are there before anything is drawn. */
 export const app = /** @type {App} */ ({
@@ -10,6 +10,7 @@ export const app = /** @type {App} */ ({
   name: "",
   design: null,
   origin: null,
+  source: null,
   gone: false,
   opened: 0,
 });
@@ -117,10 +118,11 @@ const unitsOf = (doc) => (/(in|ft)$/.test(String(doc.belt.width ?? "")) ? "us" :
 /**
  * Take a design in, whole.
  * @param {Design} doc
- * @param {{name?: string, design?: Saved | null, origin?: Origin | null, units?: Units}} [more]
+ * @param {{name?: string, design?: Saved | null, origin?: Origin | null, source?: Source | null,
+ *   units?: Units}} [more]
  */
-export function take(doc, { name = "", design = null, origin = null, units } = {}) {
-  Object.assign(app, { pulley: 0, case: "", name, design, origin, opened: app.opened + 1 });
+export function take(doc, { name = "", design = null, origin = null, source = null, units } = {}) {
+  Object.assign(app, { pulley: 0, case: "", name, design, origin, source, opened: app.opened + 1 });
   app.units = units ?? unitsOf(doc);
   change(doc);
 }

@@ -2,10 +2,11 @@
 import { app, isDrive } from "./design.js";
 import { timeOf } from "./units.js";
 
-/** @import { Design, Origin, Saved, Units } from "../types.d.ts" */
+/** @import { Design, Origin, Saved, Source, Units } from "../types.d.ts" */
 /**
  * @typedef {{window: string, when: number, doc: Design, units: Units, name: string,
- *   design: Saved | null, origin: Origin | null, pulley: number, case: string}} Draft
+ *   design: Saved | null, origin: Origin | null, source: Source | null, pulley: number,
+ *   case: string}} Draft
  */
 
 const KEY = "wraparc.drafts";
@@ -58,9 +59,9 @@ document.addEventListener("visibilitychange", () => keep());
 /** Keep the design; while a slider moves, once the hand rests. */
 export function keepDraft() {
   if (app.doc === untouched) return;
-  const { doc, units, name, design, origin, pulley } = app;
+  const { doc, units, name, design, origin, source, pulley } = app;
   const when = Date.now();
-  pending = { window: own, when, doc, units, name, design, origin, pulley, case: app.case };
+  pending = { window: own, when, doc, units, name, design, origin, source, pulley, case: app.case };
   if (document.activeElement?.matches("[type=range]")) waiting ||= setTimeout(keep, 200);
   else keep();
 }

@@ -2,7 +2,7 @@
 import { turnTo } from "../base/address.js";
 import { app, blank, redraw, take } from "../base/design.js";
 import { opened } from "../base/drafts.js";
-import { ask, save } from "../base/server.js";
+import { ask } from "../base/server.js";
 
 export function newDrive() {
   const doc = blank();
@@ -14,9 +14,10 @@ export function newDrive() {
 }
 /** @param {string} name */
 export async function openExample(name) {
-  const { document } = await ask(`examples/${name}`);
+  const source = await ask(`examples/${name}`);
+  const { document } = source;
   opened(document);
-  take(document, { name, origin: { title: document.title || name, document } });
+  take(document, { name, origin: { title: document.title || name, document }, source });
 }
 /** Name of a file of this design, without its ending. */
 export const fileName = () =>
@@ -24,7 +25,4 @@ export const fileName = () =>
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, "-")
     .replace(/^-|-$/g, "") || "drive";
-export async function download() {
-  const { name, toml } = await ask("toml/write", { document: app.doc });
-  save(name || `${fileName()}.toml`, toml, "application/toml");
-}
+export const download = async () => (await import("./download.js")).download();

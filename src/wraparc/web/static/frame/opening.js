@@ -39,9 +39,9 @@ export async function openFile(file) {
 }
 /** @type {Record<string, (doc: any, name: string, text: string) => any>} */
 const OPEN = {
-  drive(doc, name) {
+  drive(doc, name, toml) {
     opened(doc);
-    take(doc, { name: stem(name) });
+    take(doc, { name: stem(name), source: { toml, document: doc } });
     note(`Opened ${name}.`);
   },
   async lagging(_, __, text) {
@@ -72,14 +72,14 @@ const OPEN = {
   },
   choose(_, name) {
     throw new Advice(
-      `${name} asks which lagging to buy. This page cannot run it yet; ` +
-        `the command does: wraparc choose ${name}`,
+      `${name} asks which lagging to buy. The command runs it, wraparc choose ${name}; here ` +
+        "the question Which design costs least? asks it of the drive that is open.",
     );
   },
   calibrate(_, name) {
     throw new Advice(
-      `${name} is a record of a measured drive. This page cannot fit it yet; ` +
-        `the command does: wraparc calibrate ${name}`,
+      `${name} is a record of a measured drive. The command fits it, wraparc calibrate ` +
+        `${name}; here the question A measured drive takes it for the drive that is open.`,
     );
   },
 };

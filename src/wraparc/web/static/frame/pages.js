@@ -99,8 +99,8 @@ function offer(draft) {
 /** @param {Draft} d */
 export function openDraft(d) {
   offered.draft = null;
-  const { name, design, origin, units } = d;
-  take(d.doc, { name, design, origin, units });
+  const { name, design, origin, source, units } = d;
+  take(d.doc, { name, design, origin, source, units });
   app.pulley = d.doc.pulley[d.pulley] ? d.pulley : 0;
   app.case = d.case;
   redraw();

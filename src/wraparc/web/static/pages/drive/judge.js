@@ -12,7 +12,8 @@ import { put } from "./wording.js";
 import { headline, listed } from "./words.js";
 
 /** @import { Asked } from "./numbers.js" */
-/** @import { Ask, Design, FullAnswer, FullArc, Judging, Level, Miss, Words } from "../../types.d.ts" */
+/** @import { Ask, Design, FullAnswer, FullArc } from "../../types.d.ts" */
+/** @import { Judging, Level, Miss, Words } from "../../types.d.ts" */
 
 /**
  * @typedef {Words & {value: number, limit: number, margin: number, order: number, rank: number,

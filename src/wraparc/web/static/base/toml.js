@@ -1,9 +1,9 @@
 // Drive files as text: read and written by a library, changed in place so that comments stay.
-import { parse, stringify, TomlDate } from "smol-toml";
-import { get } from "../static/base/design.js";
-import { Advice } from "../static/base/server.js";
+import { parse, stringify, TomlDate } from "../vendor/smol-toml.js";
+import { get } from "./design.js";
+import { Advice } from "./server.js";
 
-/** @import { Path } from "../static/types.d.ts" */
+/** @import { Path } from "../types.d.ts" */
 
 /** The document of a text, dates as text. @param {string} text @param {string} name */
 export function documentOf(text, name) {
@@ -74,8 +74,8 @@ function* changes(a, b, at = []) {
  * @typedef {{path: Path, end: number}} Section
  */
 const HEADER = /^[ \t]*(\[\[?)([^\]\n]*)\]\]?[ \t]*(?:#[^\n]*)?\n?/;
-const KEY =
-  /^[ \t]*((?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*'|[\w-]+)(?:[ \t]*\.[ \t]*(?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*'|[\w-]+))*)[ \t]*=[ \t]*/;
+const NAME = String.raw`(?:"(?:[^"\\\n]|\\.)*"|'[^'\n]*'|[\w-]+)`;
+const KEY = new RegExp(String.raw`^[ \t]*(${NAME}(?:[ \t]*\.[ \t]*${NAME})*)[ \t]*=[ \t]*`);
 const PART = /"((?:[^"\\]|\\.)*)"|'([^']*)'|([\w-]+)/g;
 /** @param {string} text */
 const keysOf = (text) =>
@@ -204,7 +204,9 @@ function once(text, { path, value }, wanted) {
   if (within) throw new Error("a table that is there in parts");
   if (table && path.length === 1) return `${text}\n[${key(last)}]\n${lines(value)}`;
   if (Array.isArray(value) && value.every(isHolder))
-    return `${text}${value.map((row) => `\n[[${path.map(key).join(".")}]]\n${lines(row)}`).join("")}`;
+    return [text, ...value.map((row) => `[[${path.map(key).join(".")}]]\n${lines(row)}`)].join(
+      "\n",
+    );
   const section = sectionOf(path, sections);
   const rest = path.slice(section.path.length);
   if (rest.some((k) => typeof k === "number")) throw new Error("in a row that has no table");

@@ -1,0 +1,14 @@
+// The drive file of the design: the text that was opened with what has changed, comments too.
+import { app } from "../base/design.js";
+import { ask, note, save } from "../base/server.js";
+import { rewritten } from "../base/toml.js";
+import { fileName } from "./files.js";
+
+export async function download() {
+  const { doc, source } = app;
+  const kept = source && rewritten(source.toml, source.document, doc);
+  if (source?.toml.includes("#") && kept === null)
+    note("The comments of the file that was opened are not kept: too much has changed.");
+  const toml = kept ?? (await ask("toml/write", { document: doc })).toml;
+  save(`${fileName()}.toml`, toml, "application/toml");
+}
