@@ -49,7 +49,7 @@ def test_focus_stays_beside_a_button_that_goes(
     handle = found.element_handle()
     pressed(found)
     wait_for(lambda: page.evaluate("(e) => !e.checkVisibility() || e.disabled", handle))
-    visitor.painted()
+    wait_for(lambda: not page.evaluate(_AT)[0])
     assert at(page) == then
 
 

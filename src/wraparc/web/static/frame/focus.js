@@ -3,10 +3,13 @@ import { app } from "../base/design.js";
 
 /** What has the focus and what that stands in, from the inside out. @type {HTMLElement[]} */
 let held = [];
-addEventListener("focusin", ({ target }) => {
+/** @param {EventTarget | null} target */
+function hold(target) {
   held = [];
   for (let e = target; e instanceof HTMLElement; e = e.parentElement) held.push(e);
-});
+}
+hold(document.activeElement); // what was pressed before this came
+addEventListener("focusin", ({ target }) => hold(target));
 addEventListener("pointerdown", () => (held = []));
 /** @param {HTMLElement} e */
 const there = (e) => e.isConnected && !e.matches(":disabled, [hidden], [hidden] *");

@@ -45,7 +45,7 @@ export async function within(path, body, how) {
     );
   }
 }
-/** @param {FileList | null | undefined} chosen */
+/** @param {FileList | File[] | null | undefined} chosen */
 async function send(chosen) {
   if (!chosen?.length) return;
   const data = new FormData();
@@ -171,7 +171,12 @@ export function drop() {
     class: "away",
     tabIndex: -1,
     "aria-label": "Files of the testing machine",
-    onChange: act((e) => send(/** @type {HTMLInputElement} */ (e.currentTarget).files)),
+    onChange: act((e) => {
+      const own = /** @type {HTMLInputElement} */ (e.currentTarget);
+      const chosen = [...(own.files ?? [])];
+      own.value = ""; // so that the same files can be chosen again
+      return send(chosen);
+    }),
   };
   const choose = () => document.getElementById("test-files")?.click();
   return h(

@@ -1,0 +1,62 @@
+"""A server that is killed and started again on its port, under the eyes of a page."""
+
+from pathlib import Path
+
+from playwright.sync_api import expect
+
+from web.browser import Calculator, Visitor
+from web.calculators import Process, serving
+from web.test_pages_tests import FILES
+
+
+def test_a_killed_server_loses_nothing_typed_and_says_which_tests_to_drop_again(
+    calculator: Calculator, tmp_path: Path
+) -> None:
+    # expected: what was typed while it was away is solved on its return; a test session ended with
+    # the server and says so, where the page waited for ever
+    place = ("--no-open", "--workers", "1", "--database", str(tmp_path / "designs.sqlite"))
+    with serving(*place) as server:
+        visitor = Visitor(calculator[0], server.address)
+        page = visitor.open("tests")
+        page.set_input_files("#test-files", FILES)
+        page.wait_for_selector(f"text={len(FILES)} tests")
+        page.click("#nav-drive")
+        visitor.solved()
+        server.kill()
+        page.fill("#f-pulley-0-exit_tension", "77")
+        expect(page.locator(".gone")).to_contain_text("does not answer")
+        assert "cannot be used" not in page.inner_text("#results")
+        again = Process(*place, "--port", str(server.port))
+    try:
+        expect(page.locator(".gone")).to_have_count(0)
+        visitor.solved()
+        expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+        expect(page.locator("#results [role=alert]")).to_have_text("")
+        page.click("#nav-tests")
+        page.get_by_role("button", name="Fit the lagging").click()
+        expect(page.locator("#toast")).to_contain_text("drop the files again")
+        expect(page.get_by_text("Fitting …")).to_have_count(0)
+        page.set_input_files("#test-files", FILES)
+        page.wait_for_selector(f"text={len(FILES)} tests")
+        visitor.context.close()
+    finally:
+        again.kill()
+
+
+def test_a_link_is_shown_where_the_clipboard_is_closed(calculator: Calculator) -> None:
+    # as on plain HTTP, where a browser has no clipboard for a page
+    visitor = Visitor(calculator[0], calculator[1].address)
+    visitor.page.add_init_script("Object.defineProperty(navigator, 'clipboard', {})")
+    page = visitor.open("drive")
+    page.fill("#f-pulley-0-exit_tension", "71")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.click("#file > summary")
+    page.get_by_role("button", name="Copy a link").click()
+    link = page.get_by_label("Link", exact=True)
+    expect(link).to_be_focused()
+    other = Visitor(calculator[0], link.input_value())
+    other.open("drive")
+    expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("71")
+    assert visitor.wrong == []
+    visitor.context.close()
+    other.context.close()
