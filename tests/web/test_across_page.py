@@ -171,7 +171,7 @@ def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_p
         "energy_unevenness", told["energy_unevenness"]
     )
     text = file.read_text("utf-8")
-    for words in ("[pulley.across]", "worn_depth", lifted, "0.02 in", "1.5 mm/m", "2.5 m"):
+    for words in ("across = {", "worn_depth", lifted, "0.02 in", "1.5 mm/m", "2.5 m"):
         assert words in text
     # undo goes back through all of it
     for _ in range(40):
