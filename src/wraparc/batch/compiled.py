@@ -19,10 +19,9 @@ from wraparc.arc.kernel.quantities import RECORD, SOLVED, Geometry, Shot, parame
 from wraparc.arc.solver import capacities_of, solved_result
 from wraparc.arc.summary import Columns, Description, Summary, columns_of, summary_of
 from wraparc.batch import row
-from wraparc.batch.laws import bank_of, law_of
+from wraparc.batch.laws import bank_of, law_of, tested_ends
 from wraparc.batch.native import available, compiled
 from wraparc.batch.precise import capacity_rows, tension_rows
-from wraparc.friction import FrictionLaw
 
 _ROOM = 2_000  # records of a profile that there is room for at first
 _CARRIED = (  # where a row has it
@@ -42,13 +41,6 @@ class _Ends(NamedTuple):
     pressure_min: float
     pressure_max: float
     slip_max: float
-
-
-def _ends(law: FrictionLaw) -> _Ends:
-    tested = law.tested
-    if tested is None:
-        return _Ends(math.nan, math.nan, math.nan)
-    return _Ends(tested.pressure_min, tested.pressure_max, tested.slip_max)
 
 
 def read_off(
@@ -107,7 +99,14 @@ class Compiled:
             plain = Distributed(self.steps, self.points, capacities=False)
             return replace(plain.solve(arc), capacities=capacities)
         told, columns = compiled(read_off)(
-            bank, arc.geometry(), arc.described(), _ends(arc.law), found, self.steps, out, count
+            bank,
+            arc.geometry(),
+            arc.described(),
+            _Ends(*tested_ends(arc.law)),
+            found,
+            self.steps,
+            out,
+            count,
         )
         if arc.law.tested is None:
             told = told._replace(outside_tested_share=math.nan)

@@ -64,7 +64,7 @@ class LawBank:
             places=places,
             onset_compliance=onset_compliance,
             steepest_fall=np.array([law.steepest_fall() for law in laws], dtype=float),
-            tested=np.array([_tested(law) for law in laws], dtype=float).reshape(-1, 3),
+            tested=np.array([tested_ends(law) for law in laws], dtype=float).reshape(-1, 3),
             tested_speed=np.array([_tested_speed(law) for law in laws], dtype=float),
         )
 
@@ -109,7 +109,8 @@ def bank_of(law: CompactLaw) -> tuple[Integers, Array, Integers, Array]:
     return arrays_of([law])
 
 
-def _tested(law: FrictionLaw) -> tuple[float, float, float]:
+def tested_ends(law: FrictionLaw) -> tuple[float, float, float]:
+    """Least and largest pressure [Pa] and largest slip [m] tested; nan where nothing was."""
     t = law.tested
     return (nan, nan, nan) if t is None else (t.pressure_min, t.pressure_max, t.slip_max)
 

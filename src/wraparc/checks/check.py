@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.checks.numbers import BEHIND, kept, margin_of, order_of, times_of
+from wraparc.checks.numbers import AHEAD, BEHIND, kept, margin_of, order_of, times_of
 from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
@@ -331,7 +331,7 @@ def behind(margin: _Number) -> _Number:
 
 def ahead(margin: _Number) -> _Number:
     """Return a margin that sorts before every other: gross slip leads whatever else fails."""
-    found: _Number = np.minimum(margin, BEHIND) - 4.0 * BEHIND
+    found: _Number = np.minimum(margin, BEHIND) - AHEAD
     return found
 
 

@@ -20,6 +20,10 @@ IDLE = 1e-6
 SMALL_PULL = 1e-3
 #: More than any margin.
 BEHIND = 1e9
+#: Where what is missed without a number stands: before every margin.
+NUMBERLESS = -2.0 * BEHIND
+#: By how much what leads stands before its margin: before that too.
+AHEAD = 4.0 * BEHIND
 #: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
 #: runs between take-up and drive [-].
 HELD = 0.1
@@ -73,9 +77,9 @@ def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: b
     """
     found = margin
     if isnan(margin):
-        found = -2.0 * BEHIND if missed and binding else inf
+        found = NUMBERLESS if missed and binding else inf
     if leads:
-        return min(found, BEHIND) - 4.0 * BEHIND
+        return min(found, BEHIND) - AHEAD
     return max(found, -BEHIND) + 2.0 * BEHIND if missed and advises else found
 
 

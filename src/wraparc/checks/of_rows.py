@@ -16,7 +16,7 @@ from wraparc.batch.pull_factors import pull_factors
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
-from wraparc.checks.numbers import BEHIND, IDLE, USUAL_TENSION
+from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_TENSION
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     NO_GRIP,
@@ -264,7 +264,7 @@ def _checks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
         )
         # what has no number comes first where it binds a design, and last where it does not
-        first = np.where(held.binding, -2.0 * BEHIND, math.inf)
+        first = np.where(held.binding, NUMBERLESS, math.inf)
         ranks, margins = np.where(never, missed, ranks), np.where(never, first, margins)
         advice = ranks > Level.OK.rank
         advice &= ~held.binding if name == "design_standard" else name in ADVICE

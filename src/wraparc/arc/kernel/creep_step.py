@@ -40,19 +40,14 @@ CELL_PARTS = 3.0  # steps in a steep cell, the more the more of its creep is she
 
 def slip_at_entry(law: CompactLaw, par: Parameters, creep: float, q: float) -> float:
     """Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]."""
-    return _slip_near(law, par, creep, q, 1.0)
-
-
-def _slip_near(law: CompactLaw, par: Parameters, creep: float, q: float, share: float) -> float:
-    """`slip_at_entry` with a first guess of slip over creep, 1 for none."""
     p = pressure_at(par, q)
     shear = par.shear
     segment = segment_of(law, p)
     if law.kind == TABLE:
-        return slip_under_table(law, segment, shear * p, p, creep, share)[1]
+        return slip_under_table(law, segment, shear * p, p, creep, 1.0)[1]
     low, high = 0.0, creep
-    x = share * creep if share > 0.0 else creep
-    if share == 1.0 and law.kind in (KNOTS, PIECES):
+    x = creep
+    if law.kind in (KNOTS, PIECES):
         slip_pk, mu_pk, _, _ = peak(law, segment, p)
         r = min(creep / slip_pk, 1.0)
         x = creep / (1.0 + shear * p * mu_pk / slip_pk * (1.0 - log(max(r, SMALLEST))))
@@ -111,10 +106,8 @@ def creep_step(
     q7, u7 = q + to_last(a1, a2, a3, a4, a6), u + to_last(b1, b2, b3, b4, b6)
     a7, b7, w7, n = _creep_rates(law, par, g, z, q7, u7, n)
     q_end, u_end = q + to_end(a1, a3, a4, a5, a6, a7), u + to_end(b1, b3, b4, b5, b6, b7)
-    x_end = _slip_near(law, par, abs(u_end), q_end, n)
-    x_end = x_end if u_end > 0.0 else -x_end
+    tau_end, x_end = _stress_of_creep(law, par, q_end, u_end, n)
     # work on the creep, less what the shear of the lagging has taken up: tau dx = tau (du - c dtau)
-    tau_end, _ = _stress_of_creep(law, par, q_end, u_end, n)
     stored = 0.5 * par.shear * (tau_end**2 - tau**2)
     return q_end, x_end, to_end(w1, w3, w4, w5, w6, w7) - stored
 
@@ -122,16 +115,14 @@ def creep_step(
 def _stress_of_creep(
     law: CompactLaw, par: Parameters, q: float, u: float, share: float
 ) -> tuple[float, float]:
-    """Shear stress that belongs to a creep [Pa], and slip over creep, with a guess of it."""
+    """Shear stress [Pa] and slip [m] that belong to a creep, with a guess of slip over creep."""
     size = abs(u)
-    x = _slip_near(law, par, size, q, share)
+    p = pressure_at(par, q)
+    mu, x = slip_under_table(law, segment_of(law, p), par.shear * p, p, size, share)
+    tau = p * mu
     if size - x > 1e-6 * size:  # else the difference has lost its digits, and the law is not steep
         tau = (size - x) / par.shear
-    else:
-        p = pressure_at(par, q)
-        segment = segment_of(law, p)
-        tau = p * friction_at(law, segment, branch_of(law, segment, x, p), x, p)[0]
-    return (tau if u > 0.0 else -tau), (x / size if size > 0.0 else 1.0)
+    return (tau, x) if u > 0.0 else (-tau, -x)
 
 
 def _creep_rates(
@@ -139,7 +130,8 @@ def _creep_rates(
 ) -> tuple[float, float, float, float]:
     """Changes of q, creep u and tau du over z of the arc, and slip over creep."""
     p = pressure_at(par, q)
-    tau, share = _stress_of_creep(law, par, q, u, share)
+    tau, x = _stress_of_creep(law, par, q, u, share)
+    share = x / u if u != 0.0 else 1.0
     du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z
     return -tau / (p * par.radius) * z, du, tau * du, share
 

@@ -38,11 +38,7 @@ def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) 
     """
     q, angle = 0.0, wrap_angle
     for _ in range(4 * len(law.edges) + 400):
-        p = tight_pressure * exp(-q)
-        segment = segment_of(law, p * (1.0 - 1e-12))
-        span = _PIECE
-        if segment >= 0:
-            span = min(span, log(p / law.edges[segment]))
+        segment, span = _piece(law, tight_pressure * exp(-q))
         taken = _plateau_angle(law, tight_pressure, segment, q, span)
         if taken < angle:
             angle -= taken
@@ -58,6 +54,12 @@ def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) 
                 break
         return q + part
     return q
+
+
+def _piece(law: CompactLaw, p: float) -> tuple[int, float]:
+    """Segment below a pressure [Pa], and how far ln p may fall in it in one piece."""
+    segment = segment_of(law, p * (1.0 - 1e-12))
+    return segment, min(_PIECE, log(p / law.edges[segment])) if segment >= 0 else _PIECE
 
 
 def _plateau_angle(law: CompactLaw, pressure: float, segment: int, q: float, span: float) -> float:
@@ -113,11 +115,8 @@ def _angle_needed(law: CompactLaw, tight_pressure: float, fall: float) -> float:
     """Wrap angle over which ln T falls so far from the tight side at the plateau [rad]."""
     q, angle = 0.0, 0.0
     while q < fall:
-        p = tight_pressure * exp(-q)
-        segment = segment_of(law, p * (1.0 - 1e-12))
-        span = min(_PIECE, fall - q)
-        if segment >= 0:
-            span = min(span, log(p / law.edges[segment]))
+        segment, span = _piece(law, tight_pressure * exp(-q))
+        span = min(span, fall - q)
         angle += _plateau_angle(law, tight_pressure, segment, q, span)
         q += span
         if span <= 1e-15 * q:

@@ -42,9 +42,8 @@ def slip_under_table(
     o = 4 * row * cells
     ease *= factor
     held = c[o] + weight * (c[o + above] - c[o])
-    if (
-        ease > 0.0 and creep <= ease * held
-    ):  # a table that starts with a jump: the lagging alone gives way
+    # a table that starts with a jump holds the belt: the lagging alone gives way
+    if ease > 0.0 and creep <= ease * held:
         return factor * creep / ease, 0.0
     low, high = 0.0, creep
     x = share * creep if share > 0.0 else creep

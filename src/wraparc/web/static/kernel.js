@@ -870,7 +870,9 @@ const TOO_FEW = 3;
 const NO_SPEED = 4;
 const UNUSUAL = 3;
 const HELD = 0.1;
+const NUMBERLESS = -2000000000.0;
 const BEHIND = 1000000000.0;
+const AHEAD = 4000000000.0;
 
 /** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
 export function load_case__pull_of_torque(torque, diameter) {
@@ -2377,74 +2379,34 @@ export function creep_step__cell_lag(law, par, segment, branch, q, slip, frictio
   return stiffness > 0.0 ? Math.sqrt(ahead / stiffness) : Infinity;
 }
 
-/** `slip_at_entry` with a first guess of slip over creep, 1 for none. */
-export function creep_step___slip_near(law, par, creep, q, share) {
-  let branch, dx, f, mu, mu_pk, mu_x, r, slip_pk, x_new;
-  let p = step__pressure_at(par, q);
-  let shear = par.shear;
-  let segment = compact__segment_of(law, p);
-  if (law.kind === TABLE) {
-    return table_slip__slip_under_table(law, segment, shear * p, p, creep, share)[1];
-  }
-  let low = 0.0;
-  let high = creep;
-  let x = share > 0.0 ? share * creep : creep;
-  if (share === 1.0 && (law.kind === KNOTS || law.kind === PIECES)) {
-    const found1 = compact__peak(law, segment, p);
-    slip_pk = found1[0];
-    mu_pk = found1[1];
-    r = min(creep / slip_pk, 1.0);
-    x = creep / (1.0 + ((shear * p * mu_pk) / slip_pk) * (1.0 - Math.log(max(r, SMALLEST))));
-  }
-  for (let each2 = 0, end2 = 200; each2 < end2; each2++) {
-    branch = compact__branch_of(law, segment, x, p);
-    const found3 = compact__friction_at(law, segment, branch, x, p);
-    mu = found3[0];
-    mu_x = found3[1];
-    f = x + shear * mu * p - creep;
-    if (f > 0.0) {
-      high = x;
-    } else {
-      low = x;
-    }
-    dx = f / (1.0 + shear * p * mu_x);
-    x_new = x - dx;
-    if (Math.abs(dx) <= 1e-15 * x) {
-      return x_new;
-    }
-    if (!(low < x_new && x_new < high)) {
-      x_new = 0.5 * (low + high);
-    }
-    if (Math.abs(x_new - x) <= 1e-15 * x) {
-      return x_new;
-    }
-    x = x_new;
-  }
-  return x;
-}
-
-/** Shear stress that belongs to a creep [Pa], and slip over creep, with a guess of it. */
+/** Shear stress [Pa] and slip [m] that belong to a creep, with a guess of slip over creep. */
 export function creep_step___stress_of_creep(law, par, q, u, share) {
-  let p, segment, tau;
   let size = Math.abs(u);
-  let x = creep_step___slip_near(law, par, size, q, share);
+  let p = step__pressure_at(par, q);
+  const found1 = table_slip__slip_under_table(
+    law,
+    compact__segment_of(law, p),
+    par.shear * p,
+    p,
+    size,
+    share,
+  );
+  let mu = found1[0];
+  let x = found1[1];
+  let tau = p * mu;
   if (size - x > 1e-6 * size) {
     tau = (size - x) / par.shear;
-  } else {
-    p = step__pressure_at(par, q);
-    segment = compact__segment_of(law, p);
-    tau = p * compact__friction_at(law, segment, compact__branch_of(law, segment, x, p), x, p)[0];
   }
-  return [u > 0.0 ? tau : -tau, size > 0.0 ? x / size : 1.0];
+  return u > 0.0 ? [tau, x] : [-tau, -x];
 }
 
 /** Changes of q, creep u and tau du over z of the arc, and slip over creep. */
 export function creep_step___creep_rates(law, par, g, z, q, u, share) {
-  let tau;
   let p = step__pressure_at(par, q);
   const found1 = creep_step___stress_of_creep(law, par, q, u, share);
-  tau = found1[0];
-  share = found1[1];
+  let tau = found1[0];
+  let x = found1[1];
+  share = u !== 0.0 ? x / u : 1.0;
   let du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z;
   return [(-tau / (p * par.radius)) * z, du, tau * du, share];
 }
@@ -2538,10 +2500,9 @@ export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
   n = found8[3];
   let q_end = q + butcher__to_end(a1, a3, a4, a5, a6, a7);
   let u_end = u + butcher__to_end(b1, b3, b4, b5, b6, b7);
-  let x_end = creep_step___slip_near(law, par, Math.abs(u_end), q_end, n);
-  x_end = u_end > 0.0 ? x_end : -x_end;
   const found9 = creep_step___stress_of_creep(law, par, q_end, u_end, n);
   let tau_end = found9[0];
+  let x_end = found9[1];
   let stored = 0.5 * par.shear * (tau_end ** 2 - tau ** 2);
   return [q_end, x_end, butcher__to_end(w1, w3, w4, w5, w6, w7) - stored];
 }
@@ -3093,6 +3054,12 @@ export function effort__is_far(law, par) {
   return !effort__jumps(law) && effort__lags(law, par) > FAR;
 }
 
+/** Segment below a pressure [Pa], and how far ln p may fall in it in one piece. */
+export function gross_slip___piece(law, p) {
+  let segment = compact__segment_of(law, p * (1.0 - 1e-12));
+  return [segment, segment >= 0 ? min(_PIECE, Math.log(p / law.edges[segment])) : _PIECE];
+}
+
 /** Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece. */
 export function gross_slip___plateau_angle(law, pressure, segment, q, span) {
   let node, p, weight;
@@ -3113,16 +3080,13 @@ export function gross_slip___plateau_angle(law, pressure, segment, q, span) {
 
 /** ln(tight/slack) at gross slip with the largest friction of the law everywhere. */
 export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
-  let change, f, mu, p, part, segment, span, taken;
+  let change, f, mu, part, segment, span, taken;
   let q = 0.0;
   let angle = wrap_angle;
   for (let each1 = 0, end1 = 4 * law.edges.length + 400; each1 < end1; each1++) {
-    p = tight_pressure * Math.exp(-q);
-    segment = compact__segment_of(law, p * (1.0 - 1e-12));
-    span = _PIECE;
-    if (segment >= 0) {
-      span = min(span, Math.log(p / law.edges[segment]));
-    }
+    const found2 = gross_slip___piece(law, tight_pressure * Math.exp(-q));
+    segment = found2[0];
+    span = found2[1];
     taken = gross_slip___plateau_angle(law, tight_pressure, segment, q, span);
     if (taken < angle) {
       angle -= taken;
@@ -3130,7 +3094,7 @@ export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
       continue;
     }
     part = (span * angle) / taken;
-    for (let each2 = 0, end2 = 50; each2 < end2; each2++) {
+    for (let each3 = 0, end3 = 50; each3 < end3; each3++) {
       f = gross_slip___plateau_angle(law, tight_pressure, segment, q, part) - angle;
       mu = compact__plateau_at(law, segment, tight_pressure * Math.exp(-q - part));
       change = f * mu;
@@ -3283,7 +3247,48 @@ export function effort__ratio_of(par, z) {
 
 /** Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]. */
 export function creep_step__slip_at_entry(law, par, creep, q) {
-  return creep_step___slip_near(law, par, creep, q, 1.0);
+  let branch, dx, f, mu, mu_pk, mu_x, r, slip_pk, x_new;
+  let p = step__pressure_at(par, q);
+  let shear = par.shear;
+  let segment = compact__segment_of(law, p);
+  if (law.kind === TABLE) {
+    return table_slip__slip_under_table(law, segment, shear * p, p, creep, 1.0)[1];
+  }
+  let low = 0.0;
+  let high = creep;
+  let x = creep;
+  if (law.kind === KNOTS || law.kind === PIECES) {
+    const found1 = compact__peak(law, segment, p);
+    slip_pk = found1[0];
+    mu_pk = found1[1];
+    r = min(creep / slip_pk, 1.0);
+    x = creep / (1.0 + ((shear * p * mu_pk) / slip_pk) * (1.0 - Math.log(max(r, SMALLEST))));
+  }
+  for (let each2 = 0, end2 = 200; each2 < end2; each2++) {
+    branch = compact__branch_of(law, segment, x, p);
+    const found3 = compact__friction_at(law, segment, branch, x, p);
+    mu = found3[0];
+    mu_x = found3[1];
+    f = x + shear * mu * p - creep;
+    if (f > 0.0) {
+      high = x;
+    } else {
+      low = x;
+    }
+    dx = f / (1.0 + shear * p * mu_x);
+    x_new = x - dx;
+    if (Math.abs(dx) <= 1e-15 * x) {
+      return x_new;
+    }
+    if (!(low < x_new && x_new < high)) {
+      x_new = 0.5 * (low + high);
+    }
+    if (Math.abs(x_new - x) <= 1e-15 * x) {
+      return x_new;
+    }
+    x = x_new;
+  }
+  return x;
 }
 
 /** March while the creep of the kick is used up, with creep as the independent variable. */
@@ -6134,16 +6139,14 @@ export function in_page__limits_of(given, arc, tested, criteria) {
 
 /** Wrap angle over which ln T falls so far from the tight side at the plateau [rad]. */
 export function gross_slip___angle_needed(law, tight_pressure, fall) {
-  let p, segment, span;
+  let segment, span;
   let q = 0.0;
   let angle = 0.0;
   while (q < fall) {
-    p = tight_pressure * Math.exp(-q);
-    segment = compact__segment_of(law, p * (1.0 - 1e-12));
-    span = min(_PIECE, fall - q);
-    if (segment >= 0) {
-      span = min(span, Math.log(p / law.edges[segment]));
-    }
+    const found1 = gross_slip___piece(law, tight_pressure * Math.exp(-q));
+    segment = found1[0];
+    span = found1[1];
+    span = min(span, fall - q);
     angle += gross_slip___plateau_angle(law, tight_pressure, segment, q, span);
     q += span;
     if (span <= 1e-15 * q) {
@@ -6653,10 +6656,10 @@ export function numbers__times_of(value, limit) {
 export function numbers__order_of(margin, missed, binding, advises, leads) {
   let found = margin;
   if (Number.isNaN(margin)) {
-    found = missed && binding ? -2.0 * BEHIND : Infinity;
+    found = missed && binding ? NUMBERLESS : Infinity;
   }
   if (leads) {
-    return min(found, BEHIND) - 4.0 * BEHIND;
+    return min(found, BEHIND) - AHEAD;
   }
   return missed && advises ? max(found, -BEHIND) + 2.0 * BEHIND : found;
 }

@@ -143,7 +143,7 @@ async function tell(of) {
     };
   } catch (x) {
     f.unsaid = true;
-    f.refused = refusal(x);
+    f.refused = refusal(x); // throws what is no refusal: it is said again later
     f.unsaid = false;
   }
   redraw();
