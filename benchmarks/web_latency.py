@@ -188,7 +188,7 @@ def main() -> int:
     ratios = f"median {median(whole) / median(empty):.2f}, 95 % {late(whole) / late(empty):.2f}"
     print(f"over the empty page: {ratios}")
     print(f"requests while the slider moved: {requests}")
-    print(f"first load to the first answer {load['answered']:.0f} ms (best of five)")
+    print(f"first load to the first answer painted {load['answered']:.0f} ms (best of five)")
     print(f"page, style and script {load['bytes']} bytes sent, {load['plain']} unpacked")
     if asked.kinds:
         cost = kinds(asked.presses, asked.rest)

@@ -413,3 +413,9 @@ def test_the_openapi_document_names_token_types_and_refusals(api: TestClient) ->
             good = next(v for k, v in operation["responses"].items() if k.startswith("2"))
             typed = good.get("content", {}).get("application/json", {}).get("schema")
             assert typed != {}, (path, method)  # every JSON answer states its form
+
+
+def test_what_is_not_solved_at_the_start_the_page_asks_for(api: TestClient) -> None:
+    # nothing is solved in advance by a server without processes
+    solved = api.get(f"{API}/start/solved")
+    assert (solved.status_code, solved.content) == (204, b"")

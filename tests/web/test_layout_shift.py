@@ -17,26 +17,38 @@ _COUNT = """() => {
 MOST = 0.02
 
 
-@pytest.mark.parametrize("first", ["solve", "solve/fast"])
+@pytest.mark.parametrize("first", ["start/solved", "solve", "solve/fast"])
 @pytest.mark.parametrize("size", [DESKTOP, {"width": 1024, "height": 768}, PHONE])
 def test_nothing_jumps_while_the_first_page_loads(
     calculator: Calculator, size: ViewportSize, first: str
 ) -> None:
-    # whichever of both answers comes first: the other one is held until that one is there
+    # solved before the page came, or asked for: then whichever of both answers comes first, the
+    # other one is held until that one is there
     browser, server = calculator
     visitor = Visitor(browser, server.address, size)
     page = visitor.page
     page.add_init_script(f"({_COUNT})()")
+    asked: list[str] = []
     held: list[Route] = []
-    other = "solve" if first == "solve/fast" else "solve/fast"
-    page.route(f"**{API}/{other}", lambda route: held.append(route))  # noqa: PLW0108
+    page.on("request", lambda r: asked.append(r.url.partition(f"{API}/")[2]))
+    if first == "start/solved":
+        wait_for(lambda: server.ask(f"{API}/{first}").status == 200)
+    else:
+        page.route(f"**{API}/start/solved", lambda route: route.fulfill(status=204))
+        other = "solve" if first == "solve/fast" else "solve/fast"
+        page.route(f"**{API}/{other}", lambda route: held.append(route))  # noqa: PLW0108
     with page.expect_response(f"**{API}/{first}"):
         page.goto(f"{server.address}?token={TOKEN}")
-    visitor.painted()
-    wait_for(lambda: page.evaluate("true") and held)
-    held[0].continue_()
-    visitor.solved()
-    visitor.painted()
+    if first == "start/solved":
+        visitor.solved()
+        visitor.painted()
+        assert not {"solve", "solve/fast"} & set(asked)
+    else:
+        visitor.painted()
+        wait_for(lambda: page.evaluate("true") and held)
+        held[0].continue_()
+        visitor.solved()
+        visitor.painted()
     assert page.evaluate("shift") < MOST
     visitor.context.close()
 

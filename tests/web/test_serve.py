@@ -41,6 +41,17 @@ def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
         assert exact
         creep = fast.json()["numbers"]["exit_creep"]
         assert creep == pytest.approx(float(exact[1]), rel=1e-9)
+        # what the page would ask first is solved already, as it would be answered
+        wait_for(lambda: server.ask(f"{API}/start/solved").status == 200)
+        solved = server.ask(f"{API}/start/solved").json()
+        asked = {"document": start["document"], "prepared": True}
+        quick, whole = (
+            server.ask(f"{API}/{path}", asked).json() for path in ("solve/fast", "solve")
+        )
+        for key in ("verdict", "remarks", "kind"):
+            assert (solved["quick"][key], solved["whole"][key]) == (quick[key], whole[key])
+        assert solved["quick"]["numbers"]["exit_creep"] == pytest.approx(creep, rel=1e-9)
+        assert (solved["quick"]["prepared"], solved["whole"]["judging"]) != (None, None)
         about = server.ask(f"{API}/about").json()
         assert (about["database"], about["token"]) == ("sqlite", True)
         code, complaints = server.stop()

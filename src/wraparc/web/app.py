@@ -1,5 +1,6 @@
 """The application: routes, errors, and the door in front of them."""
 
+import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
@@ -19,6 +20,7 @@ from wraparc.web.routes import (
     reports,
     results,
     shear_tests,
+    start,
     studies,
 )
 from wraparc.web.routes.parts import State
@@ -45,7 +47,10 @@ def create_app(settings: Settings) -> FastAPI:
     @asynccontextmanager
     async def running(_: FastAPI) -> AsyncIterator[None]:
         state.workers.start()
+        solving = asyncio.create_task(start.solve_first(state)) if settings.workers else None
         yield
+        if solving:
+            solving.cancel()
         state.close()
 
     app = FastAPI(
@@ -60,7 +65,7 @@ def create_app(settings: Settings) -> FastAPI:
     )
     app.state.wraparc = state
     MultiPartParser.spool_max_size = UPLOAD_LIMIT  # what is uploaded never touches the disk
-    for part in (drives, designs, shear_tests, reports, results, studies, events, pages):
+    for part in (drives, start, designs, shear_tests, reports, results, studies, events, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)
     for kind in (InputError, ApiError, MissingExtraError, HTTPException, Exception):

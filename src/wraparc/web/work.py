@@ -125,6 +125,8 @@ class Workers:
     ----------
     compiled
         Whether the processes solve by compiled code by now.
+    filled
+        Done once the processes are started.
     """
 
     def __init__(self, count: int) -> None:
@@ -145,7 +147,8 @@ class Workers:
     def start(self) -> None:
         """Start the processes, and others with compiled code that take their place later."""
         if self._count:
-            self._tasks = {asyncio.create_task(self._fill()), asyncio.create_task(self._compile())}
+            self.filled = asyncio.create_task(self._fill())
+            self._tasks = {self.filled, asyncio.create_task(self._compile())}
 
     async def _fill(self) -> None:
         for queue, size in self._sizes.items():

@@ -47,16 +47,6 @@ class ExampleAnswer(Answer):
     toml: str
 
 
-class StartAnswer(Answer):
-    """The drive to show first, and the file it was read from."""
-
-    name: str
-    kind: DriveKind
-    document: Data
-    toml: str
-    file: str | None
-
-
 @api.get("/schema")
 def schema() -> form.Form:
     """The drive form: sections, fields, units, glossary."""
@@ -95,21 +85,6 @@ def one_example(name: str) -> ExampleAnswer:
         raise refused(404, "there is no such example", there, value=shown(name))
     document = documents.json_like(found.document)
     return ExampleAnswer(name=name, kind=found.kind, document=document, toml=found.text)
-
-
-@api.get("/start")
-def start(request: Request) -> StartAnswer:
-    """The drive that the server was started with, or the first example."""
-    settings = state_of(request).settings
-    first, file = examples()[0], settings.start_file or None
-    name, document, toml = first.name, settings.start, settings.start_text
-    if document is None:
-        document, toml = first.document, first.text
-    elif file:
-        name = file.replace("\\", "/").rpartition("/")[2].removesuffix(".toml")
-    kind = documents.kind_of(document)
-    document = documents.json_like(document)
-    return StartAnswer(name=name, kind=kind, document=document, toml=toml, file=file)
 
 
 offer(api, "/solve/fast", drives.solve_fast, queue=QUICK)

@@ -39,6 +39,7 @@ class State:
         self.jobs = Jobs()
         self.runs = Jobs(one="run", many="runs in time")
         self.store = Store.open(settings.database, settings.shown_database)
+        self.first = b""  # the answers of the drive to begin with, once they are there
 
     def close(self) -> None:
         """End what runs, and give back what is held."""

@@ -6,7 +6,7 @@ import { ask, complain, Refused, told } from "./base/server.js";
 import { Header, listen } from "./frame/header.js";
 import { Main, offerDraft, openDraft, present } from "./frame/pages.js";
 import { PAGES } from "./frame/registry.js";
-import { solve } from "./pages/drive/solving.js";
+import { came, solve } from "./pages/drive/solving.js";
 import { h, render } from "./vendor/preact.js";
 
 /** @param {string} id */
@@ -62,8 +62,8 @@ async function arrive() {
 }
 
 async function begin() {
-  const asked = ["schema", "catalogue", "start", "about"].map((path) => ask(path));
-  const [form, catalogue, first, about] = await Promise.all(asked);
+  const paths = ["schema", "catalogue", "start", "about", "start/solved"];
+  const [form, catalogue, first, about, solved] = await Promise.all(paths.map((p) => ask(p)));
   Object.assign(app, { form, catalogue, about });
   box("wait").remove();
   box("about").textContent =
@@ -77,6 +77,7 @@ async function begin() {
     const title = first.document.title || first.name;
     const origin = first.file ? null : { title, document: first.document };
     opened(first.document);
+    if (solved) came.set(first.document, solved);
     take(first.document, { name: first.name, origin, source: first });
   }
   if (!draft) offerDraft();

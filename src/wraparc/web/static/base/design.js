@@ -26,6 +26,9 @@ export const redraw = () => {
   for (const f of watchers) f();
 };
 
+/** Once the next frame is painted. @returns {Promise<void>} */
+export const painted = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+
 /** @param {any} from @param {Path} path @returns {any} */
 export const get = (from, path) => path.reduce((value, key) => value?.[key], from);
 /**

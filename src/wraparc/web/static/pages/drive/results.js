@@ -1,6 +1,6 @@
 // The answer: the governing verdict, the arc that is chosen, its pictures and tables.
 
-import { app, caseNames, look } from "../../base/design.js";
+import { app, caseNames, look, painted } from "../../base/design.js";
 import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
 import { badge, list, table, verdict } from "../../parts/answers.js";
@@ -27,6 +27,7 @@ export class Results extends Component {
   bySource = /** @type {import("./by_source.js").BySource | null} */ (null);
   /** @type {unknown[]} */
   drawn = [];
+  answered = false;
 
   componentDidMount() {
     const pick = (/** @type {number} */ part) => this.setState({ part });
@@ -61,6 +62,10 @@ export class Results extends Component {
   painted(arc) {
     if (arc && arc !== this.drawn[0])
       document.dispatchEvent(new CustomEvent("painted", { detail: arc.sequence }));
+    if (arc && !answer.awaited && !this.answered) {
+      this.answered = true;
+      painted().then(() => performance.mark("answered"));
+    }
     this.drawn = [arc];
   }
   render() {
