@@ -1,7 +1,7 @@
 """Where the work runs: processes that stay warm for short answers, one each for long tasks.
 
-Every process has a pipe of its own: one that dies, or is ended because its answer comes too late
-or nobody waits for it any more, costs nobody else anything.
+Every process has a connection of its own: one that dies, or is ended because its answer comes too
+late or nobody waits for it any more, costs nobody else anything.
 """
 
 import asyncio
@@ -9,13 +9,13 @@ import multiprocessing
 import pickle
 import shutil
 import signal
+import socket
+import struct
 import sys
 import tempfile
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from multiprocessing.connection import Connection
 from typing import Any
 
 from wraparc.errors import InputError, MissingExtraError
@@ -37,6 +37,9 @@ _PRELOADED = (
     "wraparc.web.answers.trains",
 )
 Function = Callable[..., Any]
+#: What goes between the processes: of which kind, how many bytes, and the bytes.
+_HEAD = struct.Struct("!cQ")
+_QUESTION, _DONE, _ERROR, _PROGRESS = b"q", b"d", b"e", b"p"
 
 
 class EndedError(Exception):
@@ -70,21 +73,27 @@ class Worker:
         How processes are started.
     prepare
         What it does before the first question.
+
+    Attributes
+    ----------
+    ended
+        Whether it was ended.
     """
 
     def __init__(self, start: Any, prepare: Callable[[], None]) -> None:
-        self._pipe, theirs = start.Pipe()
+        self._socket, theirs = _pair()
         self._process = start.Process(target=_serve, args=(theirs, prepare), daemon=True)
         self._process.start()
-        self._ended = False
+        self._streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
+        self.ended = False
         theirs.close()
 
     @property
     def alive(self) -> bool:
         """Whether it can be asked."""
-        return not self._ended and bool(self._process.is_alive())
+        return not self.ended and bool(self._process.is_alive())
 
-    def ask(self, question: bytes, tell: Tell) -> bytes:
+    async def ask(self, question: bytes, tell: Tell) -> bytes:
         """Wait for the answer to a pickled question.
 
         Raises
@@ -94,22 +103,55 @@ class Worker:
         EndedError
             If the process ends before it has answered.
         """
+        kind = _PROGRESS
         try:
-            self._pipe.send_bytes(question)
-            kind, content = self._pipe.recv()
-            while kind == "progress":
-                tell(*content)
-                kind, content = self._pipe.recv()
+            if self._streams is None:
+                self._streams = await asyncio.open_connection(sock=self._socket)
+            reader, writer = self._streams
+            writer.write(_framed(_QUESTION, question))
+            await writer.drain()
+            while kind == _PROGRESS:
+                said, size = _HEAD.unpack(await reader.readexactly(_HEAD.size))
+                content = await reader.readexactly(size)
+                kind = said
+                if kind == _PROGRESS:
+                    tell(*pickle.loads(content))  # noqa: S301 - from our own process
         except (EOFError, OSError):
             raise EndedError from None
-        if kind == "error":
-            raise content
-        return bytes(content)
+        finally:
+            if kind == _PROGRESS:  # it is late, or nobody waits for the rest
+                self.end()
+        if kind == _ERROR:
+            raise pickle.loads(content)  # noqa: S301 - from our own process
+        return content
 
     def end(self) -> None:
         """End the process."""
-        self._ended = True
+        self.ended = True
         self._process.kill()
+        if self._streams is None:
+            self._socket.close()
+        else:
+            with suppress(RuntimeError):  # of a server that has ended, with its connections
+                self._streams[1].transport.abort()
+
+
+def _pair() -> tuple[socket.socket, socket.socket]:
+    """Return two sockets that speak to each other, and to nobody else.
+
+    Raises
+    ------
+    OSError
+        If another program has come between them, as can be where they have a port.
+    """
+    ours, theirs = socket.socketpair()
+    crossed = ours.getsockname(), theirs.getsockname()
+    if crossed != (theirs.getpeername(), ours.getpeername()):
+        ours.close()
+        theirs.close()
+        raise ConnectionError("another program has connected to a process of the server")
+    ours.setblocking(False)
+    return ours, theirs
 
 
 class Workers:
@@ -140,7 +182,6 @@ class Workers:
         self._long = Turns(_LONG_TASKS, _LONG_TASKS - 1, _MOST_WAITING)
         self._idle: dict[str, list[Worker]] = {QUICK: [], WHOLE: []}
         self._all: set[Worker] = set()
-        self._threads = ThreadPoolExecutor(64, thread_name_prefix="wraparc")
         self._shared: dict[bytes, tuple[asyncio.Task[bytes], list[object]]] = {}
         self._tasks: set[asyncio.Task[None]] = set()
 
@@ -156,14 +197,17 @@ class Workers:
 
     async def _started(self, prepare: Callable[[], None] | None = None) -> Worker:
         ready = prepare or (_warm_compiled if self.compiled else _warm)
-        worker: Worker = await self._in_thread(Worker, self._context, ready)
-        self._all = {one for one in self._all if one.alive} | {worker}
+        loop = asyncio.get_running_loop()
+        starting = loop.run_in_executor(None, Worker, self._context, ready)
+        try:
+            worker = await asyncio.shield(starting)
+        except asyncio.CancelledError:
+            starting.add_done_callback(_end)
+            raise
+        self._all = {one for one in self._all if not one.ended} | {worker}
         if self._stopped:
             worker.end()
         return worker
-
-    async def _in_thread(self, function: Callable[..., Any], *given: Any) -> Any:
-        return await asyncio.get_running_loop().run_in_executor(self._threads, function, *given)
 
     async def _compile(self) -> None:
         """Compile once on this machine; then put processes that have loaded it in the place."""
@@ -191,7 +235,6 @@ class Workers:
             self._tasks.pop().cancel()
         for worker in self._all:
             worker.end()
-        self._threads.shutdown(wait=False, cancel_futures=True)
 
     async def short(
         self, client: str, function: Function, *asked: Any, queue: str = WHOLE
@@ -242,11 +285,12 @@ class Workers:
             compiled, idle = self.compiled, self._idle[queue]
             worker = idle.pop() if idle else await self._started()
             if not worker.alive:  # it died while it had nothing to do
+                worker.end()
                 worker = await self._started()
             try:
                 return await self._asked(worker, question, SHORT_LIMIT)
             finally:
-                if worker.alive and compiled == self.compiled:
+                if not worker.ended and compiled == self.compiled:
                     self._idle[queue].append(worker)
                 else:
                     worker.end()
@@ -255,20 +299,14 @@ class Workers:
         self, worker: Worker, question: bytes, limit: float | None, tell: Tell = unheard
     ) -> bytes:
         """Ask a process; it is ended if the answer is late or nobody waits for it."""
-        answering = asyncio.ensure_future(self._in_thread(worker.ask, question, tell))
         try:
             async with asyncio.timeout(limit):
-                found: bytes = await asyncio.shield(answering)
-                return found
+                return await worker.ask(question, tell)
         except TimeoutError:
             raise busy(f"no answer within {limit:g} s", "Ask for less.", 60) from None
         except EndedError:
             message = "the process that worked on this has ended, perhaps for want of memory"
             raise busy(message, "Try again, or ask for less.") from None
-        finally:
-            if not answering.done():
-                worker.end()
-                answering.add_done_callback(lambda done: done.cancelled() or done.exception())
 
     async def long(
         self, client: str, function: Function, *asked: Any, limit: float | None = LONG_LIMIT
@@ -297,6 +335,11 @@ class Workers:
                 worker.end()
         finally:
             await asyncio.to_thread(shutil.rmtree, folder, ignore_errors=True)
+
+
+def _end(started: asyncio.Future[Worker]) -> None:
+    if not started.cancelled() and not started.exception():
+        started.result().end()
 
 
 def _warm() -> None:
@@ -329,21 +372,28 @@ class _Alone:
                 resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, hard))
 
 
-def _serve(pipe: Connection, prepare: Callable[[], None]) -> None:
+def _serve(connection: socket.socket, prepare: Callable[[], None]) -> None:
     """Answer until nobody asks any more."""
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server ends its processes itself
     prepare()
-    tell_to(lambda *content: pipe.send(("progress", content)))
-    while True:
-        try:
-            function, asked = pickle.loads(pipe.recv_bytes())  # noqa: S301 - from the server itself
-        except (EOFError, OSError):
-            return
-        try:
-            told = "done", answer(function, *asked)
-        except (InputError, MissingExtraError, ApiError) as error:
-            told = "error", error  # type: ignore[assignment]
-        except Exception as error:  # noqa: BLE001 - told to whoever waits
-            told = "error", refusal_of(error)  # type: ignore[assignment]
-        pipe.send(told)
+    tell_to(lambda *content: connection.sendall(_framed(_PROGRESS, pickle.dumps(content))))
+    with suppress(OSError), connection.makefile("rb") as stream:
+        while head := stream.read(_HEAD.size):
+            _, size = _HEAD.unpack(head)
+            connection.sendall(_framed(*_told(stream.read(size))))
+
+
+def _told(question: bytes) -> tuple[bytes, bytes]:
+    """Return the answer to a pickled question and of which kind it is."""
+    try:
+        function, asked = pickle.loads(question)  # noqa: S301 - from the server itself
+        return _DONE, answer(function, *asked)
+    except (InputError, MissingExtraError, ApiError) as error:
+        return _ERROR, pickle.dumps(error)
+    except Exception as error:  # noqa: BLE001 - told to whoever waits
+        return _ERROR, pickle.dumps(refusal_of(error))
+
+
+def _framed(kind: bytes, content: bytes) -> bytes:
+    return _HEAD.pack(kind, len(content)) + content
