@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from typing import Any
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
@@ -23,7 +24,7 @@ from wraparc.web.routes import (
     start,
     studies,
 )
-from wraparc.web.routes.parts import State
+from wraparc.web.routes.parts import BEARER, State
 from wraparc.web.security import UPLOAD_LIMIT, Door
 from wraparc.web.settings import Settings
 
@@ -32,6 +33,18 @@ _DESCRIPTION = (
     "SI; texts with units come in both systems. What is wrong with a request comes as a list of "
     "problems, each with the sentence of the command line."
 )
+
+
+class _App(FastAPI):
+    """An application whose OpenAPI document tells of the token that the door asks for."""
+
+    def openapi(self) -> dict[str, Any]:
+        """Return the OpenAPI document."""
+        found = super().openapi()
+        told = "The token; browsers send it in a cookie."
+        scheme = {"type": "http", "description": told, "scheme": "bearer"}
+        found["components"]["securitySchemes"] = {BEARER: scheme}
+        return found
 
 
 def create_app(settings: Settings) -> FastAPI:
@@ -53,7 +66,7 @@ def create_app(settings: Settings) -> FastAPI:
             solving.cancel()
         state.close()
 
-    app = FastAPI(
+    app = _App(
         title="wraparc",
         version=__version__,
         description=_DESCRIPTION,

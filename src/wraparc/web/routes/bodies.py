@@ -55,9 +55,11 @@ def _toml(content: bytes) -> Any:
 
 def _json(content: bytes) -> Any:
     try:
-        found = json.loads(content)
+        text = content.decode("utf-8-sig")
+        found = json.loads(text)
         deep = _depth(found) > _DEEPEST
-        json.dumps(found, ensure_ascii=False).encode("utf-8")
+        if "\\u" in text:  # what is written so may be half of a character
+            json.dumps(found, ensure_ascii=False).encode("utf-8")
     except RecursionError:
         deep = True
     except UnicodeEncodeError:

@@ -7,9 +7,8 @@ import pickle
 from collections.abc import Awaitable, Callable, Coroutine, Mapping
 from typing import Any, get_type_hints
 
-from fastapi import APIRouter, Request, Response, Security
+from fastapi import APIRouter, Request, Response
 from fastapi.routing import APIRoute
-from fastapi.security import HTTPBearer
 
 from wraparc.web.answers import rows
 from wraparc.web.database.store import Store
@@ -23,9 +22,8 @@ from wraparc.web.work import QUICK, WHOLE, Function, Workers
 
 JSON = "application/json"
 
-
-#: For the OpenAPI document; the door has looked already.
-_BEARER = HTTPBearer(auto_error=False, description="The token; browsers send it in a cookie.")
+#: How the OpenAPI document calls the token: nothing looks for it here, the door has looked already.
+BEARER = "HTTPBearer"
 
 
 class State:
@@ -64,6 +62,7 @@ class Route(APIRoute):
             code: {"model": Problems, "description": text} for code, text in known.items()
         }
         more["responses"] = refusals | (more.get("responses") or {})
+        more["openapi_extra"] = {"security": [{BEARER: []}]}
         super().__init__(path, endpoint, **more)
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
@@ -90,9 +89,7 @@ def _tagged(request: Request, answer: Response) -> Response:
 
 def router(prefix: str, tag: str) -> APIRouter:
     """Return a part of the API."""
-    return APIRouter(
-        prefix=f"/api/v1{prefix}", tags=[tag], route_class=Route, dependencies=[Security(_BEARER)]
-    )
+    return APIRouter(prefix=f"/api/v1{prefix}", tags=[tag], route_class=Route)
 
 
 def refuses(*codes: int) -> dict[int | str, dict[str, Any]]:
