@@ -233,6 +233,25 @@ def test_hostile_documents_are_answered_with_problems(local: TestClient, body: b
     assert answer.status_code in (200, 400, 422)
 
 
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (rb"\ud800", "half of a character"),
+        (b"\xed\xa0\x80", "not UTF-8"),
+        (b"\xe9", "not UTF-8"),
+        (rb"\u00e9, \ud83d\ude00", ""),
+        ("é, 😀".encode(), ""),
+    ],
+)
+def test_text_is_whole_characters_in_utf8(local: TestClient, text: bytes, message: str) -> None:
+    headers = {"content-type": "application/json"}
+    for mark in (b"", b"\xef\xbb\xbf"):  # with and without the mark of UTF-8
+        body = mark + b'{"document": {"title": "' + text + b'"}}'
+        answer = local.post(f"{API}/toml/write", content=body, headers=headers)
+        assert answer.status_code == (422 if message else 200), answer.text
+        assert message in answer.text
+
+
 def test_hostile_toml(local: TestClient) -> None:
     texts = ("a" * 300_000, "a=" + "[" * 50_000, "a." * 20_000 + "b=1", "x = 1979-05-27", "\x00")
     for text in (*texts, "n = 1e400", "n = nan", "[a]\n[a]", "'\ud800'=1"):
