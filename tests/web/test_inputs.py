@@ -71,7 +71,7 @@ def turn(page: Page, name: str) -> None:
 def test_load_stands_first_then_pulley_lagging_and_belt(visitor: Visitor) -> None:
     page = visitor.open("drive")
     legends = page.locator("form.inputs > fieldset > legend").all_inner_texts()
-    assert legends[:4] == ["Load", "Pulley head", "Lagging", "Belt"]
+    assert legends[:4] == ["Load: design", "Pulley head", "Lagging", "Belt"]
 
 
 def test_slider_shows_with_focus_and_pointer_and_moves_nothing(visitor: Visitor) -> None:

@@ -36,6 +36,8 @@ export const parted = (fields, keys) => [
 export const shownFields = /** @type {Map<string, number>} */ (new Map());
 /** @param {Path} path */
 const keyOf = (path) => path.join();
+/** The box of a field. @param {Path} path @param {string} [page] */
+export const idOf = (path, page = "f") => `${page}-${path.join("-").replace(/[^\w-]/g, "_")}`;
 
 /**
  * A slider of some 400 places between two values, even or in equal ratios; numbers come out round.
@@ -125,8 +127,7 @@ export class Field extends Component {
       if (e.tagName === "DETAILS") e.open = true;
   }
   get id() {
-    const { page = "f", path } = this.props;
-    return `${page}-${path.join("-").replace(/[^\w-]/g, "_")}`;
+    return idOf(this.props.path, this.props.page);
   }
   get problem() {
     return this.state.refused || wrong.at.get(keyOf(this.props.path));
@@ -238,7 +239,12 @@ export class Field extends Component {
   seek() {
     const { path, spec: s, page } = this.props;
     const { open } = seeking;
-    if (!open || page || s.kind !== "quantity" || !/^(belt|pulley)$/.test(String(path[0])))
+    if (
+      !open ||
+      page ||
+      s.kind !== "quantity" ||
+      !/^(belt|pulley|load_case)$/.test(String(path[0]))
+    )
       return null;
     return h(
       "button",

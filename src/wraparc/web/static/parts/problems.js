@@ -41,7 +41,7 @@ export function mark(problems) {
   return problems.filter((p) => {
     const keys = place(p.path);
     let key = keys.join();
-    if (!shownFields.has(key) && keys[0] === "pulley" && keys.length === 2) {
+    if (!shownFields.has(key)) {
       // tensions that contradict each other: the last of them carries the sentence
       const given = TENSIONS.filter((t) => get(app.doc, [...keys, t]) != null);
       if (given.length) key = [...keys, given[given.length - 1]].join();

@@ -5,7 +5,7 @@ import { trim, unit, written } from "../../base/units.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { raised } from "./load.js";
-import { answer, whole } from "./solving.js";
+import { known, whole } from "./solving.js";
 
 /** @import { Children, Design, FullArc } from "../../types.d.ts" */
 
@@ -19,7 +19,7 @@ function enough(v) {
   return [up * f, `${trim(up)} ${u}`];
 }
 /** A tension on the slack side that the page knows how to write. */
-const known = () => {
+const writable = () => {
   const { pulley, train, conveyor, take_up } = app.doc;
   if (conveyor || take_up?.kind === "fixed") return false;
   return train ? Array.isArray(train.share) && !take_up?.after : pulley.length === 1;
@@ -56,19 +56,26 @@ function raisedTrain(doc, least) {
   });
   return next;
 }
+/** Which tension is that of the slack side, by the load cases that are to be raised.
+ * @param {string} [only] */
+function slackSide(only) {
+  const arcs = known()?.arcs.filter((a) => only === undefined || a.load_case === only) ?? [];
+  const first = arcs.map((a) => (a.numbers.effective_tension ?? 0) < 0);
+  return first.every(Boolean) ? "T1" : first.some(Boolean) ? "the slack side" : "T2";
+}
 /**
  * A button that raises the slack side to what the checks ask for; none where they give no number.
  * @param {number | null | undefined} tension @param {string} [only] the load case that it is for
  * @returns {Children}
  */
 export function raise(tension, only) {
-  if (tension == null || !known()) return null;
+  if (tension == null || !writable()) return null;
   const train = Boolean(app.doc.train);
   if (train && !whole()) return null;
-  const [first, last] = train ? endsOf()[0] : [answer.quick?.numbers.effective_tension ?? 0, 0];
-  const side = first < last ? "T1" : "T2";
+  const side = slackSide(only);
   const [least, shown] = enough(tension);
   const where = only === undefined ? "in every load case" : `in the load case ${only}`;
+  const several = caseNames(app.doc).length > 1;
   const apply = () => {
     change(train ? raisedTrain(app.doc, least) : raised(app.doc, 0, least, only));
     const back = () => {
@@ -76,15 +83,16 @@ export function raise(tension, only) {
       told.text = "";
     };
     note([
-      `${side} is at least ${shown} now ${where}; the pull is as it was. `,
+      `${side[0].toUpperCase()}${side.slice(1)} is at least ${shown} now ${where}; `,
+      "the pull is as it was. ",
       h("button", { type: "button", onClick: back }, "Undo"),
     ]);
   };
-  const words = `Raise ${side} to ${shown}${only === undefined ? "" : ` in ${only} alone`}`;
+  const of = only !== undefined ? ` in ${only} alone` : several ? " in every load case" : "";
   return h(
     "button",
     { type: "button", class: "main advice", key: "advice", onClick: apply },
-    words,
+    `Raise ${side} to ${shown}${of}`,
   );
 }
 /**

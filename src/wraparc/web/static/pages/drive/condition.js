@@ -14,7 +14,7 @@ const called = (c) => c?.name ?? c;
 /** What the shown load case of a pulley is solved in, and the key that says so; a load case goes
  * before the conditions side by side, they before a pulley, that before the drive.
  * @param {number} i */
-function held(i) {
+export function held(i) {
   const { doc } = app;
   const names = caseNames(doc);
   const last = answer.quick?.load_case ?? "";

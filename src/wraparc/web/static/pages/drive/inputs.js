@@ -1,9 +1,9 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
 import { app, change, edit, get, redraw, set } from "../../base/design.js";
-import { freeName, nameCheck, renameCase, renamePulley } from "../../base/names.js";
+import { nameCheck, renamePulley } from "../../base/names.js";
 import { choose } from "../../parts/choose.js";
-import { field, more, parted, section, spec } from "../../parts/field.js";
+import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { conveyor } from "./conveyor.js";
@@ -13,51 +13,79 @@ import { criteria } from "./criteria.js";
 /** @import { Choice, Choices } from "../../parts/field.js" */
 
 /** Pairs of tension, pull, power and torque that give the load. */
-const PAIRS = [
-  [0, 1],
-  [0, 2],
-  [1, 2],
-  [0, 3],
-  [1, 3],
-  [0, 4],
-  [1, 4],
-];
+const PAIRS = ["01", "02", "12", "03", "13", "04", "14"].map((pair) =>
+  [...pair].map((k) => TENSIONS[+k]),
+);
 /** @param {string} key */
 const tensionSpec = (key) => spec("tensions", key);
 /** @param {string} title @param {Children[]} rows */
-const group = (title, rows, key = title) => h("fieldset", { key }, h("legend", {}, title), rows);
+export const group = (title, rows, key = title) =>
+  h("fieldset", { key }, h("legend", {}, title), rows);
 /** @typedef {() => Record<string, number> | null} Now numbers of the last answer for this pulley */
 
-/** The load of a pulley: of the conveyor, of the train, or as given. @param {number} i
- * @param {Now} now */
-const loadOf = (i, now) => [...(app.doc.conveyor ? [] : load(i)), ...conveyor(now)];
-
+/** Whether load cases give tensions beside those of the pulleys. */
+const byCase = () => app.doc.load_case && !app.doc.conveyor && !app.doc.train;
+/** The load of a pulley itself: of the conveyor, of the train, or as given.
+ * @param {number} i @param {Now} [now] */
+export function ownLoad(i, now = () => null) {
+  const of = byCase() && (isCase() ? "design" : "shared by all load cases");
+  const rows = [...(app.doc.conveyor ? [] : load(i)), ...conveyor(now)];
+  return group(of ? `Load: ${of}` : "Load", rows, "Load");
+}
+/** Whether the tensions of the pulleys make a load case, as they do where they are whole. */
+export function isCase() {
+  const { pulley, belt } = app.doc;
+  const given = pulley.map((p) => [
+    p.entry_tension != null,
+    p.exit_tension != null,
+    (p.effective_tension ?? p.torque ?? (belt.speed != null ? p.power : null)) != null,
+  ]);
+  for (const _ of [...given, ...given])
+    given.forEach((g, i) => {
+      g[0] ||= (g[1] && g[2]) || given[i - 1]?.[1];
+      g[1] ||= (g[0] && g[2]) || given[i + 1]?.[0];
+    });
+  return given.every((g) => g[0] && g[1]);
+}
 /** Which two of tension, pull, power and torque are given. @param {number} i */
 function load(i) {
   const p = app.doc.pulley[i];
   const given = TENSIONS.filter((t) => p[t] !== undefined);
   if (app.doc.train && !given.length)
     return [h("p", { class: "help" }, "The train gives the tensions: see the page Train.")];
-  const keysOf = (/** @type {number[]} */ pair) => pair.map((k) => TENSIONS[k]);
-  const found = PAIRS.find(
-    (pair) => given.length === 2 && keysOf(pair).every((k) => given.includes(k)),
-  );
-  const keys = found ? keysOf(found) : [...new Set([...keysOf(PAIRS[0]), ...given])];
+  return loadRows(["pulley", i], given, (keys) => give(i, keys));
+}
+/** What was shown last: a box that is typed in stays while it is empty. */
+let last = { of: "", keys: /** @type {string[]} */ ([]) };
+/**
+ * By which quantities a load is given, and their boxes.
+ * @param {Path} at @param {string[]} given @param {(keys: string[]) => void} put
+ * @param {(key: string) => string} [over] of an empty box @returns {Children[]}
+ */
+export function loadRows(at, given, put, over) {
+  const pair = (/** @type {string[]} */ keys) => PAIRS.findIndex((p) => p.join() === keys.join());
+  const of = at.join();
+  const typed = (/** @type {string} */ k) => document.activeElement?.id === idOf([...at, k]);
+  if (last.of !== of || !last.keys.some((k) => !given.includes(k) && typed(k)))
+    last = { of, keys: pair(given) < 0 ? [...new Set([...PAIRS[0], ...given])] : given };
+  const id = idOf(at, "pair");
   const pick = choose(
-    PAIRS.indexOf(found || PAIRS[0]),
-    PAIRS.map((pair, k) => [k, keysOf(pair).map(sign).join(" and ")]),
-    (k) => give(i, keysOf(PAIRS[+k])),
-    `pair-${i}`,
+    Math.max(0, pair(last.keys)),
+    PAIRS.map((keys, k) => [k, keys.map(sign).join(" and ")]),
+    (k) => put(PAIRS[+k]),
+    id,
   );
   return [
     h(
       "div",
       { class: "field", key: "pair" },
-      h("label", { for: `pair-${i}` }, "Load given by"),
+      h("label", { for: id }, "Load given by"),
       h("span", {}),
       h("span", { class: "box" }, pick),
     ),
-    ...keys.map((k) => field({ spec: tensionSpec(k), path: ["pulley", i, k] })),
+    ...last.keys.map((k) =>
+      field({ spec: tensionSpec(k), path: [...at, k], placeholder: over?.(k) }),
+    ),
   ];
 }
 /** @param {string} key */
@@ -144,7 +172,7 @@ function lagging(i) {
   });
   return [
     whole,
-    (known || late) && condition("switched"),
+    (known || late) && behind("switched"),
     known &&
       h(
         "p",
@@ -175,20 +203,21 @@ const laggingPart = (at, key, placeholder) =>
     },
   });
 
-/** The switches of the condition, fetched behind the first page; their places are kept free.
- * @type {typeof import("./condition.js") | null} */
+/** What is fetched behind the first page; its places are kept free.
+ * @type {typeof import("./late_inputs.js") | null} */
 let late = null;
 let fetching = false;
-/** @param {"switched" | "sideBySide"} what */
-function condition(what) {
-  if (late) return late[what](app.pulley);
+/** @param {"load" | "switched" | "sideBySide" | "inCase"} what
+ * @param {number} [i] of the pulley or of the load case */
+function behind(what, i = app.pulley) {
+  if (late) return late[what](i);
   if (!fetching)
-    import("./condition.js").then((found) => {
+    import("./late_inputs.js").then((found) => {
       late = found;
       redraw();
     });
   fetching = true;
-  return h("div", { class: "field late", key: "condition" });
+  return h("div", { class: "field late", key: what });
 }
 
 function belt() {
@@ -240,92 +269,21 @@ function putBelt(name) {
 }
 
 function cases() {
-  if (app.doc.conveyor && !app.doc.load_case) return [condition("sideBySide")];
+  if (app.doc.conveyor && !app.doc.load_case) return [behind("sideBySide")];
   const list = app.doc.load_case || [];
-  const add = () => {
-    const names = ["design", ...list.map((c) => c.name)];
-    const pulleys = app.doc.train
-      ? { train: {} }
-      : { pulley: { [app.doc.pulley[app.pulley].name || ""]: {} } };
-    edit(["load_case"], [...list, { name: freeName("case", names), ...pulleys }]);
-  };
   return [
-    condition("sideBySide"),
-    h(
-      "p",
-      { class: "help", key: "help" },
-      'The load above is the case "design". Others replace what they name.',
+    behind("sideBySide"),
+    h("p", { class: "help", key: "help" }, HELP),
+    late?.shared(),
+    ...list.map((c, k) =>
+      more(c.name || `case ${k + 1}`, [behind("inCase", k)], undefined, `case${k}`),
     ),
-    ...list.map((c, i) => more(c.name || `case ${i + 1}`, loadCase(i), undefined, `case${i}`)),
     h("button", { type: "button", id: "add-case", key: "add", onClick: add }, "Add a load case"),
   ];
 }
-/** @param {number} i @returns {Children[]} */
-function loadCase(i) {
-  const list = app.doc.load_case || [];
-  const others = ["design", ...list.filter((_, k) => k !== i).map((c) => c.name)];
-  const at = ["load_case", i, "pulley", app.doc.pulley[app.pulley].name || ""];
-  const remove = () => {
-    edit(["load_case"], list.length > 1 ? list.filter((_, k) => k !== i) : undefined);
-    document.getElementById("add-case")?.focus();
-  };
-  return [
-    field({
-      spec: spec("load_case", "name"),
-      path: ["load_case", i, "name"],
-      put: (name) => renameCase(i, name),
-      check: nameCheck("load case", others),
-    }),
-    field({ spec: spec("load_case", "description"), path: ["load_case", i, "description"] }),
-    ...(app.doc.train
-      ? []
-      : TENSIONS.map((t) =>
-          field({ spec: tensionSpec(t), path: [...at, t], slider: false, placeholder: "" }),
-        )),
-    h("button", { type: "button", key: "remove", onClick: remove }, "Remove this case"),
-  ];
-}
-
-/** What an overtyped example still says of itself: title and load cases. */
-function fromExample() {
-  const { origin, doc } = app;
-  if (!origin) return null;
-  const same = (/** @type {string} */ key) =>
-    JSON.stringify(doc[key]) === JSON.stringify(origin.document[key]);
-  const cases = doc.load_case?.length && same("load_case");
-  const title = doc.title && same("title");
-  if ((same("belt") && same("pulley") && same("train")) || !(cases || title)) return null;
-  const parts = [title && "its title", cases && `its ${doc.load_case?.length} load cases`].filter(
-    Boolean,
-  );
-  const keep = () => {
-    app.origin = null;
-    change({ ...doc });
-  };
-  const clear = () => {
-    const { load_case, ...rest } = doc;
-    app.origin = null;
-    change({ ...(cases ? rest : doc), ...(title && { title: "" }) });
-    document.getElementById("f-title")?.focus();
-  };
-  return h(
-    "div",
-    { class: "card aside", role: "note", key: "origin" },
-    h(
-      "p",
-      {},
-      `This began as the example “${origin.title}” and still has `,
-      parts.join(" and "),
-      ".",
-    ),
-    h(
-      "p",
-      { class: "inline" },
-      h("button", { type: "button", onClick: clear }, "Take them out"),
-      h("button", { type: "button", onClick: keep }, "Keep them"),
-    ),
-  );
-}
+const HELP =
+  'The load above is that of the load case shown. Others than "design" replace what they name.';
+const add = async () => (await import("./late_inputs.js")).add();
 
 /** The form of the drive page. @param {Now} now */
 export function inputs(now) {
@@ -340,8 +298,8 @@ export function inputs(now) {
       onSubmit: (e) => e.preventDefault(),
       noValidate: true,
     },
-    fromExample(),
-    group("Load", loadOf(i, now)),
+    late?.fromExample(),
+    app.case && byCase() ? behind("load") : ownLoad(i, now),
     group(`Pulley ${name}`, pulley(i), "pulley"),
     group("Lagging", lagging(i)),
     group("Belt", belt()),

@@ -4,13 +4,14 @@ import { note } from "../../base/server.js";
 import { si, written } from "../../base/units.js";
 import {
   pulls__both_tensions as bothOf,
+  pulls__fault_of as faultOf,
   pulls__overridden as overridden,
   pulls__pull_given as pullOf,
 } from "../../kernel.js";
 import { spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 
-/** @import { Design } from "../../types.d.ts" */
+/** @import { Design, Path } from "../../types.d.ts" */
 /** @typedef {Record<string, number>} Load quantities by their keys [SI], nan where not given */
 
 const DIGITS = 9;
@@ -42,14 +43,57 @@ function loadOn(doc, i) {
     };
   };
 }
-/** What a load case makes of the tensions of its pulley. @param {Design} doc @param {number} i
+const NONE = Object.fromEntries(TENSIONS.map((key) => [key, Number.NaN]));
+const TOO_MANY = 2; // faults of tensions up to here: more is given than fixes them
+/** What a load case makes of the tensions of its pulley: nothing, where with them too much is
+ * given. @param {Design} doc @param {number} i
  * @returns {(of: Load, over: Load) => Load} */
 function caseOn(doc, i) {
   const diameter = si(doc.pulley[i].diameter, "length");
   const speed = si(doc.belt.speed, "speed");
   const all = loadOn(doc, i);
   const fixed = doc.take_up?.kind === "fixed";
-  return (of, over) => all(overridden(of, over, fixed, diameter, speed));
+  return (of, over) => {
+    const found = overridden(of, over, fixed, diameter, speed);
+    const fault = faultOf(found, speed);
+    return fault && fault <= TOO_MANY ? NONE : all(found);
+  };
+}
+/** The tensions that a load case gives at a pulley, and what they come to with those of the pulley.
+ * @param {Design} doc @param {number} i @param {number} k */
+function caseOf(doc, i, k) {
+  const inCase = caseOn(doc, i);
+  const base = pullsIn(doc.pulley[i]);
+  const own = doc.load_case?.[k].pulley?.[doc.pulley[i].name ?? ""] ?? {};
+  return { own, now: inCase(base, pullsIn(own)), fixed: doc.take_up?.kind === "fixed" };
+}
+/** Where the tensions of a pulley in a load case stand. @param {Design} doc @param {number} i
+ * @param {number} k @returns {Path} */
+export const caseAt = (doc, i, k) => ["load_case", k, "pulley", doc.pulley[i].name ?? ""];
+const isPull = (/** @type {string} */ key) => !ENDS.includes(key);
+/** Whether a load case gives its pull alone, and a fixed take-up the tensions for it.
+ * @param {Design} doc @param {number} i @param {number} k */
+export function follows(doc, i, k) {
+  const { own, fixed } = caseOf(doc, i, k);
+  const given = TENSIONS.filter((key) => own[key] != null);
+  return fixed && given.length === 1 && isPull(given[0]);
+}
+/** The quantities that the load of a case follows from: its own, and those taken over.
+ * @param {Design} doc @param {number} i @param {number} k */
+export function keysOf(doc, i, k) {
+  const { own } = caseOf(doc, i, k);
+  const given = TENSIONS.filter((key) => own[key] != null);
+  if (given.length > 1) return given;
+  const pull = given.some(isPull);
+  const taken = TENSIONS.filter((key) => doc.pulley[i][key] != null && !(pull && isPull(key)));
+  const kept = follows(doc, i, k) ? taken.slice(0, 1) : taken; // one tension tells the other
+  return TENSIONS.filter((key) => given.includes(key) || kept.includes(key));
+}
+/** What a quantity is that a load case takes over, as a text; none where it gives its own.
+ * @param {Design} doc @param {number} i @param {number} k @param {string} key */
+export function takenOver(doc, i, k, key) {
+  const { own, now } = caseOf(doc, i, k);
+  return own[key] == null && Number.isFinite(now[key]) ? written(now[key], dimension(key)) : "";
 }
 const ENDS = ["entry_tension", "exit_tension"];
 /** Whether two loads have the same tensions. @param {Load} a
@@ -100,6 +144,26 @@ export function raised(doc, i, least, only) {
   return changed;
 }
 
+/** Whether a table cannot give what it is to; says what that takes.
+ * @param {any} table @param {string[]} keys */
+function lacks(table, keys) {
+  const lacking = keys.some((key) => table[key] == null);
+  if (lacking)
+    note(`It takes ${keys.includes("power") ? "the belt speed" : "the diameter"} to say so.`);
+  return lacking;
+}
+/** A drive with one load case given by two quantities, its load as it was.
+ * @param {Design} doc @param {number} i @param {number} k @param {string[]} keys
+ * @returns {Design} */
+export function givenInCase(doc, i, k, keys) {
+  const { own, now } = caseOf(doc, i, k);
+  const known = keys.filter((key) => own[key] != null || Number.isFinite(now[key]));
+  const both = Object.fromEntries(known.map((key) => [key, own[key] ?? text(key, now[key])]));
+  return Number.isFinite(now.effective_tension) && lacks(both, keys)
+    ? doc
+    : set(doc, caseAt(doc, i, k), { ...without(own), ...both });
+}
+
 /**
  * A drive whose pulley `i` has its load by the quantities `keys`, as it was. A load case that takes
  * one of them over from the pulley gets both of its tensions, where it would change.
@@ -115,10 +179,7 @@ export function givenBy(doc, i, keys) {
   for (const key of TENSIONS) if (!keys.includes(key)) delete next[key];
   for (const key of keys)
     if (next[key] == null && Number.isFinite(now[key])) next[key] = text(key, now[key]);
-  if (Number.isFinite(now.effective_tension) && keys.some((key) => next[key] == null)) {
-    note(`It takes ${keys.includes("power") ? "the belt speed" : "the diameter"} to say so.`);
-    return doc;
-  }
+  if (Number.isFinite(now.effective_tension) && lacks(next, keys)) return doc;
   let changed = set(doc, ["pulley", i], next);
   const name = pulley.name ?? "";
   (doc.load_case ?? []).forEach((/** @type {any} */ c, /** @type {number} */ k) => {

@@ -321,7 +321,8 @@ function picks() {
   const arcs = answer.problems.length ? undefined : known()?.arcs;
   const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const at = Math.max(0, cases.indexOf(app.case || cases[0]));
-  const to = (/** @type {number} */ i) => look({ case: i ? cases[i] : "" });
+  const [usual] = caseNames(app.doc);
+  const to = (/** @type {number} */ i) => look({ case: cases[i] === usual ? "" : cases[i] });
   /** @param {string} name @param {number} i */
   const chip = (name, i) => {
     const arc = worstIn(arcs, name);

@@ -8,6 +8,8 @@ import { spec } from "../../parts/field.js";
 import { Plot } from "../../parts/plot.js";
 import { again, attempt } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
+import { shownCase } from "./cases.js";
+import { caseAt, keysOf, takenOver } from "./load.js";
 import { answer } from "./solving.js";
 
 /** @import { ChartData, Level, Path, Problem, Spec, Text } from "../../types.d.ts" */
@@ -42,13 +44,15 @@ const state = {
 function inputs() {
   const i = app.pulley;
   const pulley = app.doc.pulley[i];
-  const given = LOADS.filter((key) => pulley[key] != null);
+  const k = shownCase(i);
+  const given = k < 0 ? LOADS.filter((key) => pulley[key] != null) : keysOf(app.doc, i, k);
+  const load = k < 0 ? ["pulley", i] : caseAt(app.doc, i, k);
   /** @param {string} section @param {string[]} keys @param {Path} at */
   const of = (section, keys, at) =>
     keys.map((key) => ({ path: [...at, key], spec: spec(section, key) }));
   return [
     ...of("pulley", OF_PULLEY, ["pulley", i]),
-    ...of("tensions", given, ["pulley", i]),
+    ...of("tensions", given, load),
     ...of("lagging", OF_LAGGING, ["pulley", i, "lagging"]),
     ...of("belt", OF_BELT, ["belt"]),
   ];
@@ -75,12 +79,13 @@ const input = () => inputs().find((x) => x.path.join() === state.at) ?? inputs()
 const BARE = /^[A-Za-z0-9_-]+$/;
 /** A place as `--set` has it. @param {Path} path */
 const keyPath = ([first, i, ...rest]) =>
-  (first === "pulley" ? [first, app.doc.pulley[+i].name ?? "", ...rest] : [first, i, ...rest])
+  [first, first === "belt" ? i : (app.doc[first][+i].name ?? ""), ...rest]
     .map((step) => (BARE.test(String(step)) ? step : JSON.stringify(step)))
     .join(".");
-/** What a catalogue gives where the drive says nothing. @param {Input} of */
-function ofPreset({ path }) {
+/** What holds where the drive, or the load case, says nothing. @param {Input} of */
+function otherwise({ path }) {
   const key = String(path[path.length - 1]);
+  if (path[0] === "load_case") return takenOver(app.doc, app.pulley, +path[1], key);
   const { belt, pulley } = app.doc;
   const lagging = pulley[app.pulley].lagging;
   const from =
@@ -102,7 +107,7 @@ const question = () => ({
   value: wanted(),
   pulley: app.doc.pulley[app.pulley].name ?? "",
   load_case: app.case,
-  now: get(app.doc, input().path) == null ? ofPreset(input()) : "",
+  now: get(app.doc, input().path) == null ? otherwise(input()) : "",
 });
 const find = () =>
   attempt(state, async () => {

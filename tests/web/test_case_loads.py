@@ -1,0 +1,238 @@
+"""The section Load of the drive page: it shows and changes the load case that is shown."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from cli.running import wraparc
+from web.browser import Visitor
+from web.test_advice import downloaded
+from web.test_inputs import kept
+from web.test_pages_looks import violations
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
+
+
+def arcs(file: Path) -> dict[str, Any]:
+    """Return the arcs that `wraparc solve` finds, by load case."""
+    told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
+    return {arc["load_case"]: arc for arc in told["arcs"]}
+
+
+def opened(visitor: Visitor, folder: Path, text: str) -> Page:
+    file = folder / "before.toml"
+    file.write_text(text, "utf-8")
+    page = visitor.open("drive")
+    visitor.load(file)
+    expect(page.locator("#toast")).to_contain_text("Opened")
+    visitor.solved()
+    return page
+
+
+def look(page: Page, case: str) -> Locator:
+    """Press the chip of a load case; return the section Load of it."""
+    page.locator("#cases").get_by_role("button", name=case).click()
+    found = page.get_by_role("group", name=f"Load: {case}", exact=True)
+    expect(found).to_be_visible()
+    return found
+
+
+def creep(page: Page) -> str:
+    return page.locator("#drive .figures b").first.inner_text()
+
+
+def test_typed_tension_goes_to_the_load_case_that_is_shown(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # expected: the file before with one line of the case "start" changed, and `wraparc solve` of it
+    page = opened(visitor, tmp_path, HEAD)
+    load = look(page, "start")
+    expect(load.get_by_label("Exit tension T2", exact=True)).to_have_value("60")
+    load.get_by_label("Exit tension T2", exact=True).fill("70")
+    visitor.solved()
+    after = downloaded(page, tmp_path)
+    line = 'pulley.head.exit_tension = "60 kN"'
+    assert after.read_text("utf-8") == HEAD.replace(line, line.replace("60", "70"))
+    said = arcs(after)["start"]
+    assert said["exit_tension"] == 70e3
+    assert said["effective_tension"] == 126e3
+    assert creep(page) == f"{1e3 * said['exit_creep']:.1f} mm"
+    # nothing else has changed, and design is still what is edited where design is shown
+    assert arcs(after)["design"] == arcs(tmp_path / "before.toml")["design"]
+    design = look(page, "design")
+    expect(design.get_by_label("Exit tension T2", exact=True)).to_have_value("60")
+    page.click("#undo")
+    start = look(page, "start")
+    expect(start.get_by_label("Exit tension T2", exact=True)).to_have_value("60")
+
+
+def test_load_case_that_takes_over_writes_the_changed_key_alone(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # expected: "empty" gives T1 and has T2 of design; what it gives itself is then in the file
+    page = opened(visitor, tmp_path, HEAD)
+    load = look(page, "empty")
+    exit_ = load.get_by_label("Exit tension T2", exact=True)
+    expect(exit_).to_have_value("")
+    expect(exit_).to_have_attribute("placeholder", "60")
+    expect(load).to_contain_text('What is left empty is that of the load case "design"')
+    load.get_by_label("Entry tension, slider").focus()
+    page.keyboard.press("ArrowRight")
+    moved = load.get_by_label("Entry tension T1", exact=True).input_value()
+    assert moved != "82"
+    doc = kept(page)
+    assert doc["load_case"][0]["pulley"]["head"] == {"entry_tension": f"{moved} kN"}
+    exit_.fill("65")
+    visitor.solved()
+    assert kept(page)["load_case"][0]["pulley"]["head"] == {
+        "entry_tension": f"{moved} kN",
+        "exit_tension": "65 kN",
+    }
+    said = arcs(downloaded(page, tmp_path))
+    assert said["empty"]["exit_tension"] == 65e3
+    assert said["design"]["exit_tension"] == said["start"]["exit_tension"] == 60e3
+    # left empty it is that of design again
+    exit_.fill("")
+    exit_.press("Tab")
+    visitor.solved()
+    assert arcs(downloaded(page, tmp_path))["empty"]["exit_tension"] == 60e3
+    assert violations(page) == []
+
+
+@pytest.mark.parametrize("case", ["design", "start"])
+def test_box_that_is_emptied_to_be_typed_anew_stays(visitor: Visitor, case: str) -> None:
+    # the pull of the pair T2 and pull: a box that goes away takes the typing hand's place with it
+    page = visitor.open("drive")
+    visitor.solved()
+    load = look(page, case)
+    if case == "design":
+        load.get_by_label("Load given by").select_option(label="T2 and Te")
+    expect(load.get_by_label("Effective tension Te", exact=True)).to_be_visible()
+    pull = page.get_by_label("Effective tension Te", exact=True)
+    pull.focus()
+    for _ in range(4):
+        page.keyboard.press("Backspace")
+    expect(pull).to_have_value("")
+    expect(pull).to_be_focused()
+    page.keyboard.type("95")
+    visitor.solved()
+    where = kept(page)["pulley"][0] if case == "design" else kept(page)["load_case"][1]["pulley"]
+    assert {**where, **where.get("head", {})}["effective_tension"] == "95 kN"
+
+
+FIXED = HEAD.replace("[[load_case]]", '[take_up]\nkind = "fixed"\n\n[[load_case]]', 1).replace(
+    'pulley.head.exit_tension = "60 kN"\n', ""
+)
+
+
+def test_a_fixed_take_up_gives_the_tensions_for_a_pull(visitor: Visitor, tmp_path: Path) -> None:
+    # expected: half of the sum of 150 kN and 60 kN, less half of the pull, by hand
+    page = opened(visitor, tmp_path, FIXED)
+    load = look(page, "start")
+    expect(load).to_contain_text("the take-up holds the sum of both")
+    entry = load.get_by_label("Entry tension T1", exact=True)
+    expect(entry).to_have_attribute("placeholder", "168")
+    load.get_by_label("Effective tension Te", exact=True).fill("110")
+    expect(entry).to_have_attribute("placeholder", "160")
+    visitor.solved()
+    assert kept(page)["load_case"][1]["pulley"]["head"] == {"effective_tension": "110 kN"}
+    said = arcs(downloaded(page, tmp_path))["start"]
+    assert (said["entry_tension"], said["exit_tension"]) == (160e3, 50e3)
+
+
+def test_other_two_numbers_of_a_load_case_leave_the_others_as_they_are(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # expected: `wraparc solve` before and after
+    page = opened(visitor, tmp_path, HEAD)
+    load = look(page, "start")
+    load.get_by_label("Load given by").select_option(label="T1 and Power")
+    expect(load.get_by_label("Power", exact=False).first).to_have_value("378")
+    visitor.solved()
+    after = downloaded(page, tmp_path)
+    assert kept(page)["load_case"][1]["pulley"]["head"] == {
+        "entry_tension": "186 kN",
+        "power": "378 kW",
+    }
+    for name, arc in arcs(tmp_path / "before.toml").items():
+        assert arcs(after)[name]["exit_creep"] == pytest.approx(arc["exit_creep"], rel=1e-9)
+
+
+SHARED = HEAD.replace('entry_tension = "150 kN"', "# no entry tension")
+
+
+def test_tensions_that_load_cases_share_are_called_so(visitor: Visitor, tmp_path: Path) -> None:
+    # the pulley gives T2 alone: no load case "design", as the file format has it
+    page = opened(visitor, tmp_path, SHARED)
+    shared = page.get_by_role("group", name="Load: shared by all load cases", exact=True)
+    expect(shared.get_by_label("Exit tension T2", exact=True)).to_have_value("60")
+    load = look(page, "empty")
+    expect(load.get_by_label("Entry tension T1", exact=True)).to_have_value("82")
+    load.get_by_label("Entry tension T1", exact=True).fill("84")
+    visitor.solved()
+    assert kept(page)["load_case"][0]["pulley"]["head"] == {"entry_tension": "84 kN"}
+    assert set(arcs(downloaded(page, tmp_path))) == {"empty", "start"}
+    page.get_by_role("button", name="Show the load that all share").click()
+    expect(shared).to_be_visible()
+
+
+def test_new_load_case_is_shown_and_takes_everything_over(visitor: Visitor, tmp_path: Path) -> None:
+    page = opened(visitor, tmp_path, HEAD.partition("[[load_case]]")[0])
+    expect(page.get_by_role("group", name="Load", exact=True)).to_be_visible()
+    page.click("#add-case")
+    load = page.get_by_role("group", name="Load: case 2", exact=True)
+    expect(load.get_by_label("Entry tension T1", exact=True)).to_have_attribute(
+        "placeholder", "150"
+    )
+    load.get_by_label("Entry tension T1", exact=True).fill("140")
+    visitor.solved()
+    said = arcs(downloaded(page, tmp_path))
+    assert {name: arc["entry_tension"] for name, arc in said.items()} == {
+        "design": 150e3,
+        "case 2": 140e3,
+    }
+
+
+def test_units_and_conditions_are_views_of_the_load_case(visitor: Visitor, tmp_path: Path) -> None:
+    page = opened(visitor, tmp_path, 'condition = ["dry", "wet"]\n' + HEAD)
+    page.locator("#cases").get_by_role("button", name="empty, wet").click()
+    load = page.get_by_role("group", name="Load: empty", exact=True)
+    before = kept(page)
+    page.get_by_label("US", exact=True).check(force=True)
+    expect(load.get_by_label("Exit tension T2", exact=True)).to_have_attribute(
+        "placeholder", "13488.5"
+    )
+    assert kept(page) == before
+    load.get_by_label("Exit tension T2", exact=True).fill("14000")
+    visitor.solved()
+    after = kept(page)
+    assert after["load_case"][0]["pulley"]["head"].pop("exit_tension") == "14000 lbf"
+    assert after == before
+    # a draft opens at the load case that was shown, and Load with it
+    page.reload()
+    expect(load.get_by_label("Exit tension T2", exact=True)).to_have_value("14000")
+
+
+def test_value_of_a_load_case_is_sought(visitor: Visitor, tmp_path: Path) -> None:
+    # expected: `wraparc seek` for the same key path and load case
+    page = opened(visitor, tmp_path, HEAD)
+    load = look(page, "start")
+    load.get_by_role("button", name="Help: Exit tension").click()
+    load.get_by_role("button", name="Which value gives a result?").click()
+    page.fill("#seek-value", "9 mm")
+    page.keyboard.press("Enter")
+    field = "load_case.start.pulley.head.exit_tension"
+    _, out, _ = wraparc(
+        "seek", str(tmp_path / "before.toml"), "--vary", field, "--result", "exit_creep",
+        "--value", "9 mm", "--load-case", "start", "--json", "-",
+    )  # fmt: skip
+    (value,) = (x["value"] for x in json.loads(out)["found"])
+    page.locator(".seek").get_by_role("button", name="Use").click()
+    visitor.solved()
+    assert creep(page) == "9.00 mm"
+    said = arcs(downloaded(page, tmp_path))["start"]["exit_tension"]
+    assert said == pytest.approx(value, rel=1e-5)
