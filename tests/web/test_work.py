@@ -2,6 +2,7 @@
 
 import asyncio
 import errno
+import multiprocessing
 import os
 import pickle
 import signal
@@ -193,7 +194,7 @@ def test_an_abandoned_solve_is_ended_and_makes_room(monkeypatch: pytest.MonkeyPa
             for task in (left, behind):
                 task.cancel()
             assert unpacked(await found.short("a", os.getpid))
-            await until(lambda: sum(worker.alive for worker in found._all) == 1)
+            await until(lambda: len(multiprocessing.active_children()) == 1)
 
     asyncio.run(scenario())
 

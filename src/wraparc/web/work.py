@@ -90,8 +90,13 @@ class Worker:
 
     @property
     def alive(self) -> bool:
-        """Whether it can be asked."""
-        return not self.ended and bool(self._process.is_alive())
+        """Whether it can be asked: its end of the connection is open."""
+        try:
+            return not self.ended and bool(self._socket.recv(1, socket.MSG_PEEK))
+        except BlockingIOError:  # open, and nothing said
+            return True
+        except OSError:
+            return False
 
     async def ask(self, question: bytes, tell: Tell) -> bytes:
         """Wait for the answer to a pickled question.
