@@ -183,20 +183,29 @@ def test_a_process_that_dies_costs_its_own_question_only(tmp_path: Path) -> None
     asyncio.run(scenario())
 
 
-def test_an_abandoned_solve_is_ended_and_makes_room(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("begun", [False, True], ids=["starting", "at work"])
+def test_an_abandoned_solve_is_ended_and_makes_room(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, begun: bool
+) -> None:
     monkeypatch.setattr(work, "LEFT_LIMIT", 0.0)
 
     async def scenario() -> None:
         async with workers() as found:
-            left = asyncio.create_task(found.short("a", time.sleep, 3600.0))
-            behind = asyncio.create_task(found.short("a", time.sleep, 3601.0))
+            left = asyncio.create_task(found.short("a", _sleeps, str(tmp_path), 3600.0))
+            behind = asyncio.create_task(found.short("a", _sleeps, str(tmp_path), 3601.0))
             await until(lambda: found._turns[work.WHOLE].waiting == 1)
+            await until(lambda: not begun or any(tmp_path.iterdir()))
             for task in (left, behind):
                 task.cancel()
             assert unpacked(await found.short("a", os.getpid))
             await until(lambda: len(multiprocessing.active_children()) == 1)
 
     asyncio.run(scenario())
+
+
+def _sleeps(folder: str, seconds: float) -> None:
+    _note(folder)
+    time.sleep(seconds)
 
 
 def test_what_nobody_waits_for_any_more_is_given_up() -> None:
