@@ -1,27 +1,37 @@
-// The calculator of one file: the modules of the page bundled with what answers them there.
-import { readFile, writeFile } from "node:fs/promises";
-import { dirname, join, resolve } from "node:path";
+// The page as it is served, and the calculator of one file: bundled from the modules of the page.
+import { mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
+import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..");
 const here = join(root, "src/wraparc/web/one_file");
 const pages = join(root, "src/wraparc/web/static");
+const common = {
+  bundle: true,
+  minify: true,
+  write: false,
+  charset: "utf8",
+  target: ["chrome109", "firefox115", "safari16.4"],
+  legalComments: "none",
+  absWorkingDir: root,
+};
+/** The library that the pages have as one file. */
+const TOML = join(pages, "vendor/smol-toml.js");
+
+// The calculator of one file.
+
 /** Modules that are others in the file. */
 const INSTEAD = {
   "base/server.js": "server.js",
   "frame/opening.js": "opening.js",
   "frame/registry.js": "registry.js",
   "pages/drive/beside.js": "beside.js",
+  "pages/drive/questions.js": "questions.js",
 };
-/** Questions that only a server answers: the file has no button for them. */
-const ABSENT = ["seek", "what_if", "choosing", "site", "measured"].map((name) =>
-  join(pages, "pages/drive", `${name}.js`),
-);
 /** Modules of the first script, which the second finds there. */
-const SHARED = ["kernel.js", "pages/drive/numbers.js"].map((name) => join(pages, name));
-/** The library that the pages have as one file. */
-const TOML = join(pages, "vendor/smol-toml.js");
+const KERNEL = join(pages, "kernel.js");
+const SHARED = [KERNEL, join(pages, "pages/drive/numbers.js")];
 const instead = {
   name: "instead",
   setup({ onResolve, onLoad }) {
@@ -29,30 +39,19 @@ const instead = {
       const found = resolve(resolveDir, path);
       if (found === TOML) return { path: join(root, "node_modules/smol-toml/dist/index.js") };
       if (SHARED.includes(found)) return { path: found, namespace: "shared" };
-      if (ABSENT.includes(found)) return { path: found, namespace: "absent" };
       for (const [name, other] of Object.entries(INSTEAD)) {
         const mine = join(here, other);
         if (found === join(pages, name) && importer !== mine) return { path: mine };
       }
       return undefined;
     });
-    onLoad({ filter: /.*/, namespace: "absent" }, () => ({ contents: "" }));
     onLoad({ filter: /.*/, namespace: "shared" }, () => ({ contents: "module.exports = solver;" }));
   },
 };
-const common = {
-  bundle: true,
-  minify: true,
-  write: false,
-  charset: "utf8",
-  format: "iife",
-  target: ["chrome109", "firefox115", "safari16.4"],
-  legalComments: "none",
-  absWorkingDir: root,
-};
-/** @param {string} name @param {object} how */
-async function built(name, how) {
-  const { outputFiles } = await build({ ...common, ...how, entryPoints: [join(here, name)] });
+/** @param {string} file @param {object} how */
+async function built(file, how) {
+  const entryPoints = [join(here, file)];
+  const { outputFiles } = await build({ ...common, format: "iife", ...how, entryPoints });
   return outputFiles[0].text;
 }
 /** The reader and writer of TOML as one module, for the pages. */
@@ -62,23 +61,94 @@ async function vendored() {
   const { outputFiles } = await build({ ...common, ...how });
   return outputFiles[0].text;
 }
-const made = {
-  "../../static/vendor/smol-toml.js": await vendored(),
-  "solver.js": await built("solver.js", { globalName: "solver" }),
-  "page.js": await built("main.js", { plugins: [instead] }),
-  "page.css": await built("style.css", {}),
-};
-const folder = join(here, "built");
-const check = process.argv.includes("--check");
-let stale = false;
-for (const [name, text] of Object.entries(made)) {
-  const file = join(folder, name);
-  const held = await readFile(file, "utf-8").catch(() => "");
-  if (held === text) continue;
-  stale = true;
-  if (!check) await writeFile(file, text);
+
+// The page as it is served: one script with all that the first page needs; what comes later apart,
+// each under the name of its source, and takes what the first script has from there.
+
+/** The worker is fetched by its address. */
+const WORKER = join(pages, "pages/drive/worker.js");
+/** The address of a file of the page. @param {string} file */
+const address = (file) => `/static/${relative(pages, file).replaceAll("\\", "/")}`;
+/** Imports of modules that are files of their own; those of `first` are all in the first script.
+ * @param {Set<string>} late @param {string[]} first */
+const apart = (late, first = []) => ({
+  name: "apart",
+  setup({ onResolve }) {
+    onResolve({ filter: /^\./ }, ({ path, resolveDir, kind }) => {
+      const found = resolve(resolveDir, path);
+      if (first.includes(found)) return { path: address(join(pages, "main.js")), external: true };
+      if (kind !== "dynamic-import") return undefined;
+      late.add(found);
+      return { path: address(found), external: true };
+    });
+  },
+});
+const EXPORT = /^export (?:async )?(?:const|function|class) (\w+)/gm;
+async function served() {
+  const late = new Set([WORKER]);
+  const esm = { ...common, format: "esm", outdir: join(pages, "built"), outbase: pages };
+  const entry = join(pages, "main.js");
+  const how = { ...esm, metafile: true, plugins: [apart(late)] };
+  const { metafile } = await build({ ...how, entryPoints: [entry] });
+  const inputs = Object.keys(metafile.inputs).map((name) => join(root, name));
+  const first = inputs.filter((file) => file !== KERNEL); // the little that it takes of it is twice
+  const exported = first.map(async (file) => {
+    const names = [...(await readFile(file, "utf-8")).matchAll(EXPORT)].map((found) => found[1]);
+    const what = file.includes("/vendor/") ? "*" : `{ ${names.join(", ")} }`;
+    return `export ${what} from ${JSON.stringify(file)};`;
+  });
+  const contents = [`import ${JSON.stringify(entry)};`, ...(await Promise.all(exported))].join("");
+  const stdin = { contents, resolveDir: pages };
+  const main = await build({
+    ...how,
+    stdin,
+    outdir: undefined,
+    outfile: join(esm.outdir, "main.js"),
+  });
+  let found = { outputFiles: [] };
+  for (let known = 0; known < late.size; ) {
+    known = late.size;
+    const plugins = [apart(late, first)];
+    found = await build({ ...esm, splitting: true, plugins, entryPoints: [...late].sort() });
+  }
+  const style = await build({ ...esm, entryPoints: [join(pages, "style.css")] });
+  const all = [main, found, style].flatMap(({ outputFiles }) => outputFiles);
+  const plain = ["index.html", "icon.svg"].map(async (name) => [
+    join(esm.outdir, name),
+    await readFile(join(pages, name), "utf-8"),
+  ]);
+  return [...all.map(({ path, text }) => [path, text]), ...(await Promise.all(plain))];
 }
-if (check && stale) {
-  process.stderr.write(`${folder} is not what its source gives: make kernel\n`);
+
+const folder = join(here, "built");
+const folders = [folder, join(pages, "built")];
+const vendor = await vendored();
+const made = new Map([
+  [TOML, vendor],
+  [join(folder, "solver.js"), await built("solver.js", { globalName: "solver" })],
+  [join(folder, "page.js"), await built("main.js", { plugins: [instead] })],
+  [join(folder, "page.css"), await built("../static/style.css", {})],
+  ...(await served()),
+]);
+const check = process.argv.includes("--check");
+/** @type {string[]} */
+const stale = [];
+for (const [file, text] of made) {
+  if ((await readFile(file, "utf-8").catch(() => "")) === text) continue;
+  stale.push(file);
+  if (check) continue;
+  await mkdir(dirname(file), { recursive: true });
+  await writeFile(file, text);
+}
+for (const held of folders)
+  for (const one of await readdir(held, { recursive: true, withFileTypes: true })) {
+    const file = join(one.parentPath, one.name);
+    if (one.isDirectory() || made.has(file)) continue;
+    stale.push(file);
+    if (!check) await rm(file);
+  }
+if (check && stale.length) {
+  for (const file of stale)
+    process.stderr.write(`${relative(root, file)} is not what its source gives: make kernel\n`);
   process.exit(1);
 }

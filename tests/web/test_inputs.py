@@ -29,8 +29,7 @@ PLACES = """() => {
     .map((e) => Math.round(e.getBoundingClientRect().top - top));
 }"""
 JUDGED = """async () => {
-  const { answer } = await import("/static/pages/drive/solving.js");
-  const { app } = await import("/static/base/design.js");
+  const { answer, app } = await import("/static/main.js");
   return answer.judgedDoc === app.doc;
 }"""
 
@@ -52,7 +51,7 @@ def seen(page: Page) -> list[str]:
 
 
 def kept(page: Page) -> Any:
-    return page.evaluate("import('/static/base/design.js').then((m) => m.app.doc)")
+    return page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
 
 
 def switch(page: Page) -> Locator:

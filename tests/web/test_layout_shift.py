@@ -62,7 +62,7 @@ def test_many_load_cases_are_not_waited_for(calculator: Calculator) -> None:
     doc = document()
     case = {"pulley": {"head": {"entry_tension": "100 kN"}}}
     doc["load_case"] = [{"name": f"case {i}", **case} for i in range(9)]
-    page.evaluate("(doc) => import('/static/base/design.js').then((m) => m.take(doc))", doc)
+    page.evaluate("(doc) => import('/static/main.js').then((m) => m.take(doc))", doc)
     page.wait_for_selector("#drive .answer:visible >> text=All load cases are being solved")
     page.unroute_all(behavior="ignoreErrors")
     visitor.context.close()

@@ -474,8 +474,7 @@ SLIDES = (("Exit tension", 0.0), ("Exit tension", 0.6), ("Wrap angle", 0.99), ("
 
 #: Whether the page has judged what it shows.
 JUDGED = """async () => {
-  const { answer } = await import("/static/pages/drive/solving.js");
-  const { app } = await import("/static/base/design.js");
+  const { answer, app } = await import("/static/main.js");
   return answer.judgedDoc === app.doc;
 }"""
 
@@ -492,7 +491,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         wait_for(lambda: page.evaluate(JUDGED))
         visitor.painted()
         expect(page.locator("#verdict")).to_contain_text("follow once the hand rests")
-        moved = page.evaluate("import('/static/base/design.js').then((m) => m.app.doc)")
+        moved = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
         file.write_text(document_text(moved, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
         verdict, arc = told["verdict"], told["arcs"][0]
@@ -539,7 +538,7 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
         page.select_option(field, choice)
         wait_for(lambda: page.evaluate(JUDGED))
         visitor.painted()
-        chosen = page.evaluate("import('/static/base/design.js').then((m) => m.app.doc)")
+        chosen = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
         file.write_text(document_text(chosen, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
         said = page.locator("#verdict .verdict .headline").inner_text()

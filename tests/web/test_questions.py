@@ -294,7 +294,7 @@ def test_a_record_calibrates_the_drive_on_the_page(visitor: Visitor) -> None:
     # expected: the friction of `wraparc calibrate`, 0.782 of the law; see its example
     page = visitor.open("drive")
     page.evaluate(
-        "(doc) => import('/static/base/design.js').then((m) => m.take(doc, { name: 'wet' }))",
+        "(doc) => import('/static/main.js').then((m) => m.take(doc, { name: 'wet' }))",
         wet_season(),
     )
     visitor.solved()

@@ -16,7 +16,10 @@ STATIC = Path(wraparc.__file__).parent / "web" / "static"
 ROOT = Path(__file__).parents[2]
 #: Digest of `dist/preact.mjs` in the package preact 11.2.0 as the registry gave it.
 PREACT = "bdcbd9abdf2c77c5c45326eab42191e949222d479d0d5f69467387a77040cb55"
-FILES = sorted(p for p in STATIC.rglob("*") if p.suffix in (".js", ".css", ".html"))
+BUILT = STATIC / "built"
+FILES = sorted(
+    p for p in STATIC.rglob("*") if p.suffix in (".js", ".css", ".html") and BUILT not in p.parents
+)
 OWN = [p for p in FILES if "vendor" not in p.parts]
 
 
@@ -66,32 +69,38 @@ def imported(start: str, *how: str) -> set[str]:
     return found
 
 
-FIRST_STYLE = re.compile(r"/static/(style/\w+\.css)")
-
-
-def late_styles(script: str) -> list[str]:
-    """Return the styles that a module brings along."""
-    text = (STATIC / script).read_text("utf-8")
-    return re.findall(r"new URL\(\"\.\./(style/\w+\.css)\"", text)
-
-
 def test_every_module_and_style_is_used() -> None:
     scripts = {name(p) for p in FILES if p.suffix == ".js"}
     assert imported("main.js", STATIC_IMPORT, LATE_IMPORT) == scripts
-    styles = {name(p) for p in FILES if p.suffix == ".css"}
-    index = (STATIC / "index.html").read_text("utf-8")
-    late = {s for script in scripts for s in late_styles(script)}
-    assert set(FIRST_STYLE.findall(index)) | late == styles
+    styles = {name(p) for p in FILES if p.suffix == ".css"} - {"style.css"}
+    text = (STATIC / "style.css").read_text("utf-8")
+    assert set(re.findall(r"@import \"\./(.*)\";", text)) == styles
+
+
+#: Addresses of files in what is served.
+NAMED = re.compile(r"[\"'`](?:/static/|(?:\.\.?/)+)([\w./-]+\.(?:js|css|svg))[\"'`]")
+
+
+def test_what_is_served_names_only_what_is_served() -> None:
+    # built by tools/page_bundle.mjs; that it is what the modules give, test_page_file.py says
+    there = {p.relative_to(BUILT).as_posix() for p in BUILT.rglob("*") if p.is_file()}
+    named = {"index.html"}
+    for file in there:
+        for found in NAMED.findall((BUILT / file).read_text("utf-8")):
+            beside = Path(file).parent / found  # the worker is named by what stands beside it
+            named.add(found if found in there else beside.as_posix())
+    assert named == there
 
 
 def test_first_page_is_small_and_fetched_at_once() -> None:
-    # what the first page loads, packed as the server sends it; every module is named in the index,
-    # so that none waits for another that imports it
-    first = imported("main.js", STATIC_IMPORT)
-    index = (STATIC / "index.html").read_text("utf-8")
-    assert set(re.findall(r"/static/([\w/]+\.js)", index)) == first
-    whole = {"index.html", *first, *FIRST_STYLE.findall(index)}
-    assert sum(len(gzip.compress((STATIC / n).read_bytes(), 9)) for n in whole) < 65_000
+    # what the first page loads, packed as the server sends it: one script and one style, and the
+    # script waits for no other
+    index = (BUILT / "index.html").read_text("utf-8")
+    first = re.findall(r"(?:src|stylesheet\" href)=\"/static/([\w/.]+)\"", index)
+    assert first == ["style.css", "main.js"]
+    assert not re.search(r"(?:from|import)\s*\"", (BUILT / "main.js").read_text("utf-8"))
+    whole = ["index.html", *first]
+    assert sum(len(gzip.compress((BUILT / n).read_bytes(), 9)) for n in whole) < 44_000
 
 
 @pytest.fixture
@@ -101,7 +110,7 @@ def local() -> TestClient:
 
 
 def test_files_in_folders_are_served_by_name(local: TestClient) -> None:
-    assert local.get("/static/vendor/preact.js").status_code == 200
-    assert local.get("/static/style/frame.css").headers["content-type"].startswith("text/css")
-    for absent in ("vendor/preact.d.ts", "vendor", "vendor/", "vendor/../main.py"):
+    assert local.get("/static/pages/compare.js").status_code == 200
+    assert local.get("/static/style.css").headers["content-type"].startswith("text/css")
+    for absent in ("vendor/preact.js", "pages", "pages/", "pages/../../kernel.js"):
         assert local.get(f"/static/{absent.replace('..', '%2e%2e')}").status_code == 404, absent

@@ -71,7 +71,7 @@ def page_file(document: Document, name: str, text: str) -> str:
     _check(document)
     data = json.dumps(_data(document, name, text), ensure_ascii=False, separators=(",", ":"))
     style, solver, program = map(_built, ("page.css", "solver.js", "page.js"))
-    icon = base64.b64encode((_STATIC / "icon.svg").read_bytes()).decode("ascii")
+    icon = base64.b64encode((_STATIC / "built" / "icon.svg").read_bytes()).decode("ascii")
     parts = {
         "licences": "\n".join(path.read_text("utf-8") for path in _LICENCES),
         "policy": _policy(style, (solver, program)),

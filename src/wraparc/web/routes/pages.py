@@ -13,7 +13,8 @@ from wraparc.web.errors import refused
 from wraparc.web.routes.parts import router, state_of
 from wraparc.web.static_files import Static
 
-FOLDER = Path(__file__).parents[1] / "static"
+#: What `make kernel` builds of the modules beside it.
+FOLDER = Path(__file__).parents[1] / "static" / "built"
 #: Addresses that all show the one page; the page itself tells them apart.
 PAGES = ("/", "/compare", "/tests", "/train", "/study", "/designs", "/about")
 pages = APIRouter(include_in_schema=False)

@@ -3,6 +3,7 @@ import { brought, keepAddress, mine, openLink, pageOfAddress } from "./base/addr
 import { app, look, redraw, take, watch } from "./base/design.js";
 import { keepDraft, opened, ownDraft } from "./base/drafts.js";
 import { ask, complain, Refused, told } from "./base/server.js";
+import { keepFocus } from "./frame/focus.js";
 import { Header, listen } from "./frame/header.js";
 import { Main, offerDraft, openDraft, present } from "./frame/pages.js";
 import { PAGES } from "./frame/registry.js";
@@ -11,12 +12,6 @@ import { h, render } from "./vendor/preact.js";
 
 /** @param {string} id */
 const box = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
-
-/** Fetched behind the first answer. */
-let keepFocus = () => {};
-document.addEventListener("complete", async () => {
-  ({ keepFocus } = await import("./frame/focus.js"));
-});
 
 /** Draw everything that is seen; Preact changes only what is another. */
 function draw() {

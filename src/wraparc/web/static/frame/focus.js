@@ -8,7 +8,6 @@ function hold(target) {
   held = [];
   for (let e = target; e instanceof HTMLElement; e = e.parentElement) held.push(e);
 }
-hold(document.activeElement); // what was pressed before this came
 addEventListener("focusin", ({ target }) => hold(target));
 addEventListener("pointerdown", () => (held = []));
 /** @param {HTMLElement} e */

@@ -12,12 +12,6 @@ import { questions } from "./across/questions.js";
 
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 
-/** The style of this page, before that of sizes, which has the last word. */
-const style = document.createElement("link");
-style.rel = "stylesheet";
-style.href = new URL("../style/width.css", import.meta.url).href;
-document.querySelector("link[href$='sizes.css']")?.before(style);
-
 const state = {
   answer: /** @type {any} */ (null),
   of: /** @type {Design | null} */ (null),

@@ -1,7 +1,7 @@
-// Creep by source below the plots, fetched behind the first answer.
+// Creep by source below the plots.
 import { percent, shown, title, unit } from "../../base/units.js";
 import { Budget } from "../../plots/budget.js";
-import { besides, marched } from "./pictures.js";
+import { alongside, marched } from "./pictures.js";
 
 /** @import { QuickAnswer } from "../../types.d.ts" */
 
@@ -35,7 +35,7 @@ export class BySource {
     const bars = [{ label: "distributed", parts: partsOf(n) }];
     const march = marched();
     if (march) bars.push({ label: "paper's march", parts: partsOf(march.numbers) });
-    if (besides.pinned) bars.push({ label: "pinned", parts: partsOf(besides.pinned.numbers) });
+    if (alongside.pinned) bars.push({ label: "pinned", parts: partsOf(alongside.pinned.numbers) });
     const names = ["belt shrinkage", "lagging compression", "global creep"];
     const legend = PARTS.map((k, i) => {
       const share = n.exit_creep ? ` (${percent(n[k] / n.exit_creep, 2)})` : "";

@@ -16,7 +16,7 @@ export function shownCase(i) {
   return app.case ? (app.doc.load_case ?? []).findIndex((c) => c.name === base) : -1;
 }
 /** The load of a pulley in the load case that is shown. @param {number} i */
-export function load(i) {
+export function loadInCase(i) {
   const k = shownCase(i);
   if (k < 0) return ownLoad(i);
   const { doc } = app;

@@ -68,7 +68,7 @@ export function switched(i) {
   const note = alone ? `Of ${alone} alone.` : beside || several;
   return h(
     "div",
-    { class: "field wide late", key: "condition" },
+    { class: "field wide", key: "condition" },
     h("span", {}, "Condition"),
     h(
       "fieldset",
@@ -120,7 +120,7 @@ export function sideBySide(i) {
   };
   return h(
     "div",
-    { class: "field late", key: "condition" },
+    { class: "field", key: "condition" },
     h("label", { for: "condition" }, "Solved in"),
     h("span", {}),
     h(

@@ -1,13 +1,17 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, change, edit, get, redraw, set } from "../../base/design.js";
+import { app, change, edit, get, set } from "../../base/design.js";
 import { nameCheck, renamePulley } from "../../base/names.js";
 import { choose } from "../../parts/choose.js";
 import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
+import { add, inCase, loadInCase, shared } from "./cases.js";
+import { sideBySide, switched } from "./condition.js";
 import { conveyor } from "./conveyor.js";
 import { criteria } from "./criteria.js";
+import { fromExample } from "./from_example.js";
+import { givenBy } from "./load.js";
 
 /** @import { Children, Path, Spec } from "../../types.d.ts" */
 /** @import { Choice, Choices } from "../../parts/field.js" */
@@ -91,7 +95,7 @@ export function loadRows(at, given, put, over) {
 /** @param {string} key */
 const sign = (key) => tensionSpec(key).symbol || tensionSpec(key).title;
 /** Give the same load by two other numbers. @param {number} i @param {string[]} keys */
-const give = async (i, keys) => change((await import("./load.js")).givenBy(app.doc, i, keys));
+const give = (i, keys) => change(givenBy(app.doc, i, keys));
 
 /** @param {number} i */
 function pulley(i) {
@@ -172,7 +176,7 @@ function lagging(i) {
   });
   return [
     whole,
-    (known || late) && behind("switched"),
+    switched(i),
     known &&
       h(
         "p",
@@ -202,23 +206,6 @@ const laggingPart = (at, key, placeholder) =>
       edit(at, Object.keys(next).join() === "preset" ? next.preset : next);
     },
   });
-
-/** What is fetched behind the first page; its places are kept free.
- * @type {typeof import("./late_inputs.js") | null} */
-let late = null;
-let fetching = false;
-/** @param {"load" | "switched" | "sideBySide" | "inCase"} what
- * @param {number} [i] of the pulley or of the load case */
-function behind(what, i = app.pulley) {
-  if (late) return late[what](i);
-  if (!fetching)
-    import("./late_inputs.js").then((found) => {
-      late = found;
-      redraw();
-    });
-  fetching = true;
-  return h("div", { class: "field late", key: what });
-}
 
 function belt() {
   const skip = ["preset", "table"];
@@ -269,21 +256,18 @@ function putBelt(name) {
 }
 
 function cases() {
-  if (app.doc.conveyor && !app.doc.load_case) return [behind("sideBySide")];
+  if (app.doc.conveyor && !app.doc.load_case) return [sideBySide(app.pulley)];
   const list = app.doc.load_case || [];
   return [
-    behind("sideBySide"),
+    sideBySide(app.pulley),
     h("p", { class: "help", key: "help" }, HELP),
-    late?.shared(),
-    ...list.map((c, k) =>
-      more(c.name || `case ${k + 1}`, [behind("inCase", k)], undefined, `case${k}`),
-    ),
+    shared(),
+    ...list.map((c, k) => more(c.name || `case ${k + 1}`, inCase(k), undefined, `case${k}`)),
     h("button", { type: "button", id: "add-case", key: "add", onClick: add }, "Add a load case"),
   ];
 }
 const HELP =
   'The load above is that of the load case shown. Others than "design" replace what they name.';
-const add = async () => (await import("./late_inputs.js")).add();
 
 /** The form of the drive page. @param {Now} now */
 export function inputs(now) {
@@ -298,8 +282,8 @@ export function inputs(now) {
       onSubmit: (e) => e.preventDefault(),
       noValidate: true,
     },
-    late?.fromExample(),
-    app.case && byCase() ? behind("load") : ownLoad(i, now),
+    fromExample(),
+    app.case && byCase() ? loadInCase(i) : ownLoad(i, now),
     group(`Pulley ${name}`, pulley(i), "pulley"),
     group("Lagging", lagging(i)),
     group("Belt", belt()),

@@ -2,10 +2,10 @@
 import { app } from "../../base/design.js";
 import { digits, dimensionOf, show, shown, title, unit } from "../../base/units.js";
 import { Chart } from "../../plots/chart.js";
+import { named } from "../../plots/named.js";
 import { colourScale, Pulley } from "../../plots/pulley.js";
 import { whole, wholeArc } from "./solving.js";
 
-/** @import { named } from "../../plots/named.js" */
 /** @import { ChartData, Line, QuickAnswer } from "../../types.d.ts" */
 
 export const QUANTITIES = ["shear_stress", "friction_used", "wrap_pressure", "slip", "creep"];
@@ -22,7 +22,7 @@ const degrees = (v) => (v * 180) / Math.PI;
  * @typedef {{name: string, numbers: QuickAnswer["numbers"],
  *   profile: QuickAnswer["profile"]}} Pinned
  */
-export const besides = { march: false, pinned: /** @type {Pinned | null} */ (null), turn: 0 };
+export const alongside = { march: false, pinned: /** @type {Pinned | null} */ (null), turn: 0 };
 
 /** What the plots of one arc need: the answer, its lines in the units looked at. */
 class Scene {
@@ -35,7 +35,7 @@ class Scene {
     const march = marched();
     /** @type {[Record<string, any>, string, string][]} */
     this.others = march ? [[march.profile, "paper", "paper's march"]] : [];
-    if (besides.pinned) this.others.push([besides.pinned.profile, "ghost", "pinned"]);
+    if (alongside.pinned) this.others.push([alongside.pinned.profile, "ghost", "pinned"]);
     this.side = this.n.entry_tension >= this.n.exit_tension ? 1 : -1;
   }
   /** @param {string} name @param {string} cls @param {string} label @param {number} [f]
@@ -61,7 +61,7 @@ class Scene {
 }
 /** The paper's march, once it is asked for and solved. */
 export function marched() {
-  const march = besides.march && whole() ? wholeArc()?.paper : null;
+  const march = alongside.march && whole() ? wholeArc()?.paper : null;
   return march?.status === "solved" ? march : null;
 }
 /** @param {(number | null)[]} values @param {number} f @param {boolean} [size] */
@@ -144,7 +144,8 @@ export class Pictures {
       const numbered = i === TITLES.length - 1; // one axis for all
       const xlabel = numbered ? "Angle from the entry nip [deg]" : "";
       const height = numbered ? TALL + 30 : TALL;
-      return new Chart(box, { title: name, height, xlabel, onpick, stacked: true, numbered });
+      const how = { title: name, height, xlabel, onpick, stacked: true, numbered };
+      return Object.assign(new Chart(box, how), { named });
     });
     this.pulley = new Pulley(pulley);
     this.scale = scale;
@@ -153,6 +154,8 @@ export class Pictures {
   /** @param {QuickAnswer} arc @param {string} quantity */
   draw(arc, quantity) {
     const scene = new Scene(arc);
+    // all asked for before any is drawn: the page is laid out once for it
+    for (const chart of this.charts) chart.wide ||= chart.box.clientWidth;
     for (const [i, of] of [tension, friction, creep, shear].entries())
       this.charts[i].draw(of(scene));
     this.drawPulley(arc, quantity);
@@ -183,13 +186,6 @@ export class Pictures {
     this.scaleKey = key;
     const label = `${title(q)}${u ? ` [${u}]` : ""}; dot: peak shear stress`;
     colourScale(this.scale, label, most / f);
-  }
-  /** Put names at the lines from now on. @param {typeof named} by */
-  name(by) {
-    for (const chart of this.charts) {
-      chart.named = by;
-      if (chart.data) by(chart, chart.data);
-    }
   }
   /** Show the cursor. @param {QuickAnswer} arc @param {number} part of the arc */
   at(arc, part) {

@@ -3,7 +3,7 @@ import { app, redraw } from "../../base/design.js";
 import { shown, title } from "../../base/units.js";
 import { scroll } from "../../parts/answers.js";
 import { h } from "../../vendor/preact.js";
-import { besides } from "./pictures.js";
+import { alongside } from "./pictures.js";
 
 /** @import { QuickAnswer } from "../../types.d.ts" */
 
@@ -17,9 +17,9 @@ const NAMES = [
   "peak_shear_angle",
   "power_loss",
 ];
-/** @param {Partial<typeof besides>} what */
+/** @param {Partial<typeof alongside>} what */
 function put(what) {
-  Object.assign(besides, what, { turn: besides.turn + 1 });
+  Object.assign(alongside, what, { turn: alongside.turn + 1 });
   redraw();
 }
 /** @param {QuickAnswer} arc */
@@ -36,7 +36,7 @@ function difference(now, then, name) {
 }
 /** @param {QuickAnswer} arc */
 export function pins(arc) {
-  const { pinned, march } = besides;
+  const { pinned, march } = alongside;
   const tick = {
     type: "checkbox",
     id: "march",
@@ -56,7 +56,7 @@ export function pins(arc) {
     pinned && differences(arc, pinned),
   ];
 }
-/** @param {QuickAnswer} arc @param {NonNullable<typeof besides.pinned>} pinned */
+/** @param {QuickAnswer} arc @param {NonNullable<typeof alongside.pinned>} pinned */
 function differences({ numbers: now }, { name, numbers: then }) {
   const row = (/** @type {string} */ key) =>
     h(

@@ -1,15 +1,8 @@
 // What can be asked beside the answer: each question fetched when it is asked first.
 import { redraw } from "../../base/design.js";
 import { Advice, act, GONE } from "../../base/server.js";
-import { PAGES } from "../../frame/registry.js";
 import { seeking } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
-
-export { named } from "../../plots/named.js";
-export { raise, raiseAlone } from "./advice.js";
-export { bars } from "./bars.js";
-export { BySource } from "./by_source.js";
-export { pins } from "./pins.js";
 
 /** @import { Children } from "../../types.d.ts" */
 /** @typedef {{open: (at?: any) => any, panel: () => Children}} Question */
@@ -36,17 +29,16 @@ async function ask(name, at) {
   redraw();
 }
 const [SEEK] = Object.keys(QUESTIONS);
-if (PAGES.study) seeking.open = (path) => ask(SEEK, path);
+seeking.open = (path) => ask(SEEK, path);
 
 /** The buttons, and what was asked. */
-export const questions = () =>
-  PAGES.study && [
-    h(
-      "p",
-      { class: "inline", key: "questions" },
-      Object.keys(QUESTIONS).map((name) =>
-        h("button", { type: "button", key: name, onClick: act(() => ask(name)) }, name),
-      ),
+export const questions = () => [
+  h(
+    "p",
+    { class: "inline", key: "questions" },
+    Object.keys(QUESTIONS).map((name) =>
+      h("button", { type: "button", key: name, onClick: act(() => ask(name)) }, name),
     ),
-    ...asked.map((question) => question.panel()),
-  ];
+  ),
+  ...asked.map((question) => question.panel()),
+];

@@ -7,8 +7,13 @@ import { badge, list, table, verdict } from "../../parts/answers.js";
 import { choose } from "../../parts/choose.js";
 import { toFillIn } from "../../parts/problems.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
+import { raise, raiseAlone } from "./advice.js";
+import { bars } from "./bars.js";
+import { BySource } from "./by_source.js";
 import { figures, peek, placeText, reading } from "./figures.js";
-import { besides, Pictures, QUANTITIES } from "./pictures.js";
+import { alongside, marched, Pictures, QUANTITIES } from "./pictures.js";
+import { pins } from "./pins.js";
+import { questions } from "./questions.js";
 import { answer, known, onAnswer, whole, wholeArc } from "./solving.js";
 
 /** @import { Children, FullArc, QuickAnswer } from "../../types.d.ts" */
@@ -24,7 +29,7 @@ export class Results extends Component {
   pulley = createRef();
   scale = createRef();
   budget = createRef();
-  bySource = /** @type {import("./by_source.js").BySource | null} */ (null);
+  bySource = /** @type {BySource | null} */ (null);
   /** @type {unknown[]} */
   drawn = [];
   answered = false;
@@ -33,6 +38,7 @@ export class Results extends Component {
     const pick = (/** @type {number} */ part) => this.setState({ part });
     const { plots, pulley, scale } = this;
     this.pictures = new Pictures(plots.current, pulley.current, scale.current, pick);
+    this.bySource = new BySource(this.budget.current);
     onAnswer(() => this.forceUpdate());
     this.paint();
   }
@@ -44,17 +50,12 @@ export class Results extends Component {
     const arc = answer.quick;
     if (!arc || !this.pictures || arc.status !== "solved") return this.painted(arc);
     const { quantity, part } = this.state;
-    const now = [arc, app.units, quantity, whole(), besides.turn];
+    const now = [arc, app.units, quantity, marched(), alongside.turn];
     if (now.some((v, i) => v !== this.drawn[i])) {
       this.pictures.draw(arc, quantity);
       this.bySource?.draw(arc);
     }
     this.pictures.at(arc, part);
-    if (answer.beside && !this.bySource) {
-      this.pictures.name(answer.beside.named);
-      this.bySource = new answer.beside.BySource(this.budget.current);
-      this.bySource.draw(arc);
-    }
     this.painted(arc);
     this.drawn = now;
   }
@@ -69,7 +70,7 @@ export class Results extends Component {
     this.drawn = [arc];
   }
   render() {
-    const { quick: arc, problems, slow, foreign, awaited, beside } = answer;
+    const { quick: arc, problems, slow, foreign, awaited } = answer;
     const refused = problems.length > 0;
     const waits = (awaited || !arc) && !refused && !app.gone;
     const cls = ["results", refused && "refused", slow && "waiting", waits && "awaited"];
@@ -88,8 +89,8 @@ export class Results extends Component {
         "div",
         { class: "answer", hidden: !arc || awaited || (refused && foreign) },
         arc && top(arc),
-        beside?.bars((known() || answer.full)?.bars),
-        beside?.questions(),
+        bars((known() || answer.full)?.bars),
+        questions(),
         this.body(arc),
       ),
       h("p", { class: "peek", "aria-hidden": "true" }, arc && !refused && peeked(arc)),
@@ -151,7 +152,7 @@ export class Results extends Component {
       "section",
       { class: "card", "aria-label": "Along the wrap", key: "along", hidden: !solved },
       h("h2", {}, "Along the wrap"),
-      h("div", { key: "pins" }, arc && solved && answer.beside?.pins(arc)),
+      h("div", { key: "pins" }, arc && solved && pins(arc)),
       h("div", { class: "plots", ref: this.plots, key: "plots" }),
     );
   }
@@ -238,12 +239,12 @@ function verdicts(arc) {
       ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
       worse && worse.level !== arc.level && [` Pulley ${worse.pulley}: `, badge(worse.level), "."],
       " ",
-      known() && !all && answer.beside?.raiseAlone(wholeArc()),
+      known() && !all && raiseAlone(wholeArc()),
     ),
   );
   if (known() && full)
     return [
-      h("div", { key: "governing" }, verdict(full.verdict, null, answer.beside?.raise(all))),
+      h("div", { key: "governing" }, verdict(full.verdict, null, raise(all))),
       several && own,
       whole() &&
         h("p", { class: "away", role: "status", key: "spoken" }, words(full.verdict.headline)),

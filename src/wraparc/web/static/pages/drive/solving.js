@@ -21,8 +21,6 @@ export const answer = {
   foreign: true,
   /** Whether the whole of a design just opened is waited for, so that nothing jumps. */
   awaited: true,
-  /** What can be asked and done beside the answer, fetched with the first whole one. */
-  beside: /** @type {typeof import("./questions.js") | null} */ (null),
   /** The whole as the page itself judges it. */
   judged: /** @type {FullAnswer | null} */ (null),
   judgedDoc: /** @type {Design | null} */ (null),
@@ -181,10 +179,8 @@ async function complete() {
   const doc = app.doc;
   try {
     const how = { points: 180, sequence: ++sequence, prepared: true };
-    const beside = import("./questions.js");
     const given = came.get(doc)?.whole;
     const found = given || (await ask("solve", { document: doc, ...how }, { signal: stop.signal }));
-    answer.beside = await beside;
     if (doc !== app.doc) return;
     own?.compare(found);
     Object.assign(answer, { full: found, fullDoc: doc, awaited: false });

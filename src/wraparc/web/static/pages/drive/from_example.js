@@ -1,9 +1,6 @@
-// Inputs of a drive that are fetched behind the first page.
+// What is left of an example that was typed over.
 import { app, change } from "../../base/design.js";
 import { h } from "../../vendor/preact.js";
-
-export { add, inCase, load, shared } from "./cases.js";
-export { sideBySide, switched } from "./condition.js";
 
 /** What an overtyped example still says of itself: title and load cases. */
 export function fromExample() {
