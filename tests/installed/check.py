@@ -93,14 +93,22 @@ def built() -> tuple[Path, Path]:
     return wheel, sdist
 
 
+def built_from(path: Path) -> bool:
+    """Whether a file is one that the pages are built from: what is built is handed out."""
+    web = ROOT / "src" / "wraparc" / "web"
+    if web / "static" in path.parents:
+        return path.suffix in (".js", ".ts", ".css", ".html", ".svg") and "built" not in path.parts
+    return path.parent == web / "one_file" and path.suffix == ".js"
+
+
 def check_wheel(wheel: Path) -> None:
-    """It holds the package and the examples as they stand here, to the byte, and nothing else."""
+    """It holds the package and the examples to the byte, without sources of the pages, no more."""
     places = {"wraparc": ROOT / "src" / "wraparc", "wraparc/examples": ROOT / "examples"}
     here = {
         f"{start}/{path.relative_to(folder).as_posix()}": path.read_bytes()
         for start, folder in places.items()
         for path in folder.rglob("*")
-        if path.is_file() and "__pycache__" not in path.parts
+        if path.is_file() and "__pycache__" not in path.parts and not built_from(path)
     }
     with ZipFile(wheel) as archive:
         found = {name: archive.read(name) for name in archive.namelist()}
