@@ -132,27 +132,6 @@ def test_slider_is_found_by_finger_and_not_moved_unseen(calculator: Calculator) 
     assert visitor.wrong == []
 
 
-@pytest.mark.parametrize("size", ["desktop", "phone"])
-def test_inputs_come_without_a_shift(calculator: Calculator, size: str) -> None:
-    # the switch of the condition is fetched behind the first page: its place is free until then
-    visitor = Visitor(calculator[0], calculator[1].address, PHONE if size == "phone" else None)
-    page = visitor.page
-    held: list[Any] = []
-    page.route("**/pages/drive/condition.js", lambda route: held.append(route))  # noqa: PLW0108
-    visitor.open("drive")
-
-    def fetched() -> bool:
-        visitor.painted()
-        return bool(held)
-
-    wait_for(fetched)
-    places = page.evaluate(PLACES)
-    held[0].continue_()
-    expect(switch(page)).to_have_count(1)
-    assert page.evaluate(PLACES) == places
-    visitor.context.close()
-
-
 def opened(visitor: Visitor, tmp_path: Path, text: str) -> Page:
     """Open a drive file on the page."""
     page = visitor.open("drive")
