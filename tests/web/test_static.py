@@ -92,6 +92,19 @@ def test_what_is_served_names_only_what_is_served() -> None:
     assert named == there
 
 
+def test_what_comes_later_finds_its_names_in_the_first_script() -> None:
+    (exports,) = re.findall(r"export\{([^}]*)\}", (BUILT / "main.js").read_text("utf-8"))
+    there = {part.split(" as ")[-1] for part in exports.split(",")}
+    taken = set[str]()
+    for file in BUILT.rglob("*.js"):
+        for part in re.findall(
+            r"import\{([^}]*)\}from\"/static/main.js\"", file.read_text("utf-8")
+        ):
+            taken |= {name.partition(" as ")[0] for name in part.split(",")}
+    assert "app" in taken
+    assert taken - there == set()
+
+
 def test_first_page_is_small_and_fetched_at_once() -> None:
     # what the first page loads, packed as the server sends it: one script and one style, and the
     # script waits for no other
