@@ -91,6 +91,24 @@ def test_none_at_all() -> None:
     ]
 
 
+NO_DIAMETER = 'drive.toml: pulley.p1.diameter: missing. Write for example diameter = "1200 mm".'
+
+
+def without_diameter(given: dict[str, str]) -> str:
+    return drive(given).replace("diameter", "# diameter")
+
+
+def test_tensions_are_asked_for_together_with_what_else_is_missing() -> None:
+    missing, asked = complaints(without_diameter({}))
+    assert missing == NO_DIAMETER
+    assert asked == complaints(drive({}))[0]
+
+
+def test_a_torque_without_a_diameter_lacks_the_diameter_alone() -> None:
+    text = without_diameter({"exit_tension": "60 kN", "torque": "36 kN m"})
+    assert complaints(text) == [NO_DIAMETER]
+
+
 def test_three_that_agree_are_still_too_many() -> None:
     keys = ("entry_tension", "exit_tension", "power")
     assert complaints(drive({key: DRIVING[key] for key in keys})) == [

@@ -212,6 +212,12 @@ def test_new_drive_says_what_is_needed_and_calls_nothing_wrong(visitor: Visitor)
     problems = page.locator("#results [role=alert]")
     expect(problems).to_contain_text("still needed")
     assert "FAILS" not in problems.inner_text()
+    # in the words of the form, and all of it at once
+    expect(problems.locator("li")).to_have_text(
+        ["Belt width", "Diameter over lagging", "Wrap angle", "Lagging", "Belt modulus",
+         "Entry tension", "Exit tension"]
+    )  # fmt: skip
+    expect(page.locator("#f-pulley-0-exit_tension-e")).to_have_text("Still needed.")
     # no answer of the drive before stands under the new one
     expect(page.locator("#results .answer")).to_be_hidden()
     page.fill("#f-pulley-0-entry_tension", "100")

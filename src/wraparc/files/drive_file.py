@@ -145,7 +145,7 @@ def _load_cases(
         report.take(InputError(problem), ())
     if len(set(names)) < len(record.get("pulley") or ()) or not isinstance(belt, Record):
         return ()
-    sure = belt.sound("speed") and all(item.sound("diameter", *KEYS) for item in pulleys)
+    sure = belt.sound("speed") and all(item.sound(*KEYS) for item in pulleys)
     speed = belt.get("speed")
     own = [Given.of(item["name"], item, item.get("diameter")) for item in pulleys]
     built = []

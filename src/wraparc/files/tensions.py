@@ -141,6 +141,8 @@ def resolve(
             remedy = 'Write speed = "3 m/s" in [belt], or give effective_tension.'
             report.add(place, "power needs the belt speed", remedy)
             sure = False
+    if any(item.effective == ("torque",) and item.diameter is None for item in given):
+        sure = False  # it is the diameter that is missing
     tensions = {}
     for item, (entry, exit_) in zip(given, spread(given, speed), strict=True):
         if entry is None or exit_ is None:

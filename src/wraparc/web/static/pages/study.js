@@ -142,7 +142,7 @@ function result(j, full) {
     list(full.remarks, "help"),
     h(
       "div",
-      { class: "tables", key: "tables" },
+      { class: "tables one", key: "tables" },
       (full.tables || []).map((/** @type {any} */ t) => table(t)),
     ),
     h(

@@ -32,8 +32,8 @@ export const parted = (fields, keys) => [
   fields.filter((f) => !keys.includes(f.key)),
 ];
 
-/** Fields on the pages by the place they show, to tell which problems have a field. */
-export const shownFields = /** @type {Map<string, number>} */ (new Map());
+/** Names of the fields on the pages by the place they show: which problems have a field. */
+export const shownFields = /** @type {Map<string, string[]>} */ (new Map());
 /** @param {Path} path */
 const keyOf = (path) => path.join();
 /** The box of a field. @param {Path} path @param {string} [page] */
@@ -92,12 +92,13 @@ export class Field extends Component {
 
   componentDidMount() {
     const key = keyOf(this.props.path);
-    shownFields.set(key, (shownFields.get(key) || 0) + 1);
+    const { label, spec: s } = this.props;
+    shownFields.set(key, [...(shownFields.get(key) || []), label || s.title]);
   }
   componentWillUnmount() {
     const key = keyOf(this.props.path);
-    const left = (shownFields.get(key) || 1) - 1;
-    if (left) shownFields.set(key, left);
+    const left = (shownFields.get(key) || []).slice(1);
+    if (left.length) shownFields.set(key, left);
     else shownFields.delete(key);
   }
   /** @param {FieldProps} next @param {FieldState} state */

@@ -39,6 +39,9 @@ export function place(text) {
 export function mark(problems) {
   wrong.at = new Map();
   return problems.filter((p) => {
+    const needed = lacking(p);
+    for (const key of needed) wrong.at.set(key, "Still needed.");
+    if (needed.length) return false;
     const keys = place(p.path);
     let key = keys.join();
     if (!shownFields.has(key)) {
@@ -54,4 +57,26 @@ export function mark(problems) {
 /** Whether nothing stands where the problem is: still to be filled in, and no mistake.
  * @param {Problem} p */
 export const toFillIn = (p) =>
-  p.message === "missing" || !p.path || get(app.doc, place(p.path)) == null;
+  !p.path || lacking(p).length > 0 || get(app.doc, place(p.path)) == null;
+/** The fields to fill in, where that is all that is wrong.
+ * @param {Problem} p @returns {string[]} */
+function lacking({ path }) {
+  const keys = place(path);
+  const at = TENSIONS.includes(String(keys[2])) ? keys.slice(0, 2) : keys;
+  if (at[0] === "pulley" && at.length === 2) {
+    const empty = TENSIONS.filter((t) => get(app.doc, [...at, t]) == null);
+    if (empty.length < TENSIONS.length - 1) return [];
+    return empty.map((t) => [...at, t].join()).filter((key) => shownFields.has(key));
+  }
+  const key = keys.join();
+  return get(app.doc, keys) == null && shownFields.has(key) ? [key] : [];
+}
+/** What is still needed in the words of the page; other problems in their own.
+ * @param {Problem} p @returns {string[]} */
+export function asked(p) {
+  const [, i] = place(p.path);
+  const several = app.doc.pulley.length > 1 && /^pulley/.test(p.path);
+  const of = several ? `, pulley ${get(app.doc, ["pulley", i, "name"])}` : "";
+  const names = lacking(p).map((key) => `${shownFields.get(key)?.[0]}${of}`);
+  return names.length ? names : [sentence(p)];
+}

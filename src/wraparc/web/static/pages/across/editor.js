@@ -51,7 +51,7 @@ export class Editor extends Component {
   /** What is wrong with the whole profile stands here. @param {number} by */
   known(by) {
     for (const key of this.keys())
-      if (by > 0) shownFields.set(key, 1);
+      if (by > 0) shownFields.set(key, [this.props.kind.title]);
       else shownFields.delete(key);
   }
   keys() {

@@ -5,7 +5,7 @@ import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
 import { badge, list, table, verdict } from "../../parts/answers.js";
 import { choose } from "../../parts/choose.js";
-import { toFillIn } from "../../parts/problems.js";
+import { asked, toFillIn } from "../../parts/problems.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { raise, raiseAlone } from "./advice.js";
 import { bars } from "./bars.js";
@@ -216,7 +216,7 @@ function whatIsWrong(before) {
     "div",
     { class: "verdict" },
     h("p", { class: "headline" }, these),
-    list(answer.problems.map(sentence)),
+    list(answer.problems.flatMap(asked)),
   );
 }
 
@@ -236,7 +236,9 @@ function verdicts(arc) {
       {},
       h("strong", {}, chosen),
       " ",
-      ...(!arc.level ? [peek(arc)] : [badge(arc.level), " ", words(arc.verdict.headline)]),
+      ...(!arc.level
+        ? [peek(arc)]
+        : [badge(arc.level, arc.verdict.told), " ", words(arc.verdict.headline)]),
       worse && worse.level !== arc.level && [` Pulley ${worse.pulley}: `, badge(worse.level), "."],
       " ",
       known() && !all && raiseAlone(wholeArc()),
@@ -267,11 +269,12 @@ function verdicts(arc) {
  * @param {QuickAnswer} arc */
 function peeked(arc) {
   const alone = app.doc.pulley.length < 2;
-  if (alone && caseNames(app.doc).length < 2) return [badge(arc.level), peek(arc)];
-  const all = known()?.verdict.level;
+  if (alone && caseNames(app.doc).length < 2)
+    return [badge(arc.level, arc.verdict?.told), peek(arc)];
+  const all = known()?.verdict;
   const whose = alone ? arc.load_case : `${arc.pulley}, ${arc.load_case}`;
   return [
-    all && badge(all),
+    all && badge(all.level, all.told),
     ` ${alone ? "all load cases" : "the whole drive"}; ${whose}:`,
     peek(arc),
   ];
