@@ -83,10 +83,11 @@ export class Editor extends Component {
     const least = Math.min(0, ...values.map((v) => 1.25 * v));
     return { least, most };
   }
-  /** @param {number} y [m] */
+  /** What lies far beside the belt stands just outside the picture. @param {number} y [m] */
   X(y) {
     const half = 0.5 * beltWidth();
-    return EDGE.left + ((y + half) / (2 * half)) * (this.wide - EDGE.left - EDGE.right);
+    const near = Math.min(Math.max(y, -2 * half), 2 * half);
+    return EDGE.left + ((near + half) / (2 * half)) * (this.wide - EDGE.left - EDGE.right);
   }
   /** @param {number} v */
   Y(v) {
