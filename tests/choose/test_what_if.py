@@ -104,7 +104,14 @@ def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
         ([], "nothing is to be changed"),
         (["--belt", "ST1"], "the catalogue has no belt of this name"),
         (["--worn", "6"], "no unit, where a length is needed"),
+        (
+            ["--worn", "0 mm"],
+            '--worn = "0 mm": no lagging is left, and the friction is that of a bare',
+        ),
+        (["--thickness", "1 km"], '--thickness = "1 km": must be between 0 mm and 1000 mm.'),
         (["--wet", "ISO"], "no design values of surface"),
+        (["--wet", "80"], '--wet = "80": must be more than 0 and at most 2.'),
+        (["--wet", "1e99"], '--wet = "1e99": must be more than 0 and at most 2.'),
         (["--load-case", "x", "--worn", "6 mm"], "the drive has no such load case"),
         (["--pulley", "x", "--worn", "6 mm"], "no such pulley"),
     ],
@@ -142,6 +149,20 @@ def test_a_new_take_up_tension_says_what_pull_it_implies(tmp_path: Path) -> None
     assert "the pulley works at a larger tension ratio." in ran.words
     assert "less of the slip that the friction needs" not in ran.words
     assert "Effective tension Te 90 kN 120 kN" in " ".join(ran.words.split())
+
+
+def test_a_worn_lagging_is_not_ok(tmp_path: Path) -> None:
+    """It creeps less, being thinner; what wear takes off its friction nobody knows."""
+    path = drive_file(tmp_path)
+    text = path.read_text("utf-8").replace("diamond-rubber", "full-ceramic")
+    path.write_text(text, "utf-8")
+    ran = wraparc("what-if", path, "--worn", "3 mm", "--json", "-")
+    assert ran.code == 0
+    verdicts = [result["verdict"] for result in ran.json["results"]]
+    assert verdicts == ["OK", "ATTENTION"]
+    words = wraparc("what-if", path, "--worn", "3 mm").words
+    assert words.split("Creep at")[0].strip().endswith("OK as it is, on illustrative data")
+    assert "worn to 3 mm 3.72 mm (ATTENTION: not tested worn)." in words
 
 
 def test_a_column_that_fails_is_no_verdict_on_the_drive(tmp_path: Path) -> None:

@@ -171,6 +171,8 @@ def test_another_lagging_is_put_into_the_conditions_of_the_load_cases() -> None:
     assert names == {("full-ceramic", "dry"), ("full-ceramic", "wet")}
     worn = worn_to(drive, "head", 0.006)
     assert {lag.thickness for lag in worn.laggings} == {0.006}
+    assert all("worn" in lag.sources for lag in worn.laggings)
+    assert drive_from_text(drive_text(worn)).pulley("head").diameter == worn.pulleys[0].diameter
 
 
 def test_a_condition_without_a_name_is_refused(tmp_path: Path) -> None:

@@ -227,7 +227,11 @@ def test_alarm_levels_stand_on_the_page(visitor: Visitor) -> None:
     card.get_by_label("Hours that it took, design").fill("12000")
     card.get_by_role("button", name="Show").click()
     expect(card).to_contain_text("calibrated to the wear measured")
-    # nonsense is told in its sentence
+    # nonsense is told in its sentence, with what was typed
+    card.get_by_label("Hours a year, design").fill("often")
+    card.get_by_role("button", name="Show").click()
+    expect(card.locator(".verdict.bad")).to_contain_text('"often"')
+    card.get_by_label("Hours a year, design").fill("4000")
     card.get_by_label("Depth to wear off").fill("deep")
     card.get_by_role("button", name="Show").click()
     expect(card.locator(".verdict.bad")).to_contain_text("depth")

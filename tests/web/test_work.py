@@ -203,6 +203,25 @@ def test_an_abandoned_solve_is_ended_and_makes_room(
     asyncio.run(scenario())
 
 
+def test_who_asks_what_is_just_being_given_up_gets_an_answer(tmp_path: Path) -> None:
+    gate = tmp_path / "go"
+
+    async def scenario() -> None:
+        async with workers() as found:
+            left = asyncio.create_task(found.short("a", _held, str(gate)))
+            await until(lambda: any(not idle for idle in found._idle.values()) and bool(found._all))
+            ((task, _),) = found._shared.values()
+            task.cancel()  # as it is when nobody has waited for a while
+            asked = asyncio.create_task(found.short("b", _held, str(gate)))
+            gate.write_text("")
+            assert unpacked(await asked) == "held"
+            with pytest.raises(asyncio.CancelledError):
+                await left
+            await until(lambda: not found._shared)
+
+    asyncio.run(scenario())
+
+
 def _sleeps(folder: str, seconds: float) -> None:
     _note(folder)
     time.sleep(seconds)

@@ -8,29 +8,33 @@ from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.of_drive import escaped, origin
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
+from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 from wraparc.provenance import Kind, Provenance
 
 
 def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
-    """Ask for attention where a law is scaled to a condition it was not tested in."""
+    """Ask for attention where a law stands for a surface that it was not tested on."""
     lagging = pulley.lagging
-    if SCALED not in lagging.sources:
-        return
-    source = lagging.sources[SCALED]
-    yield Check(
+    if SCALED in lagging.sources:
+        says = f"its law is a tested one scaled as a whole ({lagging.notes[-1]})"
+        yield _untested(case, pulley, lagging.condition, SCALED, says)
+    if WORN in lagging.sources:
+        says = "its law is that of before, and what wear takes off the friction is not known"
+        yield _untested(case, pulley, WORN, WORN, says)
+
+
+def _untested(case: LoadCase, pulley: Pulley, state: str, part: str, says: str) -> Check:
+    lagging = pulley.lagging
+    return Check(
         name=RULES["condition"].name,
-        title=f"Friction of {lagging.name}, {lagging.condition}",
+        title=f"Friction of {lagging.name}, {state}",
         level=Level.ATTENTION,
         place=Place(pulley.name, case.name),
-        source=origin(source),
-        short=f"not tested {lagging.condition}",
-        says=escaped(
-            f"Lagging {lagging.name} was not tested {lagging.condition}: its law is a tested one "
-            f"scaled as a whole ({lagging.notes[-1]})."
-        ),
-        remedy=f"Test the lagging {escaped(lagging.condition)}, or keep more slack-side tension in "
-        "hand.",
+        source=origin(lagging.sources[part]),
+        short=f"not tested {state}",
+        says=escaped(f"Lagging {lagging.name} was not tested {state}: {says}."),
+        remedy=f"Test the lagging {escaped(state)}, or keep more slack-side tension in hand.",
         binding=False,
     )
 

@@ -27,6 +27,7 @@ from wraparc.checks.rules import (
     wrap_pressure,
 )
 from wraparc.drive import Drive
+from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 
 Array = NDArray[np.float64]
@@ -75,7 +76,7 @@ class Held:
     diameter
         Least diameter [m].
     scaled
-        Whether the law was not tested in its condition, but scaled to it.
+        Whether the law was not tested in its condition, but scaled to it, or before wear.
     misfit
         Whether the law does not describe its tests.
     """
@@ -179,7 +180,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         lagging.fatigue_limit,
         criteria.sag.tension if criteria.sag is not None else None,
         belt.least_pulley_diameter,
-        float(SCALED in lagging.sources),
+        float(SCALED in lagging.sources or WORN in lagging.sources),
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
     )
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from wraparc import catalogue
 from wraparc.choose.what_if import Change, redivided
-from wraparc.drive import Drive, changes
+from wraparc.drive import Drive, Lagging, changes
 from wraparc.drive.conditions import Condition
-from wraparc.errors import InputError, Problem, placed
+from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.files import load_lagging
 from wraparc.train import Train
 from wraparc.units import parse_number, parse_quantity
@@ -102,7 +102,10 @@ def _changes(drive: Drive, pulley: str, asked: Named, allow_paths: bool) -> Iter
 
 def _wet(drive: Drive, pulley: str, text: str) -> _Changed:
     if text[:1].isdigit() or text[:1] == ".":
-        condition = Condition(name="wet", factor=parse_number(text))
+        factor = parse_number(text)
+        if message := Condition.LIMITS["factor"].refusal(factor):
+            raise InputError(Problem(value=shown(text), message=message))
+        condition = Condition(name="wet", factor=factor)
     else:
         condition = Condition(name="wet", standard=text)
     lagging = drive.pulley(pulley).lagging
@@ -114,6 +117,10 @@ def _wet(drive: Drive, pulley: str, text: str) -> _Changed:
 def _length(text: str, key: str) -> float:
     with placed(key):
         value = parse_quantity(text, "length")
-    if value < 0.0:
-        raise InputError(Problem(key=key, value=text, message="must be at least 0"))
+    message = Lagging.LIMITS["thickness"].refusal(value)
+    if value == 0.0:
+        message = "no lagging is left, and the friction is that of a bare pulley"
+    if message:
+        remedy = "" if value else "Ask what a bare pulley does."
+        raise InputError(Problem(key=key, value=shown(text), message=message, remedy=remedy))
     return value

@@ -16,6 +16,9 @@ from wraparc.friction import Constant
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import display
 
+#: Part of a lagging that says that it is worn, and its law that of before.
+WORN = "worn"
+
 
 def with_pulley(drive: Drive, pulley: Pulley) -> Drive:
     """Return the drive with the pulley of the same name replaced."""
@@ -51,7 +54,7 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
     """Return the drive with its lagging worn down: thinner, and the diameter smaller by as much.
 
     The friction stays that of the unworn lagging: what wear of tread and tiles takes off it is
-    not known.
+    not known, and ``sources["worn"]`` of the lagging says so.
 
     Raises
     ------
@@ -70,7 +73,14 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
             )
         )
     diameter = base.diameter - 2.0 * (base.lagging.thickness - thickness)
-    return with_pulley(drive, replace(_as_thick(base, thickness), diameter=diameter))
+    worn = _as_thick(base, thickness)
+    source = Provenance(note=f"worn to {display(thickness, 'length')}, the law that of before")
+    lagging, *others = (
+        replace(lagging, sources={**lagging.sources, WORN: source})
+        for lagging in (worn.lagging, *worn.conditions)
+    )
+    worn = replace(worn, diameter=diameter, lagging=lagging, conditions=tuple(others))
+    return with_pulley(drive, worn)
 
 
 def _as_thick(pulley: Pulley, thickness: float) -> Pulley:

@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import ClassVar
 
 from wraparc.catalogue import DesignFriction, design_friction
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.provenance import Kind, Provenance
+from wraparc.schema.limits import Limit, limit_problems, raise_all
 
 DRY = "dry"
 #: Part of a lagging that says where the factor on its tested law came from.
@@ -41,11 +43,16 @@ class Condition:
         Where the factors came from.
     """
 
+    LIMITS: ClassVar[Mapping[str, Limit]] = {"factor": Limit("number", open=True, most=2.0)}
+
     name: str
     factor: float | None = None
     factors: Mapping[str, float] = field(default_factory=dict, hash=False)
     standard: str = ""
     source: Provenance = field(default_factory=Provenance)
+
+    def __post_init__(self) -> None:
+        raise_all(limit_problems(self, self.LIMITS))
 
     def lagging(self, lagging: Lagging) -> Lagging:
         """Return a lagging in this condition.

@@ -11,7 +11,6 @@ from wraparc.drive import (
     Belt,
     DesignStandard,
     Drive,
-    Limit,
     Pulley,
     SafetyFactors,
     Sag,
@@ -77,7 +76,7 @@ TENSIONS = (
     ),
 )
 
-_FACTOR = Quantity("number", Limit("number", open=True, most=2.0))
+_FACTOR = limited(Condition, "factor")
 _STANDARDS = tuple(dict.fromkeys(d.standard for d in design_friction() if d.condition))
 CONDITION = Table(
     "Condition",

@@ -19,6 +19,7 @@ from wraparc.drive import (
     LoadCase,
     Pulley,
 )
+from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, Problem
 from wraparc.files.conveyor_build import conveyor_of
@@ -256,7 +257,7 @@ def _common(lagging: Lagging) -> Tables:
     moduli = ("shear_modulus", "compression_modulus")
     rigid = lagging.thickness == 0.0 and lagging.elastic_modulus is None
     rigid = rigid and all(getattr(lagging, key) == float("inf") for key in moduli)
-    of_law = ("law", SCALED, "slip_speed_factor", "temperature_factor")
+    of_law = ("law", SCALED, WORN, "slip_speed_factor", "temperature_factor")
     sources = {k: PROVENANCE.written(of) for k, of in lagging.sources.items() if k not in of_law}
     elsewhere: Tables = dict.fromkeys(
         (*moduli, "block") if rigid else ("block",)

@@ -6,7 +6,7 @@ from typing import Any
 
 from wraparc.across import across_of
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Place, judge, placed
+from wraparc.checks import Level, Place, judge, placed
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
@@ -72,7 +72,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
             as_is.level,
             _headline(found, system),
             tuple(sentences),
-            as_is.word,
+            as_is.word.replace(str(Level.OK), f"{Level.OK} as it is", 1),
         ),
         tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
@@ -96,11 +96,11 @@ def _missed(found: WhatIf, whole: Whole, system: System) -> Iterator[str]:
 
 def _headline(found: WhatIf, system: System) -> str:
     parts = []
-    for change, whole, after in zip(found.changes, found.drives[1:], found.after, strict=True):
-        if after.status.solved:
-            parts.append(f"{change.title} {named('exit_creep', after.exit_creep, system)}")
-        else:
-            parts.append(f"{change.title} {short(whole, after)}")
+    after_each = zip(found.changes, found.wholes[1:], found.drives[1:], found.after, strict=True)
+    for change, whole, result, after in after_each:
+        creep = named("exit_creep", after.exit_creep, system)
+        shown = creep if after.status.solved else short(result, after)
+        parts.append(f"{change.title} {shown}{_worse(found, whole)}")
     before = "gross slip"
     if found.before.status.solved:
         before = named("exit_creep", found.before.exit_creep, system)
@@ -115,6 +115,14 @@ def _headline(found: WhatIf, system: System) -> str:
     if len(drive.pulleys) > 1 or len(drive.load_cases) > 1:
         of = f" of pulley {found.pulley}, load case {found.load_case}"
     return f"{why}Creep at the exit{of}: as it is {before}; {'; '.join(parts)}."
+
+
+def _worse(found: WhatIf, whole: Whole) -> str:
+    """Say in brackets where a change makes the verdict on the whole drive worse."""
+    judged = judge(whole)
+    if judged.governing is None or judged.level.rank <= judge(found.wholes[0]).level.rank:
+        return ""
+    return f" ({judged.level}: {judged.governing.short})"
 
 
 def reasons(

@@ -265,11 +265,11 @@ class Workers:
         if not self._count:
             return await asyncio.to_thread(answer, function, *asked)
         question = pickle.dumps((function, asked))
-        if question not in self._shared:
-            task = asyncio.create_task(self._short(client, question, queue))
-            self._shared[question] = task, []
+        task, waiting = self._shared.get(question, (None, []))
+        if task is None or task.cancelling():  # what is given up gives nobody an answer
+            task, waiting = asyncio.create_task(self._short(client, question, queue)), []
+            self._shared[question] = task, waiting
             task.add_done_callback(lambda done: self._forget(question, done))
-        task, waiting = self._shared[question]
         me = object()
         waiting.append(me)
         try:
@@ -281,7 +281,8 @@ class Workers:
                 loop.call_later(LEFT_LIMIT, lambda: None if waiting else task.cancel())
 
     def _forget(self, question: bytes, task: asyncio.Task[bytes]) -> None:
-        self._shared.pop(question, None)
+        if self._shared.get(question, (None,))[0] is task:
+            del self._shared[question]
         if not task.cancelled():
             task.exception()  # told to whoever still waits
 

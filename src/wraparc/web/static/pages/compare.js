@@ -5,6 +5,7 @@ import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
 import { badge, list, refused, scroll } from "../parts/answers.js";
 import { place } from "../parts/problems.js";
+import { numberOf } from "../parts/question.js";
 import { h } from "../vendor/preact.js";
 import { Dots } from "./compare/dots.js";
 
@@ -40,7 +41,7 @@ export function update() {
   load(app.doc);
 }
 /** @param {string} text */
-const number = (text) => (text === "" ? undefined : Number.isFinite(+text) ? +text : text);
+const number = (text) => (text === "" ? undefined : numberOf(text));
 const load = later(
   150,
   act(async (/** @type {any} */ doc) => {

@@ -6,6 +6,10 @@ import { h } from "../vendor/preact.js";
 import { list, refused, table, verdict } from "./answers.js";
 
 /** @import { Children, Problem, Table, Text, Verdict } from "../types.d.ts" */
+
+/** What is typed as a number; what is none goes as it is, to be refused in its own words.
+ * @param {string} text */
+export const numberOf = (text) => (Number.isFinite(+text) ? +text : text);
 /** @typedef {{subtitle: Text, verdict: Verdict | null, tables: Table[], remarks: Text[],
  *   table_sources: string[]}} Sheet */
 

@@ -1,7 +1,7 @@
 // Which design keeps every limit and costs least: the candidates and what they cost.
 import { app, caseNames, redraw } from "../../base/design.js";
 import { valueIn } from "../../parts/choose.js";
-import { Question } from "../../parts/question.js";
+import { numberOf, Question } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
 import { laggingName } from "./inputs.js";
 
@@ -24,8 +24,6 @@ function quantities(text) {
   const unit = parts.at(-1)?.replace(/^[-+\d.,eE\s]+/, "") ?? "";
   return parts.map((part) => (/[a-z°'"]/i.test(part) || !unit ? part : `${part} ${unit}`));
 }
-/** @param {string} text */
-const numberOf = (text) => (Number.isFinite(+text) ? +text : text);
 const laggings = () => said.laggings ?? new Set(app.catalogue.laggings.map((l) => l.name));
 function hours() {
   const given = caseNames(app.doc).filter((name) => said.hours[name]?.trim());

@@ -1,7 +1,7 @@
 // On site: speeds to measure, alarm and trip levels, how long the lagging lasts.
 import { app, caseNames, redraw } from "../../base/design.js";
 import { valueIn } from "../../parts/choose.js";
-import { Question } from "../../parts/question.js";
+import { numberOf, Question } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
 
 const said = {
@@ -16,7 +16,7 @@ const numbers = (texts) =>
   Object.fromEntries(
     Object.entries(texts)
       .filter(([name, text]) => text.trim() && caseNames(app.doc).includes(name))
-      .map(([name, text]) => [name, +text]),
+      .map(([name, text]) => [name, numberOf(text)]),
   );
 const question = new Question("site", "What to expect on site", "field", () => ({
   pulley: app.doc.pulley[app.pulley].name ?? null,
