@@ -245,6 +245,26 @@ def test_what_nobody_waits_for_any_more_is_given_up() -> None:
     asyncio.run(scenario())
 
 
+def test_a_server_that_stops_says_so_to_who_still_waits() -> None:
+    async def scenario() -> None:
+        heard = asyncio.Event()
+
+        async def receive() -> dict[str, Any]:
+            heard.set()
+            await asyncio.Event().wait()
+            return {}
+
+        work = asyncio.get_running_loop().create_future()
+        waiting = asyncio.create_task(waited(Request({"type": "http"}, receive), work))
+        await heard.wait()
+        waiting.cancel()
+        with pytest.raises(ApiError, match="being stopped"):
+            await waiting
+        assert work.cancelled()
+
+    asyncio.run(scenario())
+
+
 def test_an_answer_that_is_late_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(work, "SHORT_LIMIT", 0.05)
 

@@ -88,12 +88,12 @@ def create_app(settings: Settings) -> FastAPI:
     return app
 
 
-def _bad_request(_: Request, error: Exception) -> Response:
+async def _bad_request(_: Request, error: Exception) -> Response:
     errors = error.errors() if isinstance(error, RequestValidationError) else ()
     return refusal(ApiError(422, request_problems(errors)))
 
 
-def _refuse(_: Request, error: Exception) -> Response:
+async def _refuse(_: Request, error: Exception) -> Response:
     return refusal(refusal_of(error))
 
 

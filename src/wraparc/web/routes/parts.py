@@ -165,6 +165,8 @@ async def waited(request: Request, work: Awaitable[bytes]) -> bytes:
         if not working.done():
             raise refused(503, "nobody waits for the answer any more")
         return working.result()
+    except asyncio.CancelledError:  # by a server that waits no longer for what still runs
+        raise refused(503, "the calculator is being stopped") from None
     finally:
         leaving.cancel()
         working.cancel()
