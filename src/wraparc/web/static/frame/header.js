@@ -3,12 +3,13 @@ import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { drafts, draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
 import { act } from "../base/server.js";
+import { oneOf } from "../parts/choose.js";
 import { h } from "../vendor/preact.js";
 import { download, newDrive, openExample } from "./files.js";
 import { openDraft } from "./pages.js";
 import { PAGES } from "./registry.js";
 
-/** @import { Children, Units } from "../types.d.ts" */
+/** @import { Children } from "../types.d.ts" */
 
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
 /** What is behind Export, fetched when that is opened first. */
@@ -54,28 +55,12 @@ const link = (name) =>
     },
     PAGES[name].title,
   );
-function unitSwitch() {
-  const units = /** @type {Units[]} */ (["si", "us"]);
-  return h(
-    "fieldset",
-    { class: "switch" },
-    h("legend", { class: "away" }, "Units"),
-    units.map((u) =>
-      h(
-        "label",
-        { key: u },
-        h("input", {
-          type: "radio",
-          name: "units",
-          value: u,
-          checked: app.units === u,
-          onChange: () => look({ units: u }),
-        }),
-        h("span", {}, u.toUpperCase()),
-      ),
-    ),
-  );
-}
+/** @type {[string, string][]} */
+const UNITS = [
+  ["si", "SI"],
+  ["us", "US"],
+];
+const unitSwitch = () => oneOf("units", "Units", app.units, UNITS, (units) => look({ units }));
 /** @param {string} id @param {string} sign @param {string} title @param {() => void} f
  * @param {boolean} can */
 const step = (id, sign, title, f, can) =>

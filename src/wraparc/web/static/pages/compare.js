@@ -4,6 +4,7 @@ import { act, ask, later, note, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
 import { badge, list, refused, scroll } from "../parts/answers.js";
+import { oneOf } from "../parts/choose.js";
 import { place } from "../parts/problems.js";
 import { numberOf } from "../parts/question.js";
 import { h } from "../vendor/preact.js";
@@ -92,29 +93,20 @@ function said() {
   const where = `Pulley ${a.pulley}, numbers of load case ${a.load_case}${all}`;
   return `${where}; ${what}.${a.years ? ` Costs over ${a.years} years${money}.` : ""}`;
 }
+const WHAT = /** @type {[string, string][]} */ ([
+  ["laggings", "Laggings"],
+  ["belts", "Belts"],
+]);
 function bar() {
-  const what = ["laggings", "belts"].map((w) =>
-    h(
-      "label",
-      { key: w },
-      h("input", {
-        type: "radio",
-        name: "what",
-        value: w,
-        checked: w === asked.what,
-        onChange: () => {
-          Object.assign(state, { sort: "", way: 1 });
-          pinned.clear();
-          ask_({ what: w });
-        },
-      }),
-      h("span", {}, w === "laggings" ? "Laggings" : "Belts"),
-    ),
-  );
+  const put = (/** @type {string} */ what) => {
+    Object.assign(state, { sort: "", way: 1 });
+    pinned.clear();
+    ask_({ what });
+  };
   return h(
     "div",
     { class: "bar", key: "bar" },
-    h("fieldset", { class: "switch" }, h("legend", { class: "away" }, "What to compare"), what),
+    oneOf("what", "What to compare", asked.what, WHAT, put),
     ...(PAGES.saved // who asks a server is told what it costs
       ? [
           amount("years", "Years", 3),

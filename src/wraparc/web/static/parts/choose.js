@@ -1,4 +1,4 @@
-// A list to choose from.
+// Something to choose from.
 import { h } from "../vendor/preact.js";
 
 /** @param {Event} e */
@@ -13,4 +13,20 @@ export const choose = (value, choices, put, id) =>
     "select",
     { id, value, onChange: (/** @type {Event} */ e) => put(valueIn(e)) },
     choices.map(([v, text]) => h("option", { value: String(v), key: v }, text)),
+  );
+/**
+ * One of a few, side by side.
+ * @param {string} name @param {string} legend @param {string} now
+ * @param {[string, string][]} choices @param {(value: any) => void} put
+ */
+export const oneOf = (name, legend, now, choices, put, cls = "switch") =>
+  h(
+    "fieldset",
+    { class: cls },
+    h("legend", { class: "away" }, legend),
+    choices.map(([value, text]) => {
+      const onChange = () => put(value);
+      const own = { type: "radio", name, value, checked: value === now, onChange };
+      return h("label", { key: value }, h("input", own), h("span", {}, text));
+    }),
   );

@@ -1,7 +1,7 @@
 // The condition that the shown load case is solved in: where the file says it, and another.
 
 import { app, besides, caseNames, change, get, look, set } from "../../base/design.js";
-import { choose } from "../../parts/choose.js";
+import { choose, oneOf } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
 import { answer } from "./solving.js";
 
@@ -70,24 +70,13 @@ export function switched(i) {
     "div",
     { class: "field wide", key: "condition" },
     h("span", {}, "Condition"),
-    h(
-      "fieldset",
-      { class: "switch box" },
-      h("legend", { class: "away" }, "Condition of the lagging"),
-      names.map((name) =>
-        h(
-          "label",
-          { key: name },
-          h("input", {
-            type: "radio",
-            name: "lagging-condition",
-            value: name,
-            checked: name === now,
-            onChange: () => put(i, name),
-          }),
-          h("span", {}, name),
-        ),
-      ),
+    oneOf(
+      "lagging-condition",
+      "Condition of the lagging",
+      now,
+      names.map((name) => [name, name]),
+      (name) => put(i, name),
+      "switch box",
     ),
     note && h("p", { class: "help" }, note),
     alone &&
