@@ -498,7 +498,7 @@ def test_what_a_drive_is_held_against_is_typed_cleared_renamed_and_undone(
     # half of a table asks for the rest; nothing of it leaves no table
     page.fill("#f-sag-idler_spacing", "3")
     page.press("#f-sag-idler_spacing", "Tab")
-    expect(page.locator("#results [role=alert]")).to_contain_text("line_mass")
+    expect(page.locator("#results [role=alert]")).to_contain_text("Mass per length")
     page.fill("#f-sag-idler_spacing", "")
     page.press("#f-sag-idler_spacing", "Tab")
     expect(page.locator("#results [role=alert]")).to_have_text("")

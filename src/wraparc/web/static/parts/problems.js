@@ -60,7 +60,7 @@ export const toFillIn = (p) =>
   !p.path || lacking(p).length > 0 || get(app.doc, place(p.path)) == null;
 /** The fields to fill in, where that is all that is wrong.
  * @param {Problem} p @returns {string[]} */
-function lacking({ path }) {
+function lacking({ path, message }) {
   const keys = place(path);
   const at = TENSIONS.includes(String(keys[2])) ? keys.slice(0, 2) : keys;
   if (at[0] === "pulley" && at.length === 2) {
@@ -69,7 +69,7 @@ function lacking({ path }) {
     return empty.map((t) => [...at, t].join()).filter((key) => shownFields.has(key));
   }
   const key = keys.join();
-  return get(app.doc, keys) == null && shownFields.has(key) ? [key] : [];
+  return message === "missing" && shownFields.has(key) ? [key] : [];
 }
 /** What is still needed in the words of the page; other problems in their own.
  * @param {Problem} p @returns {string[]} */
