@@ -163,3 +163,19 @@ def test_the_slack_side_of_a_train_is_raised_in_every_load_case(
         (a, b), (c, d) = ends
         assert c - d == pytest.approx(a - b, rel=1e-8)
         assert d >= least["tension"]
+
+
+def test_by_speeds_words_stand_in_the_place_of_the_button(visitor: Visitor, tmp_path: Path) -> None:
+    # the least tension is of the load divided as it is: with another one speeds divide it anew,
+    # so that no number can be promised; expected: `wraparc solve` names one above that given
+    file = tmp_path / "speeds.toml"
+    text = TANDEM.replace('exit_tension = "45 kN"', 'exit_tension = "20 kN"')
+    file.write_text(text.replace('share = ["50 %", "50 %"]', 'speeds = "equal"'), "utf-8")
+    least = solved(file)["train"]["least_tension"]
+    assert least["given"] < least["tension"]
+    page = visitor.open("drive")
+    visitor.load(file)
+    expect(page.locator("#toast")).to_contain_text("Opened")
+    visitor.solved()
+    expect(page.locator("#verdict")).to_contain_text("No button raises it: by speeds or motors")
+    expect(page.locator(".advice")).to_have_count(0)

@@ -252,3 +252,31 @@ def test_switch_offers_what_the_friction_of_a_lagging_is_known_in(
     expect(switch(page).locator("input")).to_have_count(3)
     offered = [e.get_attribute("value") for e in switch(page).locator("input").all()]
     assert offered == list(covered(load_lagging_conditions("full-ceramic")))
+
+
+def test_another_belt_of_the_catalogue_is_judged_as_by_the_command(
+    visitor: Visitor, tmp_path: Path
+) -> None:
+    # ST1600 qualifies for the customary creep limit alone, and its least pulley is larger than this
+    # one; expected: `wraparc solve` of the downloaded file, and what the server says of it
+    page = visitor.open("drive")
+    visitor.solved()
+    page.locator("#f-belt-preset").select_option("Flexsteel ST1600")
+    wait_for(lambda: page.evaluate(JUDGED) or page.locator("html:not(.stale)").count())
+    file = tmp_path / "steel.toml"
+    visitor.solved()
+    file.write_text(document_text(kept(page), TRAIN_FILE), "utf-8")
+    told = json.loads(wraparc("solve", str(file), "--json", "-")[1])["verdict"]
+    assert told["level"] != "OK"
+    said = page.locator("#verdict .verdict .headline").inner_text()
+    assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
+    # a number that is moved then is judged by the page, the server silent: the same command
+    page.route("**/api/v1/solve**", lambda route: None)
+    page.fill("#f-pulley-0-exit_tension", "61")
+    wait_for(lambda: page.evaluate(JUDGED))
+    visitor.painted()
+    file.write_text(document_text(kept(page), TRAIN_FILE), "utf-8")
+    told = json.loads(wraparc("solve", str(file), "--json", "-")[1])["verdict"]
+    said = page.locator("#verdict .verdict .headline").inner_text()
+    assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
+    page.unroute_all(behavior="ignoreErrors")

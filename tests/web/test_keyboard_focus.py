@@ -53,6 +53,16 @@ def test_focus_stays_beside_a_button_that_goes(
     assert at(page) == then
 
 
+def test_focus_stays_at_a_question_beside_the_map(visitor: Visitor) -> None:
+    # the answer comes below the button, and the map is drawn anew with the page
+    page = visitor.open("across")
+    found = page.locator("#across").get_by_role("button", name="Compare thicknesses")
+    pressed(found)
+    expect(page.locator("#across [id^=question-] [role=status] .verdict")).to_have_count(1)
+    visitor.painted()
+    expect(found).to_be_focused()
+
+
 def test_focus_stays_when_a_run_is_cancelled(visitor: Visitor) -> None:
     visitor.open("drive")
     visitor.example("Tandem head drive, fabric belt")

@@ -56,6 +56,9 @@ function raisedTrain(doc, least) {
   });
   return next;
 }
+const DIVIDED_ANEW =
+  "No button raises it: by speeds or motors the load divides anew with another tension, and that " +
+  "number is of the load as it divides now. Give more of it on the page Train, and see.";
 /** Which tension is that of the slack side, by the load cases that are to be raised.
  * @param {string} [only] */
 function slackSide(only) {
@@ -69,7 +72,10 @@ function slackSide(only) {
  * @returns {Children}
  */
 export function raise(tension, only) {
-  if (tension == null || !writable()) return null;
+  if (tension == null) return null;
+  if (app.doc.train && !Array.isArray(app.doc.train.share))
+    return h("p", { class: "help", key: "advice" }, DIVIDED_ANEW);
+  if (!writable()) return null;
   const train = Boolean(app.doc.train);
   if (train && !whole()) return null;
   const side = slackSide(only);
