@@ -44,7 +44,7 @@ def test_focus_stays_beside_a_button_that_goes(
     visitor: Visitor, name: str, button: str, then: str
 ) -> None:
     page = used(visitor, name)
-    found = page.get_by_role("button", name=button, exact=True)
+    found = page.get_by_role("button", name=button, exact=True).first
     found.wait_for()
     handle = found.element_handle()
     pressed(found)

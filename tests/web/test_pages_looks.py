@@ -46,13 +46,17 @@ def _at(calculator: Calculator) -> tuple[Browser, str]:
     return calculator[0], calculator[1].address
 
 
+#: The drive to begin with.
+HEAD = "Head drive, ROM conveyor"
+
+
 def used(visitor: Visitor, name: str) -> Page:
     """Open a page and use it, so that all of its parts show."""
     tandem = "Tandem head drive, fabric belt"
     examples = {
         "train": tandem,
         "events": tandem,
-        "study": "Head drive, ROM conveyor",
+        "study": HEAD,
         "across": "Worn head drive, ROM conveyor",
     }
     if name in examples:
@@ -75,7 +79,7 @@ def used(visitor: Visitor, name: str) -> Page:
         page.click("#follow")
         page.wait_for_selector("#play")
         page.locator("#play-time").fill("5.6")
-    elif name == "saved" and page.locator("#saved tbody tr").count() == 0:
+    elif name == "saved" and page.locator("#saved tbody tr", has_text=HEAD).count() == 0:
         page.get_by_label("Note on this version").fill("as tendered")
         page.get_by_role("button", name="Save as a new design").click()
         page.wait_for_selector("#saved tbody tr")
