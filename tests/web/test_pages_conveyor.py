@@ -48,7 +48,7 @@ def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
 
     # in again, typed anew: what is missing is asked for at its field, Undo brings tensions back
     page.get_by_role("button", name="Tensions from the conveyor").click()
-    expect(page.locator("#f-conveyor-belt_mass-e")).to_contain_text("missing")
+    expect(page.locator("#f-conveyor-belt_mass-e")).to_contain_text("Still needed.")
     page.click("#undo")
     expect(page.locator("#f-pulley-0-entry_tension")).to_have_value(f"{kept:g}")
     page.click("#redo")

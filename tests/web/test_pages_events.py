@@ -72,11 +72,11 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     assert "no events: the usual ones" in page.inner_text("#events")
     page.click("#follow")
     field = "#e-motion-drum-head-inertia"
-    expect(page.locator(f"{field}-e")).to_contain_text("motion.drum.head.inertia: missing")
+    expect(page.locator(f"{field}-e")).to_contain_text("Still needed.")
     page.fill(field, "2200")
     page.select_option("#e-motion-drum-head-control-kind", "speed-loop")
     page.click("#follow")
-    expect(page.locator("#e-motion-drum-head-control-reset-e")).to_contain_text("missing")
+    expect(page.locator("#e-motion-drum-head-control-reset-e")).to_contain_text("Still needed.")
     expect(page.locator(f"{field}-e")).to_be_empty()
     page.fill(field, "2300")  # two changes of one field within a second undo as one
     page.select_option("#e-motion-drum-head-control-kind", "")
@@ -87,7 +87,7 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     expect(page.locator("#e-motion-drum-head-control-kind")).to_have_value("speed-loop")
     page.fill(field, "")
     page.click("#follow")
-    expect(page.locator(f"{field}-e")).to_contain_text("missing")
+    expect(page.locator(f"{field}-e")).to_contain_text("Still needed.")
 
 
 def test_a_run_is_cancelled_and_another_one_goes_slack(
