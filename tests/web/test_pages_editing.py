@@ -218,6 +218,9 @@ def test_new_drive_says_what_is_needed_and_calls_nothing_wrong(visitor: Visitor)
          "Entry tension", "Exit tension"]
     )  # fmt: skip
     expect(page.locator("#f-pulley-0-exit_tension-e")).to_have_text("Still needed.")
+    # a value that cannot be read is told as such, though others are still needed
+    page.fill("#f-pulley-0-entry_tension", "much")
+    expect(page.locator("#f-pulley-0-entry_tension-e")).to_contain_text('"much"')
     # no answer of the drive before stands under the new one
     expect(page.locator("#results .answer")).to_be_hidden()
     page.fill("#f-pulley-0-entry_tension", "100")
