@@ -10,7 +10,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
-from web.calculators import PATIENCE, TOKEN, Process
+from web.calculators import PATIENCE, TOKEN, Process, wait_for
 
 #: A browser, and the server that it visits.
 Calculator = tuple[Browser, Process]
@@ -46,6 +46,11 @@ _NAMES = (
 #: Answers that a test provokes, and that the browser then reports as errors.
 _REFUSED = ("status of 422", "status of 409")
 
+#: What is told in the corner stays until something else is: a busy machine reads it late.
+_TOLD_LONG = """{
+  const usual = window.setTimeout;
+  window.setTimeout = (f, wait, ...more) => usual(f, wait > 5000 ? 10 * wait : wait, ...more);
+}"""
 PAINTED = """() => new Promise((done) => {
   requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)));
 })"""
@@ -91,6 +96,7 @@ class Visitor:
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
         self.context.set_default_timeout(_LONG)
+        self.context.add_init_script(_TOLD_LONG)
         self.page: Page = self.context.new_page()
         self.address = address
         self.wrong: list[str] = []
@@ -120,9 +126,12 @@ class Visitor:
         return self.page
 
     def example(self, title: str) -> None:
-        """Open an example from the menu."""
+        """Open an example from the menu, and wait until it is there: it comes from the server."""
+        opened = "import('/static/main.js').then((m) => m.app.opened)"
+        before = self.page.evaluate(opened)
         self.page.click("#file > summary")
         self.page.get_by_role("button", name=title, exact=True).click()
+        wait_for(lambda: self.page.evaluate(opened) > before)
 
     def load(self, file: Path) -> None:
         """Open a file from the menu."""
@@ -134,6 +143,11 @@ class Visitor:
     def solved(self) -> None:
         """Wait until everything is solved anew."""
         self.page.wait_for_selector("html:not(.stale) #drive .t-capacity", state="attached")
+
+    def alone(self) -> None:
+        """Wait until the page can solve and judge without the server."""
+        self.page.wait_for_function("() => performance.getEntriesByName('own').length > 0")
+        self.page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
 
     def painted(self) -> None:
         """Wait until what was changed has been laid out and painted."""

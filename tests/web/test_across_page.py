@@ -138,6 +138,7 @@ def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_p
     page = visitor.open("across")
     page.fill("#shape-height", "1 mm")
     page.click("#shape-middle")
+    settled(page)
     grip = page.locator("#across .grip").nth(2)
     box = grip.bounding_box()
     assert box is not None

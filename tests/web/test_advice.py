@@ -85,6 +85,7 @@ def test_page_finds_the_advice_itself_while_a_slider_moves(visitor: Visitor) -> 
         "button", name="Raise T2 to 89.4 kN in design alone"
     )
     expect(first).to_be_visible()
+    visitor.alone()
     held: list[Route] = []
     page.route("**/api/v1/solve**", lambda route: held.append(route))  # noqa: PLW0108
     page.get_by_label("Entry tension, slider").focus()

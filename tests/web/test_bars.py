@@ -58,6 +58,7 @@ def test_bars_are_the_checks_of_the_command_line(visitor: Visitor) -> None:
 def test_bars_follow_the_slider_without_the_server(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.solved()
+    visitor.alone()
     page.wait_for_selector(".checks li")
     held: list[Route] = []
     page.route("**/api/v1/solve**", lambda route: held.append(route))  # noqa: PLW0108

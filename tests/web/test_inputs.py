@@ -148,7 +148,7 @@ def test_switch_of_the_condition_is_answered_without_the_server(
 ) -> None:
     page = visitor.open("drive")
     visitor.solved()
-    page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+    visitor.alone()
     before = kept(page)
     assert "condition" not in before
     says(page, "dry")
@@ -271,6 +271,7 @@ def test_another_belt_of_the_catalogue_is_judged_as_by_the_command(
     said = page.locator("#verdict .verdict .headline").inner_text()
     assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
     # a number that is moved then is judged by the page, the server silent: the same command
+    visitor.alone()
     page.route("**/api/v1/solve**", lambda route: None)
     page.fill("#f-pulley-0-exit_tension", "61")
     wait_for(lambda: page.evaluate(JUDGED))

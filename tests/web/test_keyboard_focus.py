@@ -5,6 +5,7 @@ from playwright.sync_api import Locator, Page, Route, expect
 
 from web.browser import Calculator, Visitor
 from web.calculators import wait_for
+from web.test_pages_events import minutes
 from web.test_pages_looks import used
 from web.test_pages_tests import FILES
 
@@ -67,6 +68,7 @@ def test_focus_stays_when_a_run_is_cancelled(visitor: Visitor) -> None:
     visitor.open("drive")
     visitor.example("Tandem head drive, fabric belt")
     page = visitor.open("events")
+    minutes(page)
     pressed(page.locator("#follow"))
     cancel = page.locator("#events").get_by_role("button", name="Cancel")
     cancel.wait_for()

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Error, Page, Route, expect
+from playwright.sync_api import Error, Route, expect
 
 from cli.running import wraparc
-from web.browser import PAGES, PAINTED, READY, STEPS, STUDY, Calculator, Visitor
+from web.browser import PAGES, READY, STEPS, STUDY, Calculator, Visitor
 from web.calculators import TOKEN, document, wait_for
 from wraparc.schema.emit import document_text
 from wraparc.train.keys import TRAIN_FILE
@@ -143,6 +143,7 @@ def test_late_answer_never_stands_under_another_drive(visitor: Visitor) -> None:
     visitor.example("Head drive, overland conveyor")
     page.wait_for_selector("#results.waiting >> text=Solving")
     expect(page.locator("#drive .pick h2")).to_have_text("Head drive, overland conveyor")
+    wait_for(lambda: page.evaluate("true") and held)
     held[0].continue_()
     page.wait_for_selector("#results:not(.waiting)")
     visitor.solved()
@@ -424,19 +425,14 @@ def test_slider_by_keyboard_paints_every_step(
             f"\nslider to plot: median {steps[6]:.0f} ms, longest {steps[-1]:.0f} ms"
         )
     expect(page.locator("#f-pulley-0-entry_tension")).not_to_have_value("150")
+    visitor.solved()
     assert key_figure(visitor, "Creep at exit") != "7.38 mm"
-
-
-def moves_itself(page: Page) -> None:
-    """Wait until the page has fetched its own solver."""
-    page.evaluate("import('/static/pages/drive/judging.js').then(() => null)")
-    page.evaluate(PAINTED)
 
 
 def test_moved_slider_is_answered_without_the_server(visitor: Visitor) -> None:
     # expected: the server's own figures, once it is let answer
     page = visitor.open("drive")
-    moves_itself(page)
+    visitor.alone()
     held: list[Route] = []
     page.route("**/api/v1/solve**", lambda route: held.append(route))  # noqa: PLW0108
     page.get_by_label("Entry tension, slider").focus()
@@ -482,7 +478,7 @@ JUDGED = """async () => {
 def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path: Path) -> None:
     # expected: what `wraparc solve` says of the same drive
     page = visitor.open("drive")
-    moves_itself(page)
+    visitor.alone()
     page.route("**/api/v1/solve**", lambda route: None)
     file = tmp_path / "moved.toml"
     levels = set()
@@ -528,8 +524,7 @@ CHOICES = (
 def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Path) -> None:
     # expected: what `wraparc solve` says of the same drive
     page = visitor.open("drive")
-    page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
-    page.evaluate(PAINTED)
+    visitor.alone()
     page.route("**/api/v1/**", lambda route: None)
     for name in ("Take-up", "Design standard"):
         page.locator("summary", has_text=name).first.click()
@@ -556,7 +551,7 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
 def test_server_that_finds_other_numbers_is_shown_and_told(calculator: Calculator) -> None:
     visitor = Visitor(calculator[0], calculator[1].address)
     page = visitor.open("drive")
-    moves_itself(page)
+    visitor.alone()
 
     def other(route: Route) -> None:
         answer = route.fetch()

@@ -275,7 +275,7 @@ def test_late_word_on_a_load_case_does_not_bring_it_back(visitor: Visitor) -> No
     # expected: the case that is pressed, when the server's word on another comes after it
     page = visitor.open("drive")
     visitor.solved()
-    page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+    visitor.alone()
     chips, chosen = page.locator("#cases button"), page.locator("#verdict .chosen")
     held: list[Route] = []
     page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108

@@ -19,6 +19,12 @@ def short(name: str) -> str:
     return text.replace('duration = "40 s"', 'duration = "3 s"')
 
 
+def minutes(page: Page) -> None:
+    """Ask for a run that takes minutes: there is time to cancel it."""
+    page.fill("#e-step", "0.01 ms")
+    page.press("#e-step", "Tab")
+
+
 def opened(visitor: Visitor, text: str, folder: Path) -> Page:
     """Open a drive file from the menu and go to its events."""
     page = visitor.open("drive")
@@ -54,6 +60,8 @@ def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, name: str, tmp_path
     assert len(set(_colours(page))) == 1
     assert page.locator("#events .belt-marks").first.get_attribute("stroke-dashoffset") != marks
     assert page.locator("#events .plots .cursor[d]").count() == 6
+    # and it plays and stops: slowly, so that it does not come to its end before it is stopped
+    page.select_option("#play-rate", "0.1")
     page.focus("#play")
     page.keyboard.press("Space")
     expect(page.locator("#play")).to_contain_text("Pause")
@@ -101,9 +109,12 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     text = short("tandem-fabric")
     assert start in text
     page = opened(visitor, text.replace(start, back), tmp_path)
+    minutes(page)
     page.click("#follow")
     page.get_by_role("button", name="Cancel").click()
     expect(page.locator("#events .results")).to_contain_text("Cancelled.")
+    page.fill("#e-step", "")
+    page.press("#e-step", "Tab")
     page.click("#follow")
     headline = page.locator("#events .verdict .headline").first
     expect(headline).to_contain_text("The belt goes slack before first at 1.3")

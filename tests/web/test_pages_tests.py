@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import Locator, Page, Request, Route, expect
 
 from web.browser import Visitor
+from web.calculators import wait_for
 from wraparc.cli.demo import examples_folder
 
 EXAMPLE = examples_folder() / "shear_tests"
@@ -102,6 +103,7 @@ def test_the_fit_waits_for_all_that_was_said(visitor: Visitor) -> None:
     page.get_by_role("textbox", name=f"Why not to use of {name}").fill("grease on the sample")
     page.get_by_role("button", name=FIT).click()  # which leaves the field
     page.wait_for_selector("text=Fitting …")
+    wait_for(lambda: page.evaluate("true") and held)
     assert (len(held), fits) == (1, [])  # one thing is said after the other
     page.unroute("**/tests/*/files/*")  # lets go of what it holds
     page.get_by_role("button", name=USE).wait_for()

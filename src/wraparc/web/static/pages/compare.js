@@ -46,6 +46,7 @@ const number = (text) => (text === "" ? undefined : numberOf(text));
 const load = later(
   150,
   act(async (/** @type {any} */ doc) => {
+    const { of } = state;
     const { what, years, hours, tariff, currency } = asked;
     const costs = { years: number(years), hours: number(hours), tariff: number(tariff) };
     try {
@@ -57,9 +58,10 @@ const load = later(
         ...costs,
         currency: currency || undefined,
       });
-      if (doc !== app.doc) return;
+      if (of !== state.of) return; // something else has been asked since
       Object.assign(state, { answer: found, problems: [], busy: false });
     } catch (x) {
+      if (of !== state.of) return;
       state.busy = false;
       Object.assign(state, { problems: refusal(x) });
     }

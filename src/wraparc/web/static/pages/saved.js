@@ -44,10 +44,14 @@ export function update() {
   if (!listed) load();
   listed = true;
 }
+let asked = 0;
 async function load() {
+  const turn = ++asked;
   try {
     const query = encodeURIComponent(state.find);
-    state.designs = (await ask(`designs?query=${query}&limit=200&bin=${state.bin}`)).designs;
+    const { designs } = await ask(`designs?query=${query}&limit=200&bin=${state.bin}`);
+    if (turn !== asked) return; // the list that was asked for last is shown
+    state.designs = designs;
     redraw();
   } catch (x) {
     complain(x);

@@ -40,11 +40,15 @@ async function begin() {
   }
   redraw();
 }
+let asked = 0;
 /** Look after the jobs as long as one of them is at work and the page is open. */
 async function follow() {
+  const turn = ++asked;
   clearTimeout(state.timer);
   try {
-    state.jobs = (await ask("studies")).jobs;
+    const { jobs } = await ask("studies");
+    if (turn !== asked) return; // an older list would take a study away that was just begun
+    state.jobs = jobs;
     for (const j of state.jobs)
       if (state.opened[j.id] === true && j.state === "done")
         state.opened[j.id] = await ask(`studies/${j.id}`);

@@ -73,8 +73,10 @@ let base = null;
  * @type {typeof import("./judging.js") | null} */
 let own = null;
 document.addEventListener("complete", async () => {
+  if (own) return;
   await painted();
-  own ??= await import("./judging.js");
+  own = await import("./judging.js");
+  performance.mark("own");
 });
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
@@ -85,7 +87,8 @@ export function solve() {
   answer.quickDoc = null;
   if (app.opened !== openedAs) {
     openedAs = app.opened;
-    answer.foreign = true;
+    // nothing of the drive before stands under the name of this one
+    Object.assign(answer, { foreign: true, full: null, fullDoc: null, judged: null });
     answer.awaited = app.doc.pulley.length * caseNames(app.doc).length <= FEW;
   }
   const found =
