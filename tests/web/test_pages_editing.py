@@ -192,17 +192,6 @@ def test_back_while_the_address_is_written_turns_the_page(visitor: Visitor) -> N
     expect(page.locator("#compare")).to_be_visible()
 
 
-def test_reload_and_another_window_bring_back_what_was_typed(visitor: Visitor) -> None:
-    page = visitor.open("drive")
-    page.fill("#f-pulley-0-exit_tension", "72.5")
-    page.reload()
-    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("72.5")
-    other = visitor.context.new_page()
-    other.goto(visitor.address)
-    other.get_by_role("note").get_by_role("button", name="Open it").click()
-    expect(other.locator("#f-pulley-0-exit_tension")).to_have_value("72.5")
-
-
 def test_new_drive_says_what_is_needed_and_calls_nothing_wrong(visitor: Visitor) -> None:
     page = visitor.open("drive")
     page.click("#file > summary")

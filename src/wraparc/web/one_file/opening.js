@@ -1,6 +1,6 @@
 // Opening a file: drives alone. What else wraparc reads is named, with the command that does.
-import { isDrive, redraw, take } from "../static/base/design.js";
-import { opened } from "../static/base/drafts.js";
+import { isDrive, redraw } from "../static/base/design.js";
+import { open } from "../static/base/drafts.js";
 import { Advice, ask, note } from "../static/base/server.js";
 
 const MOST = 2e6;
@@ -22,9 +22,8 @@ export async function openFile(file) {
   if (!text.trim()) throw new Advice(`${name} is empty.`);
   const { document } = await ask("toml/read", { toml: text, name });
   if (!isDrive(document)) throw new Advice(`${name} ${whatIs(document)}`);
-  opened(document);
   const source = { toml: text, document };
-  take(document, { name: name.replace(/\.[^.]*$/, ""), source });
+  open(document, { name: name.replace(/\.[^.]*$/, ""), source });
   note(`Opened ${name}.`);
   redraw();
 }

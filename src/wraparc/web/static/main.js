@@ -1,11 +1,11 @@
 // Starts the calculator: what it must know, the design to begin with, and what follows a change.
-import { brought, keepAddress, mine, openLink, pageOfAddress } from "./base/address.js";
-import { app, look, redraw, take, watch } from "./base/design.js";
-import { keepDraft, opened, ownDraft } from "./base/drafts.js";
+import { again, brought, keepAddress, keepMine, pageOfAddress } from "./base/address.js";
+import { app, look, redraw, watch } from "./base/design.js";
+import { beginWith, keepDraft, offerDraft, openShown } from "./base/drafts.js";
 import { ask, complain, Refused, told } from "./base/server.js";
 import { keepFocus } from "./frame/focus.js";
 import { Header, listen } from "./frame/header.js";
-import { Main, offerDraft, openDraft, present } from "./frame/pages.js";
+import { Main, present } from "./frame/pages.js";
 import { PAGES } from "./frame/registry.js";
 import { came, solve } from "./pages/drive/solving.js";
 import { h, render } from "./vendor/preact.js";
@@ -49,10 +49,12 @@ function changed() {
     }
   });
 }
+const openLink = async () => (await import("./frame/link.js")).openLink();
 /** A page of the history, or a link that was put into the address. */
 async function arrive() {
   const page = pageOfAddress();
   if (brought()) await openLink();
+  keepMine();
   look({ page: PAGES[page] ? page : "drive" });
 }
 
@@ -66,16 +68,15 @@ async function begin() {
   const page = pageOfAddress();
   app.page = PAGES[page] ? page : "drive";
   watch(changed);
-  const draft = mine() ? ownDraft() : undefined;
-  if (draft) openDraft(draft);
-  else if (!(brought() && (await openLink()))) {
+  const opened = again ? openShown() : brought() && (await openLink());
+  if (!opened) {
     const title = first.document.title || first.name;
     const origin = first.file ? null : { title, document: first.document };
-    opened(first.document);
     if (solved) came.set(first.document, solved);
-    take(first.document, { name: first.name, origin, source: first });
+    beginWith(first.document, { name: first.name, origin, source: first });
   }
-  if (!draft) offerDraft();
+  offerDraft();
+  keepMine();
   redraw();
   listen();
 }

@@ -1,5 +1,6 @@
-// Drafts: the design is kept in this browser, one for each window.
-import { app, isDrive } from "./design.js";
+// Designs are opened and kept in this browser: what a window shows, and drafts of what was typed.
+import { again, keep, kept } from "./address.js";
+import { app, isDrive, redraw, take } from "./design.js";
 import { timeOf } from "./units.js";
 
 /** @import { Design, Origin, Saved, Source, Units } from "../types.d.ts" */
@@ -10,19 +11,17 @@ import { timeOf } from "./units.js";
  */
 
 const KEY = "wraparc.drafts";
+const WINDOW = "wraparc.window";
+const SHOWN = "wraparc.shown";
 const MOST = 6;
-/** The name of this window, which a reload keeps. */
-const own = (() => {
-  try {
-    const name =
-      sessionStorage.getItem("wraparc.window") ||
-      crypto.getRandomValues(new Uint32Array(2)).join("-");
-    sessionStorage.setItem("wraparc.window", name);
-    return name;
-  } catch {
-    return "";
-  }
-})();
+/** The name of the draft of this window, which a reload keeps. */
+let own = "";
+/** @param {boolean} [same] */
+function nameDraft(same) {
+  own = (same && kept(WINDOW)) || crypto.getRandomValues(new Uint32Array(2)).join("-");
+  keep(WINDOW, own);
+}
+nameDraft(again);
 /** What was read last: asked for with every drawing. */
 let read = { text: "[]", list: /** @type {Draft[]} */ ([]) };
 /** @returns {Draft[]} */
@@ -30,8 +29,8 @@ export function drafts() {
   try {
     const text = localStorage.getItem(KEY) || "[]";
     if (text !== read.text) {
-      const kept = JSON.parse(text);
-      read = { text, list: Array.isArray(kept) ? kept.filter((d) => isDrive(d?.doc)) : [] };
+      const all = JSON.parse(text);
+      read = { text, list: Array.isArray(all) ? all.filter((d) => isDrive(d?.doc)) : [] };
     }
     return read.list;
   } catch {
@@ -48,34 +47,78 @@ function store(list) {
 }
 /** @type {Design | null} */
 let untouched = null;
-/** What was not changed since it was opened is no draft. @param {Design} doc */
-export const opened = (doc) => {
+/** @type {Design | null} */
+let begun = null;
+/**
+ * Open a design: what is not changed from now on is no draft, and the draft before stays.
+ * @param {Design} doc @param {Parameters<typeof take>[1]} [more]
+ */
+export function open(doc, more) {
   untouched = doc;
-};
+  nameDraft();
+  take(doc, more);
+}
+/** Open the design to begin with, which a reload asks for anew: its file may be another by then.
+ * @param {Design} doc @param {Parameters<typeof take>[1]} more */
+export function beginWith(doc, more) {
+  begun = doc;
+  open(doc, more);
+}
 /** @type {Draft | null} */
 let pending = null;
 let waiting = 0;
-document.addEventListener("visibilitychange", () => keep());
+document.addEventListener("visibilitychange", keepNow);
 /** Keep the design; while a slider moves, once the hand rests. */
 export function keepDraft() {
-  if (app.doc === untouched) return;
   const { doc, units, name, design, origin, source, pulley } = app;
   const when = Date.now();
   pending = { window: own, when, doc, units, name, design, origin, source, pulley, case: app.case };
-  if (document.activeElement?.matches("[type=range]")) waiting ||= setTimeout(keep, 200);
-  else keep();
+  if (document.activeElement?.matches("[type=range]")) waiting ||= setTimeout(keepNow, 200);
+  else keepNow();
 }
-function keep() {
+function keepNow() {
   clearTimeout(waiting);
   waiting = 0;
-  if (pending) store([pending, ...drafts().filter((d) => d.window !== own)]);
+  if (!pending) return;
+  const { doc } = pending;
+  const changed = doc !== untouched;
+  keep(SHOWN, doc === begun ? null : { ...pending, changed });
+  if (changed) store([pending, ...drafts().filter((d) => d.window !== own)]);
   pending = null;
 }
-export const ownDraft = () => drafts().find((d) => d.window === own);
+/** Open what this window showed before it was loaded again; false if there is nothing. */
+export function openShown() {
+  const d = kept(SHOWN);
+  if (!isDrive(d?.doc)) return false;
+  if (!d.changed) untouched = d.doc;
+  openDraft(d);
+  return true;
+}
+/** A draft of a window that was shut or crashed, offered once. */
+export const offered = { draft: /** @type {Draft | null} */ (null) };
+/** @param {Draft} d */
+export function openDraft(d) {
+  offered.draft = null;
+  const { name, design, origin, source, units } = d;
+  take(d.doc, { name, design, origin, source, units });
+  app.pulley = d.doc.pulley[d.pulley] ? d.pulley : 0;
+  app.case = d.case;
+  redraw();
+}
+/** Offer the newest draft beside a design that is only opened, if it is another. */
+export function offerDraft() {
+  const [draft] = drafts();
+  const other = draft && JSON.stringify(draft.doc) !== JSON.stringify(app.doc);
+  if (other && app.doc === untouched) offered.draft = draft;
+}
 /** Drafts of windows before this one, the newest first. */
 export const otherDrafts = () => drafts().filter((d) => d.window !== own);
 /** @param {Draft} draft */
 export const forgetDraft = (draft) => store(drafts().filter((d) => d.window !== draft.window));
+export function forgetDrafts() {
+  store([]);
+  untouched = app.doc;
+}
 /** @param {Draft} d */
 export const draftTitle = (d) =>
   `${d.doc.title || d.name || "Drive without a title"}, ${timeOf(d.when)}`;

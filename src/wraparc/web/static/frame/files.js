@@ -1,13 +1,12 @@
 // Drives from elsewhere, and to keep: new ones, examples, downloads.
 import { turnTo } from "../base/address.js";
-import { app, blank, redraw, take } from "../base/design.js";
-import { opened } from "../base/drafts.js";
+import { app, blank, redraw } from "../base/design.js";
+import { open } from "../base/drafts.js";
 import { ask } from "../base/server.js";
 
 export function newDrive() {
   const doc = blank();
-  opened(doc);
-  take(doc, { units: app.units });
+  open(doc, { units: app.units });
   turnTo("drive");
   redraw();
   document.getElementById("f-pulley-0-entry_tension")?.focus();
@@ -16,8 +15,7 @@ export function newDrive() {
 export async function openExample(name) {
   const source = await ask(`examples/${name}`);
   const { document } = source;
-  opened(document);
-  take(document, { name, origin: { title: document.title || name, document }, source });
+  open(document, { name, origin: { title: document.title || name, document }, source });
 }
 /** Name of a file of this design, without its ending. */
 export const fileName = () =>

@@ -1,12 +1,11 @@
 // The head of the page: pages, units, undo, the menus File and Export.
 import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
-import { drafts, draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
+import { drafts, draftTitle, forgetDrafts, openDraft, otherDrafts } from "../base/drafts.js";
 import { act } from "../base/server.js";
 import { oneOf } from "../parts/choose.js";
 import { h } from "../vendor/preact.js";
 import { download, newDrive, openExample } from "./files.js";
-import { openDraft } from "./pages.js";
 import { PAGES } from "./registry.js";
 
 /** @import { Children } from "../types.d.ts" */
@@ -131,7 +130,7 @@ function fileMenu() {
     kept.map((d) => item(draftTitle(d), () => openDraft(d))),
     drafts().length > 0 &&
       item("Forget all drafts", () => {
-        for (const d of drafts()) forgetDraft(d);
+        forgetDrafts();
         redraw();
       }),
   ];

@@ -1,6 +1,7 @@
-// A link that holds the whole design. Fetched when the first is asked for.
-import { packed } from "../base/address.js";
-import { app } from "../base/design.js";
+// A link that holds the whole design. Fetched when the first is asked for or opened.
+import { packed, through } from "../base/address.js";
+import { app, isDrive } from "../base/design.js";
+import { open } from "../base/drafts.js";
 import { note } from "../base/server.js";
 import { h } from "../vendor/preact.js";
 
@@ -35,4 +36,28 @@ export async function copied() {
     h("input", box),
   ]);
   requestAnimationFrame(() => document.getElementById("link")?.focus());
+}
+
+/** @param {string} text */
+async function unpacked(text) {
+  const plain = atob(text.replace(/-/g, "+").replace(/_/g, "/"));
+  const raw = Uint8Array.from(plain, (c) => c.charCodeAt(0));
+  const bytes = await through(raw, new DecompressionStream("deflate-raw"));
+  return JSON.parse(new TextDecoder().decode(bytes));
+}
+/** Open the design of a link; false if it holds none. */
+export async function openLink() {
+  try {
+    const view = await unpacked(location.hash.split("/")[2]);
+    if (!isDrive(view.d)) throw new Error();
+    const had = Boolean(app.doc);
+    open(view.d, { units: view.u === "us" ? "us" : "si", design: view.s });
+    app.pulley = view.d.pulley[view.p | 0] ? view.p | 0 : 0;
+    app.case = String(view.c || "");
+    if (had) note("The design of the link is open; Undo brings back the one before.");
+    return true;
+  } catch {
+    note("The link holds no design that can be read: it may have been cut short.", true);
+    return false;
+  }
 }

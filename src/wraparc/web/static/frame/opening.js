@@ -1,7 +1,7 @@
 // Opening a file: what a TOML file is, and where it belongs. Fetched when the first is opened.
 import { turnTo } from "../base/address.js";
-import { app, change, isDrive, redraw, take } from "../base/design.js";
-import { opened } from "../base/drafts.js";
+import { app, change, isDrive, redraw } from "../base/design.js";
+import { open } from "../base/drafts.js";
 import { Advice, ask, note } from "../base/server.js";
 
 const MOST = 2e6;
@@ -40,8 +40,7 @@ export async function openFile(file) {
 /** @type {Record<string, (doc: any, name: string, text: string) => any>} */
 const OPEN = {
   drive(doc, name, toml) {
-    opened(doc);
-    take(doc, { name: stem(name), source: { toml, document: doc } });
+    open(doc, { name: stem(name), source: { toml, document: doc } });
     note(`Opened ${name}.`);
   },
   async lagging(_, __, text) {

@@ -1,6 +1,6 @@
 // The frame that holds the pages.
-import { app, redraw, take } from "../base/design.js";
-import { draftTitle, forgetDraft, otherDrafts } from "../base/drafts.js";
+import { app, redraw } from "../base/design.js";
+import { draftTitle, forgetDraft, offered, openDraft } from "../base/drafts.js";
 import { complain } from "../base/server.js";
 import { Component, h } from "../vendor/preact.js";
 import { PAGES } from "./registry.js";
@@ -71,8 +71,6 @@ function bars() {
   );
   return [app.gone && gone, offered.draft && offer(offered.draft)];
 }
-/** A draft of a window that was shut or crashed, offered once. */
-export const offered = { draft: /** @type {Draft | null} */ (null) };
 /** @param {Draft} draft */
 function offer(draft) {
   const close = () => {
@@ -95,18 +93,4 @@ function offer(draft) {
       h("button", { type: "button", onClick: forget }, "Forget it"),
     ),
   );
-}
-/** @param {Draft} d */
-export function openDraft(d) {
-  offered.draft = null;
-  const { name, design, origin, source, units } = d;
-  take(d.doc, { name, design, origin, source, units });
-  app.pulley = d.doc.pulley[d.pulley] ? d.pulley : 0;
-  app.case = d.case;
-  redraw();
-}
-/** The newest draft of another window, if it is another design than the one that is open. */
-export function offerDraft() {
-  const draft = otherDrafts()[0];
-  if (draft && JSON.stringify(draft.doc) !== JSON.stringify(app.doc)) offered.draft = draft;
 }

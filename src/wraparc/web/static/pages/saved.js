@@ -1,7 +1,8 @@
 // Designs kept in the database: names, notes, versions, who and when.
 
 import { turnTo } from "../base/address.js";
-import { app, look, redraw, take } from "../base/design.js";
+import { app, look, redraw } from "../base/design.js";
+import { open } from "../base/drafts.js";
 import { Advice, act, ask, complain, later, note } from "../base/server.js";
 import { timeOf } from "../base/units.js";
 import { scroll } from "../parts/answers.js";
@@ -91,7 +92,7 @@ async function saveVersion() {
 async function reopen(d, version) {
   const v = await ask(`designs/${d.id}/versions/${version}`);
   const design = { id: d.id, version: v.version, name: d.name, saved: JSON.stringify(v.document) };
-  take(v.document, { name: v.name || d.name, design });
+  open(v.document, { name: v.name || d.name, design });
   note(`Opened version ${v.version} of “${d.name}”.`);
   turnTo("drive");
   redraw();

@@ -1,0 +1,131 @@
+"""What a window showed comes back: after a reload however soon, in another window, by its draft."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, Route, expect
+
+from web.browser import Visitor
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+T2 = "#f-pulley-0-exit_tension"
+#: Packing a design for the address never ends: as far as the address goes, the reload is too soon.
+NEVER_PACKED = "Response.prototype.arrayBuffer = () => new Promise(() => {});"
+
+
+def offer(page: Page, words: str) -> None:
+    page.get_by_role("note").get_by_role("button", name=words).click()
+
+
+@pytest.fixture
+def other(tmp_path: Path) -> Path:
+    """Return a drive file that is no example."""
+    text = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
+    file = tmp_path / "other.toml"
+    file.write_text(text.replace('"60 kN"   ', '"64 kN"   ', 1).replace("ROM", "Coal"), "utf-8")
+    return file
+
+
+def test_reload_and_another_window_bring_back_what_was_typed(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    page.fill(T2, "72.5")
+    page.reload()
+    expect(page.locator(T2)).to_have_value("72.5")
+    beside = visitor.context.new_page()
+    beside.goto(visitor.address)
+    offer(beside, "Open it")
+    expect(beside.locator(T2)).to_have_value("72.5")
+
+
+def test_a_reload_before_the_address_is_written_loses_nothing(
+    visitor: Visitor, other: Path
+) -> None:
+    # it showed the drive that the calculator begins with, and offered nothing
+    visitor.page.add_init_script(NEVER_PACKED)
+    page = visitor.open("drive")
+    page.fill(T2, "72.5")
+    page.reload()
+    expect(page.locator(T2)).to_have_value("72.5")
+    visitor.load(other)
+    expect(page.locator(T2)).to_have_value("64")
+    page.reload()
+    expect(page.locator(T2)).to_have_value("64")
+    expect(page).to_have_title("Head drive, Coal conveyor – Drive – wraparc")
+    page.fill(T2, "65")
+    page.reload()
+    expect(page.locator(T2)).to_have_value("65")
+
+
+@pytest.mark.parametrize("hash_of", ["this window", "another"])
+def test_a_reload_that_the_browser_forgot_the_state_of(visitor: Visitor, hash_of: str) -> None:
+    # as Chromium does it where a reload follows at once on a change of the address: it loads the
+    # address before, with no state. A link that came from elsewhere is read all the same.
+    page = visitor.open("drive")
+    written = "() => location.hash.split('/').length === 3"
+    page.wait_for_function(written)
+    before = page.evaluate("location.hash")
+    page.fill(T2, "72.5")
+    page.wait_for_function("before => location.hash !== before", arg=before)
+    if hash_of == "another":
+        beside = Visitor(page.context.browser, visitor.address)
+        beside.open("drive").fill(T2, "71")
+        beside.page.wait_for_function(
+            f"before => ({written})() && location.hash !== before", arg=before
+        )
+        before = beside.page.evaluate("location.hash")
+        beside.context.close()
+    page.evaluate("before => history.replaceState(null, '', before)", before)
+    page.reload()
+    expect(page.locator(T2)).to_have_value("72.5" if hash_of == "this window" else "71")
+
+
+def test_opening_another_keeps_the_draft_until_it_is_forgotten(
+    visitor: Visitor, other: Path
+) -> None:
+    # expected: what was only opened is no draft; the typed one stands in the menu and is offered
+    page = visitor.open("drive")
+    page.fill(T2, "72.5")
+    visitor.load(other)
+    expect(page.locator(T2)).to_have_value("64")
+    page.reload()
+    expect(page.locator(T2)).to_have_value("64")
+    expect(page.get_by_role("note")).to_contain_text("Head drive, ROM conveyor")
+    page.fill(T2, "65")
+    page.click("#file > summary")
+    kept = page.locator("#file button", has_text=", ROM conveyor, ")
+    kept.click()
+    expect(page.locator(T2)).to_have_value("72.5")
+    page.click("#file > summary")
+    page.get_by_role("button", name="Forget all drafts").click()
+    page.click("#nav-compare")
+    page.click("#nav-drive")
+    page.click("#file > summary")
+    expect(page.get_by_role("button", name="Forget all drafts")).to_have_count(0)
+    expect(page.locator(T2)).to_have_value("72.5")
+    assert page.evaluate("localStorage.getItem('wraparc.drafts')") == "[]"
+
+
+def test_coming_back_in_the_same_window_offers_the_draft(visitor: Visitor) -> None:
+    # it was kept, not offered, and lost with the next letter
+    page = visitor.open("drive")
+    page.fill(T2, "72.5")
+    page.goto("about:blank")
+    page.goto(visitor.address)
+    expect(page.locator(T2)).to_have_value("60")
+    page.fill(T2, "61")
+    offer(page, "Open it")
+    expect(page.locator(T2)).to_have_value("72.5")
+
+
+def test_a_reload_reads_the_drive_to_begin_with_anew(visitor: Visitor) -> None:
+    # its file may have been changed, and the server started again with another
+    page = visitor.open("drive")
+
+    def another(route: Route) -> None:
+        answer = route.fetch()
+        text = answer.text().replace("ROM conveyor", "another file")
+        route.fulfill(response=answer, body=text)
+
+    page.route("**/api/v1/start", another)
+    page.reload()
+    expect(page).to_have_title("Head drive, another file – Drive – wraparc")
