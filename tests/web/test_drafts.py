@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, Route, expect
 
-from web.browser import Visitor
+from web.browser import Calculator, Visitor
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 T2 = "#f-pulley-0-exit_tension"
@@ -57,7 +57,9 @@ def test_a_reload_before_the_address_is_written_loses_nothing(
 
 
 @pytest.mark.parametrize("hash_of", ["this window", "another"])
-def test_a_reload_that_the_browser_forgot_the_state_of(visitor: Visitor, hash_of: str) -> None:
+def test_a_reload_that_the_browser_forgot_the_state_of(
+    calculator: Calculator, visitor: Visitor, hash_of: str
+) -> None:
     # as Chromium does it where a reload follows at once on a change of the address: it loads the
     # address before, with no state. A link that came from elsewhere is read all the same.
     page = visitor.open("drive")
@@ -67,7 +69,7 @@ def test_a_reload_that_the_browser_forgot_the_state_of(visitor: Visitor, hash_of
     page.fill(T2, "72.5")
     page.wait_for_function("before => location.hash !== before", arg=before)
     if hash_of == "another":
-        beside = Visitor(page.context.browser, visitor.address)
+        beside = Visitor(calculator[0], visitor.address)
         beside.open("drive").fill(T2, "71")
         beside.page.wait_for_function(
             f"before => ({written})() && location.hash !== before", arg=before
