@@ -7,7 +7,8 @@ UV_VERSION := 0.13.8
 UV := build/uv/$(UV_VERSION)/bin/uv
 BIN := .venv/bin
 NODE := node_modules/.bin
-WORKERS ?= 2
+# Three for two processors: a test of the pages waits half of its time, for a browser and a server.
+WORKERS ?= 3
 
 export UV_PROJECT_ENVIRONMENT := .venv
 export UV_PYTHON_DOWNLOADS := never

@@ -100,6 +100,7 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
 #: Rooms above the arc that have many of them solved, and what holds the arc to no other numbers.
 COMPILED = {
     "across",
+    "calibrate",
     "checks",
     "choose",
     "cli",

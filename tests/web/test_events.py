@@ -144,7 +144,8 @@ def test_a_belt_that_goes_slack_on_the_way_is_an_answer_kept_up_to_there(api: Te
 
 
 def test_a_run_is_cancelled_and_forgotten(api: TestClient) -> None:
-    begun = api.post(f"{API}/events", json={"document": short(), "points": 10}).json()
+    long = {"document": short(), "points": 10, "step": "0.2 ms"}
+    begun = api.post(f"{API}/events", json=long).json()
     where = f"{API}/events/{begun['id']}"
     assert api.delete(where).status_code == 204
     assert api.get(where).json()["state"] == "cancelled"

@@ -54,6 +54,24 @@ def test_focus_stays_beside_a_button_that_goes(
     assert at(page) == then
 
 
+def test_focus_stays_while_an_answer_is_long_in_coming(visitor: Visitor) -> None:
+    # the answer before is not seen meanwhile, and what is hidden loses the focus
+    held: list[Route] = []
+    visitor.page.route("**/drive/judging.js", lambda route: None)  # the server answers alone
+    page = used(visitor, "drive")
+    page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
+    pressed(page.get_by_role("button", name="Raise T2 to 89.4 kN in design alone"))
+    page.wait_for_selector("#results.waiting")
+    visitor.painted()
+    assert at(page) == "verdict"
+    wait_for(lambda: page.evaluate("true") and held)
+    held[0].continue_()
+    visitor.solved()
+    visitor.painted()
+    assert at(page) == "verdict"
+    page.unroute_all(behavior="ignoreErrors")
+
+
 def test_focus_stays_at_a_question_beside_the_map(visitor: Visitor) -> None:
     # the answer comes below the button, and the map is drawn anew with the page
     page = visitor.open("across")
