@@ -18,10 +18,12 @@ export const packed = async (value) => {
 };
 /** Entries of the history that this page wrote are its own: their design is not read again. */
 const mine = () => history.state?.mine === true;
+/** One window may show several pages of one file each. @param {string} key */
+const here = (key) => `wraparc.${key} ${location.pathname}`;
 /** What this window keeps over a reload; null if there is nothing. @param {string} key */
 export function kept(key) {
   try {
-    return JSON.parse(sessionStorage.getItem(key) || "null");
+    return JSON.parse(sessionStorage.getItem(here(key)) || "null");
   } catch {
     return null;
   }
@@ -29,15 +31,14 @@ export function kept(key) {
 /** @param {string} key @param {any} value */
 export function keep(key, value) {
   try {
-    sessionStorage.removeItem(key);
-    sessionStorage.setItem(key, JSON.stringify(value));
+    sessionStorage.removeItem(here(key));
+    sessionStorage.setItem(here(key), JSON.stringify(value));
   } catch {
     /* no room: a reload begins anew */
   }
 }
-const WRITTEN = "wraparc.addresses";
 /** Addresses that this window wrote last. @returns {string[]} */
-const written = () => kept(WRITTEN) || [];
+const written = () => kept("addresses") || [];
 const [load] = /** @type {PerformanceNavigationTiming[]} */ (
   performance.getEntriesByType("navigation")
 );
@@ -47,7 +48,7 @@ export const again = mine() || (load?.type === "reload" && written().includes(lo
 /** @param {string} [to] */
 function write(to) {
   history.replaceState({ mine: true }, "", to);
-  keep(WRITTEN, [location.hash, ...written()].slice(0, 4));
+  keep("addresses", [location.hash, ...written()].slice(0, 4));
 }
 /** What the address holds was read. */
 export const keepMine = () => write();

@@ -11,15 +11,13 @@ import { timeOf } from "./units.js";
  */
 
 const KEY = "wraparc.drafts";
-const WINDOW = "wraparc.window";
-const SHOWN = "wraparc.shown";
 const MOST = 6;
 /** The name of the draft of this window, which a reload keeps. */
 let own = "";
 /** @param {boolean} [same] */
 function nameDraft(same) {
-  own = (same && kept(WINDOW)) || crypto.getRandomValues(new Uint32Array(2)).join("-");
-  keep(WINDOW, own);
+  own = (same && kept("window")) || crypto.getRandomValues(new Uint32Array(2)).join("-");
+  keep("window", own);
 }
 nameDraft(again);
 /** What was read last: asked for with every drawing. */
@@ -82,13 +80,13 @@ function keepNow() {
   if (!pending) return;
   const { doc } = pending;
   const changed = doc !== untouched;
-  keep(SHOWN, doc === begun ? null : { ...pending, changed });
+  keep("shown", doc === begun ? null : { ...pending, changed });
   if (changed) store([pending, ...drafts().filter((d) => d.window !== own)]);
   pending = null;
 }
 /** Open what this window showed before it was loaded again; false if there is nothing. */
 export function openShown() {
-  const d = kept(SHOWN);
+  const d = kept("shown");
   if (!isDrive(d?.doc)) return false;
   if (!d.changed) untouched = d.doc;
   openDraft(d);
