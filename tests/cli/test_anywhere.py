@@ -222,7 +222,7 @@ def test_a_system_that_limits_no_memory(tmp_path: Path, monkeypatch: pytest.Monk
     import resource
 
     from wraparc.machine_tables import workbook_process
-    from wraparc.web.work import _Alone
+    from wraparc.web.work import _alone
 
     def refuse(*_: object) -> None:
         raise ValueError("current limit exceeds maximum limit")
@@ -230,8 +230,7 @@ def test_a_system_that_limits_no_memory(tmp_path: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(resource, "setrlimit", refuse)
     monkeypatch.setattr(tempfile, "tempdir", None)
     workbook_process._limit()
-    _Alone(str(tmp_path))()
-    assert tempfile.gettempdir() == str(tmp_path)
+    assert _alone(str(tmp_path), tempfile.gettempdir) == str(tmp_path)
 
 
 def test_paths_of_databases(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

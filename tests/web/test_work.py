@@ -6,9 +6,12 @@ import multiprocessing
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import time
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,11 +22,14 @@ from web.calculators import PATIENCE
 from wraparc.errors import InputError, Problem
 from wraparc.web import work
 from wraparc.web.errors import ApiError
+from wraparc.web.processes import EndedError, Parent, Worker, context, splits
+from wraparc.web.progress import unheard
 from wraparc.web.routes.parts import waited
 from wraparc.web.turns import Turns
 from wraparc.web.work import Workers
 
 pytestmark = pytest.mark.processes
+needs_splitting = pytest.mark.skipif(not splits(), reason="no process can be split here")
 
 
 async def until(condition: Callable[[], bool]) -> None:
@@ -96,7 +102,8 @@ def test_no_place_is_lost_by_those_who_leave() -> None:
 
 def test_a_process_that_cannot_start_leaks_no_place(monkeypatch: pytest.MonkeyPatch) -> None:
     class Broken:
-        def __init__(self, *_: object) -> None:
+        @classmethod
+        def started(cls, *_: object) -> None:
             raise OSError("no process can be started")
 
     async def scenario() -> None:
@@ -176,8 +183,9 @@ def test_a_process_that_dies_costs_its_own_question_only(tmp_path: Path) -> None
             assert unpacked(await found.short("a", os.getpid, queue=work.QUICK))
             # one that dies while it has nothing to do costs nobody anything
             for worker in [worker for worker in found._all if worker.alive]:
-                os.kill(worker._process.pid, signal.SIGKILL)
-                worker._process.join()
+                process: Any = worker._process
+                os.kill(process.pid, signal.SIGKILL)
+                process.join()
             assert unpacked(await found.short("a", os.getpid, queue=work.QUICK))
 
     asyncio.run(scenario())
@@ -278,6 +286,27 @@ def test_an_answer_that_is_late_is_refused(monkeypatch: pytest.MonkeyPatch) -> N
     asyncio.run(scenario())
 
 
+def test_long_files_are_read_one_after_the_other(tmp_path: Path) -> None:
+    gate, begun = tmp_path / "go", tmp_path / "begun"
+    begun.mkdir()
+
+    async def scenario() -> None:
+        async with workers() as found:
+            asked = [
+                asyncio.create_task(
+                    found.read(c, _noted_and_held, str(begun), str(gate), limit=PATIENCE)
+                )
+                for c in "ab"
+            ]
+            await until(lambda: any(begun.iterdir()))
+            assert found._reading.waiting == 1
+            gate.write_text("")
+            await asyncio.gather(*asked)
+            assert len(list(begun.iterdir())) == 2
+
+    asyncio.run(scenario())
+
+
 def test_a_long_task_leaves_no_folder_behind() -> None:
     async def scenario() -> None:
         async with workers() as found:
@@ -292,3 +321,108 @@ def _folder() -> str:
     import tempfile
 
     return tempfile.mkdtemp()
+
+
+@pytest.fixture
+def parent(tmp_path: Path) -> Iterator[Parent]:
+    found = Parent(context(), partial(_note, str(tmp_path)))
+    try:
+        yield found
+    finally:
+        found.end()
+
+
+async def asked(worker: Worker, function: Callable[..., Any], *given: Any) -> Any:
+    return unpacked(await worker.ask(pickle.dumps((function, given)), unheard))
+
+
+@needs_splitting
+def test_what_is_split_off_is_prepared_once_and_ends_with_nobody_else(
+    parent: Parent, tmp_path: Path
+) -> None:
+    async def scenario() -> None:
+        first, second = parent.worker(), parent.worker()
+        pids = [await asked(worker, os.getpid) for worker in (first, second)]
+        assert len({*pids, os.getpid()}) == 3
+        assert len(list(tmp_path.iterdir())) == 1
+        with pytest.raises(EndedError):
+            await asked(first, os._exit, 1)
+        assert not first.alive
+        assert await asked(second, os.getpid) == pids[1]
+        second.end()
+        await until(lambda: not Path(f"/proc/{pids[1]}").exists())  # cleared away too
+        # what a process starts itself is waited for as everywhere
+        third = parent.worker()
+        assert await asked(third, _exit_code, 3) == 3
+        third.end()
+
+    asyncio.run(scenario())
+
+
+def _exit_code(code: int) -> int:
+    return subprocess.run([sys.executable, "-c", f"exit({code})"], check=False).returncode
+
+
+@needs_splitting
+def test_a_parent_that_dies_is_started_again_and_its_workers_live_on(
+    parent: Parent, tmp_path: Path
+) -> None:
+    async def scenario() -> None:
+        before = parent.worker()
+        os.kill(await asked(before, os.getppid), signal.SIGKILL)
+        after = parent.worker()
+        assert await asked(before, os.getpid) != await asked(after, os.getpid)
+        assert len(list(tmp_path.iterdir())) == 2
+        before.end()
+        after.end()
+        parent.end()
+        with pytest.raises(ConnectionError):
+            parent.worker()
+        assert len(list(tmp_path.iterdir())) == 2
+
+    asyncio.run(scenario())
+
+
+@needs_splitting
+def test_a_server_that_stops_waits_for_no_parent(tmp_path: Path) -> None:
+    async def scenario() -> None:
+        never = tmp_path / "never"
+        parent = Parent(context(), partial(_noted_and_held, str(tmp_path), str(never)))
+        starting = asyncio.create_task(asyncio.to_thread(parent.worker))
+        await until(lambda: any(tmp_path.iterdir()))
+        parent.end()
+        with pytest.raises(ConnectionError):
+            await starting
+
+    asyncio.run(scenario())
+
+
+def _noted_and_held(folder: str, file: str) -> None:
+    _note(folder)
+    _held(file)
+
+
+@needs_splitting
+def test_compiled_code_is_loaded_once_for_all_and_leaves_no_threads(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("wraparc.web.warm.compile_kernel", _true)
+    monkeypatch.setattr(work, "_warm_compiled", partial(_note, str(tmp_path)))
+
+    async def scenario() -> None:
+        async with workers(2) as found:
+            found.start()
+            await until(lambda: found.compiled)
+            parents = {unpacked(await found.short(c, os.getppid, queue=q)) for c, q in _PLACES}
+            parents.add(unpacked(await found.apart("a", os.getppid)))
+            assert len(parents) == len(list(tmp_path.iterdir())) == 1
+            assert len(list(Path(f"/proc/{parents.pop()}/task").iterdir())) == 1
+
+    asyncio.run(scenario())
+
+
+_PLACES = (("a", work.QUICK), ("b", work.WHOLE))
+
+
+def _true() -> bool:
+    return True

@@ -15,10 +15,11 @@ from wraparc.web.database.store import Store
 from wraparc.web.errors import Problems, refused
 from wraparc.web.jobs import Jobs
 from wraparc.web.kept import Kept
+from wraparc.web.processes import Function
 from wraparc.web.routes.bodies import Body
 from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
-from wraparc.web.work import QUICK, WHOLE, Function, Workers
+from wraparc.web.work import QUICK, WHOLE, Workers
 
 JSON = "application/json"
 

@@ -104,9 +104,10 @@ async def add(
     """Drop files; what was understood of each is answered."""
     state = state_of(request)
     place = state.sessions.get(session)
-    uploads = [
-        state.sessions.add(place, shown_name(file.filename), await file.read()) for file in files
-    ]
+    uploads = []
+    for file in files:
+        uploads.append(state.sessions.add(place, shown_name(file.filename), await file.read()))
+        await file.close()  # else it is held twice until it was read
     return await _read(request, uploads)
 
 
@@ -176,7 +177,7 @@ async def _read(request: Request, uploads: list[Upload]) -> FilesAnswer:
 async def _read_in(state: State, client: str, uploads: list[Upload]) -> None:
     files = [upload.file for upload in uploads]
     try:
-        answer = await state.workers.long(client, shear_tests.read_files, files, limit=_READ_LIMIT)
+        answer = await state.workers.read(client, shear_tests.read_files, files, limit=_READ_LIMIT)
         found = ReadFiles.model_validate_json(answer).files
         for upload, read in zip(uploads, found, strict=True):
             upload.read = read
