@@ -5,7 +5,7 @@ import tomllib
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -332,5 +332,6 @@ def _friction_note(row: dict[str, Any]) -> str:
     return "; ".join(n for n in (row.get("note", ""), single) if n)
 
 
+@lru_cache(maxsize=1024)
 def _plain(name: str) -> str:
     return "".join(name.casefold().split())

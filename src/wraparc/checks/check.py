@@ -34,13 +34,11 @@ class Level(StrEnum):
     FAILS = "FAILS"
     FAULT = "FAULT OF THE PROGRAM"
 
-    @property
-    def rank(self) -> int:
-        """Place in the order from good to bad; what was not checked decides nothing."""
-        return _RANKS[self]
+    #: Place in the order from good to bad; what was not checked decides nothing.
+    rank: int
 
-
-_RANKS = {level: rank for rank, level in enumerate(Level)}
+    def __init__(self, _: str) -> None:
+        self.rank = len(type(self).__members__)
 
 
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
@@ -184,10 +182,11 @@ class Check:
 
     def sentence(self, system: System = "si") -> str:
         """Return what there is to say, with the remedy."""
-        value, limit = self.texts(system)
         if not self.says:
-            bound = f", {self.bound(system)}" if self.bound(system) else ""
+            value, bound = self.texts(system)[0], self.bound(system)
+            bound = f", {bound}" if bound else ""
             return f"{self.title}: {value}{bound}." if value else f"{self.title}."
+        value, limit = self.texts(system)
         words = {n: quantity_text(v, d, system) for n, (v, d) in self.more.items()}
         words |= {"value": value, "limit": limit}
         return " ".join(part.format(**words) for part in (self.says, self.remedy) if part)
@@ -268,13 +267,12 @@ class Verdict:
 
     def at(self, pulley: str, load_case: str) -> Verdict:
         """Return the verdict on one pulley in one load case."""
-        return Verdict(
-            tuple(
-                c
-                for c in self.checks
-                if c.place.pulley in ("", pulley) and c.place.load_case in ("", load_case)
-            )
+        there = tuple(
+            c
+            for c in self.checks
+            if c.place.pulley in ("", pulley) and c.place.load_case in ("", load_case)
         )
+        return self if len(there) == len(self.checks) else Verdict(there)
 
     def headline(self, system: System = "si") -> str:
         """Return the answer in one sentence or two."""

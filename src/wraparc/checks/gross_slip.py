@@ -14,6 +14,7 @@ from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.kernel import gross_slip as kernel
 from wraparc.checks.compiled import largest_log, slip_place
 from wraparc.checks.least_numbers import tight_at_slip
+from wraparc.checks.numbers import rise_among
 from wraparc.drive import TakeUp
 
 Array = NDArray[np.float64]
@@ -98,9 +99,9 @@ def rises(arcs: Sequence[ArcResult], index: int, take_up: TakeUp) -> Rise:
     take_up
         What is held.
     """
-    pulls = _pulls_of(arcs)
-    names = [r.arc.pulley for r in arcs]
-    return _rise(pulls, index, given_up(pulls, names, take_up))
+    pulls, names = [r.arc.effective_tension for r in arcs], [r.arc.pulley for r in arcs]
+    after = names.index(take_up.after) if take_up.after else -1
+    return Rise(*map(float, rise_among(pulls, index, take_up.fixed, after)))
 
 
 def _pulls_of(arcs: Sequence[ArcResult]) -> Array:

@@ -223,11 +223,13 @@ def largest(column: Buffer, count: int) -> float:
 
 def steepest(position: Buffer, slip: Buffer, count: int, radius: float, length: float) -> float:
     """Largest change of the slip per length of arc [-]; nan without a stretch of arc."""
-    found = nan
+    found, least = nan, 1e-9 * length
     for i in range(1, count):
         step = (position[i] - position[i - 1]) * radius
-        if step > 1e-9 * length:
-            found = max(abs(slip[i] - slip[i - 1]) / step, found)
+        if step > least:
+            change = abs(slip[i] - slip[i - 1]) / step
+            if not change <= found:  # so also where nothing is found yet
+                found = change
     return found
 
 

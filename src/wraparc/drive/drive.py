@@ -152,6 +152,9 @@ def condition_problems(case: str, condition: str, pulleys: Iterable[Pulley]) -> 
 
 def repeated(key: str, names: Iterable[str]) -> list[Problem]:
     """Return a problem for every name that is used more than once."""
+    found = list(names)
+    if len(set(found)) == len(found):
+        return []
     return [
         Problem(
             key=f"{key}.name",
@@ -159,7 +162,7 @@ def repeated(key: str, names: Iterable[str]) -> list[Problem]:
             message=f"used {count} times",
             remedy="Give each its own name.",
         )
-        for name, count in Counter(names).items()
+        for name, count in Counter(found).items()
         if count > 1
     ]
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from wraparc.drive import Tensions
 from wraparc.drive.load_case import pull_of_power, pull_of_torque
@@ -93,12 +94,12 @@ class Given:
             self.name, over.place, kept | dict(over.values), over.raw, self.diameter, tuple(kept)
         )
 
-    @property
+    @cached_property
     def effective(self) -> tuple[str, ...]:
         """The keys given that fix the effective tension."""
         return tuple(key for key in EFFECTIVE if key in self.values)
 
-    @property
+    @cached_property
     def families(self) -> tuple[str, ...]:
         """One key for each independent quantity given."""
         return (*(key for key in (ENTRY, EXIT) if key in self.values), *self.effective[:1])

@@ -106,18 +106,22 @@ class IntegralLog(FrictionLaw):
 
     def steepest_fall(self) -> float:
         """Return the steepest post-peak slope, <= 0 [1/m]; 0 where no residual allows a fall."""
-        c = self.coefficients
-        if isinstance(c, PressureKnots):
-            _, _, peak, slope, residual = c.columns()
-        else:
-            _, peak, slope, residual = c.at(np.linspace(c.pressure[0], c.pressure[-1], 501))
-        return float(np.min(slope)) if np.any(residual < peak) else 0.0
+        return _steepest_fall(self.coefficients)
 
     def _scaled(self, friction: float, slip: float) -> Self:
         return replace(self, coefficients=self.coefficients.scaled(friction, slip))
 
 
-@lru_cache(maxsize=128)  # every solve of an arc asks for it several times
+@lru_cache(maxsize=128)  # every solve of an arc asks for it several times, as for `_compact`
+def _steepest_fall(c: PressureKnots | CoefficientPieces) -> float:
+    if isinstance(c, PressureKnots):
+        _, _, peak, slope, residual = c.columns()
+    else:
+        _, peak, slope, residual = c.at(np.linspace(c.pressure[0], c.pressure[-1], 501))
+    return float(np.min(slope)) if np.any(residual < peak) else 0.0
+
+
+@lru_cache(maxsize=128)
 def _compact(c: PressureKnots | CoefficientPieces) -> CompactLaw:
     if isinstance(c, CoefficientPieces):
         rows = [

@@ -19,7 +19,7 @@ from wraparc.units import DIMENSION_TEXT, Dimension, display_unit, parse_quantit
 
 # The kinds are constants of the key modules. They are not frozen because making a frozen
 # dataclass takes five times as long, and every run of the command line makes them all.
-_CONTROLS_ALLOWED = frozenset("\n\t")
+_NO_CONTROLS = str.maketrans("", "", "\n\t")  # those that a text of lines may hold
 
 
 class Kind(ABC):
@@ -125,7 +125,7 @@ class Text(Kind):
             report.add(place, "must be text", "Put it in quotes.", raw)
         elif len(raw) > self.longest:
             report.add(place, f"longer than {self.longest} characters", "Shorten it.", raw)
-        elif not all(c.isprintable() or (self.lines and c in _CONTROLS_ALLOWED) for c in raw):
+        elif not (raw.translate(_NO_CONTROLS) if self.lines else raw).isprintable():
             report.add(place, "holds characters that cannot be printed", "Remove them.", raw)
         else:
             return raw

@@ -10,6 +10,8 @@ import numpy as np
 from wraparc.errors import InputError, Problem, shown
 from wraparc.units import DIMENSION_TEXT, Dimension, display
 
+_NUMBERS = (int, float, np.integer, np.floating)
+
 
 @dataclass(frozen=True)
 class Limit:
@@ -61,7 +63,7 @@ class Limit:
 
 def is_number(value: object) -> TypeGuard[float]:
     """Whether a value is a real number; numpy's are, truth values are not."""
-    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+    return isinstance(value, _NUMBERS) and not isinstance(value, bool)
 
 
 def limit_problems(thing: object, limits: Mapping[str, Limit]) -> list[Problem]:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields, replace
+from functools import cached_property
 from typing import Any
 
 from wraparc.errors import nearest, shown
@@ -128,6 +129,12 @@ class Table(Kind):
         self.entries = tuple(
             replace(e, kind=_kind_of(of, e.attribute)) if e.kind is OF_CLASS else e for e in entries
         )
+        self._known = {entry.key: entry for entry in self.entries}
+
+    @cached_property
+    def _fields(self) -> frozenset[str]:
+        """Fields of the class."""
+        return frozenset(f.name for f in fields(self.of)) if self.of else frozenset()
 
     def read(self, raw: object, place: Place, report: Report) -> Any:
         """Return a `Record`."""
@@ -135,7 +142,7 @@ class Table(Kind):
             report.add(place, "must be a table", "Write its keys below its name in [ ].", raw)
             return NOTHING
         given = self._renamed(raw, place, report)
-        known = {entry.key: entry for entry in self.entries}
+        known = self._known
         for key in [key for key in given if key not in known]:
             remedy = "" if report.full else unknown_key_remedy(key, known)
             report.add((*place, key), "unknown key", remedy, given[key])
@@ -166,12 +173,13 @@ class Table(Kind):
         """
         if not isinstance(value, Record) or not value.sound() or self.of is None:
             return None
-        record = value
-        made, told = self.of, {f.name for f in fields(self.of)}
+        made, record = self.of, value
         values = {
             e.attribute: _frozen(record[e.key])
             for e in self.entries
-            if e.key in record and e.attribute in told and not isinstance(record[e.key], dict)
+            if e.key in record
+            and e.attribute in self._fields
+            and not isinstance(record[e.key], dict)
         }
         names = {e.attribute: e.key for e in self.entries}
         return report.tried(lambda: made(**{**values, **more}), record.place, record.raw, names)

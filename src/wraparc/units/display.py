@@ -2,6 +2,7 @@
 
 import math
 from decimal import Decimal
+from functools import lru_cache
 from typing import Literal
 
 from wraparc.units.parse import parse_quantity, unit_factor
@@ -101,6 +102,11 @@ def display(
     What is shown can be read back: whole digits are not grouped, as a comma may be a decimal sign.
     Counts and money, which have no unit of measure, are grouped by thousands where they are shown.
     """
+    return _shown(value, dimension, system, digits)
+
+
+@lru_cache(maxsize=1024)  # limits and what was given come again and again
+def _shown(value: float, dimension: Dimension, system: System, digits: int) -> str:
     unit, larger = _ROWS[system][dimension]
     if dimension == "temperature":
         return f"{_rounded(_degrees(value, unit), digits)} {unit}"

@@ -71,11 +71,16 @@ def parse_quantity(value: object, dimension: Dimension) -> float:
     if not isinstance(value, str):
         problem = f"neither text nor a number, where {kind.name} is needed"
         raise _refused(value, problem, f"Write for example {shown(kind.example)}.")
-    number, unit_text = split_number(value)
+    return _read(value, dimension)
+
+
+@lru_cache(maxsize=2048)  # of a drive that is changed step by step most stays as it was
+def _read(text: str, dimension: Dimension) -> float:
+    number, unit_text = split_number(text)
     if not unit_text and dimension != "number":
-        raise _no_unit(value, dimension)
-    unit = _checked_unit(unit_text, dimension, value)
-    return finite((number - unit.zero) * unit.factor, value)
+        raise _no_unit(text, dimension)
+    unit = _checked_unit(unit_text, dimension, text)
+    return finite((number - unit.zero) * unit.factor, text)
 
 
 def unit_factor(unit: str, dimension: Dimension) -> float:

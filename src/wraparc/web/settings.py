@@ -2,6 +2,7 @@
 
 import socket
 from dataclasses import dataclass
+from functools import lru_cache
 from ipaddress import ip_address
 
 _LOCAL_NAMES = ("localhost",)
@@ -62,6 +63,7 @@ class Settings:
         return f"{kind.partition('+')[0]}://{rest.rpartition('@')[2]}"
 
 
+@lru_cache(maxsize=256)  # every request names its host
 def is_loopback(host: str) -> bool:
     """Whether a host name or address is this machine and no other."""
     if host.lower().rstrip(".") in _LOCAL_NAMES:
@@ -72,6 +74,7 @@ def is_loopback(host: str) -> bool:
         return False
 
 
+@lru_cache(maxsize=256)
 def is_address(host: str) -> bool:
     """Whether a host is written as an IP address."""
     try:

@@ -52,7 +52,6 @@ from wraparc.web.answers.shown import (
     sheet,
     status_of,
     tables,
-    texts,
 )
 from wraparc.web.answers.solving import main_solver
 from wraparc.web.answers.trains import TrainPart, train_part
@@ -331,7 +330,7 @@ def _alone(answered: DriveResult, result: ArcResult) -> float | None:
 
 
 def _remarks(answered: DriveResult) -> list[Both]:
-    return texts(lambda _: judge(answered).data)
+    return [Both(si=text, us=text) for text in judge(answered).data]
 
 
 def check(asked: CheckRequest) -> SheetAnswer:

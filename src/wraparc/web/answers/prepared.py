@@ -135,8 +135,8 @@ def elsewhere(document: Document, drive: Drive, case: LoadCase) -> list[list[str
         return []
     own = _own_kinds(document, case)
     taken = _taken(document, drive, case)
-    left = set(_KINDS.values()) - {taken} if taken else _KINDS.values() if len(own) > 1 else ()
-    return [["pulley", 0, key] for key in left]
+    left = _KINDS.values() if taken or len(own) > 1 else ()
+    return [["pulley", 0, key] for key in left if key != taken]
 
 
 def _kinds(table: Mapping[str, Any]) -> set[str]:

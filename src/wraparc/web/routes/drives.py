@@ -38,6 +38,8 @@ from wraparc.web.sessions import shown_name
 from wraparc.web.work import QUICK
 
 api = router("", "drives")
+# before all others, which are tried in this order: it is asked for at every step of a slider
+offer(api, "/solve/fast", drives.solve_fast, queue=QUICK)
 
 
 class ExampleAnswer(Answer):
@@ -95,7 +97,6 @@ def one_example(name: str) -> ExampleAnswer:
     return ExampleAnswer(name=name, kind=found.kind, document=document, toml=found.text)
 
 
-offer(api, "/solve/fast", drives.solve_fast, queue=QUICK)
 offer(api, "/solve", drives.solve_all)
 offer(api, "/check", drives.check)
 offer(api, "/toml/read", texts.read_toml)

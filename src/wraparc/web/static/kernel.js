@@ -6252,13 +6252,17 @@ export function numbers__largest(column, count) {
 
 /** Largest change of the slip per length of arc [-]; nan without a stretch of arc. */
 export function numbers__steepest(position, slip, count, radius, length) {
-  let i, step;
+  let change, i, step;
   let found = NaN;
+  let least = 1e-9 * length;
   for (let each1 = 1, end1 = count; each1 < end1; each1++) {
     i = each1;
     step = (position[i] - position[i - 1]) * radius;
-    if (step > 1e-9 * length) {
-      found = max(Math.abs(slip[i] - slip[i - 1]) / step, found);
+    if (step > least) {
+      change = Math.abs(slip[i] - slip[i - 1]) / step;
+      if (!(change <= found)) {
+        found = change;
+      }
     }
   }
   return found;
