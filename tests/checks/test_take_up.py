@@ -17,7 +17,7 @@ from cli.running import wraparc
 from present.drives import BELT
 from wraparc import InputError, Train, load_drive, load_train, solve_train
 from wraparc.checks import judge, least_tension, margins_of
-from wraparc.checks.gross_slip import given_up, rises_of
+from wraparc.checks.gross_slip import given_up, rises, rises_of
 from wraparc.checks.numbers import rise_alone
 from wraparc.drive import Pulley, TakeUp
 from wraparc.files.write import drive_document
@@ -56,6 +56,26 @@ def test_how_much_more_pull_is_by_where_it_stands(after: str, one: float, two: f
     nothing_said = solve_train(tandem("")).drive_result()
     if after == "two":
         assert [margins_of(nothing_said, arc).slack_held for arc in nothing_said] == found
+
+
+@pytest.mark.parametrize(
+    ("after", "kind", "one", "two"),
+    [
+        # the pull of 75 and 15 kN grows ahead of what is held, and is taken off behind it
+        ("one", "gravity", (75e3, 0.0), (0.0, -15e3)),
+        ("two", "gravity", (90e3, 15e3), (15e3, 0.0)),
+        ("", "gravity", (90e3, 15e3), (15e3, 0.0)),
+        # a fixed take-up keeps the sum of both ends
+        ("", "fixed", (45e3, -30e3), (-30e3, -45e3)),
+    ],
+)
+def test_how_tensions_grow_with_the_pull(
+    after: str, kind: str, one: tuple[float, float], two: tuple[float, float]
+) -> None:
+    arcs = list(solve_train(tandem("")).drive_result())
+    take_up = TakeUp(kind=kind, after=after)
+    found = [rises(arcs, i, take_up) for i in range(2)]
+    assert [(r.tight, r.slack) for r in found] == [pytest.approx(one), pytest.approx(two)]
 
 
 @pytest.mark.parametrize("number", [2, 3])
