@@ -9,6 +9,8 @@ BIN := .venv/bin
 NODE := node_modules/.bin
 # Three for two processors: a test of the pages waits half of its time, for a browser and a server.
 WORKERS ?= 3
+# After so long `make check` begins no further test, and says how many are left to `make test`.
+SECONDS_OF_CHECK ?= 75
 
 export UV_PROJECT_ENVIRONMENT := .venv
 export UV_PYTHON_DOWNLOADS := never
@@ -27,7 +29,7 @@ sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building tools
 
 .DEFAULT_GOAL := help
-.PHONY: help demo serve test dev format lint types docs site installed system tests kernel bench lock clean
+.PHONY: help demo serve test check near dev format lint types docs site installed system tests kernel bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -42,8 +44,11 @@ serve: $(UV) ## open the calculator in the browser (sets itself up); FILE=drive.
 	@$(call sync,--frozen --inexact --no-default-groups --extra web --extra fit --extra study)
 	@$(BIN)/wraparc serve --open $(FILE)
 
-test: dev format lint ## the whole gate (sets itself up)
-	@$(MAKE) --no-print-directory -j4 types docs installed tests
+test: ## the whole gate (sets itself up); a log a part in build/gate
+	@$(PYTHON) tools/gate.py
+
+check: ## before a commit: format, lint, types, tests of what changed and of what stands on it
+	@$(PYTHON) tools/gate.py --changed
 
 dev: $(UV) node_modules/.locked ## install everything a developer needs into .venv and node_modules
 	@echo "== environment: every extra and the developer tools, as locked"
@@ -110,9 +115,16 @@ system: ## install Chromium, Firefox, PostgreSQL, Node.js and locales for the ga
 	  echo "== system: installing $(strip $(lacking))"; $(call install,$(lacking)); } || \
 	  { echo "the gate needs $(strip $(lacking)), which could not be installed here; as root on Debian or Ubuntu: apt-get install $(strip $(lacking))" >&2; exit 1; }
 
+pytest = $(BIN)/python -m pytest --no-header -n $(WORKERS) --dist loadfile --no-loadscope-reorder -W error
+
+# One test alone: make tests WORKERS=0 TESTS='tests/test_units.py::test_name'
 tests: dev system
 	@echo "== tests: pytest, warnings are errors"
-	@$(BIN)/python -m pytest --no-header -n $(WORKERS) --dist loadfile --no-loadscope-reorder -W error
+	@$(pytest) $${TESTS:+"$$TESTS"}
+
+near: dev system
+	@echo "== tests of what changed and of what stands on it, for $(SECONDS_OF_CHECK) s"
+	@$(BIN)/python tools/changed.py | tr '\n' '\0' | xargs -0 $(pytest) --budget $(SECONDS_OF_CHECK)
 
 kernel: dev ## make the solver of the page and the page of one file anew, after a change of either
 	@$(BIN)/python tools/page_kernel.py

@@ -4,8 +4,10 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Generator, Iterator
 from contextlib import ExitStack, suppress
+from hashlib import md5
 
 import pytest
 from hypothesis import settings
@@ -26,6 +28,9 @@ providers._get_local_constants = lambda: providers._local_constants
 # What a shell starts in the background ignores Ctrl-C, and so would every process of a test.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
+BEGIN = time.monotonic()
+LEFT = "left to make test"
+
 # The width of a pipe, whatever the terminal: pytest-xdist gives its workers 80 columns.
 os.environ["COLUMNS"] = "110"
 # The catalogue that ships, whatever laggings and belts of their own who runs this may have.
@@ -41,6 +46,32 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         metavar="TIMES",
         help="run only the tests marked `processes`, each so often, beside two busy processes",
     )
+    parser.addoption(
+        "--budget",
+        type=float,
+        default=0.0,
+        metavar="SECONDS",
+        help="run tests in the order given, and begin none after so long (make check)",
+    )
+    parser.addoption(
+        "--shuffle",
+        metavar="SEED",
+        help="run files, and tests within each, in another order: no test may need another's",
+    )
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    budget = item.config.getoption("--budget")
+    if budget and time.monotonic() > BEGIN + budget:
+        pytest.skip(LEFT)
+
+
+def pytest_report_teststatus(
+    report: pytest.CollectReport | pytest.TestReport,
+) -> tuple[str, str, str] | None:
+    left = report.skipped and LEFT in str(report.longrepr)
+    return (LEFT, "", LEFT) if left else None
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
@@ -64,7 +95,14 @@ FIRST = (
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     places = {name: place for place, name in enumerate(FIRST)}
-    items.sort(key=lambda i: places.get(f"{i.path.parent.name}/{i.path.stem}", len(FIRST)))
+    if seed := config.getoption("--shuffle"):
+        # of the names alone, so that every worker finds the same order
+        def mixed(name: object) -> bytes:
+            return md5(f"{seed} {name}".encode(), usedforsecurity=False).digest()
+
+        items.sort(key=lambda i: (mixed(i.path), mixed(i.nodeid)))
+    elif not config.getoption("--budget"):
+        items.sort(key=lambda i: places.get(f"{i.path.parent.name}/{i.path.stem}", len(FIRST)))
     if config.getoption("--under-load"):
         others = [item for item in items if not item.get_closest_marker("processes")]
         config.hook.pytest_deselected(items=others)

@@ -1,0 +1,141 @@
+"""The gate: every part of ``make test`` or ``make check``, each with its log, and a line a part.
+
+``python tools/gate.py`` runs all of it, ``python tools/gate.py --changed`` what a developer runs
+before a commit (`changed.py` says which tests). A stage begins when the one before it has passed;
+the parts of a stage run side by side. What a part prints goes to ``build/gate/PART.log``; the tests
+are shown while they run. At the end stand what ran, how long, how it ended, where its log is, and
+for what failed the command that repeats it alone.
+"""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LOGS = ROOT / "build" / "gate"
+STAGES = (("dev", "system"), ("format", "lint"), ("types", "docs", "installed", "tests"))
+CHECKED = (("dev", "system"), ("format", "lint"), ("types", "near"))
+#: The parts that are pytest, shown while they run.
+TESTS = ("tests", "near")
+#: Commands of failed tests that are printed; the log has all.
+MOST = 10
+_FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+\.py(?:::.*?)?)(?: - .*)?$", re.MULTILINE)
+_COUNTED = re.compile(r"(\d+) (passed|failed|errors?|skipped)")
+
+
+@dataclass(frozen=True)
+class Ran:
+    """One part that ran: its name, how long [s], its exit code, where its log is."""
+
+    part: str
+    seconds: float
+    code: int
+    log: Path
+
+    def counts(self) -> dict[str, int]:
+        """Return how many tests passed, failed (errors too) and were skipped, as pytest says."""
+        found = dict.fromkeys(("passed", "failed", "skipped"), 0)
+        closing = self.log.read_text("utf-8", "replace").rstrip().rpartition("\n")[2]
+        for number, word in _COUNTED.findall(closing):
+            found["failed" if word.startswith("error") else word] += int(number)
+        return found
+
+    def line(self) -> str:
+        """Return the line of the part."""
+        how = "passed" if self.code == 0 else "FAILED"
+        counts = self.counts() if self.part in TESTS else {}
+        number = ", ".join(f"{n} {word}" for word, n in counts.items() if n)
+        log = self.log.relative_to(ROOT).as_posix()
+        return f"  {self.part:10s}{self.seconds:6.0f} s  {how}  {log}  {number}".rstrip()
+
+    def again(self) -> list[str]:
+        """Return the commands that repeat what failed, each alone."""
+        if self.part not in TESTS:
+            return [f"make {self.part}"]
+        failed = dict.fromkeys(_FAILED.findall(self.log.read_text("utf-8", "replace")))
+        alone = [f"make tests WORKERS=0 TESTS={shlex.quote(name)}" for name in failed]
+        more = [f"... and {len(alone) - MOST} more, in the log"] if len(alone) > MOST else []
+        return [*alone[:MOST], *more] or [f"make {self.part}"]
+
+
+def run(part: str) -> Ran:
+    """Run one part by make, its output into its log, that of tests to the terminal too."""
+    log, begin = LOGS / f"{part}.log", time.monotonic()
+    process = subprocess.Popen(
+        [os.environ.get("MAKE", "make"), "--no-print-directory", part],
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE if part in TESTS else log.open("wb"),
+        stderr=subprocess.STDOUT,
+    )
+    if process.stdout is not None:
+        with log.open("wb") as file:
+            while chunk := os.read(process.stdout.fileno(), 1 << 16):
+                file.write(chunk)
+                sys.stdout.buffer.write(chunk)
+                sys.stdout.buffer.flush()
+    ran = Ran(part, 0.0, process.wait(), log)
+    ran = replace(ran, seconds=time.monotonic() - begin)
+    if part not in TESTS:
+        print(ran.line().strip(), flush=True)
+    return ran
+
+
+def side_by_side(parts: tuple[str, ...]) -> list[Ran]:
+    """Run the parts of a stage at the same time."""
+    with ThreadPoolExecutor(len(parts)) as pool:
+        return list(pool.map(run, parts))
+
+
+def stages(which: tuple[tuple[str, ...], ...]) -> list[Ran]:
+    """Run the stages, each after the one before it has passed."""
+    # one environment is made by one of them
+    ran = [run(part) for part in which[0]]
+    for parts in which[1:]:
+        if not any(one.code for one in ran):
+            ran += side_by_side(parts)
+    return ran
+
+
+def told(ran: list[Ran]) -> Iterator[str]:
+    """Yield what stands at the end: a line a part, and what failed, with the commands for it."""
+    yield from (one.line() for one in ran)
+    for one in ran:
+        if one.code and one.part not in TESTS:
+            yield f"\n{one.part}, the end of its log:"
+            yield from one.log.read_text("utf-8", "replace").splitlines()[-15:]
+        if one.code:
+            yield f"\n{one.part}, to repeat what failed alone:"
+            yield from (f"  {command}" for command in one.again())
+    for one in ran:
+        if one.part in TESTS:
+            # the closing line stands for all: a part that failed beside the tests counts as one
+            counts = one.counts()
+            failed = counts["failed"] + sum(o.code != 0 and o.part not in TESTS for o in ran)
+            failed = failed or int(one.code != 0)
+            skipped = f", {counts['skipped']} skipped" if counts["skipped"] else ""
+            yield f"\n{counts['passed']} passed, {failed} failed{skipped}"
+
+
+def main(arguments: list[str]) -> int:
+    """Run the stages, print the lines, and return 0 only if every part passed."""
+    which = CHECKED if "--changed" in arguments else STAGES
+    LOGS.mkdir(parents=True, exist_ok=True)
+    begin = time.monotonic()
+    ran = stages(which)
+    done = {one.part for one in ran}
+    left = [part for parts in which for part in parts if part not in done]
+    print(f"\n== {time.monotonic() - begin:.0f} s", *(["not run:", *left] if left else []))
+    print("\n".join(told(ran)), flush=True)
+    return int(any(one.code for one in ran))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
