@@ -21,7 +21,7 @@ from arc.drives import ARC, LAWS, random_arc
 from arc.twin import Exit, Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 
-DRIVES_PER_LAW = 100
+DRIVES_PER_LAW = 40  # thousands in benchmarks/wide_net.py
 ACCURACY = 1e-5
 
 every_law = pytest.mark.parametrize("name", LAWS)
