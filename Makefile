@@ -124,7 +124,8 @@ tests: dev system
 
 near: dev system
 	@echo "== tests of what changed and of what stands on it, for $(SECONDS_OF_CHECK) s"
-	@$(BIN)/python tools/changed.py | tr '\n' '\0' | xargs -0 $(pytest) --budget $(SECONDS_OF_CHECK)
+	@mkdir -p build/gate && $(BIN)/python tools/changed.py > build/gate/near.txt
+	@tr '\n' '\0' < build/gate/near.txt | xargs -0 $(pytest) --budget $(SECONDS_OF_CHECK)
 
 kernel: dev ## make the solver of the page and the page of one file anew, after a change of either
 	@$(BIN)/python tools/page_kernel.py

@@ -97,10 +97,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     places = {name: place for place, name in enumerate(FIRST)}
     if seed := config.getoption("--shuffle"):
         # of the names alone, so that every worker finds the same order
-        def mixed(name: object) -> bytes:
+        def mixed(name: str) -> bytes:
             return md5(f"{seed} {name}".encode(), usedforsecurity=False).digest()
 
-        items.sort(key=lambda i: (mixed(i.path), mixed(i.nodeid)))
+        items.sort(key=lambda i: (mixed(i.nodeid.partition("::")[0]), mixed(i.nodeid)))
     elif not config.getoption("--budget"):
         items.sort(key=lambda i: places.get(f"{i.path.parent.name}/{i.path.stem}", len(FIRST)))
     if config.getoption("--under-load"):

@@ -15,7 +15,7 @@ import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -68,21 +68,22 @@ class Ran:
 def run(part: str) -> Ran:
     """Run one part by make, its output into its log, that of tests to the terminal too."""
     log, begin = LOGS / f"{part}.log", time.monotonic()
-    process = subprocess.Popen(
-        [os.environ.get("MAKE", "make"), "--no-print-directory", part],
-        cwd=ROOT,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE if part in TESTS else log.open("wb"),
-        stderr=subprocess.STDOUT,
-    )
-    if process.stdout is not None:
-        with log.open("wb") as file:
-            while chunk := os.read(process.stdout.fileno(), 1 << 16):
-                file.write(chunk)
-                sys.stdout.buffer.write(chunk)
-                sys.stdout.buffer.flush()
-    ran = Ran(part, 0.0, process.wait(), log)
-    ran = replace(ran, seconds=time.monotonic() - begin)
+    command = [os.environ.get("MAKE", "make"), "--no-print-directory", part]
+    shown = subprocess.PIPE if part in TESTS else None
+    with log.open("wb") as file:
+        process = subprocess.Popen(
+            command,
+            cwd=ROOT,
+            stdin=subprocess.DEVNULL,
+            stdout=shown or file,
+            stderr=subprocess.STDOUT,
+        )
+        while process.stdout and (chunk := os.read(process.stdout.fileno(), 1 << 16)):
+            file.write(chunk)
+            sys.stdout.buffer.write(chunk)
+            sys.stdout.buffer.flush()
+        code = process.wait()
+    ran = Ran(part, time.monotonic() - begin, code, log)
     if part not in TESTS:
         print(ran.line().strip(), flush=True)
     return ran

@@ -9,6 +9,7 @@ import json
 import math
 from collections.abc import Iterator
 from dataclasses import astuple, replace
+from functools import partial
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
@@ -18,11 +19,13 @@ import pytest
 
 from wraparc import Distributed, TrainResult, load_drive, load_train, solve, solve_train
 from wraparc.checks import Check, Level, judge
+from wraparc.checks.numbers import margin_of, order_of
+from wraparc.present.arc_tables import answer_table
 from wraparc.present.checks_table import check_data, check_table, margin_text
 from wraparc.present.document import json_text
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.profile_csv import profile_csv
-from wraparc.present.sheet import Sheet
+from wraparc.present.sheet import Sheet, percent
 from wraparc.present.train_sheet import signed, train_sheet
 from wraparc.units import display
 
@@ -89,6 +92,16 @@ def test_a_drive_reads_the_same(name: str, changes: list[str]) -> None:
         assert differing(drive_sheet([result]), drive_sheet([other])) == []
 
 
+def test_an_idle_pulley_has_no_spring_rate() -> None:
+    """Expected: equation 7 of the paper divides the stretch, of which there is none."""
+    result = solve(load_drive(EXAMPLES / "head-drive-fabric.toml"), method=Distributed(points=20))
+    for creep in (0.0, 1e-18, -3e-17):
+        arcs = tuple(replace(arc, exit_creep=creep) for arc in result.arcs)
+        titles = [row.title for row in answer_table(arcs, "si").rows]
+        assert not any("Spring rate" in title for title in titles)
+    assert any("Spring rate" in row.title for row in answer_table(result.arcs, "si").rows)
+
+
 def test_what_is_below_its_accuracy_is_told_so() -> None:
     """Expected: by hand, the limit of a check of the solution is the accuracy of its value."""
     kept = Check(name="balance", title="Balance", level=Level.OK, value=2e-16, limit=1e-4)
@@ -118,10 +131,22 @@ def test_nothing_is_minus_nothing() -> None:
     assert display(-4e-13, "length", digits=3) == "0 mm"
     assert display(4e-12, "wear_coefficient") == "0.004 mm3/J"
     assert display(1.2e-19, "wear_coefficient") == "1.200e-10 mm3/J"
+    assert percent(-0.0) == percent(-1e-12) == percent(3e-13) == "0 %"
     assert signed(-0.0) == signed(2e-9) == signed(-2e-9) == "0"
     assert "-0" not in json_text({"a": -0.0, "b": [-0.0], "c": {"d": (-0.0,)}})
+    assert math.copysign(1.0, margin_of(2.0, 2.0, False)) == 1.0
     result = solve(load_drive(EXAMPLES / "head-drive-fabric.toml"), method=Distributed(points=20))
-    turned = moved(result, np.random.default_rng(0))
-    cells = {cell for line in profile_csv(turned).splitlines() for cell in line.split(",")}
+    arc = result.arcs[0]
+    still = replace(arc, profile=replace(arc.profile, slip=np.full(len(arc.profile), -0.0)))
+    cells = {cell for line in profile_csv([still]).splitlines() for cell in line.split(",")}
+    assert "0" in cells
     assert "-0" not in cells
     assert math.isfinite(json.loads(json_text({"a": -0.0}))["a"])
+
+
+def test_alike_margins_govern_in_their_order_however_large() -> None:
+    """Expected: by hand; equal to rounding is equal, and what cannot be rounded is itself."""
+    place = partial(order_of, missed=False, binding=True, advises=False, leads=False)
+    assert place(0.3) == place(0.3 + 3e-16)
+    assert place(0.3) < place(0.3 + 3e-9)
+    assert [place(m) for m in (-1e305, 1e305, math.inf)] == [-1e305, 1e305, math.inf]

@@ -77,7 +77,7 @@ def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: b
     What leads comes first whatever its margin, then what is missed without a number where it
     binds a design, advice last.
     """
-    found = floor(margin / ALIKE + 0.5) * ALIKE if isfinite(margin) else margin
+    found = floor(margin / ALIKE + 0.5) * ALIKE if abs(margin) < BEHIND else margin
     if isnan(margin):
         found = NUMBERLESS if missed and binding else inf
     if leads:

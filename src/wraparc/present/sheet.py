@@ -13,8 +13,6 @@ from wraparc.units import RESULT_DIGITS, Dimension, System, display, display_uni
 
 #: What stands where there is no number.
 NONE = "-"
-#: Shares below this are rounding of the solution [-].
-_NOTHING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -184,8 +182,6 @@ def percent(share: float, digits: int = 3) -> str:
     """Return a share as percent, `NONE` for nan."""
     if math.isnan(share):
         return NONE
-    if abs(share) < _NOTHING:
-        return "0 %"
     return f"{display(100.0 * share, 'number', digits=digits)} %"
 
 

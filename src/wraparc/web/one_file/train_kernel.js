@@ -1268,7 +1268,6 @@ const _EITHER = [
 ];
 const _NEED_SPEED = ["capacity", "start_time", "stop_time"];
 const NONE = "-";
-const _NOTHING = 1e-12;
 const _AS_FAST = 5e-6;
 const _TOLERATED = 0.05;
 const RESULT_DIGITS = 3;
@@ -2378,9 +2377,6 @@ export function rules__idle(arc) {
 export function sheet__percent(share, digits = 3) {
   if (Number.isNaN(share)) {
     return NONE;
-  }
-  if (Math.abs(share) < _NOTHING) {
-    return "0 %";
   }
   return "" + $text(display(100.0 * share, "number", undefined, digits)) + " %";
 }

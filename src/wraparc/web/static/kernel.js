@@ -870,8 +870,8 @@ const TOO_FEW = 3;
 const NO_SPEED = 4;
 const UNUSUAL = 3;
 const HELD = 0.1;
-const NUMBERLESS = -2000000000.0;
 const BEHIND = 1000000000.0;
+const NUMBERLESS = -2000000000.0;
 const AHEAD = 4000000000.0;
 
 /** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
@@ -6658,7 +6658,7 @@ export function numbers__times_of(value, limit) {
 
 /** Place of a check among those of its level: the least governs, equal ones the first. */
 export function numbers__order_of(margin, missed, binding, advises, leads) {
-  let found = Number.isFinite(margin) ? Math.floor(margin / ALIKE + 0.5) * ALIKE : margin;
+  let found = Math.abs(margin) < BEHIND ? Math.floor(margin / ALIKE + 0.5) * ALIKE : margin;
   if (Number.isNaN(margin)) {
     found = missed && binding ? NUMBERLESS : Infinity;
   }
