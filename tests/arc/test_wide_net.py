@@ -27,8 +27,8 @@ from wraparc.batch.compiled import Compiled
 from wraparc.drive.load_case import LEAST_TENSION
 from wraparc.errors import InputError
 
-DRIVES_PER_LAW = 23  # 207 in all; thousands in benchmarks/wide_net.py
-BY_INTERPRETER = 6
+DRIVES_PER_LAW = 8  # 72 in all; thousands in benchmarks/wide_net.py
+BY_INTERPRETER = 2
 
 #: law and seed of drives that once failed, and how they end
 FAILED = [
