@@ -268,6 +268,16 @@ class ArcResult(Viewable):
         return creep_interval(self.arc)
 
     @property
+    def sticks(self) -> bool:
+        """Whether the belt is at rest on part of the arc; 1e-9 rad of it is rounding."""
+        return self.stuck_arc > 1e-9
+
+    @property
+    def extrapolates(self) -> bool:
+        """Whether part of the arc is outside what was tested; 1e-9 of it is rounding."""
+        return self.outside_tested_share > 1e-9
+
+    @property
     def within_creep_limit(self) -> bool:
         """Whether the magnitude of the exit creep is within the creep limit."""
         return self.status.solved and abs(self.exit_creep) <= self.arc.creep_limit

@@ -21,6 +21,8 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 MOST_DIGITS = 9
 #: Checks that advise where they are missed, as a design standard does that does not bind.
 ADVICE = ("creep_interval", "tested_slip_speed")
+#: Checks of the solution itself: what keeps its limit is rounding, and no number that is known.
+NUMERICAL = ("balance", "train_balance", "across_balance")
 #: Checks whose failure stands before every other one: the load is not carried at all.
 LEADING = ("gross_slip", "operating_point")
 
@@ -141,8 +143,26 @@ class Check:
 
     @property
     def margin(self) -> float:
-        """How far from the limit, over the limit: positive on the safe side [-]."""
-        return margin_of(self.value, self.limit, self.at_most)
+        """How far from the limit, over the limit: positive on the safe side [-].
+
+        1 where the value is below its own accuracy.
+        """
+        return 1.0 if self.below else margin_of(self.value, self.limit, self.at_most)
+
+    @property
+    def numerical(self) -> bool:
+        """Whether it is of the solution and not of the drive."""
+        return self.name in NUMERICAL
+
+    @property
+    def floor(self) -> float:
+        """Accuracy of the value [SI]; 0 where all its digits are known."""
+        return self.limit if self.numerical else 0.0
+
+    @property
+    def below(self) -> bool:
+        """Whether the value is below its accuracy: it is told so, and not as a number."""
+        return self.numerical and self.level is Level.OK
 
     @property
     def times(self) -> float:
@@ -166,6 +186,9 @@ class Check:
 
     def texts(self, system: System = "si") -> tuple[str, str]:
         """Return value and limit with their units, in as many digits as tell them apart."""
+        if self.below:
+            limit = quantity_text(self.limit, self.dimension, system)
+            return f"below {limit}", limit
         value = limit = ""
         for digits in range(RESULT_DIGITS, MOST_DIGITS + 1):
             value = quantity_text(self.value, self.dimension, system, digits)

@@ -7,7 +7,7 @@ moves.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import inf, isfinite, isnan, nan, pi
+from math import floor, inf, isfinite, isnan, nan, pi
 from typing import NamedTuple
 
 from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
@@ -20,6 +20,8 @@ IDLE = 1e-6
 SMALL_PULL = 1e-3
 #: More than any margin.
 BEHIND = 1e9
+#: Difference of margins that is rounding: of alike ones the first governs on every machine.
+ALIKE = 1e-9
 #: Where what is missed without a number stands: before every margin.
 NUMBERLESS = -2.0 * BEHIND
 #: By how much what leads stands before its margin: before that too.
@@ -55,7 +57,7 @@ def margin_of(value: float, limit: float, at_most: bool) -> float:
         return nan
     if not isfinite(value):
         return nan if at_most else inf
-    return (1.0 if at_most else -1.0) * (1.0 - value / limit)
+    return (1.0 if at_most else -1.0) * (1.0 - value / limit) + 0.0  # no -0.0
 
 
 #: Times the limit from which a value is told so, and not by a margin in percent.
@@ -70,12 +72,12 @@ def times_of(value: float, limit: float) -> float:
 
 
 def order_of(margin: float, missed: bool, binding: bool, advises: bool, leads: bool) -> float:
-    """Place of a check among those of its level: the least governs.
+    """Place of a check among those of its level: the least governs, equal ones the first.
 
     What leads comes first whatever its margin, then what is missed without a number where it
     binds a design, advice last.
     """
-    found = margin
+    found = floor(margin / ALIKE + 0.5) * ALIKE if isfinite(margin) else margin
     if isnan(margin):
         found = NUMBERLESS if missed and binding else inf
     if leads:

@@ -172,7 +172,9 @@ class Rows:
         writer = csv.writer(stream, lineterminator="\n")
         if head:
             writer.writerow(self.names)
-        self._sinks.append(lambda rows: writer.writerows([f"{v:.10g}" for v in r] for r in rows))
+        self._sinks.append(
+            lambda rows: writer.writerows([f"{v + 0.0:.10g}" for v in r] for r in rows)
+        )
 
     def _to_parquet(self, draft: Path) -> None:
         try:

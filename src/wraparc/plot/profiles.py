@@ -215,7 +215,7 @@ def outside_spans(result: ArcResult) -> list[tuple[float, float]]:
 
 def _mark_zones(ax: "Axes", result: ArcResult, *, named: bool) -> None:
     """Hatch where the belt is at rest and where the law is an extrapolation."""
-    if result.stuck_arc > 0.0:
+    if result.sticks:
         label = "belt at rest" if named else None
         end = math.degrees(result.stuck_arc)
         ax.axvspan(0.0, end, facecolor="none", edgecolor="#999999", hatch="....", label=label)

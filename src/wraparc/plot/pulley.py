@@ -196,7 +196,7 @@ def _draw_zones(ax: "Axes", result: ArcResult) -> None:
     from matplotlib.patches import Polygon
 
     zones = [(start, stop, "//", RED) for start, stop in outside_spans(result)]
-    if result.stuck_arc > 0.0:
+    if result.sticks:
         zones.append((0.0, math.degrees(result.stuck_arc), "....", "#777777"))
     for start, stop, hatch, colour in zones:
         theta = np.linspace(start, stop, 90)

@@ -70,11 +70,11 @@ def answer_table(results: Results, system: System) -> Table:
         row("active_arc", "exit part over which 99 % of the tension change takes place"),
         *(
             [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")]
-            if first.exit_creep
+            if abs(first.exit_creep) > 1e-9  # of an idle pulley nothing but rounding
             else []
         ),
     ]
-    if any(result.stuck_arc > 0.0 for result in results):
+    if any(result.sticks for result in results):
         rows.append(row("stuck_arc", "entry part where the belt does not slip"))
     if not all(math.isnan(result.outside_tested_share) for result in results):
         rows.append(_outside_row(results))
@@ -111,7 +111,7 @@ def _creep_level(result: ArcResult) -> Level | None:
 
 def _outside_row(results: Results) -> Row:
     texts = _values(results, lambda r: f"{percent(r.outside_tested_share)} of the wrap")
-    outside = any(result.outside_tested_share > 0.0 for result in results)
+    outside = any(result.extrapolates for result in results)
     note = "the friction law is an extrapolation there" if outside else ""
     level = Level.ATTENTION if outside else None
     title = row_of("outside_tested_share", 0.0).title

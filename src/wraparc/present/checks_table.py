@@ -59,11 +59,13 @@ def _why(check: Check, system: System) -> str:
 def margin_text(check: Check) -> str:
     """Return a margin as percent with its sign; what is far from its limit as so many times it."""
     margin = check.margin
+    if check.below:
+        return NONE
     if not math.isnan(check.times):
         return f"{quantity(check.times, 'number')} times the limit"
     if not math.isfinite(margin):
         return NONE
-    if 0.9995 <= margin < 1.0:
+    if 0.9995 <= margin < 1.0 - _SAME:
         return "> +99.9 %"
     if abs(margin) < _SAME:
         return "0 %"
@@ -93,6 +95,7 @@ def check_data(check: Check) -> dict[str, Any]:
         "load_case": check.place.load_case,
         "value": check.value,
         "limit": check.limit,
+        "floor": check.floor,
         "dimension": check.dimension,
         "at_most": check.at_most,
         "margin": check.margin,

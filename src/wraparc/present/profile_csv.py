@@ -44,7 +44,7 @@ def profile_csv(
             for name, values in columns.items()
         ]
         for numbers in zip(*scaled, strict=True):
-            texts = (f"{number:.10g}" for number in numbers)
+            texts = (f"{number + 0.0:.10g}" for number in numbers)
             writer.writerow([*place, *(t.replace(".", ",") if decimal_comma else t for t in texts)])
     return BYTE_ORDER_MARK + stream.getvalue()
 

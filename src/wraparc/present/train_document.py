@@ -61,7 +61,7 @@ def curve_csv(curve: ShareCurve) -> str:
     for value, shares, creeps, loss in zip(
         curve.values, curve.shares, curve.creeps, curve.loss_ratio, strict=True
     ):
-        out.writerow([f"{v:.9g}" for v in (value, *shares, *creeps, loss)])
+        out.writerow([f"{v + 0.0:.9g}" for v in (value, *shares, *creeps, loss)])
     return page.getvalue()
 
 

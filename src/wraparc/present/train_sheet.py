@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from math import isnan
 
 from wraparc.arc import DriveResult
-from wraparc.checks import Level, idle, least_tension
+from wraparc.checks import TRAIN_BALANCE, Level, idle, least_tension
 from wraparc.glossary import GLOSSARY
 from wraparc.present.drive_sheet import drive_sheet, read_sheet
 from wraparc.present.input_tables import input_tables
@@ -186,7 +186,10 @@ def _motor_extras(points: Sequence[MotorPoint]) -> list[str]:
 
 def signed(ratio: float) -> str:
     """Return a small ratio as percent with its sign: ``-0.3121 %``."""
-    return NONE if isnan(ratio) else f"{100.0 * ratio:+.4f} %" if ratio != 0.0 else "0"
+    if isnan(ratio):
+        return NONE
+    text = f"{100.0 * ratio:+.4f} %"
+    return "0" if text in ("+0.0000 %", "-0.0000 %") else text
 
 
 def trim_text(trim: float) -> str:
@@ -226,7 +229,7 @@ def _sensitivity_row(case: CaseResult) -> Row:
 
 
 def _precision(case: CaseResult) -> str:
-    miss = max(case.tension_error, case.speed_error, 1e-12)
+    miss = max(case.tension_error, case.speed_error, TRAIN_BALANCE)
     return f"Tensions, speeds and torques of the drives agree within {miss:.0e} of their size."
 
 

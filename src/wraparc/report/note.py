@@ -352,7 +352,7 @@ def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None
 def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
     yield from judge(results[0]).data
     for arc in results[0]:
-        if arc.status.solved and arc.outside_tested_share > 0.0:
+        if arc.status.solved and arc.extrapolates:
             share = percent(arc.outside_tested_share)
             yield (
                 f"{started(belongs(arc))}: on {share} of the wrap pressure or "

@@ -105,7 +105,7 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
     return Turning(
         share=pull / total if total != 0.0 else nan,
         speed_ratio=ratio,
-        contraction_term=-(a1 - a) / stiffness,
+        contraction_term=(a - a1) / stiffness,
         creep_term=g - g1,
         compression_term=at.compression / at.radius - first.compression / first.radius,
         drum_ratio=ratio * arm1 / arm * at.radius / first.radius,
@@ -136,7 +136,7 @@ def motor_point(motor: Motor, torque: float, rotation: float) -> MotorPoint:
         gear_speed=gear_speed,
         electrical_power=electrical,
         motor_loss=electrical - shaft,
-        coupling_loss=motor.count * each * (speed - gear_speed),
+        coupling_loss=motor.count * each * (speed - gear_speed) + 0.0,
         gear_loss=motor.count * each * gear_speed - torque * rotation,
     )
 

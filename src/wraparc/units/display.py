@@ -15,6 +15,10 @@ RESULT_DIGITS = 3
 #: A number that so many digits hold entirely is one that somebody gave, and is shown as it is.
 GIVEN_DIGITS = 4
 _EXACT = 1e-9
+#: What is less, in the unit shown, is what rounding leaves of a difference of equal numbers.
+_NOTHING = 1e-9
+#: What people measure in numbers as small as that.
+_SMALL: tuple[Dimension, ...] = ("wear_coefficient",)
 
 # Unit by the size from which it is used, in the first unit of the row: a value is shown
 # in the last unit whose bound it reaches. The first unit is the one for tables.
@@ -96,6 +100,7 @@ def display(
     digits
         Significant digits, `RESULT_DIGITS` for results. What was given, which `GIVEN_DIGITS` hold
         entirely in the unit shown, is not rounded: ``"6.35 mm"``, ``"417.5 kN"``, ``"1250 mm"``.
+        Less than 1e-9 of the unit is 0, but for wear coefficients.
 
     Notes
     -----
@@ -111,6 +116,8 @@ def _shown(value: float, dimension: Dimension, system: System, digits: int) -> s
     if dimension == "temperature":
         return f"{_rounded(_degrees(value, unit), digits)} {unit}"
     number = value / unit_factor(unit, dimension)
+    if abs(number) < _NOTHING and dimension not in _SMALL:
+        number = 0.0
     size = abs(float(_rounded(number, digits)))
     for bound, larger_unit in larger:
         if bound <= size < math.inf:

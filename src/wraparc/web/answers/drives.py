@@ -259,7 +259,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         has=Marks(
             illustrative=any(s.kind == "illustrative" for s in sources),
             calibrated=any(s.kind == "calibrated" for s in sources),
-            outside_tested=any(a.outside_tested_share > 0.0 for a in first),
+            outside_tested=any(a.extrapolates for a in first),
         ),
         arcs=[_whole_arc(whole, first, a, b) for a, b in zip(first, second, strict=True)],
         train=train,
@@ -281,7 +281,7 @@ def _bars(result: DriveResult | TrainResult) -> list[Bar]:
     for check in judge(result).listed:
         share = check.value / check.limit if check.limit else math.nan
         silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
-        if silent or check.name in ("balance", "train_balance"):  # of the program, not of the drive
+        if silent or check.numerical:
             continue
         made.append(
             Bar(

@@ -54,6 +54,7 @@ class Words(Plain):
     more: dict[str, tuple[float, Dimension]]
     binding: bool
     advises: bool
+    numerical: bool
     leads: bool
     miss: Miss | None
     when: str = ""
@@ -205,7 +206,8 @@ def words_of(check: Check, when: str = "") -> Words:
     """Return a check without its numbers."""
     names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
     fields = {
-        name: getattr(check, name) for name in (*names, "remedy", "binding", "advises", "leads")
+        name: getattr(check, name)
+        for name in (*names, "remedy", "binding", "advises", "leads", "numerical")
     }
     miss = None if check.miss is None else Miss(**check.miss._asdict())
     place = str(check.place)

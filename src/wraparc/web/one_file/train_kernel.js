@@ -1274,6 +1274,7 @@ const _TOLERATED = 0.05;
 const RESULT_DIGITS = 3;
 const _ROUNDING = 1e-9;
 const ATTENTION = "ATTENTION";
+const TRAIN_BALANCE = 1e-5;
 const RATIO_SCALE = 1e-5;
 const _LARGEST_EFFORT = 12.100712129903211;
 const _BEYOND = 30.0;
@@ -2047,7 +2048,7 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
   return new Turning(
     total !== 0.0 ? pull / total : NaN,
     ratio,
-    -(a1 - a) / stiffness,
+    (a - a1) / stiffness,
     g - g1,
     at.compression / at.radius - first.compression / first.radius,
     (((ratio * arm1) / arm) * at.radius) / first.radius,
@@ -2080,7 +2081,7 @@ export function turning__motor_point(motor, torque, rotation) {
     gear_speed,
     electrical,
     electrical - shaft,
-    motor.count * each * (speed - gear_speed),
+    motor.count * each * (speed - gear_speed) + 0.0,
     motor.count * each * gear_speed - torque * rotation,
   );
 }
@@ -2642,11 +2643,11 @@ export function train_sheet___shown(value, name, system, digits) {
 
 /** Return a small ratio as percent with its sign: ``-0.3121 %``. */
 export function train_sheet__signed(ratio) {
-  return Number.isNaN(ratio)
-    ? NONE
-    : ratio !== 0.0
-      ? "" + $told(100.0 * ratio, true, 4, "f") + " %"
-      : "0";
+  if (Number.isNaN(ratio)) {
+    return NONE;
+  }
+  let text = "" + $told(100.0 * ratio, true, 4, "f") + " %";
+  return text === "+0.0000 %" || text === "-0.0000 %" ? "0" : text;
 }
 
 export function train_sheet___share(m) {
@@ -2762,7 +2763,7 @@ export function train_sheet___sensitivity_row(case_) {
 }
 
 export function train_sheet___precision(case_) {
-  let miss = max(max(case_.tension_error, case_.speed_error), 1e-12);
+  let miss = max(max(case_.tension_error, case_.speed_error), TRAIN_BALANCE);
   return (
     "" +
     "Tensions, speeds and torques of the drives agree within " +

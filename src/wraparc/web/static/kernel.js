@@ -6645,7 +6645,7 @@ export function numbers__margin_of(value, limit, at_most) {
   if (!Number.isFinite(value)) {
     return at_most ? NaN : Infinity;
   }
-  return (at_most ? 1.0 : -1.0) * (1.0 - value / limit);
+  return (at_most ? 1.0 : -1.0) * (1.0 - value / limit) + 0.0;
 }
 
 /** How many times its limit a value is, where it is far from it; nan where it is not [-]. */
@@ -6656,9 +6656,9 @@ export function numbers__times_of(value, limit) {
   return value / limit >= 10.0 ? value / limit : NaN;
 }
 
-/** Place of a check among those of its level: the least governs. */
+/** Place of a check among those of its level: the least governs, equal ones the first. */
 export function numbers__order_of(margin, missed, binding, advises, leads) {
-  let found = margin;
+  let found = Number.isFinite(margin) ? Math.floor(margin / ALIKE + 0.5) * ALIKE : margin;
   if (Number.isNaN(margin)) {
     found = missed && binding ? NUMBERLESS : Infinity;
   }

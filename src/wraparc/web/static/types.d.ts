@@ -161,6 +161,7 @@ export interface Words {
   more: Record<string, [number | string, string]>;
   binding: boolean;
   advises: boolean;
+  numerical: boolean;
   leads: boolean;
   miss: Miss | null;
   when: string;

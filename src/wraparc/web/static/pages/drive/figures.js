@@ -33,7 +33,7 @@ function quickFigures(arc) {
     {
       name: "Slip at exit",
       value: shown("exit_slip", n.exit_slip),
-      small: n.stuck_arc > 0 ? stuck : "slides all along",
+      small: n.stuck_arc > 1e-9 ? stuck : "slides all along",
     },
     n.power_loss == null
       ? {

@@ -17,7 +17,8 @@ import { headline, listed } from "./words.js";
 
 /**
  * @typedef {Words & {value: number, limit: number, margin: number, order: number, rank: number,
- *   missed: boolean, load_case: string, more: Record<string, [number, string]>}} Check
+ *   missed: boolean, below: boolean, load_case: string,
+ *   more: Record<string, [number, string]>}} Check
  * @typedef {{load_case: string, pulley?: string, solved: boolean,
  *   numbers: Record<string, number>, asks: Ask[], asked: Record<string, number>}} JudgedArc
  * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
@@ -99,12 +100,13 @@ export function check(w, { values, limits }, load_case, levels) {
   const { level, short, says, remedy } = said;
   const rank = levels.indexOf(level);
   const missed = rank >= levels.indexOf("ATTENTION");
-  const margin = marginOf(value, limit, w.at_most);
+  const below = w.numerical && level === "OK"; // what rounding leaves
+  const margin = below ? 1 : marginOf(value, limit, w.at_most);
   const order = orderOf(margin, missed, w.binding, w.advises, w.leads);
   const more = Object.fromEntries(
     Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
   );
-  const found = { level, short, says, remedy, value, limit, margin, order, rank, missed };
+  const found = { level, short, says, remedy, value, limit, margin, order, rank, missed, below };
   return /** @type {Check} */ ({ ...w, ...found, load_case, more });
 }
 

@@ -55,7 +55,7 @@ class Scene {
   common() {
     /** @type {[number, number, string][]} */
     const zones = this.arc.outside.map(([a, b]) => [degrees(a), degrees(b), "out"]);
-    if (this.n.stuck_arc > 0) zones.push([0, degrees(this.n.stuck_arc), "rest"]);
+    if (this.n.stuck_arc > 1e-9) zones.push([0, degrees(this.n.stuck_arc), "rest"]);
     return { x: this.x, zones, angles: true, xs: [0, degrees(wrapOf(this.p))], zero: true };
   }
 }

@@ -13,7 +13,7 @@ const [DIGITS, MOST] = [3, 9];
 
 /** A number as the server prints it. @param {number} v @param {number} n */
 export function printed(v, n) {
-  if (v === 0) return "0";
+  if (Math.abs(v) < 1e-9) return "0"; // what is left of a difference of equal numbers
   const given = v.toExponential(3);
   const [, power] = given.split("e");
   const plain = (/** @type {number} */ e) => e >= -4 && e < 12;
@@ -40,6 +40,10 @@ export function quantity(v, dimension, n = DIGITS) {
 }
 /** Value and limit in as many digits as tell them apart. @param {Check} c */
 function texts(c) {
+  if (c.below) {
+    const limit = quantity(c.limit, c.dimension);
+    return [`below ${limit}`, limit];
+  }
   for (let n = DIGITS; ; n++) {
     const found = [quantity(c.value, c.dimension, n), quantity(c.limit, c.dimension, n)];
     if (found[0] !== found[1] || !c.missed || n === MOST) return found;
@@ -131,11 +135,12 @@ export function verdictOf({ checks: all, of }, load_case, pulley) {
 }
 
 /** @param {Check} c */
-function marginText({ margin: m, value, limit }) {
+function marginText({ margin: m, value, limit, below }) {
+  if (below) return NONE;
   const times = timesOf(value, limit);
   if (!Number.isNaN(times)) return `${quantity(times, "number")} times the limit`;
   if (!Number.isFinite(m)) return NONE;
-  if (m >= 0.9995 && m < 1) return "> +99.9 %";
+  if (m >= 0.9995 && m < 1 - 1e-9) return "> +99.9 %";
   if (Math.abs(m) < 1e-9) return "0 %";
   const r = (100 * m).toExponential(2);
   const [size, e] = r.split("e");
@@ -153,7 +158,7 @@ function row(c) {
  * @returns {import("../../types.d.ts").Bar[]} */
 export const barsOf = ({ checks }) =>
   listed(checks)
-    .filter((c) => c.level !== NOT_CHECKED && !c.name.endsWith("balance"))
+    .filter((c) => c.level !== NOT_CHECKED && !c.numerical)
     .filter((c) => Number.isFinite(c.value / c.limit))
     .map((c) => {
       const { title, level, place, at_most } = c;
