@@ -83,12 +83,12 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 #: What takes longest, so that workers who begin with it end together.
 FIRST = (
-    "golden/test_golden", "arc/test_twin", "web/test_pages_looks", "web/test_pages",
-    "web/test_pages_editing", "arc/test_wide_net", "web/test_fuzz", "web/test_across_page",
+    "golden/test_golden", "arc/test_wide_net", "web/test_pages_looks", "web/test_pages",
+    "web/test_pages_editing", "web/test_fuzz", "web/test_across_page",
     "web/test_pages_events", "study/test_study_dask", "calibrate/test_calibration",
     "batch/test_batch", "cli/test_readme", "report/test_note_pdf", "arc/test_capacity",
     "cli/test_process", "cli/test_trim", "choose/test_selection", "arc/test_results",
-    "arc/test_paper_march", "shear_test/test_misfit", "shear_test/test_coverage",
+    "arc/test_paper_march", "arc/test_twin", "shear_test/test_misfit", "shear_test/test_coverage",
     "web/test_serve", "web/test_pages_conveyor", "batch/test_compiled_cache",
 )  # fmt: skip
 

@@ -22,9 +22,10 @@ from wraparc.batch.compiled import Compiled
 ACCURACY = 1e-5  # of creep and slip at the exit and of the largest shear stress
 ALONG = 1e-4  # of creep and tension on the way: of nearly idle belts an end is the better known
 REST = 1e-8  # of the largest creep
-FINER = (180, 400, 1500)  # points of profiles, where pieces are too long for the twin
-INTERPRETED = Distributed(capacities=False, points=60)
-COMPILED = Compiled(capacities=False, points=60)
+POINTS = (60, 180, 400, 1500)  # of profiles, more where pieces are too long for the twin
+STEPS = 10_000  # of the twin in a piece, before shorter pieces are tried; ten times in the last
+INTERPRETED = Distributed(capacities=False, points=POINTS[0])
+COMPILED = Compiled(capacities=False, points=POINTS[0])
 
 
 class StiffError(Exception):
@@ -46,8 +47,8 @@ def exponential(a: NDArray[np.float64]) -> NDArray[np.float64]:
 class Shooting:
     """Pieces of an arc integrated by its twin, with their slopes, at one entry creep ratio."""
 
-    def __init__(self, twin: Twin, g: float, creep: float) -> None:
-        self.twin, self.g, self.creep = twin, g, creep
+    def __init__(self, twin: Twin, g: float, creep: float, steps: int) -> None:
+        self.twin, self.g, self.creep, self.steps = twin, g, creep, steps
         self.path: list[tuple[float, float, float, float]] = []  # stress, s, q, u
 
     def carry(self, s: float, to: float, start: tuple[float, float]) -> NDArray[np.float64]:
@@ -104,7 +105,7 @@ class Shooting:
         # Hairer's own code: several times as fast as `solve_ivp`
         run = ode(lambda _, y: self.rates(float(y[0]), float(y[1])))
         run.set_integrator(
-            "dop853", rtol=1e-9, atol=1e-12 * self.creep, nsteps=100000, max_step=longest
+            "dop853", rtol=1e-9, atol=1e-12 * self.creep, nsteps=self.steps, max_step=longest
         )
         run.set_solout(keep)
         run.set_initial_value(start, s)
@@ -114,7 +115,7 @@ class Shooting:
         return np.array(there)
 
 
-def misses(arc: WrapArc, result: ArcResult) -> float:
+def misses(arc: WrapArc, result: ArcResult, steps: int) -> float:
     """Largest miss of a solution, in units of what is allowed.
 
     The twin integrates from each point of the profile to the next (creep as the state, laws written
@@ -128,7 +129,7 @@ def misses(arc: WrapArc, result: ArcResult) -> float:
     keep[0] = True
     s, u, q = s[keep], u[keep], q[keep]
     creep = float(np.max(np.abs(u)))
-    shooting = Shooting(twin, result.entry_creep_ratio, creep)
+    shooting = Shooting(twin, result.entry_creep_ratio, creep, steps)
     n = len(s)
     rows, right = np.zeros((2 * n + 1, 2 * n + 1)), np.zeros(2 * n + 1)
     rows[0, 0] = rows[1, 1] = rows[2, 2 * n - 2] = 1.0
@@ -168,24 +169,24 @@ def misses(arc: WrapArc, result: ArcResult) -> float:
 
 def judged(arc: WrapArc, result: ArcResult) -> float:
     """`misses`; where pieces are long against the shear-lag length, the same of shorter ones."""
-    miss = _missed(arc, result)
-    for points in FINER:
+    miss = _missed(arc, result, STEPS)
+    for points in POINTS[1:]:
         if miss <= 1.0:
             break
         finer = Distributed(capacities=False, points=points).solve(arc)
         assert abs(finer.exit_creep - result.exit_creep) <= 1e-9 * abs(result.exit_creep)
-        miss = _missed(arc, finer)
+        miss = _missed(arc, finer, 10 * STEPS if points == POINTS[-1] else STEPS)
     return miss
 
 
-def _missed(arc: WrapArc, result: ArcResult) -> float:
+def _missed(arc: WrapArc, result: ArcResult, steps: int) -> float:
     """`misses`, infinite where the twin cannot tell: its pieces are too long."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", MatrixRankWarning)
         warnings.filterwarnings("ignore", ".*problem is probably stiff")
         warnings.filterwarnings("ignore", ".*larger nsteps is needed")
         try:
-            miss = misses(arc, result)
+            miss = misses(arc, result, steps)
         except StiffError:
             return math.inf
     return miss if miss == miss else math.inf

@@ -175,10 +175,10 @@ def largest_by_scan(arc: WrapArc) -> tuple[float, float]:
     def loss(log_g: float) -> float:
         return twin.integrate(math.exp(log_g)).log_tension
 
-    grid = np.linspace(math.log(1e-6), 0.0, 60)
+    grid = np.linspace(math.log(1e-6), 0.0, 24)
     i = int(np.argmin([loss(z) for z in grid]))
-    bounds = (grid[max(i - 1, 0)], grid[min(i + 1, 59)])
-    best = minimize_scalar(loss, bounds=bounds, method="bounded", options={"xatol": 1e-7})
+    bounds = (grid[max(i - 1, 0)], grid[min(i + 1, 23)])
+    best = minimize_scalar(loss, bounds=bounds, method="bounded", options={"xatol": 1e-4})
     return -float(best.fun), twin.integrate(math.exp(float(best.x))).creep
 
 

@@ -71,7 +71,7 @@ def driving(name: str, count: int, seed: int) -> list[WrapArc]:
 
 @every_lagging
 def test_friction_falls_and_pressure_rises_from_exit_to_entry(name: str) -> None:
-    for arc in driving(name, 20, 1):
+    for arc in driving(name, 8, 1):
         p = solve(arc).profile
         assert np.all(np.diff(p.wrap_pressure) <= 0)
         assert np.all(np.diff(p.tension) <= 0)

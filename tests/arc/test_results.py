@@ -141,7 +141,7 @@ def test_the_smallest_pulls(law: str, overrun: float | None) -> None:
     idle = QUICK.solve(replace(arc, exit_tension=arc.entry_tension))
     assert idle.status is Status.SOLVED
     last = math.inf
-    for part in 10.0 ** np.arange(-6.0, -17.0, -0.9):
+    for part in 10.0 ** np.arange(-6.0, -17.0, -1.8):
         pull = float(part) * arc.entry_tension
         for sign in (1.0, -1.0):
             result = QUICK.solve(replace(arc, exit_tension=arc.entry_tension - sign * pull))

@@ -31,7 +31,7 @@ DRIVES_PER_LAW = 9  # 81 in all; thousands in benchmarks/wide_net.py
 BY_INTERPRETER = 3
 
 #: law and seed of drives that once failed, and how they end; one more, ("any table", [1, 4391]),
-#: stuck on ten thousand shear-lag lengths, takes the twin a minute: benchmarks/wide_net.py 5000
+#: stuck on ten thousand shear-lag lengths, takes the twin long: benchmarks/wide_net.py 5000
 FAILED = [
     ("any table", [1, 26]),
     ("any table", [1, 53]),

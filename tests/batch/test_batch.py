@@ -107,13 +107,13 @@ OF_OPERATING_POINT = {
 
 
 def test_precise_is_the_solver_of_one_arc() -> None:
-    arcs = random_arcs(30, 5)
+    arcs = random_arcs(10, 5)
     batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE, capacities=False)
     same(batch, arcs, capacities=False, within=1e-9)
 
 
 def test_precise_capacities_are_those_of_one_arc() -> None:
-    arcs = random_arcs(3, 6)
+    arcs = random_arcs(2, 6)
     batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE)
     # a largest ratio is searched for: its place is flat
     same(batch, arcs, capacities=True, within=1e-7)
@@ -131,7 +131,7 @@ def test_a_batch_has_every_number_of_an_arc() -> None:
 @pytest.mark.parametrize("lag", SHIPPED, ids=lambda lag: lag.name)
 def test_engineering_accuracy(lag: Lagging) -> None:
     """Creep within 1e-4, all of it against the precise setting."""
-    table = designs(1500, 8)
+    table = designs(400, 8)
     near = solve_batch(table, lag)
     exact = solve_batch(table, lag, setting=Setting.PRECISE)
     np.testing.assert_array_equal(near["status"], exact["status"])

@@ -49,7 +49,7 @@ def inner(x):
 def test_an_edited_helper_in_another_module_is_compiled_anew(tmp_path: Path) -> None:
     """What numba's own cache gets wrong: it looks at the file of the entry alone."""
     package = tmp_path / "source" / "wraparc"
-    shutil.copytree(Path(wraparc.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc"))
+    shutil.copytree(Path(wraparc.__file__).parent, package)
     folder = package / "batch"
     (folder / "probe.py").write_text(ENTRY, "utf-8")
     for factor, body, expected in (
@@ -113,7 +113,7 @@ def entry(x):
 def test_numba_left_as_it_is_gives_the_same_numbers(tmp_path: Path) -> None:
     """With its private parts untouched: the switch, and the interpreter as the plain way."""
     package = tmp_path / "source" / "wraparc"
-    shutil.copytree(Path(wraparc.__file__).parent, package, ignore=shutil.ignore_patterns("*.pyc"))
+    shutil.copytree(Path(wraparc.__file__).parent, package)
     (package / "batch" / "probe.py").write_text(MARCH, "utf-8")
     found = []
     for switch in ("", "1"):

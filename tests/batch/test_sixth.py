@@ -80,13 +80,13 @@ def test_few_designs_of_shipped_laggings_are_left_to_the_scalar_kernel() -> None
 @pytest.mark.parametrize("lag", SHIPPED + OTHERS, ids=lambda lag: lag.name)
 def test_every_capacity_is_that_of_the_scalar_kernel(lag: Lagging) -> None:
     """Slack-side tensions are small differences of what a search meets to 1e-9."""
-    table = wide(250, 35)
-    table["creep_limit"] = np.random.default_rng(36).uniform(1e-3, 6.35e-3, 250)
+    table = wide(100, 35)
+    table["creep_limit"] = np.random.default_rng(36).uniform(1e-3, 6.35e-3, 100)
     arcs = arcs_of_table(table, lag)
     batch = engineering.LaneBatch(arcs)
     batch.find(row.EVERYTHING, to_begin=True)
-    found = np.full((250, row.FOUND_NUMBERS), np.nan)
-    left = np.full(250, row.EVERYTHING)
+    found = np.full((100, row.FOUND_NUMBERS), np.nan)
+    left = np.full(100, row.EVERYTHING)
     from_lanes.carry(batch, found, left)
     exact = precise.solve_precisely(arcs, answer.CAPACITIES)
     for part, place, share, within in (
@@ -124,8 +124,8 @@ def test_all_capacities_of_rubber_but_a_few_least_tensions_are_found_in_the_lane
 @pytest.mark.parametrize("lag", FALLING, ids=lambda lag: lag.name)
 def test_capacities_past_the_peak_of_friction_are_those_of_the_scalar_kernel(lag: Lagging) -> None:
     """On the line and on the residual friction, and where pressure moves the peak past the slip."""
-    table = wide(300, 38)
-    table["creep_limit"] = np.random.default_rng(39).uniform(2e-3, 25e-3, 300)
+    table = wide(120, 38)
+    table["creep_limit"] = np.random.default_rng(39).uniform(2e-3, 25e-3, 120)
     arcs = arcs_of_table(table, lag)
     batch = engineering.LaneBatch(arcs)
     batch.find(row.EVERYTHING, to_begin=True)

@@ -1,4 +1,7 @@
-"""What the law does not describe is said in words, and never absorbed."""
+"""What the law does not describe is said in words, and never absorbed.
+
+More laboratories, sound and wrong: benchmarks/shear_test_verdicts.py.
+"""
 
 from dataclasses import replace
 from functools import cache
@@ -160,7 +163,7 @@ def test_of_two_that_disagree_neither_is_told_to_be_wrong() -> None:
     assert all("which of them is wrong cannot be told" in s for s in sentences)
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, 2])
 def test_an_outlier_without_repeats_is_named(seed: int) -> None:
     found = scaled(1, 0.72, seed=seed)
     (sentence,) = (s for s in found.misfit if "trend of the others" in s)
@@ -168,7 +171,7 @@ def test_an_outlier_without_repeats_is_named(seed: int) -> None:
     assert "it has no repeat: repeat it, or take it out of the plan" in sentence
 
 
-@pytest.mark.parametrize("seed", [1, 3, 4, 5])
+@pytest.mark.parametrize("seed", [1, 3])
 def test_clean_tests_without_repeats_are_not_accused(seed: int) -> None:
     assert not any("trend of the others" in s for s in scaled(1, 1.0, seed=seed).misfit)
 
@@ -233,7 +236,7 @@ def times(factor: float, *names: str) -> Edit:
 def test_friction_that_no_lagging_has_is_left_out_with_the_likely_slip(
     factor: float, hint: str
 ) -> None:
-    plan, records = laboratory(repeats=2, pressures=PRESSURES[:3])
+    plan, records = laboratory(repeats=2, pressures=PRESSURES[:3], points=300)
     edit = times(factor, "p1r0")
     found = fitted(plan, {name: edit(name, record) for name, record in records.items()})
     (problem,) = found.left_out
@@ -250,7 +253,7 @@ def test_friction_that_no_lagging_has_is_left_out_with_the_likely_slip(
     assert fitted(wide, {n: edit(n, record) for n, record in records.items()}).left_out == ()
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_one_of_two_repeats_at_half_its_friction_is_named(seed: int) -> None:
     """With few repeats too, where the scatter between samples is hardly known."""
     plan, records = laboratory(seed=seed, repeats=2, pressures=PRESSURES[1::3])
@@ -262,7 +265,7 @@ def test_one_of_two_repeats_at_half_its_friction_is_named(seed: int) -> None:
 
 
 def test_readings_that_no_curve_passes_leave_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
-    plan, records = laboratory(repeats=1, pressures=PRESSURES[:3])
+    plan, records = laboratory(repeats=1, pressures=PRESSURES[:3], points=300)
     module = import_module("wraparc.shear_test.fit_plan")
     whole = judged_fit
 

@@ -84,7 +84,7 @@ def use(data: bytes, choices: Choices) -> None:
         return
 
 
-@settings(max_examples=250, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=100, suppress_health_check=[HealthCheck.too_slow])
 @given(st.integers(0, 2**32), st.sampled_from(FILES), st.integers(1, 3))
 def test_mutated_files(seed: int, file: tuple[bytes, dict[str, str]], times: int) -> None:
     rng = random.Random(seed)  # noqa: S311 - mutations, not secrets
@@ -94,7 +94,7 @@ def test_mutated_files(seed: int, file: tuple[bytes, dict[str, str]], times: int
     use(data, Choices(units=units))
 
 
-@settings(max_examples=150)
+@settings(max_examples=75)
 @given(
     st.binary(max_size=400)
     | st.text("0123456789.,;:-+eE \t\n\"'mNk()", max_size=400).map(str.encode)
@@ -103,7 +103,7 @@ def test_any_bytes(data: bytes) -> None:
     use(data, Choices())
 
 
-@settings(max_examples=100)
+@settings(max_examples=50)
 @given(
     st.sampled_from(FILES),
     st.text(max_size=8) | st.integers(-3, 20),

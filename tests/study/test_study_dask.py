@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from cli.running import wraparc, wraparc_process
 from study.studies import FOLDER
 from study.test_study_run import columns, small
 from wraparc.errors import InputError
@@ -138,9 +139,8 @@ def test_a_cluster_without_workers_is_not_waited_for(monkeypatch: pytest.MonkeyP
 
 def test_processes_of_this_computer(tmp_path: Path) -> None:
     file = Path(FOLDER) / "load-cases.toml"
-    command = [sys.executable, "-c", "from wraparc.cli import main; main()", "study", str(file)]
-    for name, more in (("a", ["--scheduler", "local:1"]), ("here", [])):
-        path = tmp_path / f"{name}.parquet"
-        ran = subprocess.run([*command, "-o", str(path), *more], capture_output=True, check=False)
-        assert ran.returncode == 0, ran.stderr
-    assert columns(tmp_path / "a.parquet") == columns(tmp_path / "here.parquet")
+    path, here = tmp_path / "a.parquet", tmp_path / "here.parquet"
+    ran = wraparc_process("study", file, "-o", path, "--scheduler", "local:1")
+    assert ran.returncode == 0, ran.stderr
+    assert wraparc("study", file, "-o", here).code == 0
+    assert columns(path) == columns(here)
