@@ -9,7 +9,6 @@ from playwright.sync_api import Page, Route, expect
 
 from cli.running import wraparc
 from web.browser import Visitor
-from web.test_pages_looks import violations
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
@@ -70,7 +69,6 @@ def test_raised_tension_keeps_every_check_and_every_pull(
     for old, new in zip(before["arcs"], after["arcs"], strict=True):
         assert new["effective_tension"] == pytest.approx(old["effective_tension"], rel=1e-8)
         assert min(new["entry_tension"], new["exit_tension"]) >= least["tension"]
-    assert violations(page) == []
     page.click("#undo")
     visitor.solved()
     expect(press).to_be_visible()
