@@ -16,9 +16,11 @@ from playwright.sync_api import Browser, Page, expect
 
 import site_pages
 from cli.running import wraparc
-from web.browser import Visitor, axe, browser
+from web.browser import Visitor, browser
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
+from web.test_page_file_trains import assert_firefox_says
+from web.test_pages_looks import violations
 from wraparc.arc import solve
 from wraparc.checks import judge
 from wraparc.files import load_drive
@@ -200,11 +202,11 @@ EXIT = "return document.querySelector('#f-pulley-0-exit_tension').value;"
 
 @pytest.mark.processes
 def test_firefox_shows_from_the_disk_what_solve_says(tmp_path: Path) -> None:
-    # expected: the command line; after a moved slider too
+    # expected: the command line; after a moved slider too; trains by motors and by speeds
     profile = tmp_path / "profile"
     profile.mkdir()
     with firefox(profile) as browser:
-        for name in ("attention", "breakaway", "braking, US units", "wet and dry", "kept"):
+        for name in ("breakaway", "braking, US units", "kept"):
             file, html = tmp_path / "drive.toml", tmp_path / "drive.html"
             file.write_text(DRIVES[name][0], "utf-8")
             assert wraparc("page", str(file), "-o", str(html))[0] == 0
@@ -217,6 +219,8 @@ def test_firefox_shows_from_the_disk_what_solve_says(tmp_path: Path) -> None:
         assert moved != "92"
         file.write_text(DRIVES["kept"][0].replace('"92 kN"', f'"{moved} kN"'), "utf-8")
         assert_is_what_solve_says(browser, file, "si")
+        for name in ("motors", "speeds break away"):
+            assert_firefox_says(browser, tmp_path, name)
 
 
 def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> None:
@@ -421,11 +425,7 @@ def test_pictures_are_taken_away_without_a_server(page_of: Any, tmp_path: Path) 
 
 
 def test_page_is_accessible(page_of: Any) -> None:
-    page = page_of(HEAD)
-    page.evaluate(axe())
-    tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
-    found = page.evaluate("(tags) => axe.run({ runOnly: tags })", tags)
-    assert [(v["id"], v["nodes"][0]["html"]) for v in found["violations"]] == []
+    assert violations(page_of(HEAD)) == []
 
 
 def made(*arguments: str) -> str:
