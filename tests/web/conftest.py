@@ -1,19 +1,29 @@
 """The server and the browser that the tests of the pages share."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
 from web.browser import Calculator, Visitor, browser
-from web.calculators import Process, serving
+from web.calculators import Process
 
 
 @pytest.fixture(scope="session")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Process]:
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where the server keeps its designs and the folders of its tasks."""
+    return tmp_path_factory.mktemp("server")
+
+
+@pytest.fixture(scope="session")
+def server(folder: Path) -> Iterator[Process]:
     """One server for all files of pages: it has to start and to compile only once."""
-    database = tmp_path_factory.mktemp("designs") / "designs.sqlite"
-    with serving("--no-open", "--workers", "1", "--database", str(database)) as found:
-        yield found
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TMPDIR", str(folder))
+        database = str(folder / "designs.sqlite")
+        found = Process("--no-open", "--workers", "1", "--database", database)
+    yield found
+    found.kill()
 
 
 @pytest.fixture(scope="module")

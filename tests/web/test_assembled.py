@@ -212,7 +212,7 @@ def some_drive(pick: random.Random) -> Data:
 def test_drives_of_any_choice_are_put_together_as_by_the_server() -> None:
     # expected: the server's own preparation; what it refuses, the page refuses
     pick = random.Random(11)  # noqa: S311 - drives to try, no secrets
-    documents = [some_drive(pick) for _ in range(120)]
+    documents = [some_drive(pick) for _ in range(60)]
     wrong: dict[int, Any] = {}
     judged = refused = 0
     for i, (document, found) in enumerate(zip(documents, assembled(documents), strict=True)):
@@ -233,8 +233,8 @@ def test_drives_of_any_choice_are_put_together_as_by_the_server() -> None:
         if apart:
             wrong[i] = apart[:6]
     assert wrong == {}
-    assert judged > 60
-    assert refused > 5
+    assert judged > 30
+    assert refused > 3
 
 
 #: Values that no drive has, by the place that both tell.

@@ -8,7 +8,6 @@ import json
 from pathlib import Path
 from typing import Any
 
-import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
@@ -132,13 +131,13 @@ def test_slider_is_found_by_finger_and_not_moved_unseen(calculator: Calculator) 
     assert visitor.wrong == []
 
 
-def opened(visitor: Visitor, tmp_path: Path, text: str) -> Page:
+def opened(visitor: Visitor, tmp_path: Path, text: str, title: str = "Opened") -> Page:
     """Open a drive file on the page."""
     page = visitor.open("drive")
     file = tmp_path / "drive.toml"
-    file.write_text(text.replace("Head drive, ROM conveyor", "Opened"), "utf-8")
+    file.write_text(text.replace("Head drive, ROM conveyor", title), "utf-8")
     visitor.load(file)
-    expect(page.locator("#results h2").first).to_have_text("Opened")
+    expect(page.locator("#results h2").first).to_have_text(title)
     visitor.solved()
     return page
 
@@ -237,21 +236,23 @@ LAGGINGS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", LAGGINGS)
 def test_switch_offers_what_the_friction_of_a_lagging_is_known_in(
-    visitor: Visitor, tmp_path: Path, name: str
+    visitor: Visitor, tmp_path: Path
 ) -> None:
-    table = SIZES + LAGGINGS[name]
-    laws = lagging_from_text(f'format = 1\nname = "mine"\n{table}')
-    text = HEAD.replace('lagging = "diamond-rubber"', 'lagging = "mine"')
-    page = opened(visitor, tmp_path, f"{text}\n[lagging.mine]\n{table}")
-    offered = [e.get_attribute("value") for e in switch(page).locator("input").all()]
-    known = list(covered(laws))
-    assert offered == (known if len(known) > 1 else [])
+    for name, more in LAGGINGS.items():
+        table = SIZES + more
+        laws = lagging_from_text(f'format = 1\nname = "mine"\n{table}')
+        text = HEAD.replace('lagging = "diamond-rubber"', 'lagging = "mine"')
+        page = opened(visitor, tmp_path, f"{text}\n[lagging.mine]\n{table}", name)
+        known = list(covered(laws))
+        assert offered(page) == (known if len(known) > 1 else []), name
     page.select_option("#f-pulley-0-lagging", "full-ceramic")
     expect(switch(page).locator("input")).to_have_count(3)
-    offered = [e.get_attribute("value") for e in switch(page).locator("input").all()]
-    assert offered == list(covered(load_lagging_conditions("full-ceramic")))
+    assert offered(page) == list(covered(load_lagging_conditions("full-ceramic")))
+
+
+def offered(page: Page) -> list[str | None]:
+    return [e.get_attribute("value") for e in switch(page).locator("input").all()]
 
 
 def test_another_belt_of_the_catalogue_is_judged_as_by_the_command(

@@ -13,7 +13,7 @@ import xlsxwriter
 from starlette.testclient import TestClient
 
 from cli.running import wraparc
-from web.calculators import API, PATIENCE, Process, client, serving, wait_for
+from web.calculators import API, PATIENCE, Process, client, wait_for
 from wraparc.errors import InputError, Problem
 from wraparc.web.errors import ApiError
 from wraparc.web.jobs import MOST_WAITING, Jobs
@@ -29,20 +29,6 @@ from wraparc.web.sessions import (
 )
 
 STUDIES = Path(__file__).parents[2] / "examples" / "studies"
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Where the server keeps its designs and the folders of its tasks."""
-    return tmp_path_factory.mktemp("server")
-
-
-@pytest.fixture(scope="module")
-def server(folder: Path) -> Iterator[Process]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("TMPDIR", str(folder))
-        with serving("--database", str(folder / "designs.sqlite"), "--workers", "1") as found:
-            yield found
 
 
 def study(name: str) -> dict[str, Any]:

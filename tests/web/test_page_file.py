@@ -16,9 +16,11 @@ from playwright.sync_api import Browser, Page, expect
 
 import site_pages
 from cli.running import wraparc
-from web.browser import Visitor, axe, browser
+from web.browser import Visitor, browser
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
+from web.test_page_file_trains import assert_firefox_says
+from web.test_pages_looks import violations
 from wraparc.arc import solve
 from wraparc.checks import judge
 from wraparc.files import load_drive
@@ -27,7 +29,7 @@ from wraparc.present.checks_table import check_table
 from wraparc.present.least_tension import least_sentence
 from wraparc.schema.source import parse
 from wraparc.units import RESULT_DIGITS, System, display
-from wraparc.web.answers.compare import compare
+from wraparc.web.answers.compare import CompareAnswer, compare
 from wraparc.web.answers.documents import json_like
 from wraparc.web.asked import CompareRequest
 
@@ -200,11 +202,11 @@ EXIT = "return document.querySelector('#f-pulley-0-exit_tension').value;"
 
 @pytest.mark.processes
 def test_firefox_shows_from_the_disk_what_solve_says(tmp_path: Path) -> None:
-    # expected: the command line; after a moved slider too
+    # expected: the command line; after a moved slider too; trains by motors and by speeds
     profile = tmp_path / "profile"
     profile.mkdir()
     with firefox(profile) as browser:
-        for name in ("attention", "breakaway", "braking, US units", "wet and dry", "kept"):
+        for name in ("breakaway", "braking, US units", "kept"):
             file, html = tmp_path / "drive.toml", tmp_path / "drive.html"
             file.write_text(DRIVES[name][0], "utf-8")
             assert wraparc("page", str(file), "-o", str(html))[0] == 0
@@ -217,6 +219,8 @@ def test_firefox_shows_from_the_disk_what_solve_says(tmp_path: Path) -> None:
         assert moved != "92"
         file.write_text(DRIVES["kept"][0].replace('"92 kN"', f'"{moved} kN"'), "utf-8")
         assert_is_what_solve_says(browser, file, "si")
+        for name in ("motors", "speeds break away"):
+            assert_firefox_says(browser, tmp_path, name)
 
 
 def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> None:
@@ -421,11 +425,7 @@ def test_pictures_are_taken_away_without_a_server(page_of: Any, tmp_path: Path) 
 
 
 def test_page_is_accessible(page_of: Any) -> None:
-    page = page_of(HEAD)
-    page.evaluate(axe())
-    tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]
-    found = page.evaluate("(tags) => axe.run({ runOnly: tags })", tags)
-    assert [(v["id"], v["nodes"][0]["html"]) for v in found["violations"]] == []
+    assert violations(page_of(HEAD)) == []
 
 
 def made(*arguments: str) -> str:
@@ -570,18 +570,29 @@ def test_site_has_calculator_and_examples(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["attention", "kept", "braking, US units", "breakaway", "wet"])
-@pytest.mark.parametrize("what", ["laggings", "belts"])
-def test_comparison_is_that_of_the_server(page_of: Any, name: str, what: Any) -> None:
+def test_comparison_is_that_of_the_server(page_of: Any, name: str) -> None:
     # expected: the server's own comparison, without what it costs
     text = 'condition = "wet"\n' + HEAD if name == "wet" else DRIVES[name][0]
     page = page_of(text)
     page.click("#nav-compare")
-    page.get_by_label(what.capitalize(), exact=True).check(force=True)
-    expected = compare(CompareRequest(document=json_like(parse(text)), what=what))
+    whats: tuple[Any, ...] = ("laggings", "belts")
+    for what in whats:
+        page.get_by_label(what.capitalize(), exact=True).check(force=True)
+        expected = compare(CompareRequest(document=json_like(parse(text)), what=what))
+        assert_compares(page, expected, what, "us" if "US" in name else "si")
+        if not expected.rows[0].present:
+            page.locator("#compare tbody tr").first.get_by_role("button", name="Use").click()
+            first = expected.rows[0].name if what == "belts" else expected.rows[0].title
+            present = page.locator("#compare tbody tr.present th")
+            expect(present).to_contain_text(first)
+            page.click("#undo")
+            expect(present).not_to_contain_text(first)
+
+
+def assert_compares(page: Page, expected: CompareAnswer, what: str, system: System) -> None:
     rows = page.locator("#compare tbody tr")
     expect(rows).to_have_count(len(expected.rows))
     expect(page.locator("#compare [role=status]")).to_contain_text(f"{len(expected.rows)} {what}")
-    system: System = "us" if "US" in name else "si"
     keys = [c.key for c in expected.columns if not c.key.startswith("cost") and c.key != "outside"]
     keys = [k for k in keys if any(r.cells[k].value is not None for r in expected.rows)]
     for shown, row in zip(rows.all(), expected.rows, strict=True):
@@ -592,8 +603,3 @@ def test_comparison_is_that_of_the_server(page_of: Any, name: str, what: Any) ->
         assert answer.endswith(f"{row.level} {row.short}")
         titled = f"{row.name}, {row.title}" if what == "belts" else row.title
         assert str(shown.locator("th").text_content()).startswith(titled)
-    if not expected.rows[0].present:
-        rows.first.get_by_role("button", name="Use").click()
-        first = expected.rows[0].name if what == "belts" else expected.rows[0].title
-        present = page.locator("#compare tbody tr.present th")
-        expect(present).to_contain_text(first)

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page
 from cli.running import wraparc
 from web.browser import Visitor, browser
 from web.calculators import wait_for
-from web.firefox import firefox
+from web.firefox import Firefox
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
 from wraparc.web.answers.trains import train_part
@@ -145,23 +145,21 @@ SHOWN = """
 """
 
 
-def test_firefox_says_what_the_program_says(tmp_path: Path) -> None:
-    profile = tmp_path / "profile"
-    profile.mkdir()
-    with firefox(profile) as browser:
-        for name in ("tandem", "motors", "speeds break away", "braking"):
-            file, html = tmp_path / "train.toml", tmp_path / "train.html"
-            file.write_text(TRAINS[name], "utf-8")
-            assert wraparc("page", str(file), "-o", str(html))[0] == 0
-            browser.open("about:blank")
-            browser.open(html.as_uri() + "#/train")
-            wait_for(lambda: browser.run(SHOWN) is not None)
-            shown, verdict = browser.run(SHOWN), answer_of(TRAINS[name])["verdict"]
-            assert shown["headline"].strip().endswith(words(verdict["headline"], "si"))
-            assert shown["sentences"] == [words(s, "si") for s in verdict["sentences"]]
-            for table in answer_of(TRAINS[name])["tables"]:
-                title = words(table["title"], "si")
-                if title.startswith("Drives"):
-                    values = [row["values"]["si"] for row in table["rows"]]
-                    cells = [row[-len(values[0]) - 1 : -1] for row in shown["tables"][title]]
-                    assert cells == values
+def assert_firefox_says(browser: Firefox, folder: Path, name: str) -> None:
+    """Hold what the page of a train says in Firefox against the program."""
+    file, html = folder / "train.toml", folder / "train.html"
+    file.write_text(TRAINS[name], "utf-8")
+    assert wraparc("page", str(file), "-o", str(html))[0] == 0
+    browser.open("about:blank")
+    browser.open(html.as_uri() + "#/train")
+    wait_for(lambda: browser.run(SHOWN) is not None)
+    shown, answer = browser.run(SHOWN), answer_of(TRAINS[name])
+    verdict = answer["verdict"]
+    assert shown["headline"].strip().endswith(words(verdict["headline"], "si"))
+    assert shown["sentences"] == [words(s, "si") for s in verdict["sentences"]]
+    for table in answer["tables"]:
+        title = words(table["title"], "si")
+        if title.startswith("Drives"):
+            values = [row["values"]["si"] for row in table["rows"]]
+            cells = [row[-len(values[0]) - 1 : -1] for row in shown["tables"][title]]
+            assert cells == values

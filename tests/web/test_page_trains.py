@@ -137,7 +137,7 @@ NEAR, SLOPES = 1e-9, 1e-5
 @pytest.mark.parametrize("seed", [11])
 def test_random_trains_as_in_python(seed: int) -> None:
     # expected: the same functions in Python, interpreted
-    trains = list(drawn(4, seed))
+    trains = list(drawn(2, seed))
     there = in_node([numbers(train, train.cases[0]) for _, train in trains], SOLVER)
     missed: Data = {}
     outcomes, left = set(), []

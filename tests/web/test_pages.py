@@ -99,40 +99,36 @@ def test_any_unit_may_be_typed(visitor: Visitor) -> None:
     assert key_figure(visitor, "Creep at exit") == "7.38 mm"
 
 
-@pytest.mark.parametrize(
-    ("field", "key", "text"),
-    [
-        ("belt-width", "belt.width", "1,2"),
-        ("pulley-0-diameter", "pulley.head.diameter", "8 kN"),
-        ("pulley-0-wrap_angle", "pulley.head.wrap_angle", "900"),
-    ],
-)
+#: Values that are wrong, by their field: its place in a file, and what is right there.
+WRONG = {
+    "belt-width": ("belt.width", "1,2", "1000"),
+    "pulley-0-diameter": ("pulley.head.diameter", "8 kN", "1000"),
+    "pulley-0-wrap_angle": ("pulley.head.wrap_angle", "900", "180"),
+}
+
+
 def test_wrong_value_turns_red_with_the_sentence_of_the_command_line(
-    visitor: Visitor, tmp_path: Path, field: str, key: str, text: str
+    visitor: Visitor, tmp_path: Path
 ) -> None:
     page = visitor.open("drive")
-    page.fill(f"#f-{field}", text)
-    page.wait_for_selector(f"#f-{field}[aria-invalid=true]")
-    told = page.inner_text(f"#f-{field}-e")
-    value = text if " " in text else f"{text} {'deg' if 'angle' in field else 'mm'}"
-    wrong = document()
-    where = wrong["belt"] if field.startswith("belt") else wrong["pulley"][0]
-    where[field.rsplit("-", 1)[1]] = value
-    file = tmp_path / "wrong.toml"
-    answer = page.request.post(
-        f"{visitor.address}api/v1/toml/write",
-        data={"document": wrong},
-        headers={"origin": visitor.address.rstrip("/")},
-    )
-    file.write_text(answer.json()["toml"], "utf-8")
-    _, _, errors = wraparc("check", str(file))
-    assert told.startswith(key)
-    assert told in errors
-    assert told in page.inner_text("#results [role=alert]")
-    # and it goes away with its cause
-    page.fill(f"#f-{field}", "180" if "angle" in field else "1000")
-    page.wait_for_selector(f"#f-{field}[aria-invalid=false]")
-    assert page.inner_text("#results [role=alert]") == ""
+    for field, (key, text, right) in WRONG.items():
+        page.fill(f"#f-{field}", text)
+        page.wait_for_selector(f"#f-{field}[aria-invalid=true]")
+        told = page.inner_text(f"#f-{field}-e")
+        value = text if " " in text else f"{text} {'deg' if 'angle' in field else 'mm'}"
+        wrong = document()
+        where = wrong["belt"] if field.startswith("belt") else wrong["pulley"][0]
+        where[field.rsplit("-", 1)[1]] = value
+        file = tmp_path / "wrong.toml"
+        file.write_text(document_text(wrong, TRAIN_FILE), "utf-8")
+        _, _, errors = wraparc("check", str(file))
+        assert told.startswith(key)
+        assert told in errors
+        assert told in page.inner_text("#results [role=alert]")
+        # and it goes away with its cause
+        page.fill(f"#f-{field}", right)
+        page.wait_for_selector(f"#f-{field}[aria-invalid=false]")
+        assert page.inner_text("#results [role=alert]") == ""
 
 
 @pytest.mark.processes

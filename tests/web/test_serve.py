@@ -5,6 +5,7 @@ import re
 import socket
 import urllib.error
 import urllib.request
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -12,8 +13,16 @@ from typing import Any
 import pytest
 
 from cli.running import drive_file, wraparc
-from web.calculators import API, serving, wait_for
+from web.calculators import API, Process, serving, wait_for
 from wraparc.web.token import own_token
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Process]:
+    """A server that only listens: it has no processes to solve in."""
+    database = tmp_path_factory.mktemp("designs") / "d.sqlite"
+    with serving("--database", str(database), "--workers", "0") as found:
+        yield found
 
 
 @pytest.mark.processes
@@ -127,16 +136,15 @@ def test_beyond_this_machine_with_a_token_it_serves(tmp_path: Path) -> None:
     ],
     ids=["half a head", "half a body", "nothing"],
 )
-def test_connections_that_send_nothing_whole_keep_nobody_out(tmp_path: Path, sent: bytes) -> None:
-    with serving("--database", str(tmp_path / "d.sqlite"), "--workers", "0") as server:
-        silent = []
-        for _ in range(450):
-            silent.append(socket.create_connection(("127.0.0.1", server.port)))
-            silent[-1].sendall(sent)
-        for _ in range(3):
-            assert server.ask(f"{API}/about").status == 200
-        for one in silent:
-            one.close()
+def test_connections_that_send_nothing_whole_keep_nobody_out(plain: Process, sent: bytes) -> None:
+    silent = []
+    for _ in range(450):
+        silent.append(socket.create_connection(("127.0.0.1", plain.port)))
+        silent[-1].sendall(sent)
+    for _ in range(3):
+        assert plain.ask(f"{API}/about").status == 200
+    for one in silent:
+        one.close()
 
 
 def test_a_request_that_does_not_come_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -198,17 +206,15 @@ def test_requests_leave_nothing_in_memory() -> None:
 
 
 @pytest.mark.processes
-def test_on_one_machine_other_users_are_kept_out(tmp_path: Path) -> None:
-    place = ("--database", str(tmp_path / "d.sqlite"), "--workers", "0")
-    with serving(*place) as server:
-        address = f"http://127.0.0.1:{server.port}"
-        with pytest.raises(urllib.error.HTTPError, match="401"):
-            urllib.request.urlopen(f"{address}{API}/designs")  # noqa: S310
-        opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
-        printed = re.search(r"http://\S+", server.told)
-        assert printed
-        assert opener.open(printed[0]).status == 200
-        assert opener.open(f"{address}{API}/designs").status == 200
+def test_on_one_machine_other_users_are_kept_out(plain: Process) -> None:
+    address = f"http://127.0.0.1:{plain.port}"
+    with pytest.raises(urllib.error.HTTPError, match="401"):
+        urllib.request.urlopen(f"{address}{API}/designs")  # noqa: S310
+    opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+    printed = re.search(r"http://\S+", plain.told)
+    assert printed
+    assert opener.open(printed[0]).status == 200
+    assert opener.open(f"{address}{API}/designs").status == 200
 
 
 def test_the_token_of_a_user_stays_and_is_read_by_nobody_else(tmp_path: Path) -> None:

@@ -1,4 +1,7 @@
-"""Every state of the pages is accessible, light and dark: failing, empty, asked, left alone."""
+"""Every state of the pages is accessible, light and dark: failing, empty, asked, left alone.
+
+Pages as they are used without a fault: test_pages_looks.py.
+"""
 
 from collections.abc import Callable, Iterator
 
@@ -9,10 +12,11 @@ from web.browser import STUDY, Calculator, Visitor
 from web.test_pages_looks import used, violations
 
 
-@pytest.fixture(params=["light", "dark"])
-def guest(calculator: Calculator, request: pytest.FixtureRequest) -> Iterator[Visitor]:
+@pytest.fixture
+def guest(calculator: Calculator) -> Iterator[Visitor]:
+    """One whose page may complain: its server is taken away."""
     browser, server = calculator
-    found = Visitor(browser, server.address, color_scheme=request.param)
+    found = Visitor(browser, server.address)
     yield found
     found.context.close()
 
@@ -25,25 +29,21 @@ def slips(visitor: Visitor) -> Page:
     return page
 
 
-def idles(visitor: Visitor) -> Page:
-    page = visitor.open("drive")
-    page.fill("#f-pulley-0-exit_tension", "150")
-    visitor.solved()
-    return page
-
-
 def empty(visitor: Visitor) -> Page:
     page = visitor.open("drive")
     page.click("#file > summary")
     page.get_by_role("button", name="New drive").click()
     expect(page.locator("#results [role=alert]")).to_contain_text("still needed")
+    page.click("#file > summary")
     return page
 
 
 def overtyped(visitor: Visitor) -> Page:
     page = visitor.open("drive")
     page.fill("#f-pulley-0-diameter", "1000")
+    page.fill("#f-pulley-0-exit_tension", "150")
     expect(page.locator("#drive .aside")).to_be_visible()
+    expect(page.locator("#drive .duty")).to_have_text("idling")
     visitor.solved()
     return page
 
@@ -61,7 +61,7 @@ def refused(visitor: Visitor) -> Page:
     page = visitor.open("drive")
     page.fill("#f-belt-width", "wide")
     page.wait_for_selector("#f-belt-width[aria-invalid=true]")
-    page.click("#file > summary")
+    page.click("#export > summary")
     return page
 
 
@@ -70,7 +70,8 @@ def pinned(visitor: Visitor) -> Page:
     visitor.solved()
     page.get_by_role("button", name="Pin this design").click()
     page.get_by_label("Paper's march beside it").check()
-    page.fill("#f-pulley-0-exit_tension", "90")
+    page.get_by_role("button", name="Raise T2 to 89.4 kN in design alone").click()
+    page.locator("#toast").get_by_role("button", name="Undo").wait_for()
     page.get_by_role("button", name="Help: Wrap angle").click()
     visitor.solved()
     return page
@@ -79,12 +80,17 @@ def pinned(visitor: Visitor) -> Page:
 def asked(visitor: Visitor) -> Page:
     page = visitor.open("drive")
     visitor.solved()
-    for name, show in (("What if", ""), ("Which design costs least", "Show"), ("On site", "")):
+    page.locator("#cases").get_by_role("button", name="empty").click()
+    page.get_by_role("group", name="Load: empty", exact=True).wait_for()
+    for name, show in (
+        ("What if", ""), ("Which design costs least", "Show"), ("On site", ""),
+        ("Which input gives", "Find"),
+    ):  # fmt: skip
         page.get_by_role("button", name=name).click()
         if show:
-            page.locator(".choosing").get_by_role("button", name=show, exact=True).click()
-    for card in (".what-if", ".choosing", ".site"):
-        page.locator(f"{card} table").first.wait_for(timeout=STUDY)
+            page.locator(".choosing, .seek").get_by_role("button", name=show, exact=True).click()
+    for card in (".what-if table", ".choosing table", ".site table", ".seek svg.chart"):
+        page.locator(card).first.wait_for(timeout=STUDY)
     return page
 
 
@@ -96,30 +102,15 @@ def versions(visitor: Visitor) -> Page:
     return page
 
 
-def every(name: str) -> Callable[[Visitor], Page]:
-    def show(visitor: Visitor) -> Page:
-        page = used(visitor, name)
-        page.evaluate("for (const d of document.querySelectorAll('main details')) d.open = true")
-        return page
-
-    return show
-
-
 STATES: dict[str, Callable[[Visitor], Page]] = {
     "gross slip": slips,
-    "idling": idles,
-    "new drive": empty,
-    "overtyped example": overtyped,
+    "new drive, menu open": empty,
+    "overtyped example that idles": overtyped,
     "server gone": without_a_server,
     "wrong value, menu open": refused,
-    "pinned, help open": pinned,
-    "questions answered": asked,
+    "raised beside what is pinned, help open": pinned,
+    "questions answered beside a load case that takes over": asked,
     "versions": versions,
-    "across": every("across"),
-    "tests fitted": every("tests"),
-    "train": every("train"),
-    "event played": every("events"),
-    "study done": every("study"),
 }
 
 

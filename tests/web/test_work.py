@@ -1,13 +1,10 @@
 """Who works on what when: turns of clients, shared and abandoned questions, processes that die."""
 
 import asyncio
-import errno
 import multiprocessing
 import os
 import pickle
 import signal
-import subprocess
-import sys
 import time
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
@@ -18,8 +15,9 @@ from typing import Any
 import pytest
 from fastapi import Request
 
+from web import tasks
 from web.calculators import PATIENCE
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError
 from wraparc.web import work
 from wraparc.web.errors import ApiError
 from wraparc.web.processes import EndedError, Parent, Worker, context, splits
@@ -122,7 +120,7 @@ def test_a_process_that_cannot_start_leaks_no_place(monkeypatch: pytest.MonkeyPa
 def test_the_same_question_is_computed_once(tmp_path: Path) -> None:
     async def scenario() -> None:
         async with workers(2) as found:
-            asked = [found.short("a", _note, str(tmp_path)) for _ in range(5)]
+            asked = [found.short("a", tasks.note, str(tmp_path)) for _ in range(5)]
             answers = await asyncio.gather(*asked)
             assert len(set(answers)) == 1
             assert len(list(tmp_path.iterdir())) == 1
@@ -134,36 +132,17 @@ def unpacked(answer: bytes) -> Any:
     return pickle.loads(answer)  # noqa: S301 - of a process of the test
 
 
-def _note(folder: str) -> int:
-    Path(folder, str(time.monotonic_ns())).write_text("")
-    return os.getpid()
-
-
-def _held(file: str) -> str:
-    while not Path(file).exists():
-        time.sleep(0.001)
-    return "held"
-
-
-def _fills() -> None:
-    raise OSError(errno.ENOSPC, "No space left on device")
-
-
-def _raises(message: str) -> None:
-    raise InputError(Problem(message=message))
-
-
 def test_what_a_process_raises_comes_back_and_it_lives_on() -> None:
     async def scenario() -> None:
         async with workers() as found:
             before = await found.short("a", os.getpid)
             with pytest.raises(InputError, match="wrong"):
-                await found.short("a", _raises, "wrong")
+                await found.short("a", tasks.raises, "wrong")
             with pytest.raises(ApiError, match="ZeroDivisionError") as raised:
                 await found.short("a", divmod, 1, 0)
             assert raised.value.status_code == 500
             with pytest.raises(ApiError, match="the disk of the server is full") as full:
-                await found.short("a", _fills)
+                await found.short("a", tasks.fills)
             assert full.value.status_code == 507
             assert await found.short("a", os.getpid) == before
 
@@ -175,7 +154,7 @@ def test_a_process_that_dies_costs_its_own_question_only(tmp_path: Path) -> None
 
     async def scenario() -> None:
         async with workers(2) as found:
-            other = asyncio.create_task(found.short("b", _held, str(gate), queue=work.QUICK))
+            other = asyncio.create_task(found.short("b", tasks.held, str(gate), queue=work.QUICK))
             with pytest.raises(ApiError, match="503"):
                 await found.short("a", os._exit, 1, queue=work.QUICK)
             gate.write_text("")
@@ -199,8 +178,8 @@ def test_an_abandoned_solve_is_ended_and_makes_room(
 
     async def scenario() -> None:
         async with workers() as found:
-            left = asyncio.create_task(found.short("a", _sleeps, str(tmp_path), 3600.0))
-            behind = asyncio.create_task(found.short("a", _sleeps, str(tmp_path), 3601.0))
+            left = asyncio.create_task(found.short("a", tasks.sleeps, str(tmp_path), 3600.0))
+            behind = asyncio.create_task(found.short("a", tasks.sleeps, str(tmp_path), 3601.0))
             await until(lambda: found._turns[work.WHOLE].waiting == 1)
             await until(lambda: not begun or any(tmp_path.iterdir()))
             for task in (left, behind):
@@ -216,11 +195,11 @@ def test_who_asks_what_is_just_being_given_up_gets_an_answer(tmp_path: Path) -> 
 
     async def scenario() -> None:
         async with workers() as found:
-            left = asyncio.create_task(found.short("a", _held, str(gate)))
+            left = asyncio.create_task(found.short("a", tasks.held, str(gate)))
             await until(lambda: any(not idle for idle in found._idle.values()) and bool(found._all))
             ((task, _),) = found._shared.values()
             task.cancel()  # as it is when nobody has waited for a while
-            asked = asyncio.create_task(found.short("b", _held, str(gate)))
+            asked = asyncio.create_task(found.short("b", tasks.held, str(gate)))
             gate.write_text("")
             assert unpacked(await asked) == "held"
             with pytest.raises(asyncio.CancelledError):
@@ -228,11 +207,6 @@ def test_who_asks_what_is_just_being_given_up_gets_an_answer(tmp_path: Path) -> 
             await until(lambda: not found._shared)
 
     asyncio.run(scenario())
-
-
-def _sleeps(folder: str, seconds: float) -> None:
-    _note(folder)
-    time.sleep(seconds)
 
 
 def test_what_nobody_waits_for_any_more_is_given_up() -> None:
@@ -294,7 +268,7 @@ def test_long_files_are_read_one_after_the_other(tmp_path: Path) -> None:
         async with workers() as found:
             asked = [
                 asyncio.create_task(
-                    found.read(c, _noted_and_held, str(begun), str(gate), limit=PATIENCE)
+                    found.read(c, tasks.noted_and_held, str(begun), str(gate), limit=PATIENCE)
                 )
                 for c in "ab"
             ]
@@ -310,22 +284,16 @@ def test_long_files_are_read_one_after_the_other(tmp_path: Path) -> None:
 def test_a_long_task_leaves_no_folder_behind() -> None:
     async def scenario() -> None:
         async with workers() as found:
-            made: Any = unpacked(await found.apart("a", _folder))
+            made: Any = unpacked(await found.apart("a", tasks.folder))
             assert "wraparc-task-" in made
             assert not Path(made).exists()
 
     asyncio.run(scenario())
 
 
-def _folder() -> str:
-    import tempfile
-
-    return tempfile.mkdtemp()
-
-
 @pytest.fixture
 def parent(tmp_path: Path) -> Iterator[Parent]:
-    found = Parent(context(), partial(_note, str(tmp_path)))
+    found = Parent(context(), partial(tasks.note, str(tmp_path)))
     try:
         yield found
     finally:
@@ -353,14 +321,10 @@ def test_what_is_split_off_is_prepared_once_and_ends_with_nobody_else(
         await until(lambda: not Path(f"/proc/{pids[1]}").exists())  # cleared away too
         # what a process starts itself is waited for as everywhere
         third = parent.worker()
-        assert await asked(third, _exit_code, 3) == 3
+        assert await asked(third, tasks.exit_code, 3) == 3
         third.end()
 
     asyncio.run(scenario())
-
-
-def _exit_code(code: int) -> int:
-    return subprocess.run([sys.executable, "-c", f"exit({code})"], check=False).returncode
 
 
 @needs_splitting
@@ -387,7 +351,7 @@ def test_a_parent_that_dies_is_started_again_and_its_workers_live_on(
 def test_a_server_that_stops_waits_for_no_parent(tmp_path: Path) -> None:
     async def scenario() -> None:
         never = tmp_path / "never"
-        parent = Parent(context(), partial(_noted_and_held, str(tmp_path), str(never)))
+        parent = Parent(context(), partial(tasks.noted_and_held, str(tmp_path), str(never)))
         starting = asyncio.create_task(asyncio.to_thread(parent.worker))
         await until(lambda: any(tmp_path.iterdir()))
         parent.end()
@@ -397,17 +361,12 @@ def test_a_server_that_stops_waits_for_no_parent(tmp_path: Path) -> None:
     asyncio.run(scenario())
 
 
-def _noted_and_held(folder: str, file: str) -> None:
-    _note(folder)
-    _held(file)
-
-
 @needs_splitting
 def test_compiled_code_is_loaded_once_for_all_and_leaves_no_threads(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("wraparc.web.warm.compile_kernel", _true)
-    monkeypatch.setattr(work, "_warm_compiled", partial(_note, str(tmp_path)))
+    monkeypatch.setattr("wraparc.web.warm.compile_kernel", tasks.true)
+    monkeypatch.setattr(work, "_warm_compiled", partial(tasks.note, str(tmp_path)))
 
     async def scenario() -> None:
         async with workers(2) as found:
@@ -422,7 +381,3 @@ def test_compiled_code_is_loaded_once_for_all_and_leaves_no_threads(
 
 
 _PLACES = (("a", work.QUICK), ("b", work.WHOLE))
-
-
-def _true() -> bool:
-    return True
