@@ -7,8 +7,8 @@ UV_VERSION := 0.13.8
 UV := build/uv/$(UV_VERSION)/bin/uv
 BIN := .venv/bin
 NODE := node_modules/.bin
-# Three for two processors: a test of the pages waits half of its time, for a browser and a server.
-WORKERS ?= 3
+# More than processors do not end sooner: each starts a browser and a server of its own.
+WORKERS ?= 2
 # After so long `make check` begins no further test, and says how many are left to `make test`.
 SECONDS_OF_CHECK ?= 75
 

@@ -142,6 +142,7 @@ COMPILED = {
     "checks",
     "choose",
     "cli",
+    "golden",
     "report",
     "study",
     "train",

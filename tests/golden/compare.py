@@ -14,6 +14,7 @@ ERRORS = {
     "losses",
 }  # fmt: skip
 _NOTHING = 1e-7
+_ZERO = 1e-9  # of what was nothing
 _NOT_FINITE = ("nan", "inf", "-inf")
 
 
@@ -80,12 +81,20 @@ def _of_tables(
     for key, value in old.items():
         if key == "digest" and tolerance:
             continue  # of bits
+        if key == "value" and tolerance and _below(old, new):
+            continue
         if key not in new:
             yield Difference(Kind.MISSING, dot + key, value)
         else:
             yield from differences(value, new[key], tolerance, dot + key)
     for key in new.keys() - old.keys():
         yield Difference(Kind.ADDED, dot + key, None, new[key])
+
+
+def _below(old: dict[str, Any], new: dict[str, Any]) -> bool:
+    """Whether the values of a check are both below its accuracy."""
+    found = (old["value"], new.get("value"))
+    return all(isinstance(v, float) and abs(v) < (old.get("floor") or 0.0) for v in found)
 
 
 def _of_lists(old: list[Any], new: list[Any], tolerance: float, place: str) -> Iterator[Difference]:
@@ -123,7 +132,7 @@ def _reads_the_same(old: str, new: str, tolerance: float) -> bool:
         return False  # words that are answers
     step = Decimal(1).scaleb(int(a.as_tuple().exponent))
     near = max(step, Decimal(tolerance) * max(abs(a), abs(b)))
-    return unit == other and (abs(a - b) <= near or max(abs(a), abs(b)) < _NOTHING)
+    return unit == other and abs(a - b) <= near
 
 
 def _same(old: Any, new: Any, tolerance: float, scale: float, key: str) -> bool:
@@ -132,7 +141,7 @@ def _same(old: Any, new: Any, tolerance: float, scale: float, key: str) -> bool:
         return True
     if not (tolerance and math.isfinite(a) and math.isfinite(b)):
         return False
-    floor = _NOTHING if key.partition("[")[0] in ERRORS else 0
+    floor = _NOTHING if key.partition("[")[0] in ERRORS else 0.0 if a else _ZERO
     return abs(a - b) <= max(tolerance * max(abs(a), abs(b), scale), floor)
 
 

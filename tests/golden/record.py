@@ -11,46 +11,23 @@ the log of the change tells why.
 
 import contextlib
 import json
-import platform
 import shutil
 import sys
 import tempfile
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
-from unittest.mock import patch
 
 from golden.answers import DOORS
 from golden.compare import Kind, differences
 from golden.doors import EXAMPLES
 from golden.plain import plain
-from wraparc.batch import precise, pull_factors
 
 DATA = Path(__file__).with_name("data")
-MACHINE = "machine"
-_LIBRARIES = ("numpy", "scipy", "numba", "llvmlite")
-
-
-def machine() -> dict[str, str]:
-    """Return what the last bits of a number depend on besides the program."""
-    from llvmlite import binding  # type: ignore[import-untyped]
-
-    return {
-        "python": ".".join(platform.python_version_tuple()[:2]),
-        "system": f"{platform.system()} {platform.machine()} {' '.join(platform.libc_ver())}",
-        "processor": binding.get_host_cpu_name(),
-        **{name: version(name) for name in _LIBRARIES},
-    }
 
 
 def record(door: str, examples: Path = EXAMPLES) -> dict[str, Any]:
-    """Return the answers of one door, as a golden file keeps them.
-
-    Whatever is compiled at all is compiled here: the interpreter, which a batch leaves few rows to
-    while nothing is compiled, may differ in the last bits.
-    """
-    paid = [patch.object(module, "pays", lambda *_: True) for module in (precise, pull_factors)]
-    with tempfile.TemporaryDirectory() as folder, paid[0], paid[1]:
+    """Return the answers of one door, as a golden file keeps them."""
+    with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(examples, folder, dirs_exist_ok=True)
         with contextlib.chdir(folder):
             return {name: plain(answer) for name, answer in sorted(DOORS[door]().items())}
@@ -81,14 +58,13 @@ def main(arguments: list[str]) -> int:
     refused = False
     for door in doors:
         old, new = golden(door), record(door)
-        old.pop(MACHINE, None)
         found = list(differences(old, new)) if old else []
         print("\n".join(f"{door}: {d}" for d in found) or f"{door}: no difference")  # noqa: T201
         changed = any(d.kind in (Kind.NUMBER, Kind.MISSING) for d in found)
         if changed and not meant:
             refused = True
             continue
-        save(door, {MACHINE: machine(), **new})
+        save(door, new)
     if refused:
         print("Numbers changed: nothing written there. If they are meant to, say --numbers.")  # noqa: T201
     return int(refused)

@@ -4,22 +4,28 @@ Expected: the texts of the same result, every number of it moved by a few units 
 and every zero by what is left of a difference of two equal numbers of that size.
 """
 
-import dataclasses
 import json
 import math
+import shutil
 from collections.abc import Iterator
 from dataclasses import astuple, replace
-from functools import partial
+from functools import cache, partial
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from python_calamine import CalamineWorkbook
 
+from cli.running import wraparc
+from present.moving import moved
 from wraparc import Distributed, TrainResult, load_drive, load_train, solve, solve_train
+from wraparc.across import AcrossSolver
 from wraparc.checks import Check, Level, judge
 from wraparc.checks.numbers import margin_of, order_of
+from wraparc.cli import motion
+from wraparc.motion import vibration
 from wraparc.present.arc_tables import answer_table
 from wraparc.present.checks_table import check_data, check_table, margin_text
 from wraparc.present.document import json_text
@@ -27,31 +33,12 @@ from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.profile_csv import profile_csv
 from wraparc.present.sheet import Sheet, percent
 from wraparc.present.train_sheet import signed, train_sheet
-from wraparc.units import display
+from wraparc.study.parameter_study import Study
+from wraparc.units import System, display
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TRAINS = ("tandem-fabric", "triple-steel-cord")
-#: What results hold of the solution, not of the input.
-SOLVED = ("Result", "Point", "Energy", "Capacities", "Profile")
 IDLE = ["pulley.head.entry_tension=60 kN"]
-
-
-def moved(value: Any, rng: np.random.Generator) -> Any:
-    """Return a result with every number a few units in the last place off; inputs as they are."""
-    if isinstance(value, float):
-        if value == 0.0:
-            return float(rng.choice([-1e-15, -0.0, 1e-15]))
-        return value * (1.0 + float(rng.integers(-4, 5)) * 2.0**-52)
-    if isinstance(value, np.ndarray) and value.dtype == float:
-        return np.array([moved(v, rng) for v in value.tolist()])
-    if isinstance(value, tuple):
-        kind = type(value)
-        items = [moved(v, rng) for v in value]
-        return kind(*items) if hasattr(value, "_fields") else kind(items)
-    if dataclasses.is_dataclass(value) and type(value).__name__.endswith(SOLVED):
-        fields = [f.name for f in dataclasses.fields(value) if f.init]
-        return replace(value, **{n: moved(getattr(value, n), rng) for n in fields})  # type: ignore[type-var]
-    return value
 
 
 def differing(one: Sheet, other: Sheet) -> list[tuple[str, str]]:
@@ -69,15 +56,16 @@ def differing(one: Sheet, other: Sheet) -> list[tuple[str, str]]:
     return [(a, b) for a, b in pairs if a != b]
 
 
-@pytest.mark.parametrize("system", ["si", "us"])
 @pytest.mark.parametrize("name", TRAINS)
-def test_a_train_reads_the_same(name: str, system: Any) -> None:
+def test_a_train_reads_the_same(name: str) -> None:
     train = load_train(EXAMPLES / f"{name}.toml")
     result = solve_train(train, method=Distributed(capacities=False, points=20))
+    systems: tuple[System, ...] = ("si", "us")
     for seed in range(3):
         other: TrainResult = moved(result, np.random.default_rng(seed))
         assert other != result
-        assert differing(train_sheet(result, system), train_sheet(other, system)) == []
+        for system in systems:
+            assert differing(train_sheet(result, system), train_sheet(other, system)) == []
 
 
 @pytest.mark.parametrize(
@@ -150,3 +138,82 @@ def test_alike_margins_govern_in_their_order_however_large() -> None:
     assert place(0.3) == place(0.3 + 3e-16)
     assert place(0.3) < place(0.3 + 3e-9)
     assert [place(m) for m in (-1e305, 1e305, math.inf)] == [-1e305, 1e305, math.inf]
+
+
+def doors(folder: Path, *arguments: str) -> list[str]:
+    """Return the lines that a command prints and writes, the cells of a workbook in rows."""
+    ran = wraparc(*arguments)
+    assert ran.code in (0, 1), ran.err
+    lines = ran.out.splitlines()
+    for file in sorted(folder.glob("out.[!p]*")):
+        if file.suffix == ".xlsx":
+            sheets = CalamineWorkbook.from_path(file)
+            for name in sheets.sheet_names:
+                for row in sheets.get_sheet_by_name(name).to_python():
+                    # numbers have every digit: nine are known
+                    cells = [f"{c:.9g}" if isinstance(c, float) else f"{c}" for c in row]
+                    lines.append(" | ".join(cells))
+        elif file.suffix == ".json":
+            lines += [f"{k} {v}" for k, v in words(json.loads(file.read_text("utf-8")))]
+        else:
+            lines += file.read_text("utf-8").splitlines()
+    return lines
+
+
+def words(value: Any, place: str = "") -> Iterator[tuple[str, str]]:
+    """Yield what a JSON answer holds: every key, and every text under it."""
+    if isinstance(value, dict):
+        for key, under in value.items():
+            yield from words(under, f"{place}.{key}")
+    elif isinstance(value, list):
+        for number, under in enumerate(value):
+            yield from words(under, f"{place}[{number}]")
+    else:
+        yield place, value if isinstance(value, str) else type(value).__name__
+
+
+COMMANDS = [
+    ("solve", "worn-head-drive-fabric.toml", "--json", "out.json"),
+    ("solve", "tandem-steel-cord.toml", "--json", "out.json", "--units", "us"),
+    ("trim", "tandem-fabric.toml", "--points", "5", "--json", "out.json"),
+    ("what-if", "studies/head-drive.toml", "--belt", "Flexsteel ST1000", "--lagging",
+     "full-ceramic", "--worn", "6 mm", "--wet", "0.7", "--json", "out.json"),
+    ("field", "head-drive-fabric.toml", "--wear-coefficient", "0.001 mm3/J", "--json", "out.json"),
+    ("choose", "wet-season/choose.toml", "--json", "out.json", "--csv", "out.csv"),
+    ("run", "tandem-fabric.toml", "--event", "run-out", "--quiet"),
+    ("stability", "tandem-fabric.toml"),
+    ("calibrate", "test-pulley/published-pair.toml"),
+    ("study", "studies/sensitivity.toml", "-o", "out.parquet", "--json", "out.json"),
+    ("report", "downhill-braking.toml", "-o", "out.md", "--date", "-"),
+    ("report", "tandem-steel-cord.toml", "-o", "out.xlsx", "--date", "-"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
+def test_a_door_reads_the_same(
+    command: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every solution that a command is made of moved: arcs, belts across, events, columns."""
+    shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
+    seeds: list[int] = []
+
+    def moving(solve: Any) -> Any:
+        def moved_after(*arguments: Any, **more: Any) -> Any:
+            found = solve(*arguments, **more)
+            return moved(found, np.random.default_rng(seeds[0])) if seeds else found
+
+        return moved_after
+
+    monkeypatch.setattr(Distributed, "solve", cache(Distributed.solve))
+    for owner, name in (
+        (Distributed, "solve"), (AcrossSolver, "solve"), (Study, "solve_values"),
+        (motion, "simulate"), (vibration, "stability"),
+    ):  # fmt: skip
+        monkeypatch.setattr(owner, name, moving(getattr(owner, name)))
+    expected = doors(tmp_path, *command)
+    assert len(expected) > 5
+    for seed in (1, 2):
+        seeds[:] = [seed]
+        found = doors(tmp_path, *command)
+        assert [x for x in zip_longest(expected, found) if x[0] != x[1]] == []

@@ -1,5 +1,6 @@
 """The JSON Schema says of a document what reading it says."""
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ FILES = {"drive": TRAIN_FILE, "lagging": LAGGING_FILE}
 EXAMPLES = [example(name) for name in EXAMPLE_DRIVES]
 
 
+@cache
 def validator(file: str) -> jsonschema.Draft202012Validator:
     schema = json_schema(FILES[file])
     jsonschema.Draft202012Validator.check_schema(schema)

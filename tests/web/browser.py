@@ -4,6 +4,7 @@ import contextlib
 import os
 import shutil
 from collections.abc import Iterator
+from functools import cache
 from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any
@@ -77,6 +78,7 @@ def chromium() -> str:
     return found
 
 
+@cache
 def axe() -> str:
     """Return the source of axe-core, from whichever package carries it."""
     for package in distributions():

@@ -93,14 +93,14 @@ def used(visitor: Visitor, name: str) -> Page:
     return page
 
 
-def keep(shot: bytes, name: str, otherwise: Path) -> None:
+def keep(shot: bytes, name: str) -> None:
     """Keep a picture for the documentation, with few colours, if that is asked for."""
-    folder = Path(os.environ.get("WRAPARC_SCREENS") or otherwise)
-    folder.mkdir(parents=True, exist_ok=True)
     picture = Image.open(io.BytesIO(shot)).convert("RGB")
     assert len(picture.getcolors(1_000_000) or ()) > 20, "a blank page"
-    few = picture.quantize(255, dither=Image.Dither.NONE)
-    few.save(folder / f"{name}.png", optimize=True)
+    if folder := os.environ.get("WRAPARC_SCREENS"):
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        few = picture.quantize(255, dither=Image.Dither.NONE)
+        few.save(Path(folder) / f"{name}.png", optimize=True)
 
 
 #: Rules that judge by colours: the others find the same in a dark page as in a light one.
@@ -131,9 +131,7 @@ def _violations(page: Page, rules: Any) -> list[str]:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_no_violation_of_wcag_and_a_picture_for_the_docs(
-    desktop: Visitor, name: str, tmp_path: Path
-) -> None:
+def test_no_violation_of_wcag_and_a_picture_for_the_docs(desktop: Visitor, name: str) -> None:
     page = used(desktop, name)
     page.evaluate("document.querySelectorAll('#main details').forEach((d) => { d.open = true; })")
     assert violations(page) == []
@@ -141,7 +139,7 @@ def test_no_violation_of_wcag_and_a_picture_for_the_docs(
     page.evaluate("scrollTo(0, 0)")
     page.evaluate("document.getElementById('toast').replaceChildren()")
     part: FloatRect = {"x": 0, "y": 0, "width": DESKTOP["width"], "height": HEIGHTS[name]}
-    keep(page.screenshot(full_page=True, clip=part), name, tmp_path)
+    keep(page.screenshot(full_page=True, clip=part), name)
 
 
 def test_axe_finds_what_is_wrong(desktop: Visitor) -> None:
@@ -170,9 +168,7 @@ def test_dark_page_stays_light_on_paper(visitor: Visitor) -> None:
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_phone_shows_everything_without_scrolling_sideways(
-    phone: Visitor, name: str, tmp_path: Path
-) -> None:
+def test_phone_shows_everything_without_scrolling_sideways(phone: Visitor, name: str) -> None:
     page = phone.open(name)
     phone.painted()
     assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
@@ -183,7 +179,7 @@ def test_phone_shows_everything_without_scrolling_sideways(
     )
     assert [s for s in small if "checkbox" not in s and "radio" not in s and "away" not in s] == []
     if name == "drive":
-        keep(page.screenshot(), "phone", tmp_path)
+        keep(page.screenshot(), "phone")
 
 
 @pytest.mark.parametrize(("paper", "width"), [("A4", 794), ("Letter", 816)])

@@ -10,6 +10,7 @@ import numpy as np
 
 from wraparc.across.modes import mode_response
 from wraparc.across.wide_arc import Array, WideArc
+from wraparc.alike import place_of_largest
 from wraparc.arc import ArcResult
 from wraparc.views import Viewable
 
@@ -212,7 +213,7 @@ class AcrossResult(Viewable):
     @property
     def largest_creep(self) -> float:
         """Creep at the exit of the strip that creeps most, with its sign [m]."""
-        return float(self.exit_creep[int(np.argmax(np.abs(self.exit_creep)))])
+        return float(self.exit_creep[place_of_largest(np.abs(self.exit_creep))])
 
     @property
     def entry_unevenness(self) -> float:

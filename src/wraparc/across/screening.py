@@ -9,6 +9,7 @@ import numpy as np
 from wraparc.across.build import in_plane_stiffness, wide_arc
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
 from wraparc.across.wide_arc import Array, WideArc
+from wraparc.alike import falling
 from wraparc.drive import Across, Drive, LoadCase, Pulley, Transition
 
 #: modes of the screening
@@ -77,7 +78,7 @@ def screen(drive: Drive, pulley: Pulley, case: LoadCase) -> Screening:
     sums = [_unevenness(w, s) for w, _, s in found]
     return Screening(
         position=wide.position,
-        shares=tuple(sorted(shares, key=lambda s: -float(np.max(np.abs(s.entry_tension))))),
+        shares=tuple(falling(shares, lambda s: float(np.max(np.abs(s.entry_tension))))),
         response=response,
         entry_unevenness=sums[0],
         band=(min(sums), max(sums)),

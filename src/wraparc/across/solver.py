@@ -14,6 +14,7 @@ from wraparc.across.newton import Found, System, Unknowns, newton, started
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.stresses import stresses
 from wraparc.across.wide_arc import Array, WideArc
+from wraparc.alike import place_of_largest
 from wraparc.arc import ArcResult, Distributed, Status
 
 #: trials of putting the unevenness on little by little, where it fails all at once
@@ -86,7 +87,7 @@ def _judged(found: Found, even: ArcResult) -> AcrossResult:
 
 
 def _slackest(result: AcrossResult) -> Slack:
-    where = np.unravel_index(int(np.argmin(result.fields.tension)), result.fields.tension.shape)
+    where = np.unravel_index(place_of_largest(-result.fields.tension), result.fields.tension.shape)
     return Slack(
         position=float(result.position[where[1]]),
         angle=float(result.angle[where[0]]),

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
+from wraparc.alike import largest
 from wraparc.arc.result import ArcResult, Status
 from wraparc.arc.solver import Distributed
 from wraparc.arc.wrap_arc import WrapArc
@@ -76,7 +77,11 @@ class DriveResult(Viewable):
                 return 1.0, -margin if math.isfinite(margin) else 0.0
             return 0.0, abs(result.exit_creep) / result.arc.creep_limit
 
-        return max(self.arcs, key=severity)
+        worst = max(severity(result)[0] for result in self.arcs)
+        return largest(
+            (result for result in self.arcs if severity(result)[0] == worst),
+            lambda result: severity(result)[1],
+        )
 
     @property
     def solved(self) -> bool:

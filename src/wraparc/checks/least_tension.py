@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from weakref import WeakKeyDictionary
 
+from wraparc.alike import largest, least
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.kernel.least_slack import highest_tight
 from wraparc.checks.check import Place
@@ -72,7 +73,7 @@ class LeastTension:
     @cached_property
     def governing(self) -> Figure:
         """The binding check that asks for most."""
-        return max((f for f in self.figures if f.binding and f.at_least), key=_tension)
+        return largest((f for f in self.figures if f.binding and f.at_least), _tension)
 
     @property
     def tension(self) -> float:
@@ -85,7 +86,8 @@ class LeastTension:
     @cached_property
     def highest(self) -> Figure | None:
         """The check that allows least above, if any bounds the tension from above."""
-        return min((f for f in self.figures if not f.at_least), key=_tension, default=None)
+        above = [f for f in self.figures if not f.at_least]
+        return least(above, _tension) if above else None
 
     @property
     def standard(self) -> Figure | None:
@@ -143,8 +145,8 @@ def _of(result: DriveResult) -> LeastTension | None:
     worst: dict[str, Figure] = {}
     for figure in figures(result):
         held = worst.get(figure.name)
-        if held is None or (figure.tension > held.tension) is figure.at_least:
-            worst[figure.name] = figure
+        either = (figure,) if held is None else (held, figure)
+        worst[figure.name] = (largest if figure.at_least else least)(either, _tension)
     if not any(f.at_least and f.binding for f in worst.values()):
         return None
     found = LeastTension(tuple(worst.values()), 0.0, 0.0)

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.design_standard import asked
@@ -178,7 +179,7 @@ def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
         return not_checked("creep_interval", INTERVAL, no_state(result), place)
     if math.isnan(ends[0]):
         return None
-    most = max(ends, key=abs)
+    most = largest(ends, abs)
     told = "reaches {value}" if math.isfinite(most) else "ends where the belt slips through"
     return judged(
         RULES["creep_interval"],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, keeps
 from wraparc.checks.numbers import USUAL_TENSION, held_alike, usual
 from wraparc.checks.rules import (
@@ -201,8 +202,9 @@ def take_up(drive: Drive) -> Iterator[Check]:
     for case in drive.load_cases:
         first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
         held[case.name] = first.entry + last.exit if fixed else drive.take_up_tension(case)
-    least, most = min(held, key=held.__getitem__), max(held, key=held.__getitem__)
-    if held_alike(held[least], held[most]):
+    ordered = falling(held, held.__getitem__)
+    high, low = ordered[0], ordered[-1]
+    if held_alike(held[low], held[high]):
         return
     after = drive.criteria.take_up.after
     what = "the sum of both tensions" if fixed else "the slack-side tension"
@@ -213,10 +215,10 @@ def take_up(drive: Drive) -> Iterator[Check]:
         level=Level.ATTENTION,
         source=f"take-up {kind}, as given",
         short="contradicts take-up",
-        says=f"A {kind} take-up holds {what}, and it is {{least}} in load case {escaped(least)} "
-        f"and {{most}} in load case {escaped(most)}.",
+        says=f"A {kind} take-up holds {what}, and it is {{least}} in load case {escaped(low)} "
+        f"and {{most}} in load case {escaped(high)}.",
         remedy="Correct the tensions, or the kind under [take_up].",
-        more={"least": (held[least], "force"), "most": (held[most], "force")},
+        more={"least": (held[low], "force"), "most": (held[high], "force")},
         binding=False,
     )
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from wraparc.alike import largest
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
@@ -200,7 +201,7 @@ def _map(result: DriveResult, units: System) -> Any:
         message = "no pulley of this drive is uneven across its width"
         remedy = "Say what is uneven in [pulley.across]."
         raise InputError(Problem(key="--map", message=message, remedy=remedy))
-    return plot_across(max(found, key=lambda r: r.energy_unevenness), units)
+    return plot_across(largest(found, lambda r: r.energy_unevenness), units)
 
 
 def with_case(drive: Drive, name: str | None, file: str) -> Drive:

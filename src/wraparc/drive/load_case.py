@@ -11,6 +11,13 @@ from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_al
 DESIGN = "design"
 #: Least and largest tension that a pulley may have [N].
 LEAST_TENSION, MOST_TENSION = 0.1, 1e9
+#: Pull over tension that rounding leaves of none [-].
+ROUNDING = 1e-12
+
+
+def exit_behind(entry: float, leaving: float) -> float:
+    """Return the exit tension; that of the entry where rounding alone sets the two apart [N]."""
+    return entry if abs(entry - leaving) <= ROUNDING * entry else leaving
 
 
 def pull_of_torque(torque: float, diameter: float) -> float:
@@ -31,7 +38,7 @@ class Tensions:
     ----------
     entry, exit
         Tension at the entry nip (T1) and at the exit nip (T2) [N]. T1 > T2 drives,
-        T1 < T2 brakes.
+        T1 < T2 brakes. Apart by rounding (1e-12) alone, they are equal.
 
     Raises
     ------
@@ -49,6 +56,7 @@ class Tensions:
 
     def __post_init__(self) -> None:
         raise_all(limit_problems(self, self.LIMITS))
+        object.__setattr__(self, "exit", exit_behind(self.entry, self.exit))
 
     @property
     def effective(self) -> float:

@@ -9,6 +9,7 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.alike import largest, least
 from wraparc.motion.event import Event
 from wraparc.motion.station import Station
 
@@ -88,12 +89,16 @@ class Extremes:
     @property
     def most_tension(self) -> Peak:
         """Largest tension at either nip [N]."""
-        return max(self.most_entry_tension, self.most_exit_tension, key=lambda p: p.value)
+        return largest((self.most_entry_tension, self.most_exit_tension), _value)
 
     @property
     def least_tension(self) -> Peak:
         """Least tension at either nip [N]."""
-        return min(self.least_entry_tension, self.least_exit_tension, key=lambda p: p.value)
+        return least((self.least_entry_tension, self.least_exit_tension), _value)
+
+
+def _value(peak: Peak) -> float:
+    return peak.value
 
 
 #: Names of the peaks of `Extremes`, in order.
@@ -209,18 +214,18 @@ class RunResult:
     @property
     def peak_creep(self) -> Peak:
         """Largest creep at an exit nip, either way [m]."""
-        drum = max(self.drums, key=lambda d: d.extremes.creep.value)
+        drum = largest(self.drums, lambda d: d.extremes.creep.value)
         return replace(drum.extremes.creep, place=drum.name)
 
     @property
     def peak_tension(self) -> Peak:
         """Largest tension of the belt [N]."""
-        return max(self._tensions("most"), key=lambda p: p.value)
+        return largest(self._tensions("most"), _value)
 
     @property
     def least_tension(self) -> Peak:
         """Least tension of the belt [N]."""
-        return min(self._tensions("least"), key=lambda p: p.value)
+        return least(self._tensions("least"), _value)
 
     def creep_left(self) -> tuple[float, ...]:
         """Exit creep of every drum at the end of the run [m]."""

@@ -17,6 +17,7 @@ from wraparc.across import (
     slack_words,
 )
 from wraparc.across.wide_arc import Array
+from wraparc.alike import place_of_largest
 from wraparc.arc import DriveResult
 from wraparc.checks import Level
 from wraparc.drive import Drive
@@ -62,8 +63,7 @@ def answer_table(result: AcrossResult, system: System) -> Table:
         words = slack_words(result, system) or str(result.status)
         return Table(title, (Row("Not solved", (NONE,), note=words, level=Level.FAILS),))
     strips, y = result.fields.tension, result.position
-    t1 = result.entry_tension
-    least = int(np.argmin(np.min(strips, axis=0)))
+    least = place_of_largest(-np.min(strips, axis=0))
 
     def at(strip: int) -> str:
         return f"at {named('across_position', float(y[strip]), system)} from the middle"
@@ -76,11 +76,11 @@ def answer_table(result: AcrossResult, system: System) -> Table:
                                                 arc.width)),
         row("tightest_strip_tension", "the mean over it; above, carried on to the very edge"),
         row("least_tension", at(least)),
-        row("entry_unevenness", at(int(np.argmax(t1)))),
-        row("exit_unevenness", at(int(np.argmax(result.exit_tension)))),
-        row("energy_unevenness", f"wears fastest {at(int(np.argmax(result.frictional_energy)))}"),
+        row("entry_unevenness", at(place_of_largest(result.entry_tension))),
+        row("exit_unevenness", at(place_of_largest(result.exit_tension))),
+        row("energy_unevenness", f"wears fastest {at(place_of_largest(result.frictional_energy))}"),
         row("largest_pressure"),
-        row("largest_creep", at(int(np.argmax(np.abs(result.exit_creep))))),
+        row("largest_creep", at(place_of_largest(np.abs(result.exit_creep)))),
         Row("Levelling depth, modes 1 to 4", (_depths(result, system),), "w_n",
             _wear_words(result), "levelling_depth"),
         row("yaw_moment"),

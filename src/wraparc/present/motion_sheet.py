@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from wraparc.alike import largest, least
 from wraparc.checks import Level, judge_run
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
@@ -136,7 +137,7 @@ def _verdict(result: StabilityResult, own: ControlAnswer, system: System) -> Ver
     station, run_out = result.linear.station, result.run_out
     amplitude = own.pull * run_out
     others = [c for c in result.controls[1:] if c.stable]
-    calmest = min(others, key=lambda c: max(c.pull, c.pull_third))
+    calmest = least(others, lambda c: max(c.pull, c.pull_third))
     ways = " and ".join(dict.fromkeys(d.control.words for d in station.drums))
     said = named("exit_creep", run_out, system)
     cure = (
@@ -182,7 +183,7 @@ def _why(result: StabilityResult) -> Iterator[str]:
             "or shorten the dead time."
         )
     if any(isinstance(d.control, ExactSpeed) for d in drums[1:]) and result.sensitivity:
-        worst = max(result.sensitivity, key=abs)
+        worst = largest(result.sensitivity, abs)
         yield (
             f"At exact speeds 0.1 % of speed moves {percent(abs(worst) * 1e-3, 2)} of the load to "
             "another drum: nothing gives way to run-out, wear or a splice."

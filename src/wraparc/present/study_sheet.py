@@ -6,6 +6,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from wraparc.alike import ALIKE
 from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.page import sheet_page
@@ -262,7 +263,7 @@ def _remarks(summary: Summary) -> Iterator[str]:
         if "outside_tested_share" in g.percentiles
     ]
     worst = max((v for v, _ in shares if not math.isnan(v)), default=0.0)
-    if worst > 0.0:
+    if worst > ALIKE:
         yield (
             f"Up to {percent(worst, 2)} of the wrap (95 % of the rows) lies outside the tested "
             "range of the lagging: an extrapolation."

@@ -4,7 +4,7 @@ import csv
 import io
 from typing import Any
 
-from wraparc.checks import judge
+from wraparc.checks import TRAIN_BALANCE, judge
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.least_tension import least_data
 from wraparc.present.train_words import matching_verdict
@@ -87,6 +87,7 @@ def _case_data(case: CaseResult) -> Data:
         "other_splits": [list(split) for split in case.other_splits],
         "tension_error": case.tension_error,
         "speed_error": case.speed_error,
+        "error_floor": TRAIN_BALANCE,
     }
 
 

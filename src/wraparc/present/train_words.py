@@ -128,8 +128,9 @@ def _shares(case: CaseResult, system: System) -> str:
 
 
 def _fight(case: CaseResult, system: System) -> str:
-    forward = [m.name for m in case.members if m.arc.effective_tension > 0.0]
-    back = [m.name for m in case.members if m.arc.effective_tension < 0.0]
+    loaded = [m for m in case.members if not idle(m.arc.arc)]
+    forward = [m.name for m in loaded if m.arc.effective_tension > 0.0]
+    back = [m.name for m in loaded if m.arc.effective_tension < 0.0]
     lost = _against(case)
     drive = "drives" if len(forward) == 1 else "drive"
     brake = "brakes" if len(back) == 1 else "brake"
@@ -147,8 +148,8 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
     verb = "must turn" if asked else "turns"
     way = "faster" if ratio > 0.0 else "slower"
     terms = (
-        f"belt contraction {100.0 * m.contraction_term:+.3f} %, lagging compression "
-        f"{100.0 * m.compression_term:+.3f} %, extra creep {100.0 * m.creep_term:+.3f} %"
+        f"belt contraction {_signed(m.contraction_term)} %, lagging compression "
+        f"{_signed(m.compression_term)} %, extra creep {_signed(m.creep_term)} %"
     )
     if abs(ratio) < _AS_FAST:
         return (
@@ -159,6 +160,12 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
         f"The drum of {m.name} {verb} {abs(100.0 * ratio):.3f} % {way} than that of {first}, at "
         f"equal diameters ({terms}): {_reason(m, ratio)}{rule}."
     )
+
+
+def _signed(term: float) -> str:
+    """Return a term in percent, without a sign where nothing of it is shown."""
+    text = f"{100.0 * term:+.3f}"
+    return "0" if text in ("+0.000", "-0.000") else text
 
 
 def _rule(ratio: float) -> str:

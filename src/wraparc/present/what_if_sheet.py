@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.across import across_of
+from wraparc.alike import alike
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import Level, Place, judge, placed
 from wraparc.choose.what_if import WhatIf
@@ -53,7 +54,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         row_of(name, *(_value(r, name) for r in results), system=system)
         for name in _SHOWN
         if not all(math.isnan(_value(r, name)) for r in results)
-        and not (name in _TENSIONS and len({_value(r, name) for r in results}) == 1)
+        and not (name in _TENSIONS and alike([_value(r, name) for r in results]))
     ]
     least = tuple(shown_least(whole, system) for whole in wholes)
     behind = ", behind the drives" if several and not first.criteria.take_up.after else ""

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from wraparc.across import AcrossResult
+from wraparc.alike import place_of_largest
 from wraparc.arc import ArcResult
 from wraparc.plot.across import plot_across
 from wraparc.plot.drive import plot_budget, plot_profiles, plot_pulley
@@ -99,8 +100,8 @@ def profile_drawing(results: Sequence[ArcResult], system: System) -> Drawing:
 def across_drawing(result: AcrossResult, system: System) -> Drawing:
     """Return the map of the shear stress over wrap and width, lagging and tension beside."""
     arc, y = result.wide.arc, result.position
-    worst = named("across_position", float(y[int(result.frictional_energy.argmax())]), system)
-    tight = named("across_position", float(y[int(result.entry_tension.argmax())]), system)
+    worst = named("across_position", float(y[place_of_largest(result.frictional_energy)]), system)
+    tight = named("across_position", float(y[place_of_largest(result.entry_tension)]), system)
     alt = (
         f"Map of the shear stress of pulley {arc.pulley} over wrap angle and width, the profile of "
         f"the pulley and the tension over the width beside it. The entry tension is largest at "

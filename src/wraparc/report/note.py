@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Literal
 
+from wraparc.alike import largest
 from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
@@ -290,7 +291,7 @@ def _across_sections(result: DriveResult, system: System) -> Iterator[Section]:
     from wraparc.across import across_of
     from wraparc.present.across_tables import across_tables
 
-    worst = max(across_of(result), key=lambda r: r.entry_unevenness)
+    worst = largest(across_of(result), lambda r: r.entry_unevenness)
     yield Section(
         "Across the width",
         tables=tuple(across_tables(result, system)),

@@ -177,9 +177,12 @@ class _Workbook:
     def _check(self, check: Check) -> tuple[Cell, ...]:
         unit, size = self._unit(check.dimension)
         bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
+        # what is below its accuracy is told so, as everywhere
+        value: Cell = check.texts()[0] if check.below else check.value / size
+        margin: Cell = "-" if check.below else 100.0 * check.margin
         return (
-            check.title, bound, check.limit / size, check.value / size, unit or "-",
-            100.0 * check.margin, str(check.level), str(check.place), check.source,
+            check.title, bound, check.limit / size, value, unit or "-",
+            margin, str(check.level), str(check.place), check.source,
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:
@@ -193,7 +196,9 @@ class _Workbook:
         return entry.group, entry.title, entry.symbol, value, unit, *told
 
     def _results(self) -> None:
-        names = [n for n in self.results[0].arcs[0].scalars() if n in GLOSSARY]
+        # the balance is among the checks, where it is told whether it is more than rounding
+        numbers = self.results[0].arcs[0].scalars()
+        names = [n for n in numbers if n in GLOSSARY and n != "identity_error"]
         heads = ["Load case", "Pulley", "Method", "Answer", *map(self._headed, names)]
         shares: tuple[str, ...] = ()
         if self.train is not None:

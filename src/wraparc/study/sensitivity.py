@@ -11,6 +11,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.alike import falling
 from wraparc.errors import InputError, Problem
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import batches, read_data
@@ -95,7 +96,7 @@ def local_sensitivity(study: Study) -> LocalSensitivity:
                 _swing(axis, median[axis.field], ends[axis.field], y[0], y[1 + 4 * k : 5 + 4 * k])
                 for k, axis in enumerate(fields)
             ]
-            of_case[name] = tuple(sorted(swings, key=_narrowness))
+            of_case[name] = tuple(falling(swings, _width))
     return found
 
 
@@ -115,8 +116,8 @@ def _swing(
     )
 
 
-def _narrowness(swing: Swing) -> float:
-    return -math.inf if math.isnan(swing.width) else -swing.width
+def _width(swing: Swing) -> float:
+    return math.inf if math.isnan(swing.width) else swing.width
 
 
 @dataclass(frozen=True)
@@ -191,7 +192,7 @@ def sobol_indices(y: Array, names: tuple[str, ...]) -> Indices:
         alone, alone_interval = _mean_ratio(f[1] * (f[2 + i] - f[0]), f)
         both, both_interval = _mean_ratio(0.5 * (f[0] - f[2 + i]) ** 2, f)
         made.append(Index(name, alone, both, alone_interval, both_interval))
-    return Indices(tuple(sorted(made, key=lambda x: -x.total)), samples, lost, deviation)
+    return Indices(tuple(falling(made, lambda x: x.total)), samples, lost, deviation)
 
 
 def _mean_ratio(term: Array, f: Array) -> tuple[float, tuple[float, float]]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from enum import StrEnum
 from math import isfinite, isnan, nan
 
+from wraparc.alike import largest
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.train.train import Train, TrainCase
@@ -280,11 +281,12 @@ class TrainResult(Viewable):
     def governing(self) -> CaseResult:
         """The load case that is nearest to, or furthest beyond, its limits."""
 
-        def severity(case: CaseResult) -> tuple[bool, float]:
+        def severity(case: CaseResult) -> float:
             creeps = [abs(m.arc.exit_creep) / m.arc.arc.creep_limit for m in case.members]
-            return not case.status.solved, max(c if isfinite(c) else 0.0 for c in creeps)
+            return max(c if isfinite(c) else 0.0 for c in creeps)
 
-        return max(self.cases, key=severity)
+        solved = self.solved
+        return largest((c for c in self.cases if solved or not c.status.solved), severity)
 
     def drive_result(self) -> DriveResult:
         """Return the pulleys one by one, as `wraparc.solve` gives them for a drive."""

@@ -8,6 +8,7 @@ from math import exp, nan
 
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.drive import Pulley
+from wraparc.drive.load_case import exit_behind
 from wraparc.errors import BreakawayError, ConvergenceError, InputError, Problem
 from wraparc.train.locate import Located, away, locate
 from wraparc.train.member import Member, Passage
@@ -171,7 +172,7 @@ def arc_of(
     return WrapArc(
         law=lagging.law,
         entry_tension=tensions[0],
-        exit_tension=tensions[1],
+        exit_tension=exit_behind(*tensions),
         diameter=pulley.diameter,
         wrap_angle=pulley.wrap_angle,
         width=train.belt.width,

@@ -46,7 +46,13 @@ from wraparc.checks.numbers import (
     wrap_pressure_of,
 )
 from wraparc.drive import CREEP_LIMIT
-from wraparc.drive.load_case import LEAST_TENSION, MOST_TENSION, pull_of_power, pull_of_torque
+from wraparc.drive.load_case import (
+    LEAST_TENSION,
+    MOST_TENSION,
+    exit_behind,
+    pull_of_power,
+    pull_of_torque,
+)
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 
@@ -120,9 +126,10 @@ def pull_of(given: Given) -> float:
 def description_of(given: Given) -> Description:
     """Arc of a drive by its numbers."""
     pull, entry, leaving = pull_of(given), given.entry_tension, given.exit_tension
+    first = entry if entry == entry else leaving + pull
     return Description(
-        entry_tension=entry if entry == entry else leaving + pull,
-        exit_tension=leaving if leaving == leaving else entry - pull,
+        entry_tension=first,
+        exit_tension=exit_behind(first, leaving if leaving == leaving else entry - pull),
         diameter=given.diameter,
         wrap_angle=given.wrap_angle,
         width=given.width,

@@ -2414,8 +2414,9 @@ export function train_words___fights(case_) {
 }
 
 export function train_words___fight(case_, system) {
-  let forward = [...case_.members].filter((m) => m.arc.effective_tension > 0.0).map((m) => m.name);
-  let back = [...case_.members].filter((m) => m.arc.effective_tension < 0.0).map((m) => m.name);
+  let loaded = [...case_.members].filter((m) => !rules__idle(m.arc.arc));
+  let forward = [...loaded].filter((m) => m.arc.effective_tension > 0.0).map((m) => m.name);
+  let back = [...loaded].filter((m) => m.arc.effective_tension < 0.0).map((m) => m.name);
   let lost = train_words___against(case_);
   let drive = forward.length === 1 ? "drives" : "drive";
   let brake = back.length === 1 ? "brakes" : "brake";
@@ -2433,6 +2434,12 @@ export function train_words___fight(case_, system) {
     $text(sheet__named("effective_tension", lost, system)) +
     " of pull against each other."
   );
+}
+
+/** Return a term in percent, without a sign where nothing of it is shown. */
+export function train_words___signed(term) {
+  let text = "" + $told(100.0 * term, true, 3, "f");
+  return text === "+0.000" || text === "-0.000" ? "0" : text;
 }
 
 /** Say whether the rule of the slightly faster second drive holds. */
@@ -2466,11 +2473,11 @@ export function train_words___speed_sentence(case_, m) {
   let terms =
     "" +
     "belt contraction " +
-    $told(100.0 * m.contraction_term, true, 3, "f") +
+    $text(train_words___signed(m.contraction_term)) +
     " %, lagging compression " +
-    $told(100.0 * m.compression_term, true, 3, "f") +
+    $text(train_words___signed(m.compression_term)) +
     " %, extra creep " +
-    $told(100.0 * m.creep_term, true, 3, "f") +
+    $text(train_words___signed(m.creep_term)) +
     " %";
   if (Math.abs(ratio) < _AS_FAST) {
     return (

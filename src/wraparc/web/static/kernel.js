@@ -743,6 +743,7 @@ export class Pulls {
   }
 }
 
+const ROUNDING = 1e-12;
 const LEAST_TENSION = 0.1;
 const MOST_TENSION = 1000000000.0;
 const OVERRUN = 1.25;
@@ -895,14 +896,20 @@ export function in_page__pull_of(given) {
   return given.effective_tension;
 }
 
+/** Return the exit tension; that of the entry where rounding alone sets the two apart [N]. */
+export function load_case__exit_behind(entry, leaving) {
+  return Math.abs(entry - leaving) <= ROUNDING * entry ? entry : leaving;
+}
+
 /** Arc of a drive by its numbers. */
 export function in_page__description_of(given) {
   let pull = in_page__pull_of(given);
   let entry = given.entry_tension;
   let leaving = given.exit_tension;
+  let first = entry === entry ? entry : leaving + pull;
   return new Description(
-    entry === entry ? entry : leaving + pull,
-    leaving === leaving ? leaving : entry - pull,
+    first,
+    load_case__exit_behind(first, leaving === leaving ? leaving : entry - pull),
     given.diameter,
     given.wrap_angle,
     given.width,

@@ -6,6 +6,9 @@ import { quantity } from "./words.js";
 
 /** @typedef {Ask & {tension: number, given: number}} Figure */
 
+/** Whether a is more than b, and not by rounding. @param {number} a @param {number} b */
+const more = (a, b) => a > b && !(Math.abs(a - b) <= 1e-9 * Math.min(Math.abs(a), 1e300));
+
 /** What every check asks for, where it asks for most. @param {Judged} judged */
 function figuresOf({ arcs }) {
   /** @type {Map<string, Figure>} */
@@ -14,7 +17,9 @@ function figuresOf({ arcs }) {
     for (const ask of asks) {
       const tension = asked[ask.name];
       const held = worst.get(ask.name);
-      if (Number.isNaN(tension) || (held && tension > held.tension !== ask.at_least)) continue;
+      if (Number.isNaN(tension)) continue;
+      const [high, low] = ask.at_least ? [tension, held?.tension] : [held?.tension, tension];
+      if (held && !more(Number(high), Number(low))) continue;
       const settled = asked[`${ask.name}_settled`] ?? tension;
       worst.set(ask.name, { ...ask, tension, given: asked.given, ...{ settled } });
     }
@@ -22,7 +27,7 @@ function figuresOf({ arcs }) {
 }
 /** @param {Figure[]} all */
 const governingOf = (all) =>
-  all.filter((f) => f.binding && f.at_least).reduce((a, b) => (b.tension > a.tension ? b : a));
+  all.filter((f) => f.binding && f.at_least).reduce((a, b) => (more(b.tension, a.tension) ? b : a));
 
 /**
  * The least slack-side tension of a judged drive; null where nothing is asked for.
@@ -35,7 +40,9 @@ export function leastOf(judged) {
   if (first.name === "gross_slip") first.tension = first.settled;
   const governing = governingOf(all);
   const above = all.filter((f) => !f.at_least);
-  const highest = above.length ? above.reduce((a, b) => (b.tension < a.tension ? b : a)) : null;
+  const highest = above.length
+    ? above.reduce((a, b) => (more(a.tension, b.tension) ? b : a))
+    : null;
   const none = highest && highest.tension < governing.tension * (1 - 1e-9);
   return { all, governing, highest, tension: none ? Number.POSITIVE_INFINITY : governing.tension };
 }
