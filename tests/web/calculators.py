@@ -71,7 +71,8 @@ class Process:
                 break
         else:
             assert self.process.stderr is not None
-            raise AssertionError(self.told + self.process.stderr.read())
+            complaints = self.process.stderr.read()
+            raise AssertionError(f"ended with {self.process.wait()}: {self.told}{complaints}")
         found = re.search(r"http://\S+:(\d+)/\S*", self.told)
         assert found, self.told
         self.address, self.port = found[0].partition("?")[0], int(found[1])

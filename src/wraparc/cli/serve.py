@@ -23,9 +23,11 @@ if TYPE_CHECKING:
 @click.option(
     "--token",
     metavar="TEXT",
-    help='Token that requests must carry, needed beyond this machine; "new" makes one.',
+    help='Token that requests must carry, needed beyond this machine; "new" makes one. Other users '
+    "see what stands here: one of your own is safer in WRAPARC_TOKEN.",
     envvar="WRAPARC_TOKEN",
 )
+@click.option("--new-token", is_flag=True, help="Replace your token: the old one lets nobody in.")
 @click.option("--name", "names", multiple=True, help="Host name that this server is reached by.")
 @click.option("--workers", type=click.IntRange(0, 64), help="Processes that solve.")
 @click.option("--open/--no-open", "browser", default=False, help="Open the page in the browser.")
@@ -35,6 +37,7 @@ def serve(
     port: int,
     database: str | None,
     token: str | None,
+    new_token: bool,
     names: tuple[str, ...],
     workers: int | None,
     browser: bool,
@@ -45,32 +48,45 @@ def serve(
     machine only who opens the printed address gets in; other users of the machine do not.
     """
     _require_web()
-    from wraparc.web.database.place import user_folder
+    from wraparc.web.private import private_files
     from wraparc.web.serving import run
-    from wraparc.web.settings import Settings, is_loopback
+    from wraparc.web.settings import Settings
+
+    with private_files():
+        token = _token(host, token, new_token)
+        _check_catalogue()
+        start, start_text = _start(file)
+        settings = Settings(
+            host=host,
+            port=port,
+            token=token,
+            database=_database(database),
+            names=names,
+            start=start,
+            start_file=file or "",
+            start_text=start_text,
+            workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
+        )
+        with interrupted(lambda: "Every design that was saved is kept."):
+            run(settings, tell=_tell, browser=browser)
+    return 0
+
+
+def _token(host: str, given: str | None, new: bool) -> str:
+    """Return the token of this run: as given, made, or kept for this user."""
+    from wraparc.web.database.place import user_folder
+    from wraparc.web.settings import is_loopback
     from wraparc.web.token import own_token
 
-    if token == "new":  # noqa: S105 - a word, no secret
-        token = secrets.token_urlsafe(24)
-    if not token and is_loopback(host):
-        token = own_token(user_folder())
-    token = _checked_token(host, token)
-    _check_catalogue()
-    start, start_text = _start(file)
-    settings = Settings(
-        host=host,
-        port=port,
-        token=token,
-        database=_database(database),
-        names=names,
-        start=start,
-        start_file=file or "",
-        start_text=start_text,
-        workers=workers if workers is not None else max(1, min(8, os.cpu_count() or 1)),
-    )
-    with interrupted(lambda: "Every design that was saved is kept."):
-        run(settings, tell=_tell, browser=browser)
-    return 0
+    if new and given:
+        message = "replaces your own token, and another is given here"
+        remedy = "Leave out --token and WRAPARC_TOKEN, or --new-token."
+        raise InputError(Problem(key="--new-token", message=message, remedy=remedy))
+    if given == "new":
+        given = secrets.token_urlsafe(24)
+    if not given and is_loopback(host):
+        given = own_token(user_folder(), new=new)
+    return _checked_token(host, given)
 
 
 def _require_web() -> None:

@@ -323,7 +323,7 @@ def _uneven_cells(selection: Selection, i: int) -> list[str]:
 
 
 def _plain(value: float) -> str:
-    return "" if math.isnan(value) else f"{value:.8g}"
+    return "" if math.isnan(value) else f"{value + 0.0:.8g}"  # no -0.0
 
 
 def choose_document(selection: Selection, lighter: LighterBelt | None = None) -> dict[str, Any]:

@@ -179,10 +179,14 @@ def save_rows(study: EventStudy, rows: Sequence[EventRow], path: str | os.PathLi
     table.writerow([*study.fields, *HEADS])
     for row in rows:
         told = [getattr(row, name) for name in NAMES]
-        table.writerow(
-            [*row.values, *("" if isinstance(v, float) and math.isnan(v) else v for v in told)]
-        )
+        table.writerow([*row.values, *map(_cell, told)])
     save_file(path, text.getvalue())
+
+
+def _cell(value: object) -> object:
+    if not isinstance(value, float):
+        return value
+    return "" if math.isnan(value) else value + 0.0  # no -0.0
 
 
 def _parquet(study: EventStudy, rows: Sequence[EventRow]) -> bytes:

@@ -7,7 +7,7 @@ import sys
 import threading
 import webbrowser
 from collections.abc import Callable
-from contextlib import closing
+from contextlib import ExitStack, closing
 from dataclasses import replace
 
 import uvicorn
@@ -15,6 +15,7 @@ import uvicorn
 from wraparc.errors import InputError, Problem, shown
 from wraparc.web.app import create_app
 from wraparc.web.connections import Connection
+from wraparc.web.private import redirecting
 from wraparc.web.settings import Settings
 
 _KEEP_ALIVE, _MOST_CONNECTIONS = 30, 400
@@ -53,13 +54,18 @@ def run(settings: Settings, *, tell: Callable[[Settings], None], browser: bool =
     """
     logging.getLogger("uvicorn.error").setLevel(logging.WARNING)
     app = create_app(settings)
-    with closing(app.state.wraparc), closing(listener(settings.host, settings.port)) as found:
+    with (
+        closing(app.state.wraparc),
+        closing(listener(settings.host, settings.port)) as found,
+        ExitStack() as until_the_end,
+    ):
         known = replace(settings, port=found.getsockname()[1])
 
         def ready() -> None:
             tell(known)
             if browser:
-                opening = threading.Thread(target=webbrowser.open, args=(known.address,))
+                page = until_the_end.enter_context(redirecting(known.address))
+                opening = threading.Thread(target=webbrowser.open, args=(page,))
                 opening.daemon = True
                 opening.start()
 

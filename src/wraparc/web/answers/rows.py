@@ -46,6 +46,12 @@ def _arc(arc: Any) -> Data:
     return {**arc.model_dump(include={"pulley", "load_case", "status", "level"}), **arc.numbers}
 
 
+def _cell(value: Any) -> Any:
+    if isinstance(value, float):
+        return value + 0.0  # no -0.0
+    return no_formula(value) if isinstance(value, str) else value
+
+
 def csv_bytes(rows: Iterable[Data]) -> bytes:
     """Return lines as CSV in UTF-8, with a mark for Excel; no text becomes a formula."""
     found = list(rows)
@@ -55,5 +61,5 @@ def csv_bytes(rows: Iterable[Data]) -> bytes:
     writer.writerow(names)
     for row in found:
         cells = (row.get(name) for name in names)
-        writer.writerow([no_formula(cell) if isinstance(cell, str) else cell for cell in cells])
+        writer.writerow([_cell(cell) for cell in cells])
     return out.getvalue().encode("utf-8-sig")

@@ -20,6 +20,7 @@ from sqlalchemy.pool import StaticPool
 
 from wraparc.errors import InputError, Problem
 from wraparc.saving import quoted, replacing
+from wraparc.web.private import mend_database
 
 MIGRATIONS = Path(__file__).with_name("migrations")
 #: Execution option of a transaction that will write.
@@ -49,6 +50,8 @@ def open_engine(url: str, shown: str) -> Engine:
     try:
         engine = _engine(url)
         try:
+            if engine.dialect.name == "sqlite" and engine.url.database:
+                mend_database(engine.url.database)
             with _migrating:
                 if engine.dialect.name == "sqlite":
                     _sound_and_kept(engine)

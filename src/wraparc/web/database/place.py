@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.web.private import close_to_others
 
 _FILE = "designs.sqlite"
 _KINDS = ("sqlite", "postgresql")
@@ -19,7 +20,10 @@ def database_url(given: str | None) -> str:
         If it is of another kind, or its folder cannot be made.
     """
     if given is None:
-        return _of_file(user_folder() / _FILE)
+        url = _of_file(user_folder() / _FILE)
+        if not os.environ.get("WRAPARC_DATA"):  # a folder that was named may hold other things
+            close_to_others(user_folder())
+        return url
     kind, mark, rest = given.partition("://")
     if not mark or len(kind) == 1:  # C://... is a path too
         return _of_file(Path(given))
