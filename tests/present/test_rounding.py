@@ -35,6 +35,7 @@ from wraparc.present.sheet import Sheet, percent
 from wraparc.present.train_sheet import signed, train_sheet
 from wraparc.study.parameter_study import Study
 from wraparc.units import System, display
+from wraparc.web.answers.rows import csv_bytes
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 TRAINS = ("tandem-fabric", "triple-steel-cord")
@@ -129,6 +130,7 @@ def test_nothing_is_minus_nothing() -> None:
     cells = {cell for line in profile_csv([still]).splitlines() for cell in line.split(",")}
     assert "0" in cells
     assert "-0" not in cells
+    assert b"-0" not in csv_bytes([{"a": -0.0, "b": 1.0}])
     assert math.isfinite(json.loads(json_text({"a": -0.0}))["a"])
 
 
