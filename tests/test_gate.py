@@ -7,13 +7,14 @@ import pytest
 import gate
 from changed import SMOKE, above, chosen
 
-# as pytest prints it: the names of what failed, then the closing line
+# as pytest prints it, the names of what failed and the closing line, and make after it
 LOG = """..F.
 =========================== short test summary info ============================
 FAILED tests/train/test_a.py::test_b[steel cord | motors] - assert 1 == 2
 FAILED tests/test_units.py::test_c
 ERROR tests/web/test_d.py - ImportError: no such thing
 ============ 2 failed, 1 passed, 3 skipped, 1 error in 1.00s (0:00:01) =========
+make[1]: *** [Makefile:123: tests] Error 1
 """
 
 

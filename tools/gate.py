@@ -27,6 +27,7 @@ TESTS = ("tests", "near")
 #: Commands of failed tests that are printed; the log has all.
 MOST = 10
 _FAILED = re.compile(r"^(?:FAILED|ERROR) (\S+\.py(?:::.*?)?)(?: - .*)?$", re.MULTILINE)
+_CLOSING = re.compile(r"^=+ (.*) in [\d.]+s.*$", re.MULTILINE)
 _COUNTED = re.compile(r"(\d+) (passed|failed|errors?|skipped)")
 
 
@@ -42,8 +43,8 @@ class Ran:
     def counts(self) -> dict[str, int]:
         """Return how many tests passed, failed (errors too) and were skipped, as pytest says."""
         found = dict.fromkeys(("passed", "failed", "skipped"), 0)
-        closing = self.log.read_text("utf-8", "replace").rstrip().rpartition("\n")[2]
-        for number, word in _COUNTED.findall(closing):
+        closing = _CLOSING.findall(self.log.read_text("utf-8", "replace"))
+        for number, word in _COUNTED.findall(closing[-1] if closing else ""):
             found["failed" if word.startswith("error") else word] += int(number)
         return found
 

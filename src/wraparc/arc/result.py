@@ -81,9 +81,11 @@ class Profile(Viewable):
         return len(self.position)
 
     def columns(self) -> Iterator[tuple[str, Array]]:
-        """Yield each column with its name in the glossary."""
+        """Yield each column with its name in the glossary; 1e-12 of its largest is nothing."""
         for f in fields(self):
-            yield f.name, getattr(self, f.name)
+            column: Array = getattr(self, f.name)
+            size = np.abs(column)
+            yield f.name, np.where(size < 1e-12 * size.max(initial=0.0), 0.0, column)
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
 from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
-from wraparc.units import Dimension, System, display_unit
+from wraparc.units import NOTHING, SMALL, Dimension, System, display_unit
 
 if TYPE_CHECKING:
     from wraparc.motion.reported import InTime
@@ -150,6 +150,12 @@ class _Workbook:
     def _scaled(self, name: str, value: float) -> float:
         return value / self._unit(GLOSSARY[name].dimension)[1]
 
+    def _result(self, name: str, value: float) -> float:
+        """Return a result in its unit; what is shown as nothing is nothing."""
+        number = self._scaled(name, value)
+        nothing = abs(number) < NOTHING and GLOSSARY[name].dimension not in SMALL
+        return 0.0 if nothing else number
+
     def _summary(self) -> None:
         sheet, note = self._sheet("Summary", landscape=False), self.note
         self._put(sheet, 0, 0, note.title, self.book.add_format({"bold": True, "font_size": 15}))
@@ -208,7 +214,7 @@ class _Workbook:
             [
                 *_belongs(arc),
                 short(result, arc),
-                *(self._scaled(name, arc.scalars()[name]) for name in names),
+                *(self._result(name, arc.scalars()[name]) for name in names),
                 *self._member(arc, shares),
             ]
             for result in self.results
@@ -222,7 +228,7 @@ class _Workbook:
             return ()
         member = self.train[arc.arc.load_case][arc.arc.pulley]
         numbers = member.scalars()
-        return [self._scaled(name, numbers.get(name, math.nan)) for name in names]
+        return [self._result(name, numbers.get(name, math.nan)) for name in names]
 
     def _profile(self) -> None:
         """Write the profile of the arc that governs, by every method, with charts beside it."""

@@ -1,6 +1,14 @@
 """Quantities as people write them, and the SI values that everything else works with."""
 
-from wraparc.units.display import GIVEN_DIGITS, RESULT_DIGITS, System, display, display_unit
+from wraparc.units.display import (
+    GIVEN_DIGITS,
+    NOTHING,
+    RESULT_DIGITS,
+    SMALL,
+    System,
+    display,
+    display_unit,
+)
 from wraparc.units.numbers import parse_number
 from wraparc.units.parse import dimension_of, parse_quantity, unit_factor, unit_names
 from wraparc.units.table import DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
@@ -10,7 +18,9 @@ __all__ = [
     "DIMENSIONS",
     "DIMENSION_TEXT",
     "GIVEN_DIGITS",
+    "NOTHING",
     "RESULT_DIGITS",
+    "SMALL",
     "Dimension",
     "System",
     "dimension_of",

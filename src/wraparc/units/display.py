@@ -16,9 +16,9 @@ RESULT_DIGITS = 3
 GIVEN_DIGITS = 4
 _EXACT = 1e-9
 #: What is less, in the unit shown, is what rounding leaves of a difference of equal numbers.
-_NOTHING = 1e-9
+NOTHING = 1e-9
 #: What people measure in numbers as small as that.
-_SMALL: tuple[Dimension, ...] = ("wear_coefficient",)
+SMALL: tuple[Dimension, ...] = ("wear_coefficient",)
 
 # Unit by the size from which it is used, in the first unit of the row: a value is shown
 # in the last unit whose bound it reaches. The first unit is the one for tables.
@@ -116,7 +116,7 @@ def _shown(value: float, dimension: Dimension, system: System, digits: int) -> s
     if dimension == "temperature":
         return f"{_rounded(_degrees(value, unit), digits)} {unit}"
     number = value / unit_factor(unit, dimension)
-    if abs(number) < _NOTHING and dimension not in _SMALL:
+    if abs(number) < NOTHING and dimension not in SMALL:
         number = 0.0
     size = abs(float(_rounded(number, digits)))
     for bound, larger_unit in larger:
