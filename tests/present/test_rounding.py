@@ -25,6 +25,7 @@ from wraparc.across import AcrossSolver
 from wraparc.checks import Check, Level, judge
 from wraparc.checks.numbers import margin_of, order_of
 from wraparc.cli import motion
+from wraparc.drive import Tensions
 from wraparc.motion import vibration
 from wraparc.present.arc_tables import answer_table
 from wraparc.present.checks_table import check_data, check_table, margin_text
@@ -79,6 +80,20 @@ def test_a_drive_reads_the_same(name: str, changes: list[str]) -> None:
     for seed in range(3):
         other = moved(result, np.random.default_rng(seed))
         assert differing(drive_sheet([result]), drive_sheet([other])) == []
+
+
+def test_tensions_equal_to_rounding_are_equal() -> None:
+    """Expected: the texts of a pulley that idles exactly."""
+    drive = load_drive(EXAMPLES / "head-drive-fabric.toml", overrides=IDLE)
+    (case, *_) = drive.load_cases
+    texts = []
+    for part in (0.0, 2.3e-16, -2.3e-16, 5e-13):
+        level = {n: Tensions(entry=60e3 * (1.0 + part), exit=60e3) for n in case.tensions}
+        idle = replace(drive, load_cases=(replace(case, tensions=level),))
+        result = solve(idle, method=Distributed(points=20))
+        assert result.arcs[0].effective_tension == 0.0
+        texts.append(drive_sheet([result]))
+    assert all(differing(texts[0], text) == [] for text in texts[1:])
 
 
 def test_an_idle_pulley_has_no_spring_rate() -> None:
