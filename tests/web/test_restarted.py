@@ -4,8 +4,8 @@ from pathlib import Path
 
 from playwright.sync_api import expect
 
-from web.browser import Calculator, Visitor
-from web.calculators import Process, serving
+from web.browser import READY, Calculator, Visitor
+from web.calculators import Process, serving, wait_for
 from web.test_pages_tests import FILES
 
 
@@ -38,6 +38,35 @@ def test_a_killed_server_loses_nothing_typed_and_says_which_tests_to_drop_again(
         expect(page.get_by_text("Fitting …")).to_have_count(0)
         page.set_input_files("#test-files", FILES)
         page.wait_for_selector(f"text={len(FILES)} tests")
+        visitor.context.close()
+    finally:
+        again.kill()
+
+
+def test_a_page_not_yet_seen_waits_for_the_server(calculator: Calculator, tmp_path: Path) -> None:
+    # expected: it is asked for once, the other pages work on, and it comes with the server; it was
+    # asked for again the moment it did not come, and nothing could be pressed any more
+    place = ("--no-open", "--workers", "0", "--database", str(tmp_path / "designs.sqlite"))
+    with serving(*place) as server:
+        visitor = Visitor(calculator[0], server.address)
+        page = visitor.open("drive")
+        failed: list[str] = []
+        page.on("requestfailed", lambda request: failed.append(request.url))
+        server.kill()
+        page.click("#nav-study")
+        expect(page.locator(".gone")).to_contain_text("does not answer")
+        expect(page.locator("#study")).to_contain_text("Loading")
+        page.click("#nav-drive")
+        page.fill("#f-pulley-0-exit_tension", "77")
+        page.click("#nav-study")
+        # two questions later, a second apart, hundreds of tries were none
+        wait_for(lambda: page.evaluate("1") and sum("about" in url for url in failed) > 2)
+        assert len(failed) < 30
+        again = Process(*place, "--port", str(server.port))
+    try:
+        page.wait_for_selector(READY["study"])
+        page.click("#nav-drive")
+        expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
         visitor.context.close()
     finally:
         again.kill()

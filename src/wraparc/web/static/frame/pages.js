@@ -1,7 +1,7 @@
 // The frame that holds the pages.
 import { app, redraw } from "../base/design.js";
 import { draftTitle, forgetDraft, offered, openDraft } from "../base/drafts.js";
-import { complain } from "../base/server.js";
+import { ask, note, onReturn } from "../base/server.js";
 import { Component, h } from "../vendor/preact.js";
 import { PAGES } from "./registry.js";
 
@@ -17,9 +17,13 @@ export function present() {
         page.view = view;
         redraw();
       })
-      .catch((x) => {
-        page.load = load;
-        complain(x);
+      .catch(() => {
+        // no browser asks for a script anew that did not come: the window begins again, as it is
+        onReturn(() => location.reload());
+        ask("about").then(
+          () => note("This page did not come: reload the window, what you typed is kept.", true),
+          () => {},
+        );
       });
   }
   return page.view;
