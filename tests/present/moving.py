@@ -11,14 +11,15 @@ SOLVED = ("Result", "Point", "Energy", "Capacities", "Profile", "Fields", "Extre
           "History", "Linear")  # fmt: skip
 
 
-def moved(value: Any, rng: np.random.Generator) -> Any:
+def moved(value: Any, rng: np.random.Generator, size: float = 1.0) -> Any:
     """Return a result with every number a few units in the last place off; inputs as they are."""
     if isinstance(value, float):
         if value == 0.0:
-            return float(rng.choice([-1e-15, -0.0, 1e-15]))
+            return size * float(rng.choice([-1e-15, -0.0, 1e-15]))
         return value * (1.0 + float(rng.integers(-4, 5)) * 2.0**-52)
     if isinstance(value, np.ndarray) and value.dtype == float and value.any():
-        return np.array([moved(v, rng) for v in value.tolist()])
+        size = float(np.abs(value[np.isfinite(value)]).max(initial=0.0))
+        return np.array([moved(v, rng, size) for v in value.tolist()])
     if isinstance(value, dict):
         return {name: moved(v, rng) for name, v in value.items()}
     if isinstance(value, tuple):

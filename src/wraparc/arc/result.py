@@ -81,11 +81,11 @@ class Profile(Viewable):
         return len(self.position)
 
     def columns(self) -> Iterator[tuple[str, Array]]:
-        """Yield each column with its name in the glossary; 1e-12 of its largest is nothing."""
+        """Yield each column with its name in the glossary; 4e-15 of its largest is rounding."""
         for f in fields(self):
             column: Array = getattr(self, f.name)
             size = np.abs(column)
-            yield f.name, np.where(size < 1e-12 * size.max(initial=0.0), 0.0, column)
+            yield f.name, np.where(size < 4e-15 * size.max(initial=0.0), 0.0, column)
 
 
 @dataclass(frozen=True)
