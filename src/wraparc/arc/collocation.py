@@ -1,0 +1,627 @@
+"""The wrap arc as a two-point problem: creep u and tension T by Gauss collocation of sixth order.
+
+With the arc length s from the entry, C = 1/EA', the width B, the entry creep ratio g and the one
+free number K = g + C T(0),
+
+    u' = K - C T,    T' = -B tau(u, T),    u(0) = x_c(T(0)),
+
+and two more conditions at the ends, one for each question that an arc is asked (`Ends`). Unknown
+are u and T at the ends of elements, three stage tensions in each and K; all equations are solved at
+once by Newton's method. Nothing is marched from one end, so that nothing grows like exp(L/l) along
+an arc much longer than its shear-lag length l.
+
+U. Ascher, R. Mattheij, R. Russell, *Numerical Solution of Boundary Value Problems for Ordinary
+Differential Equations*, chapters 5 and 9 (collocation, condensation of stages, mesh selection).
+
+One source runs in the interpreter and translated for the page: plain floats, lists, named tuples.
+"""
+
+from __future__ import annotations
+
+from math import ceil, exp, inf, log, nan, sqrt
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.kernel.quantities import LEAST_COMPLIANCE, Geometry
+from wraparc.arc.traction import (
+    LEAST_CREEP,
+    creep_of_slip,
+    jump_stress,
+    piece_at,
+    plateau_stress,
+    stress_of_slip,
+    Traction,
+    traction,
+)
+from wraparc.friction.compact import CompactLaw, segment_of
+
+_Number = TypeVar("_Number", float, NDArray[np.float64])
+
+# Gauss's method of three stages: places, weights of the stages and of the end
+_Q = sqrt(15.0)
+_S = 3.0 * sqrt(0.6)
+C0, C1, C2 = 0.5 - _Q / 10.0, 0.5, 0.5 + _Q / 10.0
+A00, A01, A02 = 5.0 / 36.0, 2.0 / 9.0 - _Q / 15.0, 5.0 / 36.0 - _Q / 30.0
+A10, A11, A12 = 5.0 / 36.0 + _Q / 24.0, 2.0 / 9.0, 5.0 / 36.0 - _Q / 24.0
+A20, A21, A22 = 5.0 / 36.0 + _Q / 30.0, 2.0 / 9.0 + _Q / 15.0, 5.0 / 36.0
+B0, B1, B2 = 5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0
+# the parabola through the stages at the start of an element (at its end: the other way round)
+E0, E1, E2 = (5.0 + _Q) / 6.0, -2.0 / 3.0, (5.0 - _Q) / 6.0
+
+#: Conditions at the exit.
+TENSION, CREEP, SLIP = range(3)
+FIRST_ELEMENTS, GRADING = 8, 2.0  # of the first mesh: s = L (i/n)^2, the slip begins at the entry
+MOST_ELEMENTS = 400
+LEAST_PART, MOST_PART, SPARE = 0.25, 8.0, 1.2  # elements for one, as its misfit asks
+NEWTON = 1e-9  # largest change of a tension, of the largest there is, that ends Newton's method
+LEAST_LEFT = 0.2  # of a tension after one step
+FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
+MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
+SMALL, MOST_KINKS = 1e-9, 60  # creep without a sign, of the largest; kinks of one course
+KINK = 1e-4  # of an element: how near to a kink an element has to end
+MESH = 1e-6  # misfit of an element, of the largest change of tension, that is let stand
+ROUGH, SOFTEST = 1e-3, 5.0
+FIRST_SHARE, LEAST_SHARE = 0.125, 1e-4  # steps of a continuation from the belt at rest
+
+
+class Interface(NamedTuple):
+    """Traction between belt and shell: that of a law, or on the way to it from a spring.
+
+    Attributes
+    ----------
+    law, shear
+        The friction law, and h/G [m/Pa].
+    share, spring
+        Traction is share tau(u, p) + (1 - share) spring u [-, Pa/m].
+    """
+
+    law: CompactLaw
+    shear: float
+    share: float
+    spring: float
+
+
+class Ends(NamedTuple):
+    """What is asked at the ends of an arc.
+
+    Attributes
+    ----------
+    at_entry, at_exit, tension
+        at_entry T(0) + at_exit T(L) = tension [-, -, N].
+    kind, goal
+        TENSION: T(L) [N]; CREEP: u(L) [m]; SLIP: the slip at the exit [m].
+    """
+
+    at_entry: float
+    at_exit: float
+    tension: float
+    kind: int
+    goal: float
+
+
+class Course(NamedTuple):
+    """Creep and tension along an arc.
+
+    Attributes
+    ----------
+    place, creep, tension
+        Of the ends of elements, from the entry to the exit: s [m], u [m], T [N].
+    stage
+        Tensions at the three stages of each element [N].
+    ratio
+        K = g + C T(0) [-].
+    """
+
+    place: list[float]
+    creep: list[float]
+    tension: list[float]
+    stage: list[float]
+    ratio: float
+
+
+def between_tensions(entry: float, leaving: float) -> Ends:
+    """Both tensions given [N]: the operating point."""
+    return Ends(1.0, 0.0, entry, TENSION, leaving)
+
+
+def compliance_of(arc: Geometry) -> float:
+    """C = 1/EA' [1/N]."""
+    return max(arc.compliance, LEAST_COMPLIANCE)
+
+
+def overrun_at(arc: Geometry, tension: float) -> tuple[float, float]:
+    """Overrun x_c at an entry tension [m], and its slope by that [m/N]."""
+    area = arc.width * arc.radius
+    grown = arc.kick_coefficient * (tension / area) ** 1.5
+    return arc.kick + grown, 1.5 * grown / tension
+
+
+def first_course(face: Interface, arc: Geometry, entry: float, leaving: float) -> Course:
+    """A first guess on a mesh graded to the entry: tension falls evenly, with the creep for that."""
+    n, length = FIRST_ELEMENTS, arc.radius * arc.wrap_angle
+    fall = log(entry / leaving)
+    creep, start = 2.0 * mean_creep(face, arc, entry, leaving), overrun_at(arc, entry)[0]
+    shares = [(i / n) ** GRADING for i in range(n + 1)]
+    stage = []
+    for i in range(n):
+        h = shares[i + 1] - shares[i]
+        for c in (C0, C1, C2):
+            stage.append(entry * exp(-fall * (shares[i] + c * h)))
+    return Course(
+        [length * share for share in shares],
+        [start + creep * share for share in shares],
+        [entry * exp(-fall * share) for share in shares],
+        stage,
+        creep / length + compliance_of(arc) * 0.5 * (entry + leaving),
+    )
+
+
+def mean_creep(face: Interface, arc: Geometry, entry: float, leaving: float) -> float:
+    """Creep at which the mean friction of an arc is used at its mean tension [m]."""
+    area, fall = arc.width * arc.radius, abs(log(entry / leaving))
+    p = sqrt(entry * leaving) / area
+    stress = min(fall / arc.wrap_angle * p, MOST_USED * plateau_stress(face.law, p))
+    if stress <= 0.0:
+        return 0.0
+    high = 1e-9
+    while traction_at(face, p, high).stress < stress and high < 1e3:
+        high *= 4.0
+    low = 0.25 * high
+    for _ in range(12):
+        middle = sqrt(low * high)
+        if traction_at(face, p, middle).stress < stress:
+            low = middle
+        else:
+            high = middle
+    return arc.side * high
+
+
+def traction_at(face: Interface, pressure: float, creep: float) -> Traction:
+    """Traction of an interface at a wrap pressure [Pa] and a creep [m]."""
+    found = traction(face.law, face.shear, pressure, creep)
+    share = face.share
+    if share == 1.0:
+        return found
+    rest = (1.0 - share) * face.spring
+    return Traction(
+        share * found.stress + rest * creep,
+        share * found.by_creep + rest,
+        share * found.by_pressure,
+        found.slip,
+    )
+
+
+def stage_creeps(h: float, ratio: float, c: float, u: float, k: list[float]) -> list[float]:
+    """Creeps at the stages of an element of length h that begins at the creep u [m]."""
+    k0, k1, k2 = k
+    return [
+        u + h * (C0 * ratio - c * (A00 * k0 + A01 * k1 + A02 * k2)),
+        u + h * (C1 * ratio - c * (A10 * k0 + A11 * k1 + A12 * k2)),
+        u + h * (C2 * ratio - c * (A20 * k0 + A21 * k1 + A22 * k2)),
+    ]
+
+
+def condensed(
+    face: Interface, arc: Geometry, h: float, c: float, at: Course, i: int
+) -> tuple[list[float], list[float]]:
+    """An element made linear, its stages eliminated.
+
+    Returns
+    -------
+    stages
+        Changes of the three stage tensions: constant, and by du, dT at the start and dK; 3 x 4.
+    end
+        du and dT at the end, the same way; 2 x 4. The constants are what is missing.
+    """
+    area, hb, hc = arc.width * arc.radius, h * arc.width, h * c
+    u, tension, ratio = at.creep[i], at.tension[i], at.ratio
+    k0, k1, k2 = k = at.stage[3 * i : 3 * i + 3]
+    u0, u1, u2 = stage_creeps(h, ratio, c, u, k)
+    f0, v0, w0, _ = traction_at(face, k0 / area, u0)
+    f1, v1, w1, _ = traction_at(face, k1 / area, u1)
+    f2, v2, w2, _ = traction_at(face, k2 / area, u2)
+    # d tau_j = v_j (du + h c_j dK - hC sum A dT) + w_j dT_j
+    j00, j01, j02 = w0 / area - v0 * hc * A00, -v0 * hc * A01, -v0 * hc * A02
+    j10, j11, j12 = -v1 * hc * A10, w1 / area - v1 * hc * A11, -v1 * hc * A12
+    j20, j21, j22 = -v2 * hc * A20, -v2 * hc * A21, w2 / area - v2 * hc * A22
+    m00 = 1.0 + hb * (A00 * j00 + A01 * j10 + A02 * j20)
+    m01 = hb * (A00 * j01 + A01 * j11 + A02 * j21)
+    m02 = hb * (A00 * j02 + A01 * j12 + A02 * j22)
+    m10 = hb * (A10 * j00 + A11 * j10 + A12 * j20)
+    m11 = 1.0 + hb * (A10 * j01 + A11 * j11 + A12 * j21)
+    m12 = hb * (A10 * j02 + A11 * j12 + A12 * j22)
+    m20 = hb * (A20 * j00 + A21 * j10 + A22 * j20)
+    m21 = hb * (A20 * j01 + A21 * j11 + A22 * j21)
+    m22 = 1.0 + hb * (A20 * j02 + A21 * j12 + A22 * j22)
+    a00, a01, a02 = m11 * m22 - m12 * m21, m02 * m21 - m01 * m22, m01 * m12 - m02 * m11
+    a10, a11, a12 = m12 * m20 - m10 * m22, m00 * m22 - m02 * m20, m02 * m10 - m00 * m12
+    a20, a21, a22 = m10 * m21 - m11 * m20, m01 * m20 - m00 * m21, m00 * m11 - m01 * m10
+    det = m00 * a00 + m01 * a10 + m02 * a20
+    stages, end = [], []
+    x0, x1, x2 = v0 * C0, v1 * C1, v2 * C2
+    for q0, q1, q2, g0, g1, g2 in (
+        (
+            tension - k0 - hb * (A00 * f0 + A01 * f1 + A02 * f2),
+            tension - k1 - hb * (A10 * f0 + A11 * f1 + A12 * f2),
+            tension - k2 - hb * (A20 * f0 + A21 * f1 + A22 * f2),
+            f0,
+            f1,
+            f2,
+        ),
+        (
+            -hb * (A00 * v0 + A01 * v1 + A02 * v2),
+            -hb * (A10 * v0 + A11 * v1 + A12 * v2),
+            -hb * (A20 * v0 + A21 * v1 + A22 * v2),
+            v0,
+            v1,
+            v2,
+        ),
+        (1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
+        (
+            -hb * h * (A00 * x0 + A01 * x1 + A02 * x2),
+            -hb * h * (A10 * x0 + A11 * x1 + A12 * x2),
+            -hb * h * (A20 * x0 + A21 * x1 + A22 * x2),
+            h * x0,
+            h * x1,
+            h * x2,
+        ),
+    ):
+        y0 = (a00 * q0 + a01 * q1 + a02 * q2) / det
+        y1 = (a10 * q0 + a11 * q1 + a12 * q2) / det
+        y2 = (a20 * q0 + a21 * q1 + a22 * q2) / det
+        stages += [y0, y1, y2]
+        end.append(-hc * (B0 * y0 + B1 * y1 + B2 * y2))
+        end.append(
+            -hb
+            * (
+                B0 * (g0 + j00 * y0 + j01 * y1 + j02 * y2)
+                + B1 * (g1 + j10 * y0 + j11 * y1 + j12 * y2)
+                + B2 * (g2 + j20 * y0 + j21 * y1 + j22 * y2)
+            )
+        )
+    end[0] += u + h * ratio - hc * (B0 * k0 + B1 * k1 + B2 * k2) - at.creep[i + 1]
+    end[1] += tension - at.tension[i + 1]
+    end[2] += 1.0
+    end[5] += 1.0
+    end[6] += h
+    return stages, end
+
+
+def exit_row(face: Interface, arc: Geometry, ends: Ends, at: Course) -> tuple[float, float, float]:
+    """Condition at the exit made linear: by_creep du + by_tension dT = missing."""
+    u, tension = at.creep[-1], at.tension[-1]
+    if ends.kind == TENSION:
+        return 0.0, 1.0, ends.goal - tension
+    if ends.kind == CREEP:
+        return 1.0, 0.0, ends.goal - u
+    area = arc.width * arc.radius
+    size = abs(ends.goal)
+    sign = 1.0 if ends.goal > 0.0 else -1.0
+    by_pressure = stress_of_slip(face.law, tension / area, size)[1]
+    creep = sign * creep_of_slip(face.law, face.shear, tension / area, size)
+    return 1.0, -sign * face.shear * by_pressure / area, creep - u
+
+
+def improved(face: Interface, arc: Geometry, ends: Ends, at: Course) -> tuple[Course, float]:
+    """One Newton step; the course after it, and the largest change of a tension of the largest.
+
+    Creep is carried from the entry, du = r + d dK - b dT, tension read from the exit: with friction
+    that rises neither grows, whatever the length of the arc.
+    """
+    n, c = len(at.place) - 1, compliance_of(arc)
+    overrun, by_tension = overrun_at(arc, at.tension[0])
+    b, r, d = -by_tension, overrun - at.creep[0], 0.0
+    elements, back = [], []
+    for i in range(n):
+        stages, end = condensed(face, arc, at.place[i + 1] - at.place[i], c, at, i)
+        s0, z0, s1, z1, s2, z2, s3, z3 = end
+        pt = z2 - z1 * b
+        rt, kt = z0 + z1 * r, z3 + z1 * d
+        elements.append(stages)
+        back.append((r, d, b, rt / pt, kt / pt, 1.0 / pt))
+        turn = (s2 - s1 * b) / pt
+        b, r, d = -turn, s0 + s1 * r - turn * rt, s3 + s1 * d - turn * kt
+    by_creep, by_exit, missing = exit_row(face, arc, ends, at)
+    free = by_exit - by_creep * b
+    if free == 0.0:
+        return at, inf
+    last, last_k = (missing - by_creep * r) / free, -by_creep * d / free
+    first, first_k = last, last_k
+    for _, _, _, rt, kt, over in reversed(back):
+        first, first_k = over * first - rt, over * first_k - kt
+    slope = ends.at_entry * first_k + ends.at_exit * last_k
+    if slope == 0.0:
+        return at, inf
+    short = ends.tension - ends.at_entry * at.tension[0] - ends.at_exit * at.tension[n]
+    dk = (short - ends.at_entry * first - ends.at_exit * last) / slope
+    return _moved(at, elements, back, (r, d, b), last + last_k * dk, dk)
+
+
+def _moved(
+    at: Course,
+    elements: list[list[float]],
+    back: list[tuple[float, float, float, float, float, float]],
+    end: tuple[float, float, float],
+    dt: float,
+    dk: float,
+) -> tuple[Course, float]:
+    """Apply a Newton step, from the exit to the entry; `end` ties du at the exit to dT and dK."""
+    n = len(elements)
+    creep, tension, stage = at.creep[:], at.tension[:], at.stage[:]
+    largest, scale = abs(dt), max(at.tension[0], at.tension[n])
+    creep[n] += end[0] + end[1] * dk - end[2] * dt
+    tension[n] = max(tension[n] + dt, LEAST_LEFT * tension[n])
+    for i in range(n - 1, -1, -1):
+        r, d, b, rt, kt, over = back[i]
+        dt = over * dt - rt - kt * dk
+        du = r + d * dk - b * dt
+        y = elements[i]
+        for j in range(3):
+            change = y[j] + y[3 + j] * du + y[6 + j] * dt + y[9 + j] * dk
+            k = stage[3 * i + j]
+            stage[3 * i + j] = max(k + change, LEAST_LEFT * k)
+            largest = max(largest, abs(change))
+        creep[i] += du
+        tension[i] = max(tension[i] + dt, LEAST_LEFT * tension[i])
+        largest = max(largest, abs(dt))
+    return Course(at.place, creep, tension, stage, at.ratio + dk), largest / scale
+
+
+def converged(
+    face: Interface, arc: Geometry, ends: Ends, at: Course, most: int
+) -> tuple[bool, Course]:
+    """Newton's method on one mesh."""
+    for _ in range(most):
+        at, change = improved(face, arc, ends, at)
+        if not change < 1e4:
+            return False, at
+        if change < NEWTON:
+            return True, at
+    return False, at
+
+
+def weights_at(c: _Number) -> tuple[_Number, _Number, _Number]:
+    """Integrals from 0 to c of the parabolas that are 1 at one stage of an element each."""
+    x = 2.0 * c - 1.0
+    linear, square = 0.25 * (x * x - 1.0), 0.25 * (x * x * x - x)  # Legendre's, integrated
+    return (
+        B0 * (c - _S * linear + 2.0 * square),
+        B1 * (c - 2.5 * square),
+        B2 * (c + _S * linear + 2.0 * square),
+    )
+
+
+def state_at(arc: Geometry, at: Course, i: int, c: float) -> tuple[float, float]:
+    """Creep [m] and tension [N] at a fraction c of element i, by its polynomials."""
+    h, k = at.place[i + 1] - at.place[i], at.stage
+    w0, w1, w2 = weights_at(c)
+    mean = w0 * k[3 * i] + w1 * k[3 * i + 1] + w2 * k[3 * i + 2]
+    u = at.creep[i] + h * (c * at.ratio - compliance_of(arc) * mean)
+    # the cubic through the tensions at the start and the stages
+    t, nodes = 0.0, (0.0, C0, C1, C2)
+    values = (at.tension[i], k[3 * i], k[3 * i + 1], k[3 * i + 2])
+    for j in range(4):
+        part = values[j]
+        for m in range(4):
+            if m != j:
+                part *= (c - nodes[m]) / (nodes[j] - nodes[m])
+        t += part
+    return u, t
+
+
+def misfit(face: Interface, arc: Geometry, at: Course, i: int) -> float:
+    """How far the parabola through the stage stresses misses the stress at an element's ends [N].
+
+    As a tension: times width and length of the element.
+    """
+    area, h = arc.width * arc.radius, at.place[i + 1] - at.place[i]
+    k = at.stage[3 * i : 3 * i + 3]
+    creeps = stage_creeps(h, at.ratio, compliance_of(arc), at.creep[i], k)
+    f0, f1, f2 = (traction_at(face, k[j] / area, creeps[j]).stress for j in range(3))
+    left = traction_at(face, at.tension[i] / area, at.creep[i]).stress
+    right = traction_at(face, at.tension[i + 1] / area, at.creep[i + 1]).stress
+    first = abs(E0 * f0 + E1 * f1 + E2 * f2 - left)
+    return h * arc.width * max(first, abs(E2 * f0 + E1 * f1 + E0 * f2 - right))
+
+
+def piece_code(
+    face: Interface, arc: Geometry, state: tuple[float, float], least: float
+) -> tuple[int, int, int]:
+    """The piece of a law that holds at a place: sign of the creep, segment, branch.
+
+    A creep below `least` [m] has no sign: on the way to an arc at rest it is rounding.
+    """
+    u, tension = state
+    p = tension / (arc.width * arc.radius)
+    segment = segment_of(face.law, p)
+    branch = piece_at(face.law, segment, face.shear, p, max(abs(u), LEAST_CREEP)).branch
+    return (0 if abs(u) < least else 1 if u > 0.0 else -1), segment, branch
+
+
+def _differ(one: tuple[int, int, int], other: tuple[int, int, int]) -> bool:
+    """Whether two places lie in different pieces of the law, or creep turns between them."""
+    return one[0] * other[0] < 0 or one[1] != other[1] or one[2] != other[2]
+
+
+def kinks(face: Interface, arc: Geometry, at: Course) -> list[tuple[float, bool]]:
+    """Places where the course passes into another piece of the law [m], and whether creep turns."""
+    found: list[tuple[float, bool]] = []
+    least = SMALL * max(max(at.creep), -min(at.creep))
+    code = piece_code(face, arc, state_at(arc, at, 0, C0), least)
+    for i in range(len(at.place) - 1):
+        low = 0.0 if i > 0 else C0
+        for high in (C0, C1, C2, 1.0):
+            if high <= low or (high == 1.0 and i + 2 == len(at.place)):
+                continue
+            now = piece_code(face, arc, state_at(arc, at, i, high), least)
+            if _differ(now, code):
+                share, turns = _change(face, arc, at, i, (low, high), code)
+                h = at.place[i + 1] - at.place[i]
+                found.append((at.place[i] + share * h, turns))
+            code = now if now[0] != 0 else (code[0], now[1], now[2])
+            low = high
+    return found[:MOST_KINKS]
+
+
+def _change(
+    face: Interface,
+    arc: Geometry,
+    at: Course,
+    i: int,
+    within: tuple[float, float],
+    code: tuple[int, int, int],
+) -> tuple[float, bool]:
+    """Fraction of an element at which a piece of the law ends, and whether creep turns there."""
+    low, high = within
+    turns = False
+    while high - low > 0.1 * KINK:
+        middle = 0.5 * (low + high)
+        now = piece_code(face, arc, state_at(arc, at, i, middle), 0.0)
+        if _differ(now, code):
+            high, turns = middle, now[0] != code[0]
+        else:
+            low = middle
+    return high, turns
+
+
+def meshed(face: Interface, arc: Geometry, at: Course, tol: float) -> tuple[bool, Course]:
+    """The course on a mesh that spreads the misfit evenly and ends elements at kinks.
+
+    True where a finer mesh is needed; else the course is returned as it was.
+    """
+    places, n = at.place, len(at.place) - 1
+    size = 1e-6 * at.tension[0]
+    for tension in at.tension:
+        size = max(size, abs(tension - at.tension[0]))
+    needed = [(misfit(face, arc, at, i) / size / tol) ** 0.25 for i in range(n)]
+    ends = kinks(face, arc, at)
+    far = False
+    for where, _ in ends:
+        far = far or _misses(places, where)
+    if not far and max(needed) <= 1.0:
+        return False, at
+    new = _spread(places, [min(max(part, LEAST_PART), MOST_PART) for part in needed])
+    for where, turns in ends:
+        _end_at(new, where, turns)
+    return True, _carried_over(arc, at, new)
+
+
+def _misses(places: list[float], where: float) -> bool:
+    """Whether no element ends at a kink."""
+    i = 0
+    while places[i + 1] < where:
+        i += 1
+    h = places[i + 1] - places[i]
+    return min(where - places[i], places[i + 1] - where) > KINK * h
+
+
+def _spread(places: list[float], parts: list[float]) -> list[float]:
+    """Ends of elements of which each has the same share of the parts that were asked for."""
+    total = sum(parts)
+    n = min(max(ceil(SPARE * total), FIRST_ELEMENTS), MOST_ELEMENTS)
+    new, i, done = [0.0], 0, 0.0
+    for j in range(1, n):
+        goal = total * j / n
+        while done + parts[i] < goal:
+            done += parts[i]
+            i += 1
+        new.append(places[i] + (places[i + 1] - places[i]) * (goal - done) / parts[i])
+    new.append(places[-1])
+    return new
+
+
+def _end_at(places: list[float], where: float, turns: bool) -> None:
+    """Let an element end at a kink: by a node that is moved, or by a new one."""
+    i = 0
+    while places[i + 1] < where:
+        i += 1
+    h = places[i + 1] - places[i]
+    near = i if where - places[i] < 0.5 * h else i + 1
+    if 0 < near < len(places) - 1 and abs(where - places[near]) < 0.3 * h:
+        places[near] = where
+        i = near
+    else:
+        i += 1
+        places.insert(i, where)
+    for _ in range(4 if turns else 0):
+        # the slope of a law that rises like a logarithm is infinite there
+        places.insert(i, where - (where - places[i - 1]) * 0.25)
+        i += 1
+        places.insert(i + 1, where + (places[i + 1] - where) * 0.25)
+
+
+def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
+    """A course on another mesh of the same length."""
+    creep, tension, stage = [at.creep[0]], [at.tension[0]], []
+    i = 0
+    for j in range(len(places) - 1):
+        h = places[j + 1] - places[j]
+        for c in (C0, C1, C2, 1.0):
+            s = places[j] + c * h
+            while i + 2 < len(at.place) and at.place[i + 1] < s:
+                i += 1
+            share = (s - at.place[i]) / (at.place[i + 1] - at.place[i])
+            u, t = state_at(arc, at, i, min(share, 1.0))
+            if c < 1.0:
+                stage.append(t)
+        creep.append(u)
+        tension.append(t)
+    creep[-1], tension[-1] = at.creep[-1], at.tension[-1]
+    return Course(places, creep, tension, stage, at.ratio)
+
+
+def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) -> tuple[bool, Course]:
+    """Continuation in the law: from traction that grows evenly with creep, in steps that adapt."""
+    share, step = 0.0, FIRST_SHARE
+    size = max(abs(at.creep[-1]), abs(at.creep[0]))
+    pull = abs(at.tension[0] - at.tension[-1])
+    length = at.place[-1]
+    softest = (SOFTEST / length) ** 2 / (compliance_of(arc) * arc.width)
+    spring = max(pull, 1e-3 * at.tension[0]) / (arc.width * length * max(size, 1e-9))
+    face = face._replace(spring=min(spring, softest), share=0.0)
+    done, at = converged(face, arc, ends, at, FIRST_STEPS)
+    if not done:
+        return False, at
+    at = meshed(face, arc, at, ROUGH)[1]
+    while step > LEAST_SHARE:
+        now = min(share + step, 1.0)
+        done, new = converged(face._replace(share=now), arc, ends, at, FIRST_STEPS)
+        if not done:
+            step *= 0.4
+            continue
+        share, step = now, 1.6 * step
+        face = face._replace(share=now)
+        at = meshed(face, arc, new, max(ROUGH, tol))[1]
+        if share == 1.0:
+            return converged(face, arc, ends, at, LATER_STEPS)
+    return False, at
+
+
+def solved(
+    face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH
+) -> tuple[bool, Course]:
+    """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
+    done, at = converged(face, arc, ends, start, FIRST_STEPS)
+    for _ in range(MOST_ROUNDS):
+        if not done:
+            return False, at
+        finer, new = meshed(face, arc, at, tol)
+        if not finer:
+            return True, at
+        done, at = converged(face, arc, ends, new, LATER_STEPS)
+    return done, at
+
+
+def operating_course(
+    law: CompactLaw, arc: Geometry, entry: float, leaving: float, tol: float = MESH
+) -> tuple[bool, Course]:
+    """Course of an arc between two tensions [N]."""
+    ends, face = between_tensions(entry, leaving), Interface(law, arc.shear, 1.0, 0.0)
+    first = first_course(face, arc, entry, leaving)
+    done, at = solved(face, arc, ends, first, tol)
+    if done:
+        return done, at
+    done, at = eased(face, arc, ends, first, tol)
+    return solved(face, arc, ends, at, tol) if done else (False, at)

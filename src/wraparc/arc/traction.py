@@ -1,0 +1,243 @@
+"""Traction of a lagging at a creep: slip and shear in series, for every friction law.
+
+The creep u of the belt against the shell is the slip x of the law plus the shear of the lagging,
+
+    u = x + c tau(u),    tau = mu(x, p) p,    c = h/G,
+
+where the belt slides. A law that begins with a jump holds the belt while shear alone takes the
+creep up: x = 0, tau = u/c, up to u = c mu(0+, p) p. Traction is odd in creep. It is single-valued
+where c p dmu/dx > -1, which `WrapArc` asks of every arc; without shear (c = 0) a law that jumps is
+set-valued at no creep, see `jump_stress`.
+
+One source runs in the interpreter and translated for the page: plain floats and named tuples only.
+"""
+
+from __future__ import annotations
+
+from math import log
+from typing import NamedTuple
+
+from wraparc.friction.compact import (
+    ELASTIC,
+    LIMIT,
+    LINE,
+    PLASTIC,
+    RESIDUAL,
+    RISE,
+    TABLE,
+    CompactLaw,
+    friction_at,
+    limit_at,
+    peak,
+    plateau_at,
+    segment_of,
+    tail,
+)
+
+#: Least slip over peak slip, and least creep [m], at which the slope of a law is taken: that of the
+#: integral-log law grows without bound as the slip vanishes.
+LEAST_SHARE, LEAST_CREEP = 1e-12, 1e-16
+#: Relative accuracy of the slip.
+ACCURACY = 1e-15
+
+
+class Traction(NamedTuple):
+    """Traction at a creep and a wrap pressure.
+
+    Attributes
+    ----------
+    stress
+        tau, with the sign of the creep [Pa].
+    by_creep
+        d tau/du at that pressure [Pa/m].
+    by_pressure
+        d tau/dp at that creep [-].
+    slip
+        x, with the sign of the creep [m].
+    """
+
+    stress: float
+    by_creep: float
+    by_pressure: float
+    slip: float
+
+
+class Piece(NamedTuple):
+    """Slip, and the piece of a law that it lies in.
+
+    Attributes
+    ----------
+    slip
+        Magnitude of the slip [m]; 0 where the belt is held.
+    branch
+        Branch of the law, see :mod:`wraparc.friction.compact`; -1 where the belt is held.
+    """
+
+    slip: float
+    branch: int
+
+
+HELD = Piece(0.0, -1)
+
+
+def traction(law: CompactLaw, shear: float, pressure: float, creep: float) -> Traction:
+    """Traction at a creep of either sign.
+
+    Parameters
+    ----------
+    law
+        The friction law.
+    shear
+        c = h/G of the lagging, >= 0 [m/Pa].
+    pressure
+        Wrap pressure, > 0 [Pa].
+    creep
+        u [m].
+    """
+    size = max(abs(creep), LEAST_CREEP)
+    sign = 1.0 if creep >= 0.0 else -1.0
+    segment = segment_of(law, pressure)
+    slip, branch = piece_at(law, segment, shear, pressure, size)
+    if branch < 0:
+        return Traction(creep / shear, 1.0 / shear, 0.0, 0.0)
+    mu, mu_x, mu_p = friction_at(law, segment, branch, slip, pressure)
+    stiff = 1.0 / (1.0 + shear * pressure * mu_x)
+    scale = abs(creep) / size  # 1 but next to no creep, where traction is a straight line
+    return Traction(
+        sign * mu * pressure * scale,
+        pressure * mu_x * stiff,
+        sign * (mu + pressure * mu_p) * stiff * scale,
+        sign * slip * scale,
+    )
+
+
+def piece_at(law: CompactLaw, segment: int, shear: float, pressure: float, creep: float) -> Piece:
+    """Slip and branch of a law at a magnitude of creep, > 0 [m]: u = x + c mu(x, p) p inverted."""
+    ease = shear * pressure
+    if law.kind == LIMIT:
+        return _under_limit(law, segment, ease, pressure, creep)
+    if law.kind == TABLE:
+        return _in_table(law, segment, ease, pressure, creep)
+    slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
+    slope, residual, _, _ = tail(law, segment, pressure)
+    hold = _hold(law, segment, pressure)
+    mu_pk, slope, residual = hold * mu_pk, hold * slope, hold * residual
+    beyond = creep - slip_pk - ease * mu_pk
+    if beyond <= 0.0:
+        return Piece(slip_pk * _rise(ease * mu_pk / slip_pk, creep / slip_pk), RISE)
+    residual = min(residual, mu_pk)
+    line = beyond / (1.0 + ease * slope)
+    if mu_pk + slope * line >= residual:
+        return Piece(slip_pk + line, LINE)
+    return Piece(creep - ease * residual, RESIDUAL)
+
+
+def _hold(law: CompactLaw, segment: int, pressure: float) -> float:
+    """Share of friction that is left where traction is held, above the tested pressures [-]."""
+    last = len(law.edges) - 1
+    return law.edges[last] / pressure if segment >= last >= 0 else 1.0
+
+
+def _rise(k: float, w: float) -> float:
+    """Slip over peak slip on the rise of the integral-log law: r + k r (1 - ln r) = w <= 1 + k.
+
+    Newton's method: the left side is concave, so that from the first step on it comes from below.
+    """
+    r = w / (1.0 + k * (1.0 - log(min(w, 1.0))))
+    for _ in range(30):
+        lr = log(r)
+        change = (r + k * r * (1.0 - lr) - w) / (1.0 - k * lr)
+        r = min(max(r - change, 0.1 * r), 1.0)
+        if abs(change) <= ACCURACY * r:
+            break
+    return max(r, LEAST_SHARE)
+
+
+def _under_limit(
+    law: CompactLaw, segment: int, ease: float, pressure: float, creep: float
+) -> Piece:
+    """Of a law with a limit, reached elastically or at once."""
+    limit = limit_at(law, segment, pressure)[0]
+    onset = law.coefficients[3] * pressure
+    if creep > (ease + onset) * limit:
+        return Piece(creep - ease * limit, PLASTIC)
+    if onset > 0.0:
+        return Piece(creep * onset / (ease + onset), ELASTIC)
+    return HELD if ease > 0.0 else Piece(creep, PLASTIC)
+
+
+def _in_table(law: CompactLaw, segment: int, ease: float, pressure: float, creep: float) -> Piece:
+    """Of a measured table: the cell whose creeps hold it, then Newton's method in a bracket."""
+    slips = law.slips
+    mu, _, _ = friction_at(law, segment, 0, 0.0, pressure)
+    if creep <= ease * mu:
+        return HELD
+    cell, last = 0, len(slips) - 1
+    while cell < last:
+        mu, _, _ = friction_at(law, segment, cell + 1, slips[cell + 1], pressure)
+        if creep <= slips[cell + 1] + ease * mu:
+            break
+        cell += 1
+    if cell == last:
+        return Piece(creep - ease * friction_at(law, segment, last, slips[last], pressure)[0], last)
+    low, high = slips[cell], min(slips[cell + 1], creep)
+    x = 0.5 * (low + high)
+    for _ in range(100):
+        mu, mu_x, _ = friction_at(law, segment, cell, x, pressure)
+        miss = x + ease * mu - creep
+        low, high = (low, x) if miss > 0.0 else (x, high)
+        slope = 1.0 + ease * mu_x
+        new = x - miss / slope if slope > 0.0 else low
+        if not low < new < high:
+            new = 0.5 * (low + high)
+        change, x = abs(new - x), new
+        if change <= ACCURACY * x:
+            break
+    return Piece(x, cell)
+
+
+def jump_stress(law: CompactLaw, pressure: float) -> tuple[float, float]:
+    """Traction mu(0+, p) p that a law holds a belt with before it slips [Pa], and its slope by p.
+
+    0 for laws that rise from nothing.
+    """
+    segment = segment_of(law, pressure)
+    if law.kind == LIMIT and law.coefficients[3] == 0.0:
+        mu, mu_p = limit_at(law, segment, pressure)
+    elif law.kind == TABLE:
+        mu, _, mu_p = friction_at(law, segment, 0, 0.0, pressure)
+    else:
+        return 0.0, 0.0
+    return mu * pressure, mu + pressure * mu_p
+
+
+def creep_of_slip(law: CompactLaw, shear: float, pressure: float, slip: float) -> float:
+    """Creep u = x + c mu(x, p) p at a magnitude of slip, > 0 [m]."""
+    return slip + shear * stress_of_slip(law, pressure, slip)[0]
+
+
+def stress_of_slip(law: CompactLaw, pressure: float, slip: float) -> tuple[float, float]:
+    """Traction mu(x, p) p at a magnitude of slip, > 0 [Pa], and its slope by p at that slip."""
+    segment = segment_of(law, pressure)
+    branch = piece_at(law, segment, 0.0, pressure, slip).branch
+    mu, _, mu_p = friction_at(law, segment, branch, slip, pressure)
+    return mu * pressure, mu + pressure * mu_p
+
+
+def plateau_stress(law: CompactLaw, pressure: float) -> float:
+    """Largest traction of a law at a pressure, at any slip [Pa]."""
+    return plateau_at(law, segment_of(law, pressure), pressure) * pressure
+
+
+def residual_stress(law: CompactLaw, pressure: float) -> float:
+    """Traction of a law at a pressure that is left at slips without bound [Pa]."""
+    segment = segment_of(law, pressure)
+    if law.kind == LIMIT:
+        return limit_at(law, segment, pressure)[0] * pressure
+    if law.kind == TABLE:
+        last = len(law.slips) - 1
+        return friction_at(law, segment, last, law.slips[last], pressure)[0] * pressure
+    _, mu_pk, _, _ = peak(law, segment, pressure)
+    slope, residual, _, _ = tail(law, segment, pressure)
+    left = min(residual, mu_pk) if slope < 0.0 else mu_pk
+    return left * _hold(law, segment, pressure) * pressure

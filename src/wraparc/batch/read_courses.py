@@ -1,0 +1,191 @@
+"""What rows of results say of courses: exit, largest shear, active arc, share outside the tests."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from wraparc.batch import row
+from wraparc.batch.two_point import (
+    Array,
+    Block,
+    Courses,
+    between,
+    cubic_through,
+    stage_creeps,
+    stage_shares,
+)
+
+ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
+HALVINGS = 45
+FINE = 8  # parts of the neighbourhood in which the largest shear is looked for, twice
+CROSSINGS = 128  # parts of an arc of which some is outside the tested range
+REST = 1e-9  # of the largest slip: a belt at rest
+
+
+def read_courses(
+    block: Block, at: Courses, lowest: Array, highest: Array, furthest: Array
+) -> dict[int, Array]:
+    """Columns of operating points by their places in a row of results.
+
+    Parameters
+    ----------
+    block, at
+        Arcs and their courses.
+    lowest, highest, furthest
+        Tested pressures [Pa] and largest tested slip [m], nan without.
+    """
+    shares, tension, creep = _samples(block, at)
+    s = block.stress(tension, creep)
+    g = at.ratio - block.compliance * at.tension[0]
+    pull = at.tension[0] - at.tension[-1]
+    work = pull * (g + 0.5 * pull * block.compliance) / block.width
+    work = work - 0.5 * block.shear * (s.stress[-1] ** 2 - s.stress[0] ** 2)
+    size = np.abs(s.slip)
+    # x' = u' - c tau', tau' by creep and tension
+    growth = at.ratio - block.compliance * tension
+    loss = -block.width * s.stress / block.area
+    steep = growth - block.shear * (s.by_creep * growth + s.by_pressure * loss)
+    peak, where = _largest_stress(block, at, shares, s.stress)
+    outside = np.full(len(block), np.nan)
+    tested = np.flatnonzero(np.isfinite(furthest))
+    if len(tested):
+        limits = (lowest[tested], highest[tested], furthest[tested])
+        p = tension[:, tested] / block.area[tested]
+        outside[tested] = _outside(
+            block.rows(tested), at.rows(tested), p, size[:, tested], limits
+        )
+    return {
+        row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
+        row.EXIT_CREEP: at.creep[-1],
+        row.EXIT_SLIP: s.slip[-1],
+        row.EXIT_STRESS: s.stress[-1],
+        row.ENTRY_STRESS: s.stress[0],
+        row.WORK: work,
+        row.CREEP_RATIO: g,
+        row.STUCK_LENGTH: _stuck(block, at, shares, s.slip) * block.length,
+        row.PEAK_STRESS: peak,
+        row.PEAK_AT: where * block.length,
+        row.ACTIVE: (1.0 - _begins(at)) * block.length,
+        row.OUTSIDE: outside,
+        row.LARGEST_SLIP: size.max(axis=0),
+        row.STEEPEST_SLIP: np.abs(steep).max(axis=0),
+    }
+
+
+def _samples(block: Block, at: Courses) -> tuple[Array, Array, Array]:
+    """Shares of the arc, tensions and creeps at the ends and stages of elements, in order."""
+    steps = np.diff(at.shares, axis=0) * block.length
+    creeps = stage_creeps(block, steps, at)
+    elements, n = steps.shape
+
+    def merged(ends: Array, stages: Array) -> Array:
+        out = np.empty((4 * elements + 1, n))
+        out[::4] = ends
+        for k in range(3):
+            out[k + 1 :: 4] = stages[k]
+        return out
+
+    return (
+        merged(at.shares, stage_shares(at.shares)),
+        merged(at.tension, at.stage),
+        merged(at.creep, creeps),
+    )
+
+
+def _largest_stress(
+    block: Block, at: Courses, shares: Array, stress: Array
+) -> tuple[Array, Array]:
+    """Largest magnitude of shear stress [Pa], and its place as a share of the arc."""
+    best = np.abs(stress).argmax(axis=0)
+    rows = np.arange(len(block))
+    most, where = np.abs(stress)[best, rows], shares[best, rows]
+    low = shares[np.maximum(best - 1, 0), rows]
+    high = shares[np.minimum(best + 1, len(shares) - 1), rows]
+    for _ in range(2):
+        points = low + (high - low) * (np.arange(FINE + 1) / FINE)[:, None]
+        creep, tension = between(block, at, points)
+        size = np.abs(block.stress(tension, creep).stress)
+        k = size.argmax(axis=0)
+        better = size[k, rows] > most
+        most, where = np.where(better, size[k, rows], most), np.where(better, points[k, rows], where)
+        low = points[np.maximum(k - 1, 0), rows]
+        high = points[np.minimum(k + 1, FINE), rows]
+    k = np.clip(k, 1, FINE - 1)
+    before, here, after = (size[k + d, rows] for d in (-1, 0, 1))
+    bend = before - 2.0 * here + after
+    move = np.where(bend < 0.0, 0.5 * (before - after) / bend, 0.0)
+    inside = (np.abs(move) < 1.0) & (here >= most * (1.0 - 1e-9))
+    top = here - 0.25 * (before - after) * move
+    step = points[1, rows] - points[0, rows]
+    return (
+        np.where(inside, np.maximum(top, most), most),
+        np.where(inside, points[k, rows] + move * step, where),
+    )
+
+
+def _begins(at: Courses) -> Array:
+    """Where the active arc begins, as a share of the arc."""
+    change = at.tension[0] - at.tension[-1]
+    goal = at.tension[0] - ACTIVE_SHARE * change
+    taken = (at.tension[0] - at.tension) / np.where(change == 0.0, 1.0, change)
+    before = taken[:-1] <= ACTIVE_SHARE
+    # the last element that begins with less
+    place = len(before) - 1 - before[::-1].argmax(axis=0)
+    rows = np.arange(len(goal))
+    t0 = at.tension[place, rows]
+    k0, k1, k2 = at.stage[:, place, rows]
+    low, high = np.zeros(len(goal)), np.ones(len(goal))
+    for _ in range(HALVINGS):
+        c = 0.5 * (low + high)
+        less = (cubic_through(c, t0, k0, k1, k2) - goal) * np.sign(change) > 0.0
+        low, high = np.where(less, c, low), np.where(less, high, c)
+    a, b = at.shares[place, rows], at.shares[place + 1, rows]
+    return np.asarray(np.where(change == 0.0, 1.0, a + (b - a) * low))
+
+
+def _stuck(block: Block, at: Courses, shares: Array, slip: Array) -> Array:
+    """Entry part of the arc at rest under a law that jumps, as a share of it."""
+    held = (slip == 0.0).cumprod(axis=0).astype(bool)
+    count = held.sum(axis=0)
+    which = np.flatnonzero(count > 1)
+    out = np.zeros(len(block))
+    if not len(which):
+        return out
+    last = len(shares) - 1
+    low = shares[np.minimum(count, last + 1)[which] - 1, which]
+    high = shares[np.minimum(count[which], last), which]
+    part, some = block.rows(which), at.rows(which)
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        creep, tension = between(part, some, middle[None])
+        rests = part.stress(tension, creep).slip[0] == 0.0
+        low, high = np.where(rests, middle, low), np.where(rests, high, middle)
+    out[which] = low
+    return out
+
+
+def _outside(
+    block: Block, at: Courses, pressure: Array, slip: Array, limits: tuple[Array, Array, Array]
+) -> Array:
+    """Share of an arc outside the tested range; crossings by straight lines between fine points."""
+    lowest, highest, furthest = limits
+    out = (pressure < lowest) | (pressure > highest) | (slip > furthest)
+    share = out.all(axis=0).astype(float)
+    which = np.flatnonzero(out.any(axis=0) & ~out.all(axis=0))
+    if not len(which):
+        return share
+    part, some = block.rows(which), at.rows(which)
+    points = np.broadcast_to(
+        (np.arange(CROSSINGS + 1) / CROSSINGS)[:, None], (CROSSINGS + 1, len(which))
+    )
+    creep, tension = between(part, some, points)
+    p, x = tension / part.area, np.abs(part.stress(tension, creep).slip)
+    low, high = np.zeros((CROSSINGS, len(which))), np.ones((CROSSINGS, len(which)))
+    for f in (lowest[which] - p, p - highest[which], x - furthest[which]):
+        a, b = f[:-1], f[1:]
+        cross = a / np.where(a == b, 1.0, a - b)
+        high = np.where((a > 0.0) & (b > 0.0), -1.0, high)
+        low = np.where((a > 0.0) & (b <= 0.0), np.maximum(low, cross), low)
+        high = np.where((a <= 0.0) & (b > 0.0), np.minimum(high, cross), high)
+    share[which] = (1.0 - np.maximum(high - low, 0.0)).mean(axis=0)
+    return share

@@ -1,0 +1,463 @@
+"""Many arcs by collocation over columns: operating points and capacities, row by row.
+
+Rows are tried on a coarse mesh, then on finer ones spread as their misfit asks, until it is below
+what is allowed; what no mesh serves is left to the scalar solver. An arc has the same numbers to
+rounding whatever it is solved with.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from wraparc.arc.collocation import CREEP, TENSION
+from wraparc.arc.kernel import answer
+from wraparc.arc.kernel.least_slack import HIGHEST
+from wraparc.arc.kernel.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
+from wraparc.batch import row
+from wraparc.batch.arcs import Arcs
+from wraparc.batch.constant import solve_constant
+from wraparc.batch.gross_slip import ratio_at_gross_slip, wrap_needed
+from wraparc.batch.least import search_least
+from wraparc.batch.precise import solve_precisely
+from wraparc.batch.read_courses import read_courses
+from wraparc.batch.traction import laws_of
+from wraparc.batch.two_point import (
+    Array,
+    Block,
+    Courses,
+    Ends,
+    Flags,
+    Integers,
+    first_courses,
+    mean_creep,
+    on_mesh,
+    solved,
+    spread,
+)
+
+#: Meshes tried one after the other: elements, of which the first is graded to the entry.
+MESHES = (4, 8, 16, 28, 48, 96)
+#: What misfit is let stand, of the accuracy: errors are half of it at most, in the median a 50th.
+MISFIT = 2.0
+SMALLEST_LOG_RATIO = 1e-5
+#: Creeps of which the largest ratio of a law that falls past its peak is looked for, times those
+#: at the peak; then nearer to the best.
+CREEPS = (1.0, 1.5, 2.2, 3.3, 5.0, 8.0, 14.0, 30.0)
+NEARER, PRESSURES = 5, 5
+
+FIRST_NEAR = 1e-2  # of Newton's method on the first mesh: what it leaves is the mesh's
+LARGEST_FALL = 6.0  # of ln T, of a first guess
+
+_INPUT = {name: k for k, name in enumerate(row.INPUTS)}
+
+
+class Guess(NamedTuple):
+    """First guess of an arc: tensions at its ends [N], creep at the exit [m]."""
+
+    entry: Array
+    leaving: Array
+    creep: Array
+
+
+class Met(NamedTuple):
+    """Rows that met what was asked; see `Solved`."""
+
+    which: Integers
+    block: Block
+    courses: Courses
+    grows: Array
+
+
+Read = Callable[[Met], None]
+
+
+def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
+    """Rows of results (see `row`) that are wanted, and which arcs the scalar solver had to do.
+
+    Parameters
+    ----------
+    arcs
+        The arcs.
+    parts
+        What is wanted, see `row`.
+    accuracy
+        Largest relative error of creep, slip and shear that is let stand [-].
+    """
+    found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
+    left = np.zeros(len(arcs), dtype=np.int64)
+    for kind in np.unique(arcs.laws.kind[arcs.law]).tolist():
+        which = np.flatnonzero(arcs.laws.kind[arcs.law] == kind)
+        batch = RowBatch.of(arcs.rows(which), accuracy)
+        with np.errstate(all="ignore"):
+            batch.find(parts)
+        found[which], left[which] = batch.found, batch.left
+    _leave(arcs, parts, found, left)
+    return found, left > 0
+
+
+def _leave(arcs: Arcs, parts: int, found: Array, left: Integers) -> None:
+    """Let the scalar solver do what is left."""
+    left &= parts
+    done = solve_constant(arcs, left & row.TENSIONS > 0, found)
+    left[done] &= ~row.TENSIONS
+    which = np.flatnonzero(left)
+    if not len(which):
+        return
+    rest = solve_precisely(arcs.rows(which), left[which])
+    for part, places in row.PLACES.items():
+        these = (left[which] & part) > 0
+        found[np.ix_(which[these], places)] = rest[np.ix_(these, places)]
+
+
+@dataclass(eq=False)
+class RowBatch:
+    """Arcs under laws of one kind while they are being solved.
+
+    Attributes
+    ----------
+    arcs, given, block
+        What is solved.
+    found, left
+        Rows of results, and parts that are left to the scalar solver.
+    accuracy
+        See `solve_rows`.
+    """
+
+    arcs: Arcs
+    given: Array
+    block: Block
+    found: Array
+    left: Integers
+    accuracy: float
+
+    @classmethod
+    def of(cls, arcs: Arcs, accuracy: float) -> RowBatch:
+        """Begin a batch: rows that a law is unfit for are refused."""
+        given = arcs.inputs()
+        of = {name: given[:, k] for name, k in _INPUT.items()}
+        used, place = np.unique(arcs.law, return_inverse=True)
+        block = Block(
+            laws=laws_of([arcs.laws.compact(int(i)) for i in used], place),
+            side=of["side"],
+            radius=of["radius"],
+            length=of["radius"] * of["wrap_angle"],
+            width=of["width"],
+            compliance=np.maximum(of["compliance"], LEAST_COMPLIANCE),
+            shear=of["shear"],
+            kick=of["kick"],
+            kick_coefficient=of["kick_coefficient"],
+        )
+        found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
+        left = np.zeros(len(arcs), dtype=np.int64)
+        batch = cls(arcs, given, block, found, left, accuracy)
+        found[:, row.OUTCOME] = np.where(batch._refused(), REFUSED, SOLVED)
+        return batch
+
+    def of_input(self, name: str) -> Array:
+        """One number of every arc."""
+        return self.given[:, _INPUT[name]]
+
+    @property
+    def tight(self) -> Array:
+        """Tension of the tight side [N]."""
+        return np.maximum(self.of_input("entry_tension"), self.of_input("exit_tension"))
+
+    @property
+    def log_ratio(self) -> Array:
+        """ln(tight/slack) of the tensions given [-]."""
+        return np.abs(np.log(self.of_input("entry_tension") / self.of_input("exit_tension")))
+
+    def _refused(self) -> Flags:
+        """Rows with no unique creep, see `row.refused`."""
+        top = self.tight / self.block.area
+        steep = self.of_input("shear") * top * self.of_input("steepest_fall") <= -1.0
+        p = self.of_input("entry_tension") / self.block.area
+        kick = np.abs(self.block.overrun(self.of_input("entry_tension"))[0])
+        jump = self.block.laws.jump(p) * p
+        held = (self.of_input("shear") + self.of_input("onset")) * jump
+        return np.asarray(steep | ((jump > 0.0) & (kick > 0.0) & (kick > held)))
+
+    def find(self, parts: int) -> None:
+        """Find what is wanted of every row that is not refused."""
+        live = np.flatnonzero(self.found[:, row.OUTCOME] == SOLVED)
+        self._find_gross(live, parts)
+        # a law that jumps is set-valued without shear: its rest arc has a solver of its own
+        p = self.tight / self.block.area
+        rigid = (self.block.laws.jump(p) > 0.0) & (self.block.shear == 0.0)
+        self.left[live[rigid[live]]] = parts
+        live = live[~rigid[live]]
+        if parts & row.TENSIONS:
+            self._find_tensions(live)
+        if parts & (answer.CREEP_LIMIT + answer.LEAST):
+            limit = self.of_input("creep_limit")
+            self._find_carried(live, limit, row.CREEP_CAPACITY, answer.CREEP_LIMIT)
+        if parts & answer.TESTED_SLIP:
+            tested = live[np.isfinite(self.of_input("slip_max")[live])]
+            self._find_carried(tested, None, row.SLIP_CAPACITY, answer.TESTED_SLIP)
+        if parts & answer.LEAST:
+            self._find_least(live)
+        self._cap_by_gross(parts)
+
+    def meet(self, which: Integers, ends: Ends, guess: Guess, read: Read) -> Integers:
+        """Meet end conditions, and return the rows in which that fails.
+
+        Parameters
+        ----------
+        which
+            The rows.
+        ends
+            What is asked of them.
+        guess
+            Tensions at the entry and the exit, and creep at the exit, that are near.
+        read
+            Called with rows that are met, their blocks and their courses.
+        """
+        failed = np.zeros(len(which), dtype=bool)
+        every = np.arange(len(which))
+        for first in (0, 2):
+            if first:  # once more, from a belt at rest
+                every, tight = np.flatnonzero(failed), np.maximum(guess.entry, guess.leaving)
+                guess = Guess(tight, tight, np.zeros(len(which)))
+            lost = self._refined(which, every, ends, guess, read, first)
+            failed[:] = False
+            failed[lost] = True
+            if not len(lost):
+                break
+        return which[failed]
+
+    def _refined(
+        self,
+        which: Integers,
+        some: Integers,
+        ends: Ends,
+        guess: Guess,
+        read: Read,
+        first: int,
+    ) -> Integers:
+        """Try the meshes from the `first` on; returns the places in `which` that none serves."""
+        block, ends = self.block.rows(which[some]), ends.rows(some)
+        entry, leaving, end = (column[some] for column in guess)
+        at = first_courses(block, entry, leaving, end, MESHES[first])
+        lost = []
+        for k in range(first, len(MESHES)):
+            if k > first:
+                at = on_mesh(block, at, spread(at.shares, misfit, MESHES[k]))
+            done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.accuracy)
+            sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
+            good = sound & (done.misfit.max(axis=0) <= MISFIT * self.accuracy) & (k > 0)
+            if good.any():
+                read(Met(which[some[good]], block.rows(good), done.courses.rows(good), done.grows[good]))
+            on = sound & ~good
+            lost.append(some[~sound])
+            some, block, ends = some[on], block.rows(on), ends.rows(on)
+            at, misfit = done.courses.rows(on), done.misfit[:, on]
+            if not len(some):
+                break
+        return np.concatenate([*lost, some])
+
+    def _find_tensions(self, live: Integers) -> None:
+        """Operating points."""
+        entry, leaving = self.of_input("entry_tension"), self.of_input("exit_tension")
+        asks = (self.log_ratio > SMALLEST_LOG_RATIO) & (self.found[:, row.OUTCOME] == SOLVED)
+        idle = live[(self.found[live, row.OUTCOME] == SOLVED) & ~asks[live]]
+        self.left[idle] |= row.TENSIONS
+        which = live[asks[live]]
+        one, none = np.ones(len(which)), np.zeros(len(which))
+        ends = Ends(one, none, entry[which], TENSION, leaving[which], none * np.nan)
+        block = self.block.rows(which)
+        creep = 2.0 * block.side * mean_creep(block, entry[which], leaving[which])
+        guess = Guess(entry[which], leaving[which], creep)
+
+        def read(met: Met) -> None:
+            self._read(met)
+
+        self.left[self.meet(which, ends, guess, read)] |= row.TENSIONS
+
+    def _read(self, met: Met) -> None:
+        """Write operating points into rows of results."""
+        ranges = [self.of_input(name)[met.which] for name in ("pressure_min", "pressure_max", "slip_max")]
+        columns = read_courses(met.block, met.courses, *ranges)
+        for place, column in columns.items():
+            self.found[met.which, place] = column
+
+    def _carried(self, which: Integers, tight: Array, limit: Array | None, found: Array) -> Integers:
+        """ln(tight/slack) at a creep [m], or at the largest tested slip, into `found`.
+
+        Returns the places in `which` where that fails.
+        """
+        block = self.block.rows(which)
+        slip = self.of_input("slip_max")[which]
+        goal = slip if limit is None else limit
+        used = block.laws.stress(block.shear, tight / block.area, 0.6 * goal).stress
+        fall = np.minimum(used / tight * block.area * block.length / block.radius, LARGEST_FALL)
+        slack = tight * np.exp(-0.9 * fall)
+        drives = block.side > 0.0
+        end = block.side * (goal if limit is not None else goal + block.shear * used)
+        guess = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
+        asked_slip = block.side * slip if limit is None else np.full(len(which), np.nan)
+        ends = Ends(drives * 1.0, ~drives * 1.0, tight, CREEP, end, asked_slip)
+
+        def read(met: Met) -> None:
+            tension = met.courses.tension
+            found[met.which] = np.abs(np.log(tension[0] / tension[-1]))
+
+        places = np.arange(len(which))
+        inner = RowBatch(
+            self.arcs, self.given, block, self.found, self.left, self.accuracy
+        )
+        return inner.meet(places, ends, guess, read)
+
+    def _find_carried(self, which: Integers, limit: Array | None, place: int, part: int) -> None:
+        """Capacity at the creep limit, or at the largest tested slip."""
+        found = np.full(len(which), np.nan)
+        failed = self._carried(
+            which, self.tight[which], None if limit is None else limit[which], found
+        )
+        self.found[which, place] = found
+        self.left[which[failed]] |= part
+
+    def _find_least(self, live: Integers) -> None:
+        """Least slack-side tension, or the largest pull where there is none."""
+        pull = np.abs(self.of_input("entry_tension") - self.of_input("exit_tension"))
+        top = self.of_input("pressure_max") * self.block.area
+        top = np.where(np.isnan(top), HIGHEST * self.tight, top)
+        known = np.isfinite(self.found[:, row.CREEP_CAPACITY])
+        self.left[live[~known[live]]] |= answer.LEAST
+        which = live[(pull > 1e-6 * self.tight)[live] & known[live]]
+        carried = -np.expm1(-self.found[which, row.CREEP_CAPACITY])
+        tight = np.minimum(pull[which] / carried, top[which])
+        tight = np.maximum(tight, 1.02 * pull[which])
+        slack, drives = tight - pull[which], self.block.side[which] > 0.0
+        limit = self.of_input("creep_limit")
+        end = self.block.side[which] * limit[which]
+        guess = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
+        side = self.block.side[which]
+        ends = Ends(side, -side, pull[which], CREEP, end, np.full(len(which), np.nan))
+        done = np.zeros(len(self.left), dtype=bool)
+
+        def read(met: Met) -> None:
+            tight = np.maximum(met.courses.tension[0], met.courses.tension[-1])
+            good = (met.grows > 0.0) & (tight <= top[met.which])
+            rows = met.which[good]
+            self.found[rows, row.LEAST_SLACK] = tight[good] - pull[rows]
+            done[rows] = True
+
+        self.meet(which, ends, guess, read)
+        rest = which[~done[which]]
+        if not len(rest):
+            return
+
+        def pull_within(log_tension: Array, some: Integers, fine: bool) -> tuple[Array, Flags]:
+            tension, rows = np.exp(log_tension), rest[some]
+            found = np.full(len(rows), np.nan)
+            self._carried(rows, tension, limit[rows], found)
+            return -tension * np.expm1(-found), np.isfinite(found)
+
+        searched = search_least(pull_within, pull[rest], top[rest])
+        self.found[rest, row.LEAST_SLACK] = searched.least - pull[rest]
+        self.found[rest, row.MOST_PULL] = searched.most
+        self.left[rest[~searched.good]] |= answer.LEAST
+
+    def _find_gross(self, live: Integers, parts: int) -> None:
+        """Gross slip, and the breakaways that follow from it."""
+        block, tight = self.block.rows(live), self.tight[live]
+        falls = self.of_input("steepest_fall")[live] < 0.0
+        ratio = self.log_ratio[live]
+        if not parts & answer.CAPACITIES:
+            needed = wrap_needed(block, tight, ratio, block.laws.plateau)
+            beyond = needed >= block.length / block.radius
+            self.found[live[beyond], row.OUTCOME] = BREAKAWAY
+            return
+        most = ratio_at_gross_slip(block, tight, block.laws.plateau)
+        self.found[live[ratio >= most], row.OUTCOME] = BREAKAWAY
+        creep = np.full(len(live), np.inf)
+        softening = np.flatnonzero(falls)
+        if len(softening):
+            most[softening], creep[softening] = self._largest(live[softening])
+        self.found[live, row.GROSS_CAPACITY], self.found[live, row.GROSS_CREEP] = most, creep
+        self.left[live[~np.isfinite(most)]] |= answer.GROSS_SLIP
+
+    def _largest(self, which: Integers) -> tuple[Array, Array]:
+        """Largest ratio of laws that fall past their peak, and the creep there: inf without one.
+
+        With more and more creep friction falls to its residual all along the arc. More than that is
+        carried at some creep only if the friction that is left over from the peak outweighs what
+        the rise lacks, int (mu - mu_residual) dx > 0 from the overrun on: more creep comes late,
+        where the belt is slack.
+        """
+        block, tight = self.block.rows(which), self.tight[which]
+        most = ratio_at_gross_slip(block, tight, block.laws.residual)
+        creep = np.full(len(which), np.inf)
+        outweighs = np.zeros(len(which), dtype=bool)
+        overrun = np.abs(block.overrun(self.of_input("entry_tension")[which])[0])
+        for share in np.linspace(0.0, 1.0, PRESSURES):
+            p = tight / block.area * np.exp(-share * most)
+            outweighs |= block.laws.excess(p) + overrun * block.laws.residual(p) > 0.0
+        rows = np.flatnonzero(outweighs)
+        if len(rows):
+            found, where = self._peak(which[rows])
+            higher = found > most[rows]
+            most[rows[higher]], creep[rows[higher]] = found[higher], where[higher]
+        return most, creep
+
+    def _peak(self, which: Integers) -> tuple[Array, Array]:
+        """Largest ratio among creeps around that of the peak, and its creep; -inf at an end."""
+        block, tight = self.block.rows(which), self.tight[which]
+        first = mean_creep(block, tight, tight * np.exp(-10.0))
+        creeps, ratios = [], []
+        for times in CREEPS:
+            creeps.append(times * first)
+            ratios.append(np.full(len(which), np.nan))
+            self._carried(which, tight, creeps[-1], ratios[-1])
+        best = np.nan_to_num(np.stack(ratios), nan=-np.inf).argmax(axis=0)
+        rows = np.arange(len(which))
+        inside = (best > 0) & (best < len(CREEPS) - 1)
+        at = np.clip(best, 1, len(CREEPS) - 2)
+        x = [np.log(np.stack(creeps)[at + k, rows]) for k in (-1, 0, 1)]
+        y = [np.stack(ratios)[at + k, rows] for k in (-1, 0, 1)]
+        for _ in range(NEARER):
+            new = _crown(x, y)
+            value = np.full(len(which), np.nan)
+            self._carried(which, tight, np.exp(new), value)
+            x, y = _narrowed(x, y, new, value)
+        return np.where(inside, y[1], -np.inf), np.exp(x[1])
+
+    def _cap_by_gross(self, parts: int) -> None:
+        """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
+        creep = self.found[:, row.GROSS_CREEP]
+        for limit, place, part in (
+            ("creep_limit", row.CREEP_CAPACITY, answer.CREEP_LIMIT),
+            ("slip_max", row.SLIP_CAPACITY, answer.TESTED_SLIP),
+        ):
+            capped = creep <= self.of_input(limit)  # False where either is nan
+            if parts & part:
+                self.found[capped, place] = self.found[capped, row.GROSS_CAPACITY]
+                self.left[capped] &= ~part
+
+
+def _crown(x: list[Array], y: list[Array]) -> Array:
+    """Top of the parabola through three points, kept between the outer two and off the middle."""
+    left, right = (x[1] - x[0]) * (y[1] - y[2]), (x[2] - x[1]) * (y[1] - y[0])
+    at = x[1] + 0.5 * ((x[2] - x[1]) * right - (x[1] - x[0]) * left) / np.maximum(
+        left + right, 1e-300
+    )
+    apart = 0.05 * (x[2] - x[0])
+    at = np.where(np.abs(at - x[1]) < apart, x[1] + np.where(at < x[1], -apart, apart), at)
+    return np.clip(at, x[0] + 0.5 * apart, x[2] - 0.5 * apart)
+
+
+def _narrowed(x: list[Array], y: list[Array], at: Array, value: Array) -> tuple[list[Array], list[Array]]:
+    """Three points around the best of four."""
+    value = np.nan_to_num(value, nan=-np.inf)
+    after, better = at > x[1], value > y[1]
+    points = np.sort(np.stack([*x, at]), axis=0)
+    order = np.argsort(np.stack([*x, at]), axis=0)
+    values = np.take_along_axis(np.stack([*y, value]), order, 0)
+    middle = np.where(better, np.where(after, 2, 1), np.where(after, 1, 2))
+    pick = [np.take_along_axis(points, (middle + k)[None], 0)[0] for k in (-1, 0, 1)]
+    told = [np.take_along_axis(values, (middle + k)[None], 0)[0] for k in (-1, 0, 1)]
+    return pick, told

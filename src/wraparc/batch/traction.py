@@ -1,0 +1,488 @@
+"""Traction of many arcs at once: :mod:`wraparc.arc.traction` over columns.
+
+Every array has the rows in its last axis. The laws of a block of rows are of one kind; each row has
+its own law. Twin of the scalar source, which the tests hold it against.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.traction import LEAST_CREEP, LEAST_SHARE
+from wraparc.friction.compact import (
+    KNOT_STRIDE,
+    KNOTS,
+    LIMIT,
+    PIECE_STRIDE,
+    PIECES,
+    CompactLaw,
+)
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+#: Steps of Halley's method on the rise of the integral-log law: three leave 1e-11 at most, four
+#: 1e-14; and how near to the peak, 1 - r, the parabola there is the better first guess.
+RISE_STEPS, NEAR_PEAK = 4, 0.8
+
+
+class Stress(NamedTuple):
+    """Traction [Pa], its slopes by creep [Pa/m] and pressure [-], slip [m] and friction's branch."""
+
+    stress: Array
+    by_creep: Array
+    by_pressure: Array
+    slip: Array
+
+
+class Laws(Protocol):
+    """Laws of a block of rows."""
+
+    def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
+        """Traction at creeps of either sign; `shear` is h/G, shape (n,)."""
+
+    def plateau(self, pressure: Array) -> Array:
+        """Largest friction at any slip [-]."""
+
+    def residual(self, pressure: Array) -> Array:
+        """Friction that is left at slips without bound [-]."""
+
+    def jump(self, pressure: Array) -> Array:
+        """Friction that holds a belt before it slips, 0 for laws that rise from nothing [-]."""
+
+    def excess(self, pressure: Array) -> Array:
+        """int (mu - mu_residual) dx over all slips [m]: > 0 where more than the residual is left
+        for a while."""
+
+    def edges(self) -> Array:
+        """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
+
+    def rows(self, which: NDArray[np.bool_] | Integers) -> Laws:
+        """Laws of some of the rows."""
+
+
+def laws_of(laws: Sequence[CompactLaw], row: Integers) -> Laws:
+    """Laws of one kind for rows that each have the place of theirs."""
+    kind = laws[0].kind
+    if kind in (KNOTS, PIECES):
+        return IntegralLog.of(laws, row)
+    return Limits.of(laws, row) if kind == LIMIT else Tables.of(laws, row)
+
+
+class _Columns(NamedTuple):
+    """Peak slip, peak friction, slope, residual at a pressure, each with its slope by pressure."""
+
+    slip: Array
+    friction: Array
+    slope: Array
+    residual: Array
+    slip_p: Array
+    friction_p: Array
+    slope_p: Array
+    residual_p: Array
+
+
+class IntegralLog:
+    """Integral-log laws, by knots or in pieces: columns of the pressure, cubics in cells.
+
+    A trend line in ln p or of an exponential is one of cubics too, of another argument: `form` has
+    the code of each column, see `wraparc.friction.compact`.
+    """
+
+    def __init__(
+        self, knots: Array, cells: Array, row: Integers, softens: bool, pieces: bool, unit: Array
+    ) -> None:
+        self.knots, self.cells, self.row = knots, cells, row
+        self.softens, self.pieces, self.unit = softens, pieces, unit
+
+    @classmethod
+    def of(cls, laws: Sequence[CompactLaw], row: Integers) -> IntegralLog:
+        """Return them from compact laws: cells from below the first edge to above the last."""
+        most = max(len(law.edges) for law in laws)
+        pieces = laws[0].kind == PIECES
+        stride = PIECE_STRIDE if pieces else KNOT_STRIDE
+        edges = np.full((most, len(laws)), np.inf)
+        cells = np.zeros((stride, len(laws), most - 1))
+        softens = False
+        for i, law in enumerate(laws):
+            n = len(law.edges)
+            edges[:n, i] = law.edges
+            numbers = np.reshape(law.coefficients, (n - 1, stride))
+            cells[:, i, : n - 1] = numbers.T
+            cells[:, i, n - 1 :] = numbers[-1][:, None]
+            tail = numbers[:, 12:18] if pieces else numbers[:, 8:12]
+            softens = softens or bool(np.any(tail))
+        last = np.array([law.edges[-1] for law in laws])
+        first = np.array([law.edges[0] for law in laws])
+        unit = np.stack([first, last])
+        return cls(edges, cells, row, softens, pieces, unit)
+
+    def edges(self) -> Array:
+        """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
+        return self.knots[:, self.row]
+
+    def rows(self, which: NDArray[np.bool_] | Integers) -> IntegralLog:
+        """Laws of some of the rows."""
+        return IntegralLog(
+            self.knots, self.cells, self.row[which], self.softens, self.pieces, self.unit
+        )
+
+    def _cells(self, pressure: Array) -> tuple[Array, Integers, Array, Array, Array]:
+        """Numbers of all cells; the cell of each pressure, the pressure held inside the edges; and
+        the lowest and the highest edge."""
+        row, one = self.row, len(self.knots[0]) == 1
+        first, last = (self.unit[:, 0]) if one else self.unit[:, row]
+        at = np.minimum(np.maximum(pressure, first), last)
+        cell = np.zeros(at.shape, dtype=np.int64)
+        for edge in self.knots[1:-1]:
+            cell += at >= (edge[0] if one else edge[row])
+        if not one:
+            cell += row * self.cells.shape[2]
+        return self.cells.reshape(self.cells.shape[0], -1), cell, at, first, last
+
+    def _columns(self, pressure: Array) -> tuple[_Columns, Array, Array]:
+        """Columns at pressures, held outside; whether a pressure lies below, and the top edge."""
+        flat, cell, at, first, last = self._cells(pressure)
+        inside = (pressure >= first) & (pressure < last)
+        found = self._trends(flat, cell, at) if self.pieces else self._cubics(flat, cell, at)
+        slopes = tuple(np.where(inside, s, 0.0) for s in found[4:])
+        return _Columns(*found[:4], *slopes), pressure < first, last
+
+    def _cubics(self, flat: Array, cell: Integers, at: Array) -> tuple[Array, ...]:
+        base = self.knots[:-1].T.reshape(-1)
+        t = at - base.take(cell)
+        values, slopes = [], []
+        for o in (0, 4, 8, 12):
+            if o > 4 and not self.softens:
+                values.append(np.zeros(1) if o == 8 else values[1])
+                slopes.append(np.zeros(1) if o == 8 else slopes[1])
+                continue
+            a1, a2, a3 = (flat[o + k].take(cell) for k in (1, 2, 3))
+            values.append(flat[o].take(cell) + t * (a1 + t * (a2 + t * a3)))
+            slopes.append(a1 + t * (2.0 * a2 + 3.0 * t * a3))
+        return (*values, *slopes)
+
+    def _trends(self, flat: Array, cell: Integers, at: Array) -> tuple[Array, ...]:
+        v = []
+        for o in (0, 6, 12, 18):
+            logs = flat[o + 4][cell] != 0.0
+            t = np.where(logs, np.log(at), at)
+            a1, a2, a3 = flat[o + 1][cell], flat[o + 2][cell], flat[o + 3][cell]
+            y = flat[o][cell] + t * (a1 + t * (a2 + t * a3))
+            dy = (a1 + t * (2.0 * a2 + 3.0 * t * a3)) / np.where(logs, at, 1.0)
+            sign = flat[o + 5][cell]
+            grown = sign * np.exp(np.where(sign != 0.0, y, 0.0))
+            v.append((np.where(sign != 0.0, grown, y), np.where(sign != 0.0, dy * grown, dy)))
+        (a, a_p), (b, b_p), (slope, slope_p), (residual, residual_p) = v
+        number = np.exp(b / a - 1.0)
+        number_p = number * (b_p - b * a_p / a) / a
+        unit = flat[24][cell]
+        return (
+            unit * number,
+            -a * number,
+            slope,
+            residual,
+            unit * number_p,
+            -a_p * number - a * number_p,
+            slope_p,
+            residual_p,
+        )
+
+    def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
+        """Traction at creeps of either sign."""
+        c, below, last = self._columns(pressure)
+        held = np.minimum(pressure, last)  # traction is held above the last edge
+        size, sign = np.maximum(np.abs(creep), LEAST_CREEP), np.where(creep >= 0.0, 1.0, -1.0)
+        ease = shear * held
+        r = _risen(ease * c.friction / c.slip, size / c.slip)
+        log_r = np.log(r)
+        form = r - r * log_r
+        mu, mu_x = c.friction * form, -c.friction * log_r / c.slip
+        mu_p = c.friction_p * form + c.friction * log_r * r * c.slip_p / c.slip
+        x = r * c.slip
+        if self.softens:
+            mu, mu_x, mu_p, x = self._past(c, ease, size, (mu, mu_x, mu_p, x))
+        else:
+            past = size - c.slip - ease * c.friction
+            over = past > 0.0
+            if over.any():
+                mu_x, mu_p = np.where(over, 0.0, mu_x), np.where(over, c.friction_p, mu_p)
+                x = np.where(over, c.slip + past, x)
+        stiff = 1.0 / (1.0 + ease * mu_x)
+        by_pressure = np.where(pressure < last, mu + pressure * np.where(below, 0.0, mu_p), 0.0)
+        scale = sign * (np.abs(creep) / size)
+        return Stress(scale * mu * held, held * mu_x * stiff, scale * by_pressure * stiff, scale * x)
+
+    def _past(
+        self, c: _Columns, ease: Array, size: Array, rise: tuple[Array, Array, Array, Array]
+    ) -> tuple[Array, Array, Array, Array]:
+        """Friction past its peak: on the line, and on what is left."""
+        past = size - c.slip - ease * c.friction
+        over = past > 0.0
+        if not over.any():
+            return rise
+        left = np.minimum(c.residual, c.friction)
+        d = past / (1.0 + ease * c.slope)
+        line = c.friction + c.slope * d
+        done = line < left
+        left_p = np.where(c.residual < c.friction, c.residual_p, c.friction_p)
+        mu = np.where(done, left, line)
+        mu_x = np.where(done, 0.0, c.slope)
+        mu_p = np.where(done, left_p, c.friction_p + c.slope_p * d - c.slope * c.slip_p)
+        x = np.where(done, size - ease * left, c.slip + d)
+        return (
+            np.where(over, mu, rise[0]),
+            np.where(over, mu_x, rise[1]),
+            np.where(over, mu_p, rise[2]),
+            np.where(over, x, rise[3]),
+        )
+
+    def plateau(self, pressure: Array) -> Array:
+        """Largest friction at any slip [-]."""
+        if self.pieces:
+            c, _, last = self._columns(pressure)
+            return np.asarray(c.friction * np.minimum(last / pressure, 1.0))
+        flat, cell, at, _, last = self._cells(pressure)
+        t = at - self.knots[:-1].T.reshape(-1).take(cell)
+        m0, m1, m2, m3 = (flat[k].take(cell) for k in (4, 5, 6, 7))
+        mu = m0 + t * (m1 + t * (m2 + t * m3))
+        return np.asarray(mu * np.minimum(last / pressure, 1.0))
+
+    def residual(self, pressure: Array) -> Array:
+        """Friction that is left at slips without bound [-]."""
+        c, _, last = self._columns(pressure)
+        left = np.where(c.slope < 0.0, np.minimum(c.residual, c.friction), c.friction)
+        return np.asarray(left * np.minimum(last / pressure, 1.0))
+
+    def excess(self, pressure: Array) -> Array:
+        """int (mu - mu_residual) dx over all slips [m]; 3/4 mu_pk x_pk is that up to the peak."""
+        c, _, last = self._columns(pressure)
+        left = np.where(c.slope < 0.0, np.minimum(c.residual, c.friction), c.friction)
+        fall = c.friction - left
+        line = np.where(fall > 0.0, -0.5 * fall * fall / np.where(c.slope < 0.0, c.slope, -1.0), 0.0)
+        found = c.slip * (0.75 * c.friction - left) + line
+        return np.asarray(found * np.minimum(last / pressure, 1.0))
+
+    def jump(self, pressure: Array) -> Array:
+        """No friction before the belt slips [-]."""
+        return np.zeros_like(pressure)
+
+
+def _risen(k: Array, w: Array) -> Array:
+    """Slip over peak slip r <= 1 with r + k r (1 - ln r) = w: Halley's method.
+
+    From what the slip would be at the slope for all of it; near the peak from the parabola there.
+    """
+    r = w / (1.0 + k * (1.0 - np.log(np.minimum(w, 1.0))))
+    short = np.maximum(1.0 + k - w, 0.0)
+    near = 2.0 * short / (1.0 + np.sqrt(1.0 + 2.0 * k * short))
+    r = np.minimum(np.where(near < NEAR_PEAK, 1.0 - near, r), 1.0)
+    for _ in range(RISE_STEPS):
+        lr = np.log(r)
+        miss, slope = r + k * r * (1.0 - lr) - w, 1.0 - k * lr
+        r = r - miss / (slope + 0.5 * miss * k / (r * slope))
+        r = np.minimum(np.maximum(r, LEAST_SHARE), 1.0)
+    return r
+
+
+class Limits:
+    """Laws with a limit: constant, of a power of pressure, elastic-plastic."""
+
+    def __init__(self, numbers: Array, ends: Array, row: Integers) -> None:
+        self.numbers, self.ends, self.row = numbers, ends, row
+
+    @classmethod
+    def of(cls, laws: Sequence[CompactLaw], row: Integers) -> Limits:
+        """Return them from compact laws."""
+        numbers = np.array([law.coefficients for law in laws], dtype=float).T
+        ends = np.array([(law.edges[0], law.edges[-1]) if law.edges else (0.0, np.inf) for law in laws])
+        return cls(numbers, ends.T, row)
+
+    def edges(self) -> Array:
+        """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
+        return np.where(self.ends > 0.0, self.ends, np.inf)[:, self.row]
+
+    def rows(self, which: NDArray[np.bool_] | Integers) -> Limits:
+        """Laws of some of the rows."""
+        return Limits(self.numbers, self.ends, self.row[which])
+
+    def _limit(self, pressure: Array) -> tuple[Array, Array]:
+        """Traction at the limit [Pa], and its slope by pressure [-]."""
+        mu_0, p_0, n = self.numbers[:3, self.row]
+        first, last = self.ends[:, self.row]
+        at = np.minimum(np.maximum(pressure, first), last)
+        mu = mu_0 * np.where(n == 0.0, 1.0, (np.maximum(at, 1e-12) / np.where(n == 0.0, 1.0, p_0)) ** -n)
+        inside = (pressure >= first) & (pressure < last)
+        slope = np.where(pressure >= last, 0.0, mu * np.where(inside, 1.0 - n, 1.0))
+        return mu * np.minimum(pressure, last), slope
+
+    def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
+        """Traction at creeps of either sign."""
+        top, top_p = self._limit(pressure)
+        soft = shear + self.numbers[3, self.row]
+        size, sign = np.abs(creep), np.where(creep >= 0.0, 1.0, -1.0)
+        slips = (size > soft * top) | (soft == 0.0)
+        stiff = np.where(soft > 0.0, soft, 1.0)
+        stress = np.where(slips, top, size / stiff)
+        return Stress(
+            sign * stress,
+            np.where(slips, 0.0, 1.0 / stiff),
+            np.where(slips, sign * top_p, 0.0),
+            sign * np.where(slips, size - shear * top, size * self.numbers[3, self.row] / stiff),
+        )
+
+    def plateau(self, pressure: Array) -> Array:
+        """Largest friction at any slip [-]."""
+        return np.asarray(self._limit(pressure)[0] / pressure)
+
+    residual = plateau
+
+    def excess(self, pressure: Array) -> Array:
+        """Nothing: friction does not fall [m]."""
+        return np.zeros_like(pressure)
+
+    def jump(self, pressure: Array) -> Array:
+        """Friction that holds a belt before it slips [-]."""
+        return np.where(self.numbers[3, self.row] == 0.0, self._limit(pressure)[0] / pressure, 0.0)
+
+
+class Tables:
+    """Measured tables: cubics in slip, linear in pressure."""
+
+    def __init__(self, slips: Array, knots: Array, numbers: Array, row: Integers) -> None:
+        self.slips, self.knots, self.numbers, self.row = slips, knots, numbers, row
+
+    @classmethod
+    def of(cls, laws: Sequence[CompactLaw], row: Integers) -> Tables:
+        """Return them from compact laws: cells and pressures filled up with the last ones."""
+        cells, rows = max(len(law.slips) for law in laws), max(len(law.edges) for law in laws)
+        slips, edges = np.full((cells, len(laws)), np.inf), np.full((rows, len(laws)), np.inf)
+        numbers = np.zeros((4, len(laws), rows, cells))
+        for i, law in enumerate(laws):
+            m, n = len(law.slips), len(law.edges)
+            slips[:m, i], edges[:n, i] = law.slips, law.edges
+            given = np.reshape(law.coefficients, (n, m, 4))
+            numbers[:, i, :n, :m] = np.moveaxis(given, 2, 0)
+            numbers[:, i, n:, :m] = numbers[:, i, n - 1 : n, :m]
+            numbers[0, i, :, m:] = numbers[0, i, :, m - 1 : m]
+        return cls(slips, edges, numbers, row)
+
+    def edges(self) -> Array:
+        """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
+        return self.knots[:, self.row]
+
+    def rows(self, which: NDArray[np.bool_] | Integers) -> Tables:
+        """Laws of some of the rows."""
+        return Tables(self.slips, self.knots, self.numbers, self.row[which])
+
+    def _between(self, pressure: Array) -> tuple[Array, Integers, Array, Array]:
+        """Pressure that traction is held at, place of the row below, weight of the next, width."""
+        row, rows, cells = self.row, self.knots.shape[0], self.slips.shape[0]
+        held, at = pressure, np.zeros(pressure.shape, dtype=np.int64)
+        for k in range(1, rows):
+            at += pressure >= self.knots[k][row]
+        lasts = np.where(np.isfinite(self.knots), self.knots, -np.inf).max(axis=0)[row]
+        held = np.minimum(pressure, lasts)
+        low = self.knots.T[row, at]
+        high = self.knots.T[row, np.minimum(at + 1, rows - 1)]
+        width = np.where(np.isfinite(high) & (high > low), high - low, np.inf)
+        weight = np.maximum(held - low, 0.0) / width
+        return held, (row * rows + at) * cells, weight, np.where(pressure < low, np.inf, width)
+
+    def _blend(self, k: int, place: Integers, weight: Array) -> tuple[Array, Array]:
+        """One coefficient at a pressure, and its difference from row to row."""
+        flat, cells = self.numbers[k].reshape(-1), self.slips.shape[0]
+        low = flat[place]
+        more = flat[np.minimum(place + cells, len(flat) - 1)] - low
+        more = np.where(weight > 0.0, more, np.where(weight == 0.0, more, 0.0))
+        return low + weight * more, more
+
+    def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
+        """Traction at creeps of either sign."""
+        held, place, weight, width = self._between(pressure)
+        size, sign = np.abs(creep), np.where(creep >= 0.0, 1.0, -1.0)
+        ease, slips = shear * held, self.slips
+        begin = self._blend(0, place, weight)[0]
+        stuck = size <= ease * begin
+        cell, low, u_low = np.zeros(size.shape, dtype=np.int64), np.zeros(size.shape), ease * begin
+        high, u_high = np.full(size.shape, np.inf), np.full(size.shape, np.inf)
+        open_ = np.ones(size.shape, dtype=bool)
+        for k in range(1, len(slips)):
+            end = np.broadcast_to(slips[k][self.row], size.shape)
+            u_end = end + ease * self._blend(0, place + k, weight)[0]
+            passed = open_ & (size > u_end)
+            ends = open_ & ~passed & np.isfinite(end)
+            high, u_high = np.where(ends, end, high), np.where(ends, u_end, u_high)
+            last = open_ & ~np.isfinite(end)
+            cell, low = np.where(passed, k, cell), np.where(passed, end, low)
+            u_low = np.where(passed, u_end, u_low)
+            open_ = passed & ~last
+        place = place + cell
+        coefficients = [self._blend(k, place, weight) for k in range(4)]
+        (c0, d0), (c1, d1), (c2, d2), (c3, d3) = coefficients
+        span = np.where(np.isfinite(high), high - low, np.inf)
+        t = np.where(
+            np.isfinite(span), (size - u_low) / np.where(np.isfinite(span), u_high - u_low, 1.0), 0.0
+        ) * np.where(np.isfinite(span), span, 0.0)
+        done = stuck.copy()
+        a, b = np.zeros(size.shape), np.where(np.isfinite(span), span, 0.0)
+        for _ in range(60):
+            miss = low + t + ease * (c0 + t * (c1 + t * (c2 + t * c3))) - size
+            a, b = np.where(miss > 0.0, a, t), np.where(miss > 0.0, t, b)
+            slope = 1.0 + ease * (c1 + t * (2.0 * c2 + 3.0 * t * c3))
+            new = t - miss / np.where(slope > 0.0, slope, 1.0)
+            new = np.where((new > a) & (new < b), new, 0.5 * (a + b))
+            new = np.where(np.isfinite(span), new, size - ease * c0 - low)
+            change = np.abs(new - t)
+            t = np.where(done, t, new)  # a row keeps what it had, whatever it is solved with
+            done |= change <= 1e-13 * (low + t)
+            if done.all():
+                break
+        mu = c0 + t * (c1 + t * (c2 + t * c3))
+        mu_x = c1 + t * (2.0 * c2 + 3.0 * t * c3)
+        mu_p = (d0 + t * (d1 + t * (d2 + t * d3))) / width
+        stiff = 1.0 / (1.0 + ease * mu_x)
+        soft = np.where(shear > 0.0, shear, 1.0)
+        by_p = np.where(held < pressure, 0.0, mu + pressure * mu_p)
+        return Stress(
+            sign * np.where(stuck, size / soft, mu * held),
+            np.where(stuck, 1.0 / soft, held * mu_x * stiff),
+            np.where(stuck, 0.0, sign * by_p * stiff),
+            sign * np.where(stuck, 0.0, low + t),
+        )
+
+    def plateau(self, pressure: Array) -> Array:
+        """Largest friction at any slip [-]."""
+        held, place, weight, _ = self._between(pressure)
+        best = self._blend(0, place, weight)[0]
+        for k in range(1, len(self.slips)):
+            best = np.maximum(best, self._blend(0, place + k, weight)[0])
+        return np.asarray(best * held / pressure)
+
+    def residual(self, pressure: Array) -> Array:
+        """Friction that is left at slips without bound [-]."""
+        held, place, weight, _ = self._between(pressure)
+        mu = self._blend(0, place + len(self.slips) - 1, weight)[0]
+        return np.asarray(mu * held / pressure)
+
+    def excess(self, pressure: Array) -> Array:
+        """int (mu - mu_residual) dx over all slips [m]: of the cubics, cell by cell."""
+        held, place, weight, _ = self._between(pressure)
+        left = self._blend(0, place + len(self.slips) - 1, weight)[0]
+        total = np.zeros(pressure.shape)
+        for k in range(len(self.slips) - 1):
+            width = (self.slips[k + 1] - self.slips[k])[self.row]
+            width = np.where(np.isfinite(width), width, 0.0)
+            c0, c1, c2, c3 = (self._blend(j, place + k, weight)[0] for j in range(4))
+            mean = c0 + width * (c1 / 2.0 + width * (c2 / 3.0 + width * c3 / 4.0))
+            total = total + width * (mean - left)
+        return np.asarray(total * held / pressure)
+
+    def jump(self, pressure: Array) -> Array:
+        """Friction that holds a belt before it slips [-]."""
+        held, place, weight, _ = self._between(pressure)
+        return np.asarray(self._blend(0, place, weight)[0] * held / pressure)

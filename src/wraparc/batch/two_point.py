@@ -1,0 +1,480 @@
+"""Many wrap arcs as two-point problems: :mod:`wraparc.arc.collocation` over columns.
+
+The same equations, end conditions and Newton's method; an element, its stages and the rows are axes
+of arrays, the rows the last. All rows of a block have one mesh, graded to the entry, and laws of
+one kind. What a mesh is too coarse for is said row by row (`Solved.misfit`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.arc.collocation import (
+    A00,
+    A01,
+    A02,
+    A10,
+    A11,
+    A12,
+    A20,
+    A21,
+    A22,
+    B0,
+    B1,
+    B2,
+    C0,
+    C1,
+    C2,
+    E0,
+    E1,
+    E2,
+    CREEP,
+    LEAST_LEFT,
+    MOST_USED,
+    TENSION,
+    weights_at,
+)
+from wraparc.batch.traction import Laws, Stress
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
+
+GRADING, SPREAD = 2.0, 1.0 / 3.0
+STEPS = 14  # of Newton's method: 4 to 8 are usual
+COMPRESS = 0.7  # share of rows still open below which the others are put aside
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Block:
+    """Arcs whose laws are of one kind, each number of shape (n,); see `Geometry`.
+
+    Attributes
+    ----------
+    laws
+        Their laws.
+    side, radius, length, width
+        +1 driving or -1, R, R phi and B [m].
+    compliance, shear
+        1/EA' [1/N] and h/G [m/Pa].
+    kick, kick_coefficient
+        Overrun kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
+    """
+
+    laws: Laws
+    side: Array
+    radius: Array
+    length: Array
+    width: Array
+    compliance: Array
+    shear: Array
+    kick: Array
+    kick_coefficient: Array
+
+    def rows(self, which: Flags | Integers) -> Block:
+        """Some of the arcs."""
+        columns = {f.name: getattr(self, f.name)[which] for f in fields(self) if f.name != "laws"}
+        return replace(self, laws=self.laws.rows(which), **columns)
+
+    def __len__(self) -> int:
+        return len(self.side)
+
+    @property
+    def area(self) -> Array:
+        """B R: tension over wrap pressure [m2]."""
+        return self.width * self.radius
+
+    def overrun(self, tension: Array) -> tuple[Array, Array]:
+        """Overrun at entry tensions [m], and its slope by them [m/N]."""
+        grown = self.kick_coefficient * (tension / self.area) ** 1.5
+        return self.kick + grown, 1.5 * grown / tension
+
+    def stress(self, tension: Array, creep: Array) -> Stress:
+        """Traction at tensions and creeps."""
+        return self.laws.stress(self.shear, tension / self.area, creep)
+
+
+class Ends(NamedTuple):
+    """What is asked at the ends: see `wraparc.arc.collocation.Ends`; the kind is that of all.
+
+    SLIP is asked as CREEP, its goal moved with the tension at the exit: `slip` is that slip, or nan.
+    """
+
+    at_entry: Array
+    at_exit: Array
+    tension: Array
+    kind: int
+    goal: Array
+    slip: Array
+
+    def rows(self, which: Flags | Integers) -> Ends:
+        """Those of some of the rows."""
+        return Ends(
+            self.at_entry[which],
+            self.at_exit[which],
+            self.tension[which],
+            self.kind,
+            self.goal[which],
+            self.slip[which],
+        )
+
+
+class Courses(NamedTuple):
+    """Creep and tension along arcs; see `wraparc.arc.collocation.Course`.
+
+    Attributes
+    ----------
+    shares, creep, tension
+        Of the ends of elements, shape (elements + 1, n): place as a share of the arc [-, m, N].
+    stage
+        Tensions at the stages, shape (3, elements, n) [N].
+    ratio
+        K, shape (n,) [-].
+    """
+
+    shares: Array
+    creep: Array
+    tension: Array
+    stage: Array
+    ratio: Array
+
+    def rows(self, which: Flags | Integers) -> Courses:
+        """Those of some of the rows."""
+        return Courses(
+            self.shares[:, which],
+            self.creep[:, which],
+            self.tension[:, which],
+            self.stage[:, :, which],
+            self.ratio[which],
+        )
+
+
+def mesh(elements: int) -> Array:
+    """Ends of elements as shares of the arc, shape (elements + 1,)."""
+    return np.asarray((np.arange(elements + 1) / elements) ** GRADING)
+
+
+def stage_shares(shares: Array) -> Array:
+    """Places of the stages as shares of the arc, shape (3, elements, n)."""
+    width = np.diff(shares, axis=0)
+    return np.stack([shares[:-1] + c * width for c in (C0, C1, C2)])
+
+
+def mean_creep(block: Block, entry: Array, leaving: Array) -> Array:
+    """Creep at which the mean friction of an arc is used at its mean tension [m]."""
+    tension, fall = np.sqrt(entry * leaving), np.abs(np.log(entry / leaving))
+    p = tension / block.area
+    needed = fall * block.radius / block.length * p
+    needed = np.minimum(needed, MOST_USED * block.laws.plateau(p) * p)
+    low, high = np.full(len(block), np.log(1e-9)), np.full(len(block), np.log(10.0))
+    for _ in range(16):
+        middle = 0.5 * (low + high)
+        less = block.stress(tension, np.exp(middle)).stress < needed
+        low, high = np.where(less, middle, low), np.where(less, high, middle)
+    return np.where(needed > 0.0, np.exp(high), 0.0)
+
+
+def first_courses(block: Block, entry: Array, leaving: Array, end: Array, elements: int) -> Courses:
+    """First guesses: tension falls evenly, creep grows to `end` [m] evenly from the overrun."""
+    shares = np.broadcast_to(mesh(elements)[:, None], (elements + 1, len(block)))
+    fall = np.log(entry / leaving)
+    start = block.overrun(entry)[0]
+    creep = end - start
+    return Courses(
+        shares,
+        start + shares * creep,
+        entry * np.exp(-shares * fall),
+        entry * np.exp(-stage_shares(shares) * fall),
+        creep / block.length + block.compliance * 0.5 * (entry + leaving),
+    )
+
+
+def stage_creeps(block: Block, steps: Array, at: Courses) -> Array:
+    """Creeps at the stages, shape (3, elements, n) [m]; `steps` are lengths of elements [m]."""
+    k0, k1, k2 = at.stage
+    u, hk, hc = at.creep[:-1], steps * at.ratio, steps * block.compliance
+    return np.stack(
+        [
+            u + C0 * hk - hc * (A00 * k0 + A01 * k1 + A02 * k2),
+            u + C1 * hk - hc * (A10 * k0 + A11 * k1 + A12 * k2),
+            u + C2 * hk - hc * (A20 * k0 + A21 * k1 + A22 * k2),
+        ]
+    )
+
+
+class _Linear(NamedTuple):
+    """Elements made linear: stages (4 x 3) and ends (4 x 2) by constant, du, dT, dK."""
+
+    stages: list[tuple[Array, Array, Array]]
+    creep: list[Array]
+    tension: list[Array]
+
+
+def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
+    hb, hc = steps * block.width, steps * block.compliance
+    u, tension = at.creep[:-1], at.tension[:-1]
+    k0, k1, k2 = at.stage
+    s = block.stress(at.stage, stage_creeps(block, steps, at))
+    (f0, f1, f2), (v0, v1, v2) = s.stress, s.by_creep
+    w0, w1, w2 = s.by_pressure / block.area
+    x0, x1, x2 = v0 * hc, v1 * hc, v2 * hc
+    j00, j01, j02 = w0 - x0 * A00, -x0 * A01, -x0 * A02
+    j10, j11, j12 = -x1 * A10, w1 - x1 * A11, -x1 * A12
+    j20, j21, j22 = -x2 * A20, -x2 * A21, w2 - x2 * A22
+    m00 = 1.0 + hb * (A00 * j00 + A01 * j10 + A02 * j20)
+    m01 = hb * (A00 * j01 + A01 * j11 + A02 * j21)
+    m02 = hb * (A00 * j02 + A01 * j12 + A02 * j22)
+    m10 = hb * (A10 * j00 + A11 * j10 + A12 * j20)
+    m11 = 1.0 + hb * (A10 * j01 + A11 * j11 + A12 * j21)
+    m12 = hb * (A10 * j02 + A11 * j12 + A12 * j22)
+    m20 = hb * (A20 * j00 + A21 * j10 + A22 * j20)
+    m21 = hb * (A20 * j01 + A21 * j11 + A22 * j21)
+    m22 = 1.0 + hb * (A20 * j02 + A21 * j12 + A22 * j22)
+    a00, a01, a02 = m11 * m22 - m12 * m21, m02 * m21 - m01 * m22, m01 * m12 - m02 * m11
+    a10, a11, a12 = m12 * m20 - m10 * m22, m00 * m22 - m02 * m20, m02 * m10 - m00 * m12
+    a20, a21, a22 = m10 * m21 - m11 * m20, m01 * m20 - m00 * m21, m00 * m11 - m01 * m10
+    over = 1.0 / (m00 * a00 + m01 * a10 + m02 * a20)
+    h0, h1, h2 = C0 * steps * v0, C1 * steps * v1, C2 * steps * v2
+    zero, one = np.zeros(1), np.ones(1)
+    right = (
+        (
+            tension - k0 - hb * (A00 * f0 + A01 * f1 + A02 * f2),
+            tension - k1 - hb * (A10 * f0 + A11 * f1 + A12 * f2),
+            tension - k2 - hb * (A20 * f0 + A21 * f1 + A22 * f2),
+            (f0, f1, f2),
+        ),
+        (
+            -hb * (A00 * v0 + A01 * v1 + A02 * v2),
+            -hb * (A10 * v0 + A11 * v1 + A12 * v2),
+            -hb * (A20 * v0 + A21 * v1 + A22 * v2),
+            (v0, v1, v2),
+        ),
+        (one, one, one, (zero, zero, zero)),
+        (
+            -hb * (A00 * h0 + A01 * h1 + A02 * h2),
+            -hb * (A10 * h0 + A11 * h1 + A12 * h2),
+            -hb * (A20 * h0 + A21 * h1 + A22 * h2),
+            (h0, h1, h2),
+        ),
+    )
+    found = _Linear([], [], [])
+    for q0, q1, q2, (g0, g1, g2) in right:
+        y0 = (a00 * q0 + a01 * q1 + a02 * q2) * over
+        y1 = (a10 * q0 + a11 * q1 + a12 * q2) * over
+        y2 = (a20 * q0 + a21 * q1 + a22 * q2) * over
+        found.stages.append((y0, y1, y2))
+        found.creep.append(-hc * (B0 * y0 + B1 * y1 + B2 * y2))
+        g0 = g0 + j00 * y0 + j01 * y1 + j02 * y2
+        g1 = g1 + j10 * y0 + j11 * y1 + j12 * y2
+        g2 = g2 + j20 * y0 + j21 * y1 + j22 * y2
+        found.tension.append(-hb * (B0 * g0 + B1 * g1 + B2 * g2))
+    found.creep[0] += u + steps * at.ratio - hc * (B0 * k0 + B1 * k1 + B2 * k2) - at.creep[1:]
+    found.tension[0] += tension - at.tension[1:]
+    found.creep[1] += 1.0
+    found.tension[2] += 1.0
+    found.creep[3] += steps
+    return found
+
+
+def improved(block: Block, ends: Ends, at: Courses) -> tuple[Courses, Array, Array]:
+    """One Newton step of every row.
+
+    Returns
+    -------
+    The courses after it; the largest change of a tension, of the largest there is; and whether more
+    is asked with more of it, see `Solved.grows`, > 0 where it is.
+    """
+    steps = np.diff(at.shares, axis=0) * block.length
+    linear = _condensed(block, steps, at)
+    overrun, by_tension = block.overrun(at.tension[0])
+    b, r, d = -by_tension, overrun - at.creep[0], np.zeros(len(block))
+    back = []
+    for s0, s1, s2, s3, z0, z1, z2, z3 in zip(*linear.creep, *linear.tension, strict=True):
+        over = 1.0 / (z2 - z1 * b)
+        rt, kt = (z0 + z1 * r) * over, (z3 + z1 * d) * over
+        back.append((r, d, b, rt, kt, over))
+        turn = s2 - s1 * b
+        b, r, d = -turn * over, s0 + s1 * r - turn * rt, s3 + s1 * d - turn * kt
+    end, end_k = _exit(block, ends, at, b, r, d)
+    first, first_k = end, end_k
+    for _, _, _, rt, kt, over in reversed(back):
+        first, first_k = over * first - rt, over * first_k - kt
+    short = ends.tension - ends.at_entry * at.tension[0] - ends.at_exit * at.tension[-1]
+    slope = ends.at_entry * first_k + ends.at_exit * end_k
+    dk = (short - ends.at_entry * first - ends.at_exit * end) / slope
+    dt = np.empty_like(at.tension)
+    du = np.empty_like(at.creep)
+    dt[-1] = end + end_k * dk
+    du[-1] = r + d * dk - b * dt[-1]
+    for i in range(len(back) - 1, -1, -1):
+        r, d, b, rt, kt, over = back[i]
+        dt[i] = over * dt[i + 1] - rt - kt * dk
+        du[i] = r + d * dk - b * dt[i]
+    change = np.stack(
+        [
+            y0 + y1 * du[:-1] + y2 * dt[:-1] + y3 * dk
+            for y0, y1, y2, y3 in zip(*linear.stages, strict=True)
+        ]
+    )
+    moved = Courses(
+        at.shares,
+        at.creep + du,
+        np.maximum(at.tension + dt, LEAST_LEFT * at.tension),
+        np.maximum(at.stage + change, LEAST_LEFT * at.stage),
+        at.ratio + dk,
+    )
+    most = np.maximum(np.abs(change).max(axis=(0, 1)), np.abs(dt).max(axis=0))
+    grows = slope if ends.kind == TENSION else slope / np.where(block.side > 0.0, first_k, end_k)
+    return moved, most / np.maximum(at.tension[0], at.tension[-1]), grows
+
+
+def _exit(
+    block: Block, ends: Ends, at: Courses, b: Array, r: Array, d: Array
+) -> tuple[Array, Array]:
+    """Change of tension at the exit: constant, and by dK."""
+    if ends.kind == TENSION:
+        return ends.goal - at.tension[-1], np.zeros(len(block))
+    goal, by_tension = ends.goal, np.zeros(len(block))
+    slips = np.isfinite(ends.slip)
+    if slips.any():
+        p = at.tension[-1] / block.area
+        s = block.laws.stress(np.zeros(len(block)), p, ends.slip)
+        goal = np.where(slips, ends.slip + block.shear * s.stress, goal)
+        by_tension = np.where(slips, -block.shear * s.by_pressure / block.area, 0.0)
+    free = by_tension - b
+    return (goal - at.creep[-1] - r) / free, -d / free
+
+
+class Solved(NamedTuple):
+    """Courses that met their ends, and how well.
+
+    Attributes
+    ----------
+    met
+        Whether Newton's method settled.
+    grows
+        > 0 where the tension at the entry grows with creep (the branch on which friction is not yet
+        exhausted), or, at a creep that is asked, what is carried with the tension of the tight side.
+    misfit
+        How far the parabolas through the stage stresses miss the stresses at the ends of elements,
+        as a tension, of the largest change of tension along the arc, shape (elements, n) [-].
+    """
+
+    courses: Courses
+    met: Flags
+    grows: Array
+    misfit: Array
+
+
+def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
+    """Newton's method until a step changes no tension by `near` of the largest.
+
+    Rows that are done are put aside.
+    """
+    out = Courses(*(np.array(column) for column in start))
+    met, grows = np.zeros(len(block), dtype=bool), np.full(len(block), np.nan)
+    which, part, asked, at = np.arange(len(block)), block, ends, start
+    open_ = np.ones(len(block), dtype=bool)
+    for _ in range(STEPS):
+        at, change, slope = improved(part, asked, at)
+        # a row keeps what it had when it was done, whatever it is solved with
+        done = open_ & (change < near)
+        _put(out, which[done], at, done)
+        met[which[done]], grows[which[done]] = True, slope[done]
+        open_ &= (change < 1e4) & ~done
+        if open_.mean() < COMPRESS:
+            which, part, asked, at = which[open_], part.rows(open_), asked.rows(open_), at.rows(open_)
+            open_ = open_[open_]
+        if not len(which):
+            break
+    return Solved(out, met, grows, misfits(block, out))
+
+
+def _put(out: Courses, where: Integers, at: Courses, which: Flags) -> None:
+    out.creep[:, where] = at.creep[:, which]
+    out.tension[:, where] = at.tension[:, which]
+    out.stage[:, :, where] = at.stage[:, :, which]
+    out.ratio[where] = at.ratio[which]
+
+
+def misfits(block: Block, at: Courses) -> Array:
+    """See `Solved.misfit`; of each element, shape (elements, n)."""
+    steps = np.diff(at.shares, axis=0) * block.length
+    f0, f1, f2 = block.stress(at.stage, stage_creeps(block, steps, at)).stress
+    f = block.stress(at.tension, at.creep).stress
+    left = np.abs(E0 * f0 + E1 * f1 + E2 * f2 - f[:-1])
+    right = np.abs(E2 * f0 + E1 * f1 + E0 * f2 - f[1:])
+    size = np.abs(at.tension - at.tension[0]).max(axis=0)
+    size = np.maximum(size, 1e-6 * at.tension[0])
+    return np.asarray(steps * block.width * np.maximum(left, right) / size)
+
+
+def spread(shares: Array, misfit: Array, elements: int) -> Array:
+    """Ends of elements that share the misfit evenly, shape (elements + 1, n).
+
+    Of an element it falls with the fourth power of its length, with the square where a kink lies in
+    it: in between is best for both.
+    """
+    parts = np.maximum(misfit, 1e-16) ** SPREAD
+    parts = np.maximum(parts, 0.02 * parts.max(axis=0))
+    done = np.concatenate([np.zeros((1, parts.shape[1])), np.cumsum(parts, axis=0)])
+    done /= done[-1]
+    wanted = np.arange(1, elements) / elements
+    place = np.zeros((elements - 1, parts.shape[1]), dtype=np.int64)
+    for end in done[1:-1]:
+        place += wanted[:, None] >= end
+    low, high = np.take_along_axis(done, place, 0), np.take_along_axis(done, place + 1, 0)
+    a, b = np.take_along_axis(shares, place, 0), np.take_along_axis(shares, place + 1, 0)
+    inner = a + (b - a) * (wanted[:, None] - low) / (high - low)
+    return np.concatenate([shares[:1], inner, shares[-1:]])
+
+
+def between(block: Block, at: Courses, shares: Array) -> tuple[Array, Array]:
+    """Creep [m] and tension [N] at shares of the arcs, shape (points, n), by the polynomials."""
+    place = np.zeros(shares.shape, dtype=np.int64)
+    for end in at.shares[1:-1]:
+        place += shares >= end
+    start = np.take_along_axis(at.shares, place, 0)
+    width = np.take_along_axis(at.shares, place + 1, 0) - start
+    c = (shares - start) / width
+    k0, k1, k2 = (np.take_along_axis(k, place, 0) for k in at.stage)
+    w0, w1, w2 = weights_at(c)
+    mean = w0 * k0 + w1 * k1 + w2 * k2
+    h = width * block.length
+    u = np.take_along_axis(at.creep, place, 0) + h * (c * at.ratio - block.compliance * mean)
+    t0 = np.take_along_axis(at.tension, place, 0)
+    return u, cubic_through(c, t0, k0, k1, k2)
+
+
+def cubic_through(c: Array, t0: Array, k0: Array, k1: Array, k2: Array) -> Array:
+    """The cubic through the start and the three stages of an element, at a fraction c of it."""
+    nodes, total = (0.0, C0, C1, C2), np.zeros_like(c)
+    for j, value in enumerate((t0, k0, k1, k2)):
+        part = value
+        for m in range(4):
+            if m != j:
+                part = part * (c - nodes[m]) / (nodes[j] - nodes[m])
+        total = total + part
+    return total
+
+
+def on_mesh(block: Block, at: Courses, shares: Array) -> Courses:
+    """Courses on other meshes."""
+    creep, tension = between(block, at, shares)
+    stages = stage_shares(shares)
+    flat = stages.reshape(-1, stages.shape[2])
+    stage = between(block, at, flat)[1].reshape(stages.shape)
+    creep[-1], tension[-1] = at.creep[-1], at.tension[-1]
+    return Courses(shares, creep, tension, stage, at.ratio)
+
+
+def halved(at: Courses) -> Array:
+    """Ends of elements each cut in two, where a graded mesh has them."""
+    shares = np.repeat(at.shares, 2, axis=0)[:-1]
+    roots = np.sqrt(at.shares)
+    shares[1::2] = (0.5 * (roots[:-1] + roots[1:])) ** 2
+    return shares
