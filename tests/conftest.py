@@ -13,12 +13,6 @@ import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 
-from wraparc.across import compiled as across
-from wraparc.arc import ArcResult, Distributed, WrapArc
-from wraparc.batch import compiled
-from wraparc.checks import compiled as checks
-from wraparc.train import compiled as train
-
 # No wall clock in a test; in CI the same examples every time, at a desk new ones.
 settings.register_profile("wraparc", deadline=None, derandomize="CI" in os.environ)
 settings.load_profile("wraparc")
@@ -133,47 +127,3 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
     for process in busy:
         process.kill()
         process.wait()
-
-
-#: Rooms above the arc that have many of them solved, and what holds the arc to no other numbers.
-COMPILED = {
-    "across",
-    "calibrate",
-    "checks",
-    "choose",
-    "cli",
-    "golden",
-    "report",
-    "study",
-    "train",
-    "web",
-    "test_qualities",
-}
-
-
-class Interpreted(Distributed):
-    """The solver as it is: what `Compiled` turns to where it has no answer of its own."""
-
-    solve = Distributed.solve
-
-
-@pytest.fixture(scope="module", autouse=True)
-def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Rooms above the arc have it solved by compiled code, many times as fast; strips and trains.
-
-    Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py, and of NumPy:
-    tests/across/test_compiled.py), which answers in the rooms of the arc itself, in those of golden
-    answers, and in processes of the command line.
-    """
-
-    def solve(self: Distributed, arc: WrapArc) -> ArcResult:
-        return compiled.Compiled(self.steps, self.points, self.capacities).solve(arc)
-
-    with pytest.MonkeyPatch.context() as patch:
-        if COMPILED & {request.path.parent.name, request.path.stem}:
-            patch.setattr(compiled, "Distributed", Interpreted)
-            patch.setattr(Distributed, "solve", solve)
-            patch.setitem(across._ready, "compiled", True)
-            patch.setitem(checks._ready, "compiled", True)
-            patch.setitem(train._ready, "compiled", True)
-        yield

@@ -28,7 +28,7 @@ from wraparc.train import (
     Induction,
     MemberResult,
     VariableSpeed,
-    compiled,
+    member,
     turning,
 )
 from wraparc.train.system import System
@@ -123,7 +123,7 @@ def train_module() -> str:
     kernel = _kernel()
     kernel.text()
     instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
-    instead[compiled.shoot] = compiled.shoot_plainly
+    instead[member.shoot] = member.shoot_plainly
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'

@@ -8,7 +8,6 @@ how the batch was cut.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -17,27 +16,20 @@ import pytest
 from arc.drives import LAWS, integral_log, random_arc
 from batch.batches import columns_of, designs, lagging
 from wraparc.arc import Distributed, Status, WrapArc
-from wraparc.arc.kernel import answer, search
+from wraparc.arc.kernel import answer
 from wraparc.arc.kernel.quantities import REFUSED
 from wraparc.batch import (
     STATUSES,
     BatchResult,
     Setting,
-    creep_rows,
-    engineering,
-    from_lanes,
-    precise,
     solve_arcs,
     solve_batch,
 )
 from wraparc.batch.arcs import arcs_of_table
-from wraparc.batch.native import available, compiled
-from wraparc.batch.row import TENSIONS
-from wraparc.batch.solve import CHUNK
+from wraparc.batch.rows import solve_rows
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
-from wraparc.friction import Constant, FrictionLaw, IntegralLog, MeasuredTable
 
 LAGGINGS = [lagging(name, law) for name, law in LAWS.items()]
 SHIPPED = [load_lagging(name) for name in ("diamond-rubber", "medium-ceramic", "full-ceramic")]
@@ -50,13 +42,6 @@ def random_arcs(per_law: int, seed: int) -> list[WrapArc]:
         for k, law in enumerate(LAWS.values())
         for i in range(per_law)
     ]
-
-
-def for_lanes(law: FrictionLaw) -> bool:
-    """Whether there is another way to a law's operating points than by the scalar kernel."""
-    if isinstance(law, MeasuredTable):
-        return law.values[0][0] == 0.0
-    return isinstance(law, Constant | IntegralLog)
 
 
 def same(batch: BatchResult, arcs: list[WrapArc], *, capacities: bool, within: float) -> None:
@@ -79,15 +64,17 @@ def same(batch: BatchResult, arcs: list[WrapArc], *, capacities: bool, within: f
                 assert abs(found - expected) <= within * scale + small, (name, found, arc)
 
 
-#: differences of nearly equal numbers, and places of an extreme, are no better than this
+#: differences of nearly equal numbers, and places of an extreme, are no better than this: creep to
+#: 1e-6 of some millimetres, and that over the arc
 SMALL = {
-    "creep_shrinkage": 1e-12,
-    "creep_compression": 1e-12,
-    "creep_global": 1e-12,
-    "entry_creep_ratio": 1e-12,
-    "exit_creep_ratio": 1e-12,
+    "creep_shrinkage": 1e-8,
+    "creep_compression": 1e-8,
+    "creep_global": 1e-8,
+    "entry_creep_ratio": 1e-8,
+    "exit_creep_ratio": 1e-8,
     "peak_shear_position": 1e-4,
-    "outside_tested_share": 1e-9,
+    "outside_tested_share": 1e-4,  # crossings by straight lines between some hundred points
+    "active_arc": 5e-4,  # one arc takes the tension as straight between 180 points
     "mean_friction": 1e-11,  # the solver reaches T2 to so much
     "transmitted_power": 1e-5,
     "efficiency": 1e-12,
@@ -109,14 +96,14 @@ OF_OPERATING_POINT = {
 def test_precise_is_the_solver_of_one_arc() -> None:
     arcs = random_arcs(10, 5)
     batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE, capacities=False)
-    same(batch, arcs, capacities=False, within=1e-9)
+    # the marches of one arc, of 24 steps, keep 1e-5, this 1e-6: two ways to the same numbers
+    same(batch, arcs, capacities=False, within=5e-6)
 
 
 def test_precise_capacities_are_those_of_one_arc() -> None:
     arcs = random_arcs(2, 6)
     batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE)
-    # a largest ratio is searched for: its place is flat
-    same(batch, arcs, capacities=True, within=1e-7)
+    same(batch, arcs, capacities=True, within=5e-6)
 
 
 def test_a_batch_has_every_number_of_an_arc() -> None:
@@ -158,29 +145,10 @@ def test_engineering_accuracy(lag: Lagging) -> None:
     )
 
 
-def test_engineering_leaves_other_laws_to_the_scalar_kernel(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr(precise, "pays", lambda *_: True)
-    arcs = random_arcs(12, 9)
-    near = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False)
-    exact = solve_arcs(columns_of(arcs, LAGGINGS), capacities=False, setting=Setting.PRECISE)
-    np.testing.assert_array_equal(near["status"], exact["status"])
-    np.testing.assert_allclose(near["exit_creep"], exact["exit_creep"], rtol=1e-4, atol=1e-12)
-    others = ~np.array([for_lanes(a.law) for a in arcs])
-    np.testing.assert_array_equal(near["exit_creep"][others], exact["exit_creep"][others])
-
-
 @pytest.mark.parametrize("setting", Setting)
-def test_no_cut_changes_a_bit(setting: Setting, monkeypatch: pytest.MonkeyPatch) -> None:
-    """An arc's numbers do not depend on its neighbours, on chunks, or on threads.
-
-    But for few rows that are interpreted, see `test_few_rows_are_left_to_the_interpreter`.
-    """
-    monkeypatch.setattr(precise, "pays", lambda *_: True)
-    monkeypatch.setattr(from_lanes, "pays", lambda *_: True)
-    monkeypatch.setattr(creep_rows, "pays", lambda *_: True)
-    n = 200 if setting is Setting.PRECISE else 10_000
+def test_no_cut_changes_a_bit(setting: Setting) -> None:
+    """An arc's numbers do not depend on its neighbours, on chunks, or on threads."""
+    n = 200 if setting is Setting.PRECISE else 3_000
     table = designs(n, 11)
     table["lagging"] = np.arange(n) % 3  # type: ignore[assignment]
     arcs = arcs_of_table(table, SHIPPED)
@@ -195,16 +163,6 @@ def test_no_cut_changes_a_bit(setting: Setting, monkeypatch: pytest.MonkeyPatch)
         np.testing.assert_array_equal(whole.found[i : i + 1], alone.found)
 
 
-def test_the_last_few_of_many_precise_rows_are_not_interpreted() -> None:
-    """A batch of a chunk and five rows: in which of the two a row stands changes no bit."""
-    n = CHUNK["precise"] + 5
-    arcs = arcs_of_table(designs(n, 23), SHIPPED[0])
-    whole = solve_arcs(arcs, setting=Setting.PRECISE, capacities=False).found
-    turned = np.roll(np.arange(n), 5)
-    again = solve_arcs(arcs.rows(turned), setting=Setting.PRECISE, capacities=False).found
-    np.testing.assert_array_equal(again, whole[turned])
-
-
 def test_many_laws_are_cut_with_their_chunk() -> None:
     """More laws than rows in a chunk, as draws of a fitted law are."""
     laws = [lagging(f"draw {k}", integral_log(peak=0.6 + 1e-5 * k)) for k in range(300)]
@@ -215,85 +173,6 @@ def test_many_laws_are_cut_with_their_chunk() -> None:
     part = solve_arcs(arcs.rows(slice(100, 200)), capacities=False)
     np.testing.assert_array_equal(whole.found[100:200], part.found)
     assert np.all(np.diff(whole["exit_creep"]) < 0.0)  # more friction, less creep
-
-
-@pytest.fixture
-def interpreted(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """As if numba were not installed."""
-    assert available()
-    with monkeypatch.context() as patch:
-        patch.setattr(precise, "available", lambda: False)
-        patch.setattr(from_lanes, "available", lambda: False)
-        patch.setattr(engineering, "available", lambda: False)
-        yield
-
-
-def test_interpreted_precise_is_compiled_precise(
-    request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    arcs = columns_of(random_arcs(1, 13), LAGGINGS)
-    monkeypatch.setattr(precise, "pays", lambda *_: True)
-    compiled = precise.solve_precisely(arcs)
-    request.getfixturevalue("interpreted")
-    plain = precise.solve_precisely(arcs)
-    np.testing.assert_allclose(plain, compiled, rtol=1e-12, atol=1e-15)
-
-
-def test_few_rows_are_left_to_the_interpreter(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By the rows of the chunk alone, whatever is compiled already; to the same numbers."""
-    asked: list[str] = []
-
-    def watched(entry: Callable[..., Any]) -> Callable[..., Any]:
-        asked.append(entry.__name__)
-        return compiled(entry)
-
-    monkeypatch.setattr(precise, "compiled", watched)
-    monkeypatch.setattr(precise, "FEW", 3)
-    monkeypatch.setattr(precise, "FEW_WITH_CAPACITIES", 0)
-    others = [a for a in random_arcs(3, 21) if not for_lanes(a.law)][:4]
-    arcs = columns_of(others, LAGGINGS)
-    few = solve_arcs(arcs.rows(slice(0, 3)), capacities=False).found
-    assert asked == []
-    more = solve_arcs(arcs, capacities=False).found
-    assert asked == ["tension_rows"]
-    np.testing.assert_allclose(few, more[:3], rtol=1e-9)
-    solve_arcs(arcs.rows(slice(0, 1)), setting=Setting.PRECISE)
-    assert asked[1:] == ["capacity_rows"]
-
-
-@pytest.mark.parametrize("factor", [1.0, 1.3])
-def test_where_a_precise_row_begins_decides_speed_only(
-    factor: float, interpreted: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """From what the lanes have found, or far off: fewer marches, and the same answer."""
-    arcs = arcs_of_table(designs(3, 22), SHIPPED[1])
-    batch = engineering.LaneBatch(arcs)
-    parts = TENSIONS | answer.CREEP_LIMIT | answer.TESTED_SLIP
-    batch.find(parts)
-    assert np.isfinite(batch.starts[:, :3]).all()
-    marches: list[int] = []
-    attempt = search.attempt
-
-    def counted(*given: Any) -> Any:
-        marches.append(1)
-        return attempt(*given)
-
-    monkeypatch.setattr(search, "attempt", counted)
-    plain = precise.solve_precisely(arcs, parts)
-    without = len(marches)
-    found = precise.solve_precisely(arcs, parts, batch.starts * factor)
-    np.testing.assert_allclose(found, plain, rtol=1e-9)
-    assert factor != 1.0 or len(marches) - without < 0.6 * without
-
-
-def test_interpreted_lanes_are_compiled_lanes(request: pytest.FixtureRequest) -> None:
-    """Compiled logarithms are good to 5e-9; what they are multiplied into may be ten times more."""
-    arcs = arcs_of_table(designs(200, 14), SHIPPED[0])
-    compiled = solve_arcs(arcs, capacities=False)
-    request.getfixturevalue("interpreted")
-    plain = solve_arcs(arcs, capacities=False)
-    np.testing.assert_allclose(plain["exit_creep"], compiled["exit_creep"], rtol=1e-6)
-    np.testing.assert_allclose(plain["peak_shear_stress"], compiled["peak_shear_stress"], rtol=1e-6)
 
 
 def test_breakaway_has_a_status_and_its_capacities() -> None:
@@ -373,5 +252,5 @@ def test_every_fault_of_a_table_at_once() -> None:
 def test_capacities_are_left_to_the_scalar_kernel_for_nothing(lag: Lagging) -> None:
     """Least tensions and largest pulls included; 2 % took 3 ms each when they were handed over."""
     arcs = arcs_of_table(designs(3000, 20), lag)
-    _, handed_over = engineering.solve_in_lanes(arcs, answer.CAPACITIES)
+    _, handed_over = solve_rows(arcs, answer.CAPACITIES, 1e-4)
     assert not handed_over.any()

@@ -9,11 +9,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pytest
 
 from batch.batches import designs, lagging
 from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED
-from wraparc.batch import constant, engineering, precise, row, solve_arcs
+from wraparc.batch import constant, precise, row
 from wraparc.batch.arcs import Arcs, Array, arcs_of_table
 from wraparc.friction import Constant, PressurePower
 
@@ -69,15 +68,3 @@ def test_a_stiff_lagging_slips_over_the_classical_arc() -> None:
     sticks = done & (found[:, row.STUCK_LENGTH] > 25.0 * lag)
     assert np.count_nonzero(sticks) > 50
     np.testing.assert_allclose((found[:, row.STUCK_LENGTH] / radius)[sticks], expected[sticks])
-
-
-def test_the_engineering_setting_takes_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And an arc's numbers depend on itself alone."""
-    arcs = wide(200, 53)
-    found: Array = np.full((200, row.FOUND_NUMBERS), np.nan)
-    done = constant.solve_constant(arcs, np.ones(200, dtype=bool), found)
-    whole = solve_arcs(arcs.rows(np.flatnonzero(done)), capacities=False).found
-    np.testing.assert_array_equal(whole, found[done])
-    monkeypatch.setattr(engineering, "solve_precisely", None)  # it is not asked
-    alone = solve_arcs(arcs.rows(np.flatnonzero(done)[7:8]), capacities=False).found
-    np.testing.assert_array_equal(alone, whole[7:8])

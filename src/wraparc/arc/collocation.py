@@ -18,7 +18,7 @@ One source runs in the interpreter and translated for the page: plain floats, li
 
 from __future__ import annotations
 
-from math import ceil, exp, inf, log, nan, sqrt
+from math import ceil, exp, inf, log, sqrt
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -27,12 +27,11 @@ from numpy.typing import NDArray
 from wraparc.arc.kernel.quantities import LEAST_COMPLIANCE, Geometry
 from wraparc.arc.traction import (
     LEAST_CREEP,
+    Traction,
     creep_of_slip,
-    jump_stress,
     piece_at,
     plateau_stress,
     stress_of_slip,
-    Traction,
     traction,
 )
 from wraparc.friction.compact import CompactLaw, segment_of

@@ -1,9 +1,7 @@
-"""The batch kernel: many arcs in, columns out.
+"""Many arcs in, columns out.
 
-Two settings, one physics. The precise one runs the scalar kernel of :mod:`wraparc.arc` for every
-arc. The engineering one marches blocks of arcs side by side in the lanes of the processor and
-leaves to the scalar kernel what its lanes are not made for. Both are compiled with numba where it
-is installed, and run as plain Python and NumPy where it is not.
+The collocation of :mod:`wraparc.arc` over columns (NumPy), to the accuracy of a setting; what it
+does not serve is left to the scalar solver, row by row.
 """
 
 from wraparc.batch.result import STATUSES, BatchResult

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from wraparc.batch.two_point import Array, Block
+from wraparc.batch.traction import Array, Laws
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 PARTS = 2  # of ln T between two edges of pressure
@@ -14,7 +14,7 @@ ROUNDS, NEAR = 40, 1e-13
 
 
 def ratio_at_gross_slip(
-    block: Block, tight: Array, friction: Callable[[Array], Array]
+    laws: Laws, top: Array, wrap: Array, friction: Callable[[Array], Array]
 ) -> Array:
     """ln(tight/slack) that friction carries, shape (n,) [-].
 
@@ -23,15 +23,16 @@ def ratio_at_gross_slip(
 
     Parameters
     ----------
-    block
-        The arcs.
-    tight
-        Tension of the tight side [N].
+    laws
+        Their laws.
+    top
+        Wrap pressure at the tight side, shape (n,) [Pa].
+    wrap
+        Wrap angle, shape (n,) [rad].
     friction
         mu(p) of each row: `Laws.plateau` or `Laws.residual`.
     """
-    top, wrap = tight / block.area, block.length / block.radius
-    edges = np.log(np.maximum(top / block.laws.edges(), 1.0))  # falls of ln p to each edge
+    edges = _falls(laws, top)
     q = wrap * friction(top)
     q = np.minimum(q, wrap * friction(top * np.exp(-0.5 * q)))
     done = np.zeros(len(q), dtype=bool)
@@ -47,11 +48,15 @@ def ratio_at_gross_slip(
 
 
 def wrap_needed(
-    block: Block, tight: Array, fall: Array, friction: Callable[[Array], Array]
+    laws: Laws, top: Array, fall: Array, friction: Callable[[Array], Array]
 ) -> Array:
     """Wrap angle over which ln T falls so far from the tight side, shape (n,) [rad]."""
-    top = tight / block.area
-    return _angle(top, fall, np.log(np.maximum(top / block.laws.edges(), 1.0)), friction)
+    return _angle(top, fall, _falls(laws, top), friction)
+
+
+def _falls(laws: Laws, top: Array) -> Array:
+    """Falls of ln p from the tight side to each edge of pressure, >= 0."""
+    return np.log(np.maximum(top / laws.edges(), 1.0))
 
 
 def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array]) -> Array:
@@ -65,6 +70,7 @@ def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array
             continue
         part = width / PARTS
         at = low + part * (np.arange(PARTS)[:, None, None] + 0.5 + 0.5 * _NODES[:, None])
-        mean = (_WEIGHTS[:, None] / friction(top * np.exp(-at))).sum(axis=(0, 1))
-        total += 0.5 * part * mean
+        angles = (_WEIGHTS[:, None] / friction(top * np.exp(-at))).reshape(-1, len(q))
+        # one after the other: a sum in pairs would depend on how many rows there are
+        total += 0.5 * part * np.cumsum(angles, axis=0)[-1]
     return total

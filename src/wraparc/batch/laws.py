@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch.elementwise import memory
+from wraparc.batch.traction import Laws, laws_of
 from wraparc.friction import FrictionLaw
 from wraparc.friction.compact import CompactLaw
 
@@ -67,6 +68,11 @@ class LawBank:
             tested=np.array([tested_ends(law) for law in laws], dtype=float).reshape(-1, 3),
             tested_speed=np.array([_tested_speed(law) for law in laws], dtype=float),
         )
+
+    def traction(self, law: Integers) -> Laws:
+        """Traction of rows that each have the place of their law; the laws are of one kind."""
+        used, place = np.unique(law, return_inverse=True)
+        return laws_of([self.compact(int(i)) for i in used], place)
 
     @property
     def arrays(self) -> tuple[Integers, Array, Integers, Array]:

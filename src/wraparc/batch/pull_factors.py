@@ -2,28 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from math import inf, log
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
-from wraparc.batch.arcs import Arcs, Array, Integers
-from wraparc.batch.engineering import tables_of
-from wraparc.batch.laws import LawBank, law_of
-from wraparc.batch.native import available, compiled, pays
-from wraparc.friction.compact import KNOTS
-
-#: ln(tight/slack) that plateaus carry, and friction at the end over that at the start, for
-#: logarithms of the first pressure and wrap angles
-Carried = Callable[[Array, Array], tuple[Array, Array]]
+from wraparc.batch.arcs import Arcs, Array
+from wraparc.batch.gross_slip import ratio_at_gross_slip
+from wraparc.batch.traction import Laws
+from wraparc.friction.compact import CompactLaw
 
 KNOWN, TIGHT, SLACK = 2, 3, 4  # columns of what is given
 MOST_STEPS = 12
-FEW = 20  # rows left to the interpreter, which takes some 20 ms for one
 NEAR = 1e-8  # last step over k: what is left is of the size of rounding
 HIGHEST = 1e4  # as `slip_place` has it
 
@@ -54,38 +44,26 @@ def pull_factors(
     # the plateau of f mu over an angle is that of mu over f times the angle
     wrap = arcs.wrap_angle * friction_factor
     given = np.stack((wrap, area, known, tight, slack, *rises), axis=1)
-    found = _by_tables(arcs, given)
-    left = np.flatnonzero(np.isnan(found))
-    if len(left):
-        found[left] = _by_rows(arcs.laws, arcs.law[left], given[left])
+    found = np.full(len(arcs), inf)
+    pulls = tight != slack
+    for kind in np.unique(arcs.laws.kind[arcs.law]).tolist():
+        which = np.flatnonzero(pulls & (arcs.laws.kind[arcs.law] == kind))
+        if len(which):
+            with np.errstate(all="ignore"):
+                found[which] = _newton(arcs.laws.traction(arcs.law[which]), given[which].T)
+    for i in np.flatnonzero(np.isnan(found)).tolist():
+        found[i] = _factor(arcs.laws.compact(int(arcs.law[i])), given[i].tolist())
     return found
 
 
-def _by_rows(bank: LawBank, law: Integers, given: Array) -> Array:
-    """Factors row by row; few of them by the interpreter."""
-    found = np.empty(len(given))
-    if available() and pays(len(given), FEW):
-        compiled(factor_rows)(given, bank.arrays, law, found)
-        return found
-    for i, numbers in enumerate(given.tolist()):
-        found[i] = _factor(bank.compact(int(law[i])), numbers)
-    return found
+def _carried(laws: Laws, top: Array, wrap: Array) -> tuple[Array, Array]:
+    """ln(tight/slack) that plateaus carry from a pressure [Pa], and friction at the slack end over
+    that at the tight one."""
+    q = ratio_at_gross_slip(laws, top, wrap, laws.plateau)
+    return q, laws.plateau(top * np.exp(-q)) / laws.plateau(top)
 
 
-def _by_tables(arcs: Arcs, given: Array) -> Array:
-    """Factors of the rows under laws by knots, shape (n,); nan of others and of those not met."""
-    _, plateaus, _ = tables_of(arcs.laws)
-    found = np.full(len(given), np.nan)
-    fit = (arcs.laws.kind == KNOTS) & (plateaus.table.row >= 0)
-    for i in np.unique(arcs.law[fit[arcs.law]]).tolist():
-        which = np.flatnonzero((arcs.law == i) & (given[:, TIGHT] != given[:, SLACK]))
-        with np.errstate(all="ignore"):
-            found[which] = _newton(partial(plateaus.finely, i), given[which].T)
-    found[given[:, TIGHT] == given[:, SLACK]] = inf
-    return found
-
-
-def _newton(carried: Carried, numbers: Array) -> Array:
+def _newton(laws: Laws, numbers: Array) -> Array:
     """Factors by Newton's method, shape (n,); nan where it does not lead there.
 
     What the slack side has more than the least tension that carries is nearly straight along the
@@ -96,14 +74,14 @@ def _newton(carried: Carried, numbers: Array) -> Array:
     offset = np.zeros(len(softens))
     if softens.any():
         wrap, area, known, tight = numbers[: TIGHT + 1]
-        offset = np.where(softens, known - carried(np.log(tight / area), wrap)[0], 0.0)
+        offset = np.where(softens, known - _carried(laws, tight / area, wrap)[0], 0.0)
     held = numbers[-1] >= 0.0
     at, found = np.where(held, 0.0, 1.0), np.full(len(held), np.nan)
     open_ = np.arange(len(held))
     for _ in range(MOST_STEPS):
         if not len(open_):
             break
-        step = _step(carried, numbers[:, open_], offset[open_], at[open_])
+        step = _step(laws.rows(open_), numbers[:, open_], offset[open_], at[open_])
         at[open_] += step
         last = at[open_]
         good = np.where(held[open_], last <= log(HIGHEST), (last > 0.0) & (last <= HIGHEST))
@@ -113,7 +91,7 @@ def _newton(carried: Carried, numbers: Array) -> Array:
     return found
 
 
-def _step(carried: Carried, numbers: Array, offset: Array, at: Array) -> Array:
+def _step(laws: Laws, numbers: Array, offset: Array, at: Array) -> Array:
     """One step of Newton's method, nan where there is none."""
     wrap, area, _, tight, slack, tight_rise, slack_rise = numbers
     held = slack_rise >= 0.0
@@ -121,25 +99,18 @@ def _step(carried: Carried, numbers: Array, offset: Array, at: Array) -> Array:
     top, other = tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
     sound = top > 0.0
     top = np.where(sound, top, tight)
-    q, rise = carried(np.log(top / area), wrap)
+    q, rise = _carried(laws, top / area, wrap)
     least, growth = top * np.exp(-np.maximum(q + offset, 0.0)), tight_rise / top * rise
     spare = np.where(held, np.log(other / least), other - least)
     slope = np.where(held, k * (slack_rise / other - growth), slack_rise - growth * least)
     return np.where(sound & (slope < 0.0), -spare / slope, np.nan)
 
 
-def factor_rows(given: Any, bank: Any, which: Any, found: NDArray[np.float64]) -> None:
-    """Fill `found` row by row; compiled only."""
-    for i in range(len(given)):
-        found[i] = _factor(law_of(bank, which[i]), given[i])
-
-
-def _factor(law: Any, given: Any) -> float:
-    wrap, area, known, tight, slack = given[0], given[1], given[2], given[3], given[4]
-    if tight == slack:
-        return inf
+def _factor(law: CompactLaw, given: list[float]) -> float:
+    """Factor of one row, by a search."""
+    wrap, area, known, tight, slack, tight_rise, slack_rise = given
     offset = 0.0
     if known == known:
         offset = known - plateau_capacity(law, tight / area, wrap)
-    line = Line(tight, slack, given[5], given[6])
+    line = Line(tight, slack, tight_rise, slack_rise)
     return slip_place(law, Grip(wrap, area, offset), line, 1.0, 0.0)

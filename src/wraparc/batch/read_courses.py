@@ -17,7 +17,7 @@ from wraparc.batch.two_point import (
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS = 45
-FINE = 8  # parts of the neighbourhood in which the largest shear is looked for, twice
+FINE, LOOKS = 8, 3  # parts of a neighbourhood in which the largest shear is looked for, how often
 CROSSINGS = 128  # parts of an arc of which some is outside the tested range
 REST = 1e-9  # of the largest slip: a belt at rest
 
@@ -101,7 +101,7 @@ def _largest_stress(
     most, where = np.abs(stress)[best, rows], shares[best, rows]
     low = shares[np.maximum(best - 1, 0), rows]
     high = shares[np.minimum(best + 1, len(shares) - 1), rows]
-    for _ in range(2):
+    for _ in range(LOOKS):
         points = low + (high - low) * (np.arange(FINE + 1) / FINE)[:, None]
         creep, tension = between(block, at, points)
         size = np.abs(block.stress(tension, creep).stress)
@@ -187,5 +187,7 @@ def _outside(
         high = np.where((a > 0.0) & (b > 0.0), -1.0, high)
         low = np.where((a > 0.0) & (b <= 0.0), np.maximum(low, cross), low)
         high = np.where((a <= 0.0) & (b > 0.0), np.minimum(high, cross), high)
-    share[which] = (1.0 - np.maximum(high - low, 0.0)).mean(axis=0)
+    beyond = 1.0 - np.maximum(high - low, 0.0)
+    # one after the other: a sum in pairs would depend on how many rows there are
+    share[which] = np.cumsum(beyond, axis=0)[-1] / CROSSINGS
     return share

@@ -6,36 +6,21 @@ only, so that the same source runs in the interpreter and compiled.
 
 from __future__ import annotations
 
-from math import log, nan, sqrt
+from math import nan
 
 from wraparc.arc.kernel.answer import (
     CAPACITIES,
     CREEP_LIMIT,
     GROSS_SLIP,
     LEAST,
-    LOSS_MISS,
     TESTED_SLIP,
-    Answer,
-    Beginning,
     answer,
-    find_capacities_near,
-    loss_miss,
+    find_capacities,
     profile_of,
     profile_size,
 )
-from wraparc.arc.kernel.effort import (
-    SMALL_RATIO,
-    TENSION,
-    Aim,
-    effort_of,
-    jumps,
-    mesh_steps,
-    ratio_of,
-)
-from wraparc.arc.kernel.layers import NO_LAYERS
+from wraparc.arc.kernel.effort import jumps
 from wraparc.arc.kernel.quantities import (
-    NO_SHOT,
-    RECORD,
     REFUSED,
     SOLVED,
     Buffer,
@@ -46,16 +31,12 @@ from wraparc.arc.kernel.quantities import (
     parameters_at,
     zeros,
 )
-from wraparc.arc.kernel.search import TOLERANCE, search, tension_shot
 from wraparc.arc.kernel.stick import onset_stress
-from wraparc.arc.kernel.tension_march import march
-from wraparc.arc.kernel.tension_table import applies, open_table, table_size
 from wraparc.arc.profile import (
     active_length,
     largest_slip,
     peak_stress,
     share_outside,
-    sort,
     steepest_slip,
 )
 from wraparc.friction.compact import CompactLaw
@@ -103,12 +84,6 @@ PLACES = {
 }
 
 
-#: where the searches of a row begin, nan where nothing is known: entry creep ratios [-] of the
-#: operating point, of the creep limit, of the tested slip and of the least tension; the slope of
-#: ln s by the first, and the entry tension of the last [N]
-STARTS = 6
-
-
 def geometry_of(given: Buffer) -> Geometry:
     """What of an arc does not depend on its tensions, from its row of `INPUTS`."""
     g = given
@@ -122,15 +97,8 @@ def load_of(given: Buffer) -> Load:
 
 
 def tensions_of_row(
-    law: CompactLaw,
-    given: Buffer,
-    parts: int,
-    steps: int,
-    points: int,
-    found: Buffer,
-    records: Buffer,
-    starts: Buffer,
-) -> int:
+    law: CompactLaw, given: Buffer, parts: int, steps: int, points: int, found: Buffer
+) -> None:
     """Begin the row of an arc, and find its operating point if that is wanted.
 
     Parameters
@@ -145,14 +113,6 @@ def tensions_of_row(
         Mesh steps, and equal parts of the wrap at which its profile is looked at.
     found
         A row of results.
-    records
-        Takes the records of the profile where they fit.
-    starts
-        Where its searches begin, see `STARTS`.
-
-    Returns
-    -------
-    Records of the profile; 0 if none was asked for or the arc is not solved.
     """
     for k in range(FOUND_NUMBERS):
         found[k] = nan
@@ -161,34 +121,19 @@ def tensions_of_row(
     if refused(law, geometry, load):
         found[OUTCOME] = REFUSED
     elif parts & TENSIONS:
-        return find_tensions(law, geometry, load, steps, points, found, records, starts)
-    return 0
+        find_tensions(law, geometry, load, steps, points, found)
 
 
 def capacities_of_row(
-    law: CompactLaw, given: Buffer, parts: int, steps: int, found: Buffer, starts: Buffer
+    law: CompactLaw, given: Buffer, parts: int, steps: int, found: Buffer
 ) -> None:
     """Find the capacities that are wanted of an arc whose row is begun."""
     if not parts & CAPACITIES or found[OUTCOME] == REFUSED:
         return
-    geometry, load = geometry_of(given), load_of(given)
-    tight = parameters_at(load.entry_tension, geometry)
-    least = parameters_at(starts[5], geometry) if starts[5] == starts[5] else tight
-    begin = Beginning(
-        effort_from(tight, starts[1]),
-        effort_from(tight, starts[2]),
-        effort_from(least, starts[3]),
-        starts[5],
-    )
-    carried = find_capacities_near(law, geometry, load, parts, steps, begin)
+    carried = find_capacities(law, geometry_of(given), load_of(given), parts, steps)
     found[CREEP_CAPACITY], found[SLIP_CAPACITY] = carried.creep_limit, carried.tested_slip
     found[GROSS_CAPACITY], found[GROSS_CREEP] = carried.gross_slip, carried.gross_creep
     found[LEAST_SLACK], found[MOST_PULL] = carried.least_slack, carried.most_pull
-
-
-def effort_from(par: Parameters, g: float) -> float:
-    """Effort of an entry creep ratio, nan if that is not known."""
-    return effort_of(par, g) if g == g else nan
 
 
 def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
@@ -203,44 +148,17 @@ def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
 
 
 def find_tensions(
-    law: CompactLaw,
-    geometry: Geometry,
-    load: Load,
-    steps: int,
-    points: int,
-    found: Buffer,
-    records: Buffer,
-    starts: Buffer,
-) -> int:
+    law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int, found: Buffer
+) -> None:
     """Solve for the tensions and read the profile."""
     par = parameters_at(load.entry_tension, geometry)
-    table, z = zeros(0), nan
-    if starts[0] == starts[0] and applies(law, par):
-        goal = log(load.entry_tension / load.exit_tension)
-        fine = mesh_steps(law, par, steps)
-        table = zeros(table_size(goal, fine))
-        open_table(law, par, goal, fine, table)
-        z = meet_near(law, par, goal, starts, steps, table)
-    if z == z:
-        solved = Answer(SOLVED, par, z, NO_SHOT, NO_LAYERS, steps)
-    else:
-        solved = answer(law, geometry, load, steps)
+    solved = answer(law, geometry, load, steps)
     found[OUTCOME] = solved.outcome
     if solved.outcome != SOLVED:
-        return 0
+        return
     out = zeros(profile_size(law, solved, points))
-    if z == z:
-        gamma = par.side * ratio_of(par, z)
-        _, q, _, a, work, count = march(law, par, gamma, False, table, points, out)
-        shot = tension_shot(law, par, gamma, q, a, work)
-        sort(out, count)
-    else:
-        shot, count = profile_of(law, solved, load.exit_tension, points, out)
+    shot, count = profile_of(law, solved, load.exit_tension, points, out)
     read_profile(law, par, load, shot, out, count, found)
-    if RECORD * count <= len(records):
-        for i in range(RECORD * count):
-            records[i] = out[i]
-    return count
 
 
 def read_profile(
@@ -264,18 +182,3 @@ def read_profile(
         found[OUTSIDE] = share_outside(
             par, out, count, load.pressure_min, load.pressure_max, load.slip_max
         )
-
-
-def meet_near(
-    law: CompactLaw, par: Parameters, goal: float, starts: Buffer, steps: int, table: Buffer
-) -> float:
-    """Effort that meets ln(T1/T2), from near it; nan where that does not lead there."""
-    g = starts[0]
-    near = effort_of(par, g)
-    # ln s falls with ln g, the effort is the logarithm of g or with a kick its inverse sine
-    growth = sqrt(g * g + SMALL_RATIO * SMALL_RATIO) if par.kick != 0.0 else abs(g)
-    slope = -goal * starts[4] * growth
-    outcome, z, _, shot = search(
-        law, par, Aim(TENSION, goal), near, max(slope, 0.0), steps, TOLERANCE * goal, table
-    )
-    return z if outcome == SOLVED and loss_miss(law, par, shot) < LOSS_MISS else nan

@@ -15,6 +15,7 @@ import numpy as np
 
 from wraparc.arc.collocation import CREEP, TENSION
 from wraparc.arc.kernel import answer
+from wraparc.arc.kernel.gross_slip import PRESSURES
 from wraparc.arc.kernel.least_slack import HIGHEST
 from wraparc.arc.kernel.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
 from wraparc.batch import row
@@ -24,7 +25,6 @@ from wraparc.batch.gross_slip import ratio_at_gross_slip, wrap_needed
 from wraparc.batch.least import search_least
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.read_courses import read_courses
-from wraparc.batch.traction import laws_of
 from wraparc.batch.two_point import (
     Array,
     Block,
@@ -34,6 +34,7 @@ from wraparc.batch.two_point import (
     Integers,
     first_courses,
     mean_creep,
+    Solved,
     on_mesh,
     solved,
     spread,
@@ -43,11 +44,15 @@ from wraparc.batch.two_point import (
 MESHES = (4, 8, 16, 28, 48, 96)
 #: What misfit is let stand, of the accuracy: errors are half of it at most, in the median a 50th.
 MISFIT = 2.0
+#: What the creep at the exit may have moved from the mesh before, of the accuracy: friction that
+#: hardly grows with slip makes much creep of a small misfit.
+MOVED = 10.0
 SMALLEST_LOG_RATIO = 1e-5
-#: Creeps of which the largest ratio of a law that falls past its peak is looked for, times those
-#: at the peak; then nearer to the best.
-CREEPS = (1.0, 1.5, 2.2, 3.3, 5.0, 8.0, 14.0, 30.0)
-NEARER, PRESSURES = 5, 5
+#: Creeps of which the largest ratio of a law that falls past its peak is looked for, times the one
+#: at which a share of the peak is reached; then nearer to the best.
+ON_THE_RISE = 0.6
+CREEPS = (0.4, 0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.0, 10.0, 16.0, 30.0, 60.0)
+NEARER = 5
 
 FIRST_NEAR = 1e-2  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
@@ -139,9 +144,8 @@ class RowBatch:
         """Begin a batch: rows that a law is unfit for are refused."""
         given = arcs.inputs()
         of = {name: given[:, k] for name, k in _INPUT.items()}
-        used, place = np.unique(arcs.law, return_inverse=True)
         block = Block(
-            laws=laws_of([arcs.laws.compact(int(i)) for i in used], place),
+            laws=arcs.laws.traction(arcs.law),
             side=of["side"],
             radius=of["radius"],
             length=of["radius"] * of["wrap_angle"],
@@ -217,6 +221,8 @@ class RowBatch:
             Called with rows that are met, their blocks and their courses.
         """
         failed = np.zeros(len(which), dtype=bool)
+        if not len(which):
+            return which
         every = np.arange(len(which))
         for first in (0, 2):
             if first:  # once more, from a belt at rest
@@ -242,22 +248,37 @@ class RowBatch:
         block, ends = self.block.rows(which[some]), ends.rows(some)
         entry, leaving, end = (column[some] for column in guess)
         at = first_courses(block, entry, leaving, end, MESHES[first])
-        lost = []
+        lost, misfit, last = [], np.empty(0), np.empty(0)
         for k in range(first, len(MESHES)):
             if k > first:
                 at = on_mesh(block, at, spread(at.shares, misfit, MESHES[k]))
             done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.accuracy)
             sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
-            good = sound & (done.misfit.max(axis=0) <= MISFIT * self.accuracy) & (k > 0)
+            good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
+            last = done.courses.creep[-1]
             if good.any():
                 read(Met(which[some[good]], block.rows(good), done.courses.rows(good), done.grows[good]))
             on = sound & ~good
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
-            at, misfit = done.courses.rows(on), done.misfit[:, on]
+            at, misfit, last = done.courses.rows(on), done.misfit[:, on], last[on]
             if not len(some):
                 break
         return np.concatenate([*lost, some])
+
+    def _near(self, ends: Ends, done: Solved, last: Array) -> Flags:
+        """Whether courses are near enough: by their misfit, and by what the last mesh moved.
+
+        Where a ratio is asked, it is the tension of the slack side that has to be.
+        """
+        at, wanted = done.courses, self.accuracy
+        misfit = done.misfit.max(axis=0)
+        if ends.kind == TENSION:
+            size = np.abs(at.creep).max(axis=0)
+            moved = np.abs(at.creep[-1] - last) <= MOVED * wanted * size
+            return np.asarray((misfit <= MISFIT * wanted) & moved)
+        fall = np.abs(np.log(at.tension[0] / at.tension[-1]))
+        return np.asarray(misfit * np.expm1(fall) <= MISFIT * wanted * fall)
 
     def _find_tensions(self, live: Integers) -> None:
         """Operating points."""
@@ -364,15 +385,15 @@ class RowBatch:
 
     def _find_gross(self, live: Integers, parts: int) -> None:
         """Gross slip, and the breakaways that follow from it."""
-        block, tight = self.block.rows(live), self.tight[live]
+        block = self.block.rows(live)
+        top, wrap = self.tight[live] / block.area, block.length / block.radius
         falls = self.of_input("steepest_fall")[live] < 0.0
         ratio = self.log_ratio[live]
         if not parts & answer.CAPACITIES:
-            needed = wrap_needed(block, tight, ratio, block.laws.plateau)
-            beyond = needed >= block.length / block.radius
+            beyond = wrap_needed(block.laws, top, ratio, block.laws.plateau) >= wrap
             self.found[live[beyond], row.OUTCOME] = BREAKAWAY
             return
-        most = ratio_at_gross_slip(block, tight, block.laws.plateau)
+        most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.plateau)
         self.found[live[ratio >= most], row.OUTCOME] = BREAKAWAY
         creep = np.full(len(live), np.inf)
         softening = np.flatnonzero(falls)
@@ -390,24 +411,28 @@ class RowBatch:
         where the belt is slack.
         """
         block, tight = self.block.rows(which), self.tight[which]
-        most = ratio_at_gross_slip(block, tight, block.laws.residual)
+        top, wrap = tight / block.area, block.length / block.radius
+        most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.residual)
         creep = np.full(len(which), np.inf)
         outweighs = np.zeros(len(which), dtype=bool)
-        overrun = np.abs(block.overrun(self.of_input("entry_tension")[which])[0])
         for share in np.linspace(0.0, 1.0, PRESSURES):
-            p = tight / block.area * np.exp(-share * most)
-            outweighs |= block.laws.excess(p) + overrun * block.laws.residual(p) > 0.0
+            tension = tight * np.exp(-share * most)
+            p, start = tension / block.area, np.abs(block.overrun(tension)[0])
+            outweighs |= block.laws.excess(p) + start * block.laws.residual(p) > 0.0
         rows = np.flatnonzero(outweighs)
         if len(rows):
             found, where = self._peak(which[rows])
-            higher = found > most[rows]
+            higher = ~(found <= most[rows])  # also where it is not found
             most[rows[higher]], creep[rows[higher]] = found[higher], where[higher]
         return most, creep
 
     def _peak(self, which: Integers) -> tuple[Array, Array]:
-        """Largest ratio among creeps around that of the peak, and its creep; -inf at an end."""
+        """Largest ratio among creeps around that of the peak, and its creep.
+
+        -inf at an end of the creeps looked at, nan where one of them fails.
+        """
         block, tight = self.block.rows(which), self.tight[which]
-        first = mean_creep(block, tight, tight * np.exp(-10.0))
+        first = mean_creep(block, tight, tight * np.exp(-10.0), ON_THE_RISE)
         creeps, ratios = [], []
         for times in CREEPS:
             creeps.append(times * first)
@@ -424,6 +449,7 @@ class RowBatch:
             value = np.full(len(which), np.nan)
             self._carried(which, tight, np.exp(new), value)
             x, y = _narrowed(x, y, new, value)
+        y[1] = np.where(np.isfinite(np.stack(ratios)).all(axis=0), y[1], np.nan)
         return np.where(inside, y[1], -np.inf), np.exp(x[1])
 
     def _cap_by_gross(self, parts: int) -> None:

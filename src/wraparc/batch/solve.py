@@ -12,17 +12,15 @@ from numpy.typing import ArrayLike
 
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array, arcs_of_table
-from wraparc.batch.engineering import solve_in_lanes
-from wraparc.batch.from_lanes import solve_from_lanes
-from wraparc.batch.native import available
 from wraparc.batch.result import BatchResult
+from wraparc.batch.rows import solve_rows
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem
 
 Progress = Callable[[int, int], object]
 
-#: rows of a chunk: enough to hide what a chunk costs, few enough for threads to share the work
-CHUNK = {"engineering": 8192, "precise": 1024}
+#: rows of a chunk: enough to hide what a call costs, few enough for the cache of a processor
+CHUNK = 1024
 
 
 class Setting(StrEnum):
@@ -30,8 +28,13 @@ class Setting(StrEnum):
 
     #: exit creep and shear within 1e-4 of the exact ones
     ENGINEERING = "engineering"
-    #: the numbers of `wraparc.arc.Distributed`
+    #: within 1e-6
     PRECISE = "precise"
+
+    @property
+    def accuracy(self) -> float:
+        """Largest relative error [-]."""
+        return 1e-4 if self is Setting.ENGINEERING else 1e-6
 
 
 def solve_batch(
@@ -111,9 +114,9 @@ def solve_arcs(
     found = np.empty((len(arcs), row.FOUND_NUMBERS))
 
     def run(which: slice) -> None:
-        found[which] = _chunk(arcs.rows(which), setting, parts, len(arcs))
+        found[which] = _chunk(arcs.rows(which), setting, parts)
 
-    share_chunks(run, len(arcs), CHUNK[setting.value], threads, progress)
+    share_chunks(run, len(arcs), CHUNK, threads, progress)
     return BatchResult(arcs, found)
 
 
@@ -142,8 +145,7 @@ def share_chunks(
         run(which)
         return which.stop - which.start
 
-    # without a compiler the interpreter's lock leaves nothing to share
-    if workers == 1 or len(starts) < 2 or not available():
+    if workers == 1 or len(starts) < 2:
         done = 0
         for start in starts:
             done += chunk(start)
@@ -178,10 +180,5 @@ def _tell(progress: Progress | None, done: int, total: int) -> None:
         progress(done, total)
 
 
-def _chunk(arcs: Arcs, setting: Setting, parts: int, of: int) -> Array:
-    used = np.unique(arcs.law)
-    if len(used) < len(arcs.laws) > len(arcs):
-        arcs = arcs.with_laws(used)
-    if setting is Setting.PRECISE:
-        return solve_from_lanes(arcs, parts, of)
-    return solve_in_lanes(arcs, parts)[0]
+def _chunk(arcs: Arcs, setting: Setting, parts: int) -> Array:
+    return solve_rows(arcs, parts, setting.accuracy)[0]

@@ -94,32 +94,31 @@ class IntegralLog:
     """
 
     def __init__(
-        self, knots: Array, cells: Array, row: Integers, softens: bool, pieces: bool, unit: Array
+        self, knots: Array, cells: Array, row: Integers, softens: bool, pieces: bool, ends: Array
     ) -> None:
         self.knots, self.cells, self.row = knots, cells, row
-        self.softens, self.pieces, self.unit = softens, pieces, unit
+        self.softens, self.pieces, self.ends = softens, pieces, ends
 
     @classmethod
     def of(cls, laws: Sequence[CompactLaw], row: Integers) -> IntegralLog:
         """Return them from compact laws: cells from below the first edge to above the last."""
-        most = max(len(law.edges) for law in laws)
+        most = max(2, *(len(law.edges) for law in laws))
         pieces = laws[0].kind == PIECES
         stride = PIECE_STRIDE if pieces else KNOT_STRIDE
         edges = np.full((most, len(laws)), np.inf)
         cells = np.zeros((stride, len(laws), most - 1))
         softens = False
         for i, law in enumerate(laws):
-            n = len(law.edges)
-            edges[:n, i] = law.edges
+            knots = law.edges or (0.0, np.inf)  # one without a tested range has one cell
+            n = len(knots)
+            edges[:n, i] = knots
             numbers = np.reshape(law.coefficients, (n - 1, stride))
             cells[:, i, : n - 1] = numbers.T
             cells[:, i, n - 1 :] = numbers[-1][:, None]
             tail = numbers[:, 12:18] if pieces else numbers[:, 8:12]
             softens = softens or bool(np.any(tail))
-        last = np.array([law.edges[-1] for law in laws])
-        first = np.array([law.edges[0] for law in laws])
-        unit = np.stack([first, last])
-        return cls(edges, cells, row, softens, pieces, unit)
+        ends = [(law.edges[0], law.edges[-1]) if law.edges else (0.0, np.inf) for law in laws]
+        return cls(edges, cells, row, softens, pieces, np.array(ends).T)
 
     def edges(self) -> Array:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
@@ -128,14 +127,14 @@ class IntegralLog:
     def rows(self, which: NDArray[np.bool_] | Integers) -> IntegralLog:
         """Laws of some of the rows."""
         return IntegralLog(
-            self.knots, self.cells, self.row[which], self.softens, self.pieces, self.unit
+            self.knots, self.cells, self.row[which], self.softens, self.pieces, self.ends
         )
 
     def _cells(self, pressure: Array) -> tuple[Array, Integers, Array, Array, Array]:
         """Numbers of all cells; the cell of each pressure, the pressure held inside the edges; and
         the lowest and the highest edge."""
         row, one = self.row, len(self.knots[0]) == 1
-        first, last = (self.unit[:, 0]) if one else self.unit[:, row]
+        first, last = (self.ends[:, 0]) if one else self.ends[:, row]
         at = np.minimum(np.maximum(pressure, first), last)
         cell = np.zeros(at.shape, dtype=np.int64)
         for edge in self.knots[1:-1]:

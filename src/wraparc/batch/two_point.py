@@ -32,7 +32,6 @@ from wraparc.arc.collocation import (
     E0,
     E1,
     E2,
-    CREEP,
     LEAST_LEFT,
     MOST_USED,
     TENSION,
@@ -45,6 +44,8 @@ Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 GRADING, SPREAD = 2.0, 1.0 / 3.0
+#: First guess of the creep: from [m], in steps of a factor, upwards at most, halved then.
+LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-8, 3.0, 20, 5
 STEPS = 14  # of Newton's method: 4 to 8 are usual
 COMPRESS = 0.7  # share of rows still open below which the others are put aside
 
@@ -164,18 +165,26 @@ def stage_shares(shares: Array) -> Array:
     return np.stack([shares[:-1] + c * width for c in (C0, C1, C2)])
 
 
-def mean_creep(block: Block, entry: Array, leaving: Array) -> Array:
-    """Creep at which the mean friction of an arc is used at its mean tension [m]."""
+def mean_creep(block: Block, entry: Array, leaving: Array, used: float = MOST_USED) -> Array:
+    """Creep at which the mean friction of an arc is used at its mean tension [m].
+
+    At most the share `used` of the largest friction there is.
+    """
     tension, fall = np.sqrt(entry * leaving), np.abs(np.log(entry / leaving))
     p = tension / block.area
     needed = fall * block.radius / block.length * p
-    needed = np.minimum(needed, MOST_USED * block.laws.plateau(p) * p)
-    low, high = np.full(len(block), np.log(1e-9)), np.full(len(block), np.log(10.0))
-    for _ in range(16):
-        middle = 0.5 * (low + high)
-        less = block.stress(tension, np.exp(middle)).stress < needed
+    needed = np.minimum(needed, used * block.laws.plateau(p) * p)
+    # upwards to the first creep that does, for friction may fall again
+    high, less = np.full(len(block), LEAST_FIRST), np.ones(len(block), dtype=bool)
+    for _ in range(UPWARDS):
+        less &= block.stress(tension, high).stress < needed
+        high = np.where(less, WIDER * high, high)
+    low = high / WIDER
+    for _ in range(BETWEEN):
+        middle = np.sqrt(low * high)
+        less = block.stress(tension, middle).stress < needed
         low, high = np.where(less, middle, low), np.where(less, high, middle)
-    return np.where(needed > 0.0, np.exp(high), 0.0)
+    return np.where(needed > 0.0, high, 0.0)
 
 
 def first_courses(block: Block, entry: Array, leaving: Array, end: Array, elements: int) -> Courses:

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.kernel import gross_slip as kernel
-from wraparc.checks.compiled import largest_log, slip_place
 from wraparc.checks.least_numbers import tight_at_slip
 from wraparc.checks.numbers import rise_among
 from wraparc.drive import TakeUp
@@ -20,6 +19,7 @@ from wraparc.drive import TakeUp
 Array = NDArray[np.float64]
 
 nan, inf = math.nan, math.inf
+_STEPS = 24  # of the march, as `wraparc.arc.Distributed` has them
 
 
 class Grip:
@@ -49,7 +49,7 @@ class Grip:
             return 0.0
         known = self._known
         if math.isnan(known):
-            known = largest_log(self._arc)
+            known = kernel.largest_ratio(self.law, self._arc.geometry(), self._at, True, _STEPS)[0]
         pressure = self._at / (self._arc.width * self._arc.radius)
         return known - kernel.plateau_capacity(self.law, pressure, self._arc.wrap_angle)
 
@@ -166,7 +166,7 @@ def pull_factor(arc: WrapArc, grip: Grip, rise: Rise) -> float:
     if tight == slack:
         return inf
     line = kernel.Line(tight, slack, rise.tight, rise.slack)
-    return slip_place(grip.law, grip.numbers, line)
+    return kernel.slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc, solve
-from wraparc.batch.compiled import Compiled
-from wraparc.batch.native import available
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import Grip, given_up, rises_of
 from wraparc.checks.least_tension import figures
@@ -52,7 +50,7 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
             overrun=search.base.overrun,
             recovery=search.base.recovery,
         )
-        return Grip(arc, largest_ratio(arc)).tight_for(factor * pull) - lifted
+        return Grip(arc).tight_for(factor * pull) - lifted
 
     return _by_design(search, grid, condition, least) if pull > 0.0 else np.zeros(len(grid))
 
@@ -100,13 +98,6 @@ def others_slack(search: Search) -> float:
     asked_for = figures(solve(drive, raise_on_failure=False))
     others = (f for f in asked_for if f.place.pulley not in ("", search.pulley))
     return max((f.tension for f in others if f.binding and f.at_least), default=0.0)
-
-
-def largest_ratio(arc: WrapArc) -> float:
-    """Largest tension ratio of an arc whose friction falls, compiled; nan where it is not asked."""
-    if arc.law.steepest_fall() >= 0.0 or not available():
-        return math.nan
-    return Compiled(points=2).solve(arc).capacities.gross_slip_capacity
 
 
 def _asked(search: Search, case: LoadCase, lagging: int, wrap_angle: float) -> tuple[float, str]:

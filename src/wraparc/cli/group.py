@@ -74,10 +74,6 @@ COMMANDS: dict[str, Command] = {
     "page": Command(
         "wraparc.cli.page:page", "Write the calculator as one HTML file: no server, no network."
     ),
-    "warm": Command(
-        "wraparc.cli.warm:warm",
-        "Compile what large work needs, before its first run.",
-    ),
     "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
 }
 

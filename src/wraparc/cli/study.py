@@ -97,7 +97,6 @@ def study(
         }  # fmt: skip
         wanted = Wanted(output, json_file, plot_file, units, resume, dry_run)
         return event_study(file, settings, wanted, spare)
-    from wraparc.batch.native import available
     from wraparc.study.executor import Threads, executor_named
     from wraparc.study.file import load_study
     from wraparc.study.run import Run, run_study
@@ -121,9 +120,6 @@ def study(
     if dry_run:
         say(_size(asked.study))
         return _DONE
-    if not available():
-        hint = "numba is not installed, and this takes far longer: pip install 'wraparc[fast]'"
-        click.echo(hint, err=True)
     with bar(len(asked.study.plan), "Solving") as tell:
         how = Run(
             executor=executor,

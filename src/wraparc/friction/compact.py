@@ -371,3 +371,52 @@ def plateau_at(law: CompactLaw, segment: int, pressure: float) -> float:
         mu, _, _ = friction_at(law, segment, branch, slips[branch], pressure)
         best = max(best, mu)
     return best
+
+
+def residual_at(law: CompactLaw, segment: int, pressure: float) -> float:
+    """Friction a law is left with at a pressure, at slips without bound [-]."""
+    kind, edges, slips = law.kind, law.edges, law.slips
+    last = len(edges) - 1
+    if kind in (KNOTS, PIECES):
+        _, mu, _, _ = peak(law, segment, pressure)
+        slope, residual, _, _ = tail(law, segment, pressure)
+        if slope < 0.0:
+            mu = min(residual, mu)
+        if last >= 0 and segment >= last:
+            mu *= edges[last] / pressure
+        return mu
+    if kind == LIMIT:
+        return plateau_at(law, segment, pressure)
+    cell = len(slips) - 1
+    mu, _, _ = friction_at(law, segment, cell, slips[cell], pressure)
+    return mu
+
+
+def excess_at(law: CompactLaw, segment: int, pressure: float) -> float:
+    """Friction beyond the residual over all slips at a pressure, int (mu - mu_residual) dx [m].
+
+    3/4 mu_pk x_pk is the integral up to the peak of an integral-log law.
+    """
+    kind, slips = law.kind, law.slips
+    if kind == LIMIT:
+        return 0.0
+    left = residual_at(law, segment, pressure)
+    if kind == TABLE:
+        total = 0.0
+        for cell in range(len(slips) - 1):
+            width = slips[cell + 1] - slips[cell]
+            # Gauss's rule of two points is exact for a cubic
+            for place in (0.2113248654051871, 0.7886751345948129):
+                slip = slips[cell] + place * width
+                mu, _, _ = friction_at(law, segment, cell, slip, pressure)
+                total += 0.5 * width * (mu - left)
+        return total
+    slip_pk, _, _, _ = peak(law, segment, pressure)
+    slope, _, _, _ = tail(law, segment, pressure)
+    top = plateau_at(law, segment, pressure)
+    fall = top - left
+    total = slip_pk * (0.75 * top - left)
+    if fall > 0.0:
+        hold = top / peak(law, segment, pressure)[1]
+        total -= 0.5 * fall * fall / (slope * hold)
+    return total

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from wraparc.batch import Setting
-from wraparc.batch.native import available
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import (
     FULL,
@@ -33,7 +32,6 @@ Progress = Callable[[int, int], object]
 MOST_ROWS = 1_000_000
 #: Rows of a part: a second of work or so, and few enough for little memory.
 PART_ROWS = {Setting.ENGINEERING: 16_384, Setting.PRECISE: 2_048}
-_PART_ROWS_PLAIN = 64
 _BYTES_A_NUMBER = 8
 _PLAN, _WHOLE = "study.json", "whole.tmp"
 
@@ -172,7 +170,7 @@ def _bytes(study: Study) -> int:
 
 def part_designs(study: Study) -> int:
     """Designs of a part that suit the setting."""
-    rows = PART_ROWS[study.setting] if available() else _PART_ROWS_PLAIN
+    rows = PART_ROWS[study.setting]
     return max(1, rows // len(study.cases))
 
 

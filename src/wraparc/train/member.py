@@ -14,16 +14,18 @@ from math import asinh, copysign, cosh, exp, isfinite, log1p, sinh
 
 from wraparc.arc import WrapArc
 from wraparc.arc.kernel.answer import solve_tension
-from wraparc.arc.kernel.effort import effort_of, jumps, largest_effort
+from wraparc.arc.kernel.effort import effort_of, jumps, largest_effort, shoot_from
 from wraparc.arc.kernel.quantities import (
+    NO_SHOT,
     SOLVED,
     STUCK,
     Geometry,
     Parameters,
+    Shot,
     parameters_at,
+    zeros,
 )
 from wraparc.friction import CompactLaw
-from wraparc.train.compiled import shoot
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
 COARSE, SHARP, FINE = 8, 16, 24
@@ -202,3 +204,19 @@ class Member:
             ratio_by_entry=(tighter.ratio - here.ratio) / rise if self.holds else 0.0,
             ratio_by_effort=by_effort,
         )
+
+
+def shoot(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
+    """March one arc to its exit at an effort; see `wraparc.arc.kernel.effort.shoot_from`.
+
+    Where tension grows beyond all numbers, that of the shot is not finite.
+    """
+    try:
+        return shoot_plainly(law, par, z, steps)
+    except OverflowError:
+        return NO_SHOT
+
+
+def shoot_plainly(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
+    """March one arc to its exit at an effort, numbers too large or not."""
+    return shoot_from(law, par, z, steps, 0, zeros(0))[0]

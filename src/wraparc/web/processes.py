@@ -1,7 +1,7 @@
 """Processes that answer one question after the other, and how they come into being.
 
-What solves by compiled code is loaded once, by a parent from which processes are split off: what
-they share stands in memory once. Windows and macOS cannot split; there each loads for itself.
+What solves is loaded once, by a parent from which processes are split off: what they share stands
+in memory once. Windows and macOS cannot split; there each loads for itself.
 """
 
 import asyncio

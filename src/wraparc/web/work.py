@@ -13,7 +13,6 @@ from contextlib import suppress
 from functools import partial
 from typing import Any
 
-from wraparc.web.errors import ApiError
 from wraparc.web.processes import EndedError, Function, Parent, Worker, answer, context, splits
 from wraparc.web.progress import Tell, unheard
 from wraparc.web.turns import Turns, busy
@@ -38,16 +37,14 @@ class Workers:
 
     Attributes
     ----------
-    compiled
-        Whether the processes solve by compiled code by now.
     filled
         Done once the processes are started.
     """
 
     def __init__(self, count: int) -> None:
         self._count, self._context = count, context()
-        self._parent = Parent(self._context, _warm_compiled) if splits() else None
-        self.compiled = self._stopped = False
+        self._parent = Parent(self._context, _warm) if splits() else None
+        self._stopped = False
         self._sizes = {QUICK: max(1, count), WHOLE: max(2, count // 2)}
         self._turns = {
             QUICK: Turns(self._sizes[QUICK], self._sizes[QUICK], _MOST_WAITING),
@@ -61,23 +58,21 @@ class Workers:
         self._tasks: set[asyncio.Task[None]] = set()
 
     def start(self) -> None:
-        """Start the processes, and others with compiled code that take their place later."""
+        """Start the processes."""
         if self._count:
             self.filled = asyncio.create_task(self._fill())
-            self._tasks = {self.filled, asyncio.create_task(self._compile())}
+            self._tasks = {self.filled}
 
     async def _fill(self) -> None:
         for queue, size in self._sizes.items():
             self._idle[queue] += [await self._started() for _ in range(size)]
 
-    async def _started(self, *, compiled: bool = False, warm: bool = True) -> Worker:
+    async def _started(self, *, warm: bool = True) -> Worker:
         """Start a process; it is warm if it has solved before its first question."""
-        compiled = compiled or self.compiled
-        if compiled and self._parent:
+        if self._parent:
             begin = self._parent.worker
         else:
-            prepare = (_warm_compiled if compiled else _warm) if warm else os.getpid
-            begin = partial(Worker.started, self._context, prepare)
+            begin = partial(Worker.started, self._context, _warm if warm else os.getpid)
         loop = asyncio.get_running_loop()
         starting = loop.run_in_executor(None, begin)
         try:
@@ -89,25 +84,6 @@ class Workers:
         if self._stopped:
             worker.end()
         return worker
-
-    async def _compile(self) -> None:
-        """Compile once on this machine; then put processes that have loaded it in the place."""
-        from wraparc.web.warm import compile_kernel
-
-        try:
-            if not pickle.loads(await self.apart("", compile_kernel)):  # noqa: S301 - our own
-                return
-            new = {
-                q: [await self._started(compiled=True) for _ in range(n)]
-                for q, n in self._sizes.items()
-            }
-            for worker in [worker for workers in new.values() for worker in workers]:
-                await self._asked(worker, pickle.dumps((bytes, ())), None)  # until it is ready
-        except (ApiError, OSError):
-            return  # the interpreter does it too
-        old, self._idle, self.compiled = self._idle, new, True
-        for worker in [worker for workers in old.values() for worker in workers]:
-            worker.end()
 
     def stop(self) -> None:
         """End the processes."""
@@ -166,7 +142,7 @@ class Workers:
 
     async def _short(self, client: str, question: bytes, queue: str) -> bytes:
         async with self._turns[queue].turn(client):
-            compiled, idle = self.compiled, self._idle[queue]
+            idle = self._idle[queue]
             worker = idle.pop() if idle else await self._started()
             if not worker.alive:  # it died while it had nothing to do
                 worker.end()
@@ -174,10 +150,8 @@ class Workers:
             try:
                 return await self._asked(worker, question, SHORT_LIMIT)
             finally:
-                if not worker.ended and compiled == self.compiled:
+                if not worker.ended:
                     self._idle[queue].append(worker)
-                else:
-                    worker.end()
 
     async def _asked(
         self, worker: Worker, question: bytes, limit: float | None, tell: Tell = unheard
@@ -236,12 +210,6 @@ def _warm() -> None:
     from wraparc.web.warm import warm
 
     warm()
-
-
-def _warm_compiled() -> None:
-    from wraparc.web.warm import warm
-
-    warm(compiled=True)
 
 
 def _alone(folder: str, function: Function, *asked: Any) -> Any:

@@ -6,7 +6,7 @@ held tension is at the exit, so that the entry tension is an unknown too.
 
 from __future__ import annotations
 
-from math import exp, inf, log
+from math import exp, inf, log, sqrt
 from typing import NamedTuple
 
 from wraparc.arc.kernel.effort import (
@@ -20,34 +20,52 @@ from wraparc.arc.kernel.effort import (
 from wraparc.arc.kernel.quantities import Buffer, Geometry, Parameters, parameters_at, zeros
 from wraparc.arc.kernel.search import LARGEST_LOG, carried_ratio, climb
 from wraparc.arc.kernel.tension_table import applies, open_table, table_size
-from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
+from wraparc.friction.compact import CompactLaw, excess_at, plateau_at, residual_at, segment_of
 
 PEAK_STEPS = 12  # mesh steps of a first search of the largest ratio; decides speed only
 NEARBY = 0.02  # of effort, around an earlier result
 EDGE = 5e-4  # of effort: nearer to the end of where it was sought a peak may lie beyond
 _NO_SLACK = 50.0  # miss of a place where the slack side has no tension left
 _PIECE = 0.25  # of ln T: where friction is smooth, 5 points are exact to rounding
+PRESSURES = 5  # of an arc, at which a falling law is looked at
 _ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-9, 2.0
 
 
 def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
-    """ln(tight/slack) at gross slip with the largest friction of the law everywhere.
+    """ln(tight/slack) at gross slip with the largest friction of the law everywhere."""
+    return _capacity(law, tight_pressure, wrap_angle, False)
 
-    d ln T / d theta = -mu_plateau(p), integrated in ln p from the tight side: exact to rounding,
+
+def residual_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
+    """ln(tight/slack) at gross slip with what friction is left with at slips without bound."""
+    return _capacity(law, tight_pressure, wrap_angle, True)
+
+
+def _friction(law: CompactLaw, segment: int, pressure: float, left: bool) -> float:
+    """Largest friction of a law at a pressure, or what is left of it [-]."""
+    if left:
+        return residual_at(law, segment, pressure)
+    return plateau_at(law, segment, pressure)
+
+
+def _capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float, left: bool) -> float:
+    """ln(tight/slack) at gross slip.
+
+    d ln T / d theta = -mu(p), integrated in ln p from the tight side: exact to rounding,
     piece by piece (Gauss-Legendre, 5 points, with the last piece closed by Newton's method).
     """
     q, angle = 0.0, wrap_angle
     for _ in range(4 * len(law.edges) + 400):
         segment, span = _piece(law, tight_pressure * exp(-q))
-        taken = _plateau_angle(law, tight_pressure, segment, q, span)
+        taken = _angle(law, tight_pressure, segment, q, span, left)
         if taken < angle:
             angle -= taken
             q += span
             continue
         part = span * angle / taken
         for _ in range(50):
-            f = _plateau_angle(law, tight_pressure, segment, q, part) - angle
-            mu = plateau_at(law, segment, tight_pressure * exp(-q - part))
+            f = _angle(law, tight_pressure, segment, q, part, left) - angle
+            mu = _friction(law, segment, tight_pressure * exp(-q - part), left)
             change = f * mu
             part -= change
             if abs(change) < 1e-15:
@@ -62,8 +80,10 @@ def _piece(law: CompactLaw, p: float) -> tuple[int, float]:
     return segment, min(_PIECE, log(p / law.edges[segment])) if segment >= 0 else _PIECE
 
 
-def _plateau_angle(law: CompactLaw, pressure: float, segment: int, q: float, span: float) -> float:
-    """Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece."""
+def _angle(
+    law: CompactLaw, pressure: float, segment: int, q: float, span: float, left: bool
+) -> float:
+    """Wrap angle over which ln T falls from -q to -q - span in one piece."""
     total = 0.0
     for node, weight in (
         (0.0, 128.0 / 225.0),
@@ -73,7 +93,7 @@ def _plateau_angle(law: CompactLaw, pressure: float, segment: int, q: float, spa
         (0.906179845938664, 0.23692688505618908),
     ):
         p = pressure * exp(-q - 0.5 * span * (1.0 + node))
-        total += weight / plateau_at(law, segment, p)
+        total += weight / _friction(law, segment, p, left)
     return 0.5 * span * total
 
 
@@ -117,7 +137,7 @@ def _angle_needed(law: CompactLaw, tight_pressure: float, fall: float) -> float:
     while q < fall:
         segment, span = _piece(law, tight_pressure * exp(-q))
         span = min(span, fall - q)
-        angle += _plateau_angle(law, tight_pressure, segment, q, span)
+        angle += _angle(law, tight_pressure, segment, q, span, False)
         q += span
         if span <= 1e-15 * q:
             break
@@ -188,13 +208,36 @@ def largest_ratio(
     """Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m].
 
     A law flat past its peak has a supremum, with the friction of its plateau everywhere and no
-    finite creep (inf). A softening law has a largest ratio over entry creep ratios below 1.
+    finite creep (inf). A softening law is left with its residual everywhere, at no finite creep
+    either, unless more is carried at some creep on the way there (`outweighs`).
     """
     radius, wrap, width = geometry.radius, geometry.wrap_angle, geometry.width
-    supremum = plateau_capacity(law, tight / (width * radius), wrap)
+    pressure = tight / (width * radius)
     if not softening:
-        return supremum, inf
-    return _largest_over_effort(law, geometry, tight, supremum, steps)
+        return plateau_capacity(law, pressure, wrap), inf
+    residual = residual_capacity(law, pressure, wrap)
+    if not outweighs(law, geometry, tight, residual):
+        return residual, inf
+    most = plateau_capacity(law, pressure, wrap)
+    best, creep = _largest_over_effort(law, geometry, tight, most, steps)
+    return (best, creep) if best > residual else (residual, inf)
+
+
+def outweighs(law: CompactLaw, geometry: Geometry, tight: float, residual: float) -> bool:
+    """Whether some creep may carry more than the residual friction everywhere.
+
+    Only if what friction has over its residual past the rise outweighs what it lacks on it,
+    int (mu - mu_residual) dx > 0 from the overrun on at some pressure of the arc: with more creep
+    the belt passes the rise sooner, and where the belt is tight.
+    """
+    area = geometry.width * geometry.radius
+    for i in range(PRESSURES):
+        p = tight / area * exp(-residual * i / (PRESSURES - 1))
+        segment = segment_of(law, p)
+        start = abs(geometry.kick + geometry.kick_coefficient * p * sqrt(p))
+        if excess_at(law, segment, p) + start * residual_at(law, segment, p) > 0.0:
+            return True
+    return False
 
 
 def _largest_over_effort(

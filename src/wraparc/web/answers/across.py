@@ -17,7 +17,7 @@ from wraparc.across import (
     solve_across,
     within,
 )
-from wraparc.arc import DriveResult, solve
+from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.checks import judge
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive, LoadCase, Pulley
@@ -49,7 +49,6 @@ from wraparc.web.answers.shown import (
     tables,
     texts,
 )
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 
 #: Places along the wrap in a map.
@@ -168,7 +167,7 @@ def _whole(thing: Drive | Train) -> DriveResult:
     """Return the solved drive, judged like everywhere."""
     if isinstance(thing, Train):
         return solve_train(thing, raise_on_failure=False).drive_result()
-    return solve(thing, method=main_solver(), raise_on_failure=False)
+    return solve(thing, method=Distributed(), raise_on_failure=False)
 
 
 def _checks(result: DriveResult, pulley: Pulley, case: LoadCase) -> Table | None:

@@ -7,7 +7,7 @@ from functools import cache, partial
 from itertools import product
 from typing import Any, get_args
 
-from wraparc.arc import ArcResult, DriveResult, Status, solve
+from wraparc.arc import ArcResult, Distributed, DriveResult, Status, solve
 from wraparc.checks import Check, of_arc, of_data, of_drive
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
@@ -33,7 +33,6 @@ from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
 from wraparc.train import TrainStatus
 from wraparc.web.answers.judging import Words, either, words_of
-from wraparc.web.answers.solving import main_solver
 
 PULLEY, CASE = "⟦pulley⟧", "⟦case⟧"
 #: A drive that nothing is special of.
@@ -64,7 +63,7 @@ Found = Iterator[tuple[str, Iterable[Words]]]
 @cache
 def probe() -> DriveResult:
     """Return the solved drive that the words are taken from."""
-    return solve(drive_from_document(PROBE), method=main_solver(24))
+    return solve(drive_from_document(PROBE), method=Distributed(points=24))
 
 
 def with_criteria(result: DriveResult, **criteria: Any) -> DriveResult:

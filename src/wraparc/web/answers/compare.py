@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Literal
 
 from wraparc import catalogue
-from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc
 from wraparc.checks import Level, Verdict, idle, judge, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
 from wraparc.drive import Drive, Lagging, LoadCase
@@ -22,7 +22,6 @@ from wraparc.schema.problems import place_text
 from wraparc.train import Train
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import Answer, Both, finite, texts
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import CompareRequest
 from wraparc.web.errors import ToldProblem, told
 
@@ -224,7 +223,7 @@ def _answered(drive: Drive, pulley: str) -> DriveResult:
     """Return one pulley of a drive in every load case."""
     cases = [replace(c, tensions={pulley: c.tensions[pulley]}) for c in drive.load_cases]
     alone = replace(drive, pulleys=(drive.pulley(pulley),), load_cases=tuple(cases))
-    solver = main_solver()
+    solver = Distributed()
     arcs = (solver.solve(WrapArc.of(alone, alone.pulleys[0], case)) for case in cases)
     return DriveResult(alone, tuple(arcs))
 

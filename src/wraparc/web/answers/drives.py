@@ -53,7 +53,6 @@ from wraparc.web.answers.shown import (
     status_of,
     tables,
 )
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
@@ -197,7 +196,7 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     if whole is not None:
         result = whole.drive_result().arc(pulley.name, load.name)
     else:
-        solver = main_solver(asked.points, capacities=False)
+        solver = Distributed(points=asked.points, capacities=False)
         result = solver.solve(WrapArc.of(drive, pulley, load))
     answered = DriveResult(drive, (result,))
 
@@ -235,7 +234,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         if asked.load_case is not None:
             case = asked_for(thing, None, asked.load_case)[1]
             thing = replace(thing, load_cases=(case,))
-        whole = first = solve(thing, method=main_solver(asked.points), raise_on_failure=False)
+        whole = first = solve(thing, method=Distributed(points=asked.points), raise_on_failure=False)
     drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     sources = [Source(**source) for source in sources_of(drive)]

@@ -2,13 +2,12 @@
 
 from typing import Literal
 
-from wraparc.arc import DriveResult, solve
+from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.drive import Drive
 from wraparc.present.document import solved_json
 from wraparc.present.profile_csv import profile_csv
 from wraparc.train import TrainResult, solve_train
 from wraparc.web.answers.documents import read
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import ExportRequest
 
 ExportKind = Literal["json", "csv"]
@@ -20,7 +19,7 @@ def export(asked: ExportRequest, kind: ExportKind) -> bytes:
     train: TrainResult | None = None
     result: DriveResult
     if isinstance(thing, Drive):
-        result = solve(thing, method=main_solver(), raise_on_failure=False)
+        result = solve(thing, method=Distributed(), raise_on_failure=False)
     else:
         train = solve_train(thing, raise_on_failure=False)
         result = train.drive_result()

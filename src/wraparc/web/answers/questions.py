@@ -1,5 +1,6 @@
 """What is asked beside the answer: before and after changes, and what to expect on site."""
 
+from wraparc.arc import Distributed
 from wraparc.calibrate.on_site import OnSite, on_site
 from wraparc.checks import judge
 from wraparc.choose.named_changes import Named, changes_of
@@ -13,7 +14,6 @@ from wraparc.train.as_drive import nearest_drive
 from wraparc.train.whole import by_pulley, solved
 from wraparc.web.answers.documents import asked_for, read
 from wraparc.web.answers.shown import Sheet, sheet
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import OnSiteRequest, WhatIfRequest
 
 
@@ -35,14 +35,14 @@ def changed(asked: WhatIfRequest) -> Sheet:
     changes = list(changes_of(thing, drive, pulley.name, named, allow_paths=False))
     if not changes:
         raise InputError(Problem(message="nothing is to be changed", remedy="Name a change."))
-    found = what_if(thing, pulley.name, case.name, changes, method=main_solver())
+    found = what_if(thing, pulley.name, case.name, changes, method=Distributed())
     title = drive.title or "What if"
     return Sheet(**sheet(lambda system: what_if_sheet(found, title, system)))
 
 
 def expected(asked: OnSiteRequest) -> Sheet:
     """Speeds to measure, alarm levels and wear of a drive, as `wraparc field` tells them."""
-    whole = solved(read(asked.document), main_solver())
+    whole = solved(read(asked.document), Distributed())
     drive = by_pulley(whole).drive
     pulley, _ = asked_for(drive, asked.pulley, None)
     known = OnSite(**asked.model_dump(exclude={"document", "pulley"}))

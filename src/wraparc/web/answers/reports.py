@@ -3,14 +3,13 @@
 from datetime import UTC, datetime
 from typing import Any
 
-from wraparc.arc import PaperMarch, solve
+from wraparc.arc import Distributed, PaperMarch, solve
 from wraparc.drive import Drive
 from wraparc.motion.file import motion_from_document
 from wraparc.motion.reported import asks, followed
 from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.train import solve_train
 from wraparc.web.answers.documents import read, without_none
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import ReportRequest
 
 _KINDS: dict[str, Any] = {"pdf": pdf, "xlsx": workbook, "md": markdown}
@@ -24,7 +23,7 @@ def report(asked: ReportRequest, kind: str) -> bytes:
     head = NoteHead(**{"date": date, "file": f"{asked.name}.toml", **given})
     train = None
     if isinstance(thing, Drive):
-        first = solve(thing, method=main_solver(), raise_on_failure=False)
+        first = solve(thing, method=Distributed(), raise_on_failure=False)
     else:
         train = solve_train(thing, raise_on_failure=False)
         first = train.drive_result()

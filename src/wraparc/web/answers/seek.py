@@ -1,13 +1,12 @@
 """Which value of an input gives a wanted result, as ``wraparc seek`` finds it."""
 
-from wraparc.arc import DriveResult
+from wraparc.arc import Distributed, DriveResult
 from wraparc.checks import Level, judge
 from wraparc.present.seek_sheet import seek_document, sentence, value_text
 from wraparc.present.words import verdict
 from wraparc.study.seek import Goal, Sought, seek
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Answer, Both, Numbers, both, rounded
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import SeekRequest
 
 
@@ -33,7 +32,7 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
     """Every value of an input in a range that gives a wanted result."""
     document = without_none(asked.document)
     read(document)
-    found = seek(document, Goal(**asked.model_dump(exclude={"document"})), method=main_solver())
+    found = seek(document, Goal(**asked.model_dump(exclude={"document"})), method=Distributed())
     data = seek_document(found)
     return SeekAnswer(
         sentence=both(lambda system: sentence(found, system)),

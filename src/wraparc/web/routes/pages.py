@@ -20,7 +20,7 @@ PAGES = ("/", "/compare", "/tests", "/train", "/study", "/designs", "/about")
 pages = APIRouter(include_in_schema=False)
 api = router("", "server")
 _static = Static(FOLDER)
-_EXTRAS = {"fit": "scipy", "report": "typst", "study": "scipy", "fast": "numba"}
+_EXTRAS = {"fit": "scipy", "report": "typst", "study": "scipy"}
 
 
 def send_file(request: Request, name: str) -> Response:
@@ -69,8 +69,6 @@ class About(Answer):
 
     name: str
     version: str
-    fast: bool
-    compiled: bool
     database: str
     extras: dict[str, bool]
     token: bool
@@ -83,8 +81,6 @@ async def about(request: Request) -> About:
     return About(
         name="wraparc",
         version=__version__,
-        fast=find_spec("numba") is not None,
-        compiled=state_of(request).workers.compiled,
         database=settings.database.partition(":")[0].partition("+")[0],
         extras={name: find_spec(library) is not None for name, library in _EXTRAS.items()},
         token=bool(settings.token),
