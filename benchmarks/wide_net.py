@@ -1,9 +1,7 @@
 """Random drives over all that the readers accept: python benchmarks/wide_net.py [drives] [seed].
 
 How each ended, with its capacities, and every solution and breakaway held against the twin
-(tests/arc/shooting.py). Every tenth drive is answered in plain Python, with the CPU time of that,
-the others compiled: the same source, in a hundredth of the time. Each drive has a seed of its own,
-and its row goes to build/wide_net_SEED.jsonl: a run that was ended goes on there. With `2500-5000`
+(tests/arc/shooting.py), with the CPU time of the answer. Each drive has a seed of its own, and its row goes to build/wide_net_SEED.jsonl: a run that was ended goes on there. With `2500-5000`
 for the drives a second process does that half. Prints a table, and the drives that miss by more
 than is allowed, end otherwise than solved, in breakaway or refused, or take longer than 2 s.
 """
@@ -22,13 +20,11 @@ from typing import Any
 import numpy as np
 
 from wraparc.arc import Distributed
-from wraparc.batch.compiled import Compiled, prepare
 from wraparc.errors import InputError
 
 sys.path[0] = str(Path(__file__).parents[1] / "tests")  # its `arc`, not the benchmark of it
 GOOD, LONGEST = ("solved", "breakaway", "refused"), 2.0
-EVERY = 10  # drive in plain Python
-INTERPRETED, COMPILED = Distributed(points=60), Compiled(points=60)
+SOLVER = Distributed(points=60)
 
 
 def row_of(name: str, seed: int, k: int) -> dict[str, Any]:
@@ -36,13 +32,12 @@ def row_of(name: str, seed: int, k: int) -> dict[str, Any]:
     from arc.shooting import breaks_away, judged
     from arc.wide import wide_arc
 
-    plain = k % EVERY == 0
-    row: dict[str, Any] = {"k": k, "law": name, "plain": plain, "miss": 0.0}
+    row: dict[str, Any] = {"k": k, "law": name, "miss": 0.0}
     start = time.process_time()
     signal.setitimer(signal.ITIMER_PROF, 30.0)
     try:
         arc = wide_arc(name, np.random.default_rng([seed, k]))
-        result = (INTERPRETED if plain else COMPILED).solve(arc)
+        result = SOLVER.solve(arc)
         row |= {"end": result.status.name.lower(), "cpu": time.process_time() - start}
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         if row["end"] == "solved":
@@ -65,7 +60,7 @@ def bad(row: dict[str, Any]) -> bool:
 
 def table(rows: list[dict[str, Any]]) -> str:
     ends = Counter(row["end"] for row in rows)
-    times = np.array([row["cpu"] for row in rows if row["plain"]])
+    times = np.array([row["cpu"] for row in rows])
     worst = max((row["miss"] for row in rows if row["end"] == "solved"), default=0.0)
     lines = [f"| {len(rows)} drives | |", "|---|---|"]
     lines += [f"| {end} | {often} |" for end, often in ends.most_common()]
@@ -92,7 +87,6 @@ def main() -> None:
     signal.signal(signal.SIGPROF, too_long)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     warnings.simplefilter("error")
-    prepare()  # the first compiled answer is not timed
     kept = Path(f"build/wide_net_{seed}{'_' + first if first else ''}.jsonl")
     kept.parent.mkdir(exist_ok=True)
     rows = []

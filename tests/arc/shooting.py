@@ -17,7 +17,6 @@ from scipy.sparse.linalg import MatrixRankWarning, spsolve
 
 from arc.twin import Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
-from wraparc.batch.compiled import Compiled
 
 ACCURACY = 1e-5  # of creep and slip at the exit and of the largest shear stress
 ALONG = 1e-4  # of creep and tension on the way: of nearly idle belts an end is the better known
@@ -25,7 +24,6 @@ REST = 1e-8  # of the largest creep
 POINTS = (60, 180, 400, 1500)  # of profiles, more where pieces are too long for the twin
 STEPS = 10_000  # of the twin in a piece, before shorter pieces are tried; ten times in the last
 INTERPRETED = Distributed(capacities=False, points=POINTS[0])
-COMPILED = Compiled(capacities=False, points=POINTS[0])
 
 
 class StiffError(Exception):
@@ -204,7 +202,7 @@ def breaks_away(arc: WrapArc) -> float:
     return max(carried) / goal / (1.0 + 1e-6)
 
 
-def verdict(arc: WrapArc, solver: Distributed | Compiled = INTERPRETED) -> tuple[str, float]:
+def verdict(arc: WrapArc, solver: Distributed = INTERPRETED) -> tuple[str, float]:
     """How a drive ends, and the largest miss of its solution."""
     result = solver.solve(arc)
     if result.status is not Status.SOLVED:

@@ -20,7 +20,6 @@ from arc.twin import Twin
 from wraparc.arc import ArcResult, Capacities, Status, WrapArc
 from wraparc.arc.kernel import capacity
 from wraparc.arc.kernel.effort import CREEP, Aim
-from wraparc.batch.compiled import Compiled
 from wraparc.files import load_lagging
 from wraparc.friction import Constant, FrictionLaw
 
@@ -34,11 +33,11 @@ BRITTLE = integral_log(0.8, 3e-3, -60.0, 0.5)
 
 
 def solve(arc: WrapArc) -> ArcResult:
-    return Compiled(capacities=False, points=18).solve(arc)
+    return Distributed(capacities=False, points=18).solve(arc)
 
 
 def capacities(arc: WrapArc) -> Capacities:
-    result = Compiled(points=18).solve(arc)
+    result = Distributed(points=18).solve(arc)
     assert result.status is not Status.UNSOLVED
     return result.capacities
 
@@ -102,7 +101,7 @@ def test_tested_slip_capacity_is_at_the_tested_slip(name: str, braking: bool) ->
 @every_law
 def test_margins_and_equivalent_friction(name: str) -> None:
     for arc in drives(name, 3, False) + drives(name, 3, True):
-        result = Compiled(points=18).solve(arc)
+        result = Distributed(points=18).solve(arc)
         c = result.capacities
         ratio = max(arc.entry_tension / arc.exit_tension, arc.exit_tension / arc.entry_tension)
         assert c.creep_limit_margin == pytest.approx(c.creep_limit_capacity / ratio, rel=1e-14)
@@ -254,7 +253,7 @@ def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
     for arc in drives(name, 2, braking):
         gross = capacities(arc).gross_slip_capacity
         asked = with_tensions(arc, tight_of(arc), tight_of(arc) / (2 * gross))
-        result = Compiled(points=18).solve(asked)
+        result = Distributed(points=18).solve(asked)
         assert result.status is Status.BREAKAWAY
         assert not result.within_creep_limit
         # the tensions are those asked for, and no state between them is told
@@ -270,5 +269,5 @@ def test_breakaway_is_an_answer(name: str, braking: bool) -> None:
 
 
 def test_capacities_can_be_left_out() -> None:
-    result = Compiled(capacities=False).solve(replace(ARC, law=Constant(friction_coefficient=1)))
+    result = Distributed(capacities=False).solve(replace(ARC, law=Constant(friction_coefficient=1)))
     assert all(math.isnan(v) for v in vars(result.capacities).values())

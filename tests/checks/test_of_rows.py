@@ -16,7 +16,7 @@ from checks.test_least_tension import random_drives
 from checks.test_rows import NONE, WIDE, lagging, quiet
 from wraparc import Drive, IntegralLog, Pulley, Tensions, load_lagging, solve
 from wraparc.arc import Distributed
-from wraparc.batch import precise, pull_factors, solve_arcs
+from wraparc.batch import solve_arcs
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.result import BatchResult
 from wraparc.batch.row import EVERYTHING, TENSIONS
@@ -31,14 +31,6 @@ from wraparc.files.write import drive_document
 from wraparc.study.source import DriveSource
 
 QUICK = Distributed(capacities=False)
-
-
-@pytest.fixture(autouse=True)
-def plainly(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """By the interpreter: few rows are not worth compiling for."""
-    if "compiled" not in request.node.name:
-        monkeypatch.setattr(precise, "available", lambda: False)
-        monkeypatch.setattr(pull_factors, "available", lambda: False)
 
 
 def of_rows(of: Drive, pulley: str = "head", document: Any = None) -> tuple[str, str]:
@@ -227,17 +219,6 @@ def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> N
     headline = judge(solve(of)).headline()
     assert "misses the tests by 9 % of the peak (and 1 more of its lagging file)" in headline
 
-
-def test_compiled_pull_factors_are_those_of_the_interpreter(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    of = quiet(lagging=replace(SOFT, law=SOFTENING), entry=150e3, leaving=50e3)
-    rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
-    asked_for = (rows.arcs, np.array([0.9]), np.array([5.0]), (np.array([1e5]), np.array([2e4])))
-    found = pull_factors.pull_factors(*asked_for)
-    monkeypatch.setattr(pull_factors, "available", lambda: False)
-    np.testing.assert_array_equal(found, pull_factors.pull_factors(*asked_for))
-    assert 1.0 < found[0] < 10.0
 
 
 @pytest.mark.parametrize("times", [1e-3, 0.5, 0.99, 1.01, 2.0])

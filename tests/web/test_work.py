@@ -362,16 +362,15 @@ def test_a_server_that_stops_waits_for_no_parent(tmp_path: Path) -> None:
 
 
 @needs_splitting
-def test_compiled_code_is_loaded_once_for_all_and_leaves_no_threads(
+def test_what_solves_is_loaded_once_for_all_and_leaves_no_threads(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("wraparc.web.warm.compile_kernel", tasks.true)
-    monkeypatch.setattr(work, "_warm_compiled", partial(tasks.note, str(tmp_path)))
+    monkeypatch.setattr(work, "_warm", partial(tasks.note, str(tmp_path)))
 
     async def scenario() -> None:
         async with workers(2) as found:
             found.start()
-            await until(lambda: found.compiled)
+            await found.filled
             parents = {unpacked(await found.short(c, os.getppid, queue=q)) for c, q in _PLACES}
             parents.add(unpacked(await found.apart("a", os.getppid)))
             assert len(parents) == len(list(tmp_path.iterdir())) == 1
