@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
 
-from wraparc.across.compiled import Marches, quickest
-from wraparc.across.mesh import Mesh, mesh_of
-from wraparc.across.newton import Found, System, Unknowns, newton, started
+from wraparc.across.collocation import Found, State, System, along, between, newton, started
+from wraparc.across.elements import Elements, graded
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.stresses import stresses
 from wraparc.across.wide_arc import Array, WideArc
@@ -23,22 +22,26 @@ _MOST_TRIALS = 12
 _SPAN_PLACES = 41
 #: a share of the mean tension below which a strip counts as nearly slack
 _NEARLY = 0.15
+#: elements, and parts of each for friction: a solve is held against one with more
+_LEVELS = ((12, 1), (12, 4), (24, 4), (24, 16), (48, 16))
+#: how much nearer, at least, a level comes than the one before
+_GAIN = 4.0
+#: places along the arc that a result tells, finer at the entry nip: s = L (i/48)^4
+_PLACES = np.linspace(0.0, 1.0, 49) ** 4
 
 
 @dataclass(frozen=True)
 class AcrossSolver:
-    """Strips across the width, marched together.
+    """Strips across the width, all at once by collocation along the arc.
 
     Attributes
     ----------
-    steps
-        Mesh steps over the arc; 48 leave 1e-7 to 5e-6 of the entry tension, less than strips do.
-    marches
-        What carries the strips along the arc: compiled once that is prepared in this process.
+    accuracy
+        Largest error of tensions, creep and drum number along the arc, over the largest of each;
+        elements are added until the estimate is below it, or there are as many as may be.
     """
 
-    steps: int = 48
-    marches: Marches = field(default_factory=quickest)
+    accuracy: float = 1e-6
 
     def solve(self, wide: WideArc, *, start: AcrossResult | None = None) -> AcrossResult:
         """Solve one arc; a failure is a result too, see `AcrossStatus`.
@@ -56,26 +59,48 @@ class AcrossSolver:
             broken = even.status is Status.BREAKAWAY
             status = AcrossStatus.BREAKAWAY if broken else AcrossStatus.UNSOLVED
             return _without_state(wide, even, status)
-        mesh = mesh_of(wide, even, self.steps)
-        system = System(wide, mesh, self.marches)
-        begin = started(wide, even, mesh)
+        system = System(wide, Elements(graded(wide.arc.length, _LEVELS[0][0])))
         if start is not None and start.status.solved:
-            found = newton(system, _from(start, mesh))
+            found = newton(system, _from(start, system))
             if found.solved:
-                return _judged(found, even)
+                return self._finer(found, even)
+        begin = started(system, even)
         found = newton(system, begin)
         if found.solved:
-            return _judged(found, even)
+            return self._finer(found, even)
         return _gradually(system, begin, even, found.iterations)
 
+    def _finer(self, found: Found, even: ArcResult) -> AcrossResult:
+        """Refine a solution until its error is as small as asked for."""
+        error = math.inf
+        for count, fineness in _LEVELS[1:]:
+            last = found
+            elements = Elements(graded(last.system.wide.arc.length, count), fineness)
+            found = newton(replace(last.system, elements=elements), between(last, elements.stages))
+            found = found._replace(iterations=last.iterations + found.iterations)
+            if not found.solved:
+                return _result(found, even, AcrossStatus.UNSOLVED)
+            error = distance(last, found) / _GAIN
+            if error < self.accuracy:
+                break
+        return replace(_judged(found, even), error_estimate=error)
 
-def _from(result: AcrossResult, mesh: Mesh) -> Unknowns:
-    """The unknowns of a result, at the cuts of another mesh."""
-    fields, places = result.fields, mesh.nodes[list(mesh.cuts[1:-1])] / result.wide.arc.radius
-    columns = np.concatenate([fields.tension, fields.creep], axis=1)
-    states = np.array([[np.interp(s, result.angle, c) for c in columns.T] for s in places])
-    states = states.reshape(len(places), columns.shape[1])
-    return Unknowns(fields.tension[0], result.drum_number, states)
+
+def distance(one: Found, other: Found) -> float:
+    """How far two solutions are apart: tensions, creep, Gamma, over the largest of each."""
+    a, b = one.point, other.point
+    pairs = (
+        (a.state.entry, b.state.entry), (a.tension_end, b.tension_end),
+        (a.creep_end, b.creep_end), (a.state.drum, b.state.drum),
+    )  # fmt: skip
+    return max(float(np.max(np.abs(x - y)) / np.max(np.abs(y))) for x, y in pairs)
+
+
+def _from(result: AcrossResult, system: System) -> State:
+    """The state of a result, on other elements."""
+    places = system.elements.stages / result.wide.arc.radius
+    columns = [np.interp(places, result.angle, c) for c in result.fields.tension.T]
+    return State(np.array(columns).T, result.entry_tension, result.drum_number)
 
 
 def _judged(found: Found, even: ArcResult) -> AcrossResult:
@@ -95,13 +120,14 @@ def _slackest(result: AcrossResult) -> Slack:
     )
 
 
-def _gradually(system: System, start: Unknowns, even: ArcResult, iterations: int) -> AcrossResult:
+def _gradually(system: System, start: State, even: ArcResult, iterations: int) -> AcrossResult:
     """Put the unevenness on little by little; where it will not go further, say why."""
-    done, step, last = 0.0, 0.5, Found(replace(system, amount=0.0), start, True, 0)
+    none = replace(system, amount=0.0)
+    done, step, last = 0.0, 0.5, Found(none, none.at(start), True, 0)
     before: tuple[float, AcrossResult] | None = None
     for _ in range(_MOST_TRIALS):
         amount = min(done + step, 1.0)
-        found = newton(replace(system, amount=amount), last.unknowns)
+        found = newton(replace(system, amount=amount), last.point.state)
         iterations += found.iterations
         if not found.solved:
             step *= 0.5
@@ -160,48 +186,65 @@ def _near_gross_slip(even: ArcResult) -> bool:
 
 
 def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult:
-    """Trace a solution along the arc and read off it what is reported."""
-    system, at = found.system, found.unknowns
-    wide, mesh = system.wide, system.mesh
-    n, arc = wide.strips, wide.arc
-    records, _, drift = system.trace(at)
-    tension, creep, work = records[:, :n], records[:, n : 2 * n], records[:, 2 * n : 3 * n]
-    kick = creep[0]
-    lag1 = entry_lag(system, at)
-    stress, slip = _stress_and_slip(wide, tension, creep)
-    energy = work - 0.5 * wide.shear * (stress**2 - stress[0] ** 2)
-    lag = lag1 + creep - kick
-    fields = Fields(
-        tension=tension,
-        wrap_pressure=tension / arc.radius,
-        creep=creep,
-        slip=slip,
-        shear_stress=stress,
-        lag=lag,
-        frictional_energy=energy,
-    )
+    """Read off a solution along the arc what is reported."""
+    system, point = found.system, found.point
+    wide, state, elements = system.wide, point.state, system.elements
+    arc, n, drift = wide.arc, wide.strips, system.drift(point.state)
+    places = _places(found)
+    creep, tension = along(found, places)
+    stress = stresses(system.law, wide.shear, creep, tension / arc.radius)
+    rate = drift - wide.compliance_in_wrap * elements.at_points(state.tension)
+    work = elements.integral(point.stress.stress * rate, places)
+    energy = work - 0.5 * wide.shear * (stress.stress**2 - stress.stress[0] ** 2)
+    lag = system.entry_lag(state.entry) + creep - creep[0]
     edges = lag[:, -1] - lag[:, 0]
-    width = arc.width / n
     static = wide.entry_profile if wide.static_profile is None else wide.static_profile
     return AcrossResult(
         status=status,
         wide=wide,
         even=even,
-        angle=mesh.nodes / arc.radius,
-        fields=fields,
-        drum_number=at.drum,
-        friction_force=records[-1, 3 * n :],
-        entry_creep_ratio=drift - wide.compliance * tension[0]
+        angle=places / arc.radius,
+        fields=Fields(
+            tension=tension,
+            wrap_pressure=tension / arc.radius,
+            creep=creep,
+            slip=stress.slip,
+            shear_stress=stress.stress,
+            lag=lag,
+            frictional_energy=energy,
+        ),
+        drum_number=state.drum,
+        friction_force=elements.total(point.stress.stress),
+        entry_creep_ratio=drift - wide.compliance * state.entry
         if arc.recovery
-        else drift - tension[0] / wide.belt_modulus,
-        span_tension=_span_tension(system, tension[0]),
+        else drift - state.entry / wide.belt_modulus,
+        span_tension=_span_tension(system, state.entry),
         static_tension=arc.entry_tension / arc.width + system.amount * static,
-        yaw_moment=float(np.sum(tension[0] * wide.position) * width),
+        yaw_moment=float(np.sum(state.entry * wide.position) * arc.width / n),
         entry_guide_force=float(wide.shear_stiffness * edges[0]),
         exit_guide_force=float(wide.shear_stiffness * edges[-1]),
-        identity_error=_identity_error(wide, drift, fields, work[-1]),
+        identity_error=_identity_error(found, lag),
         iterations=found.iterations,
     )
+
+
+def _places(found: Found) -> Array:
+    """Places that a result tells [m]: with that of the least tension, where it is between."""
+    elements, point = found.system.elements, found.point
+    places = elements.nodes[-1] * _PLACES
+    p0, p1, p2 = elements.parabolas(point.pulled)
+    # slope c0 + c1 x + c2 x^2 on an element, x from 0 to 1: where it rises through nothing
+    c0, c1, c2 = p0 - p1 + p2, 2.0 * p1 - 6.0 * p2, 6.0 * p2
+    root = np.sqrt(np.maximum(c1**2 - 4.0 * c0 * c2, 0.0))
+    with np.errstate(all="ignore"):
+        x = np.where(c1 > 0.0, -2.0 * c0 / (c1 + root), (root - c1) / (2.0 * c2))
+    x = np.where((x > 0.0) & (x < 1.0), x, 0.0)
+    least = np.cumsum(p0, axis=0) - p0 + x * (c0 + x * (c1 / 2.0 + x * c2 / 3.0))
+    where = np.unravel_index(place_of_largest(-(point.state.entry + least)), least.shape)
+    if x[where] == 0.0:
+        return places
+    element = where[0]
+    return np.union1d(places, elements.nodes[element] + x[where] * elements.lengths[element])
 
 
 def _without_state(wide: WideArc, even: ArcResult, status: AcrossStatus) -> AcrossResult:
@@ -243,33 +286,20 @@ def _span_tension(system: System, entry: Array) -> Array:
     return np.asarray(mean + np.max(along, axis=0))
 
 
-def entry_lag(system: System, at: Unknowns) -> Array:
-    """Lag of the label line at the entry nip by strip, mean 0 [m]."""
-    wide = system.wide
-    misfit = system.amount * wide.spread(np.ones(wide.strips - 1)) @ wide.entry_misfit
-    free = system.amount * wide.entry_profile - at.tension
-    return np.asarray(misfit + wide.spread(wide.length_before) @ free / wide.belt_modulus)
-
-
-def _stress_and_slip(wide: WideArc, tension: Array, creep: Array) -> tuple[Array, Array]:
-    """Shear stress [Pa] and slip [m] over arc and width."""
-    law, shape = wide.arc.law.compact(), tension.shape
-    shear = np.broadcast_to(wide.shear, shape).ravel()
-    found = stresses(law, wide.knots, shear, creep.ravel(), tension.ravel() / wide.arc.radius)
-    return found[0].reshape(shape), found[3].reshape(shape)
-
-
-def _identity_error(wide: WideArc, drift: Array, fields: Fields, work: Array) -> float:
-    """Relative miss of the exact balance of energy.
+def _identity_error(found: Found, lag: Array) -> float:
+    """Relative miss of the exact balance of energy, friction read between the points of the solve.
 
     int int tau du ds dy = int (t1 - t2)[g + (t1 - t2)/(2 M')] dy - (S/2) int (lag_y^2)| dy
     """
-    numbers = wide.numbers
-    t1, t2 = fields.tension[0], fields.tension[-1]
-    g = drift - numbers.compliance * t1
-    gained = np.sum((t1 - t2) * (g + 0.5 * (t1 - t2) * numbers.compliance))
-    first, last = fields.lag[0], fields.lag[-1]
-    gained += 0.5 * (last @ numbers.coupling @ last - first @ numbers.coupling @ first)
-    whole = float(np.sum(work))
+    system, point = found.system, found.point
+    wide, state, elements = system.wide, point.state, system.elements
+    finer = replace(elements, fineness=2 * elements.fineness)
+    drift, (creep, tension) = system.drift(point.state), along(found, finer.points)
+    stress = stresses(system.law, wide.shear, creep, tension / wide.arc.radius).stress
+    work = finer.total(stress * (drift - wide.compliance_in_wrap * tension))
+    t1, t2 = state.entry, point.tension_end
+    g = drift - wide.compliance_in_wrap * t1
+    gained = np.sum((t1 - t2) * (g + 0.5 * (t1 - t2) * wide.compliance_in_wrap))
+    gained += 0.5 * (lag[-1] @ wide.coupling @ lag[-1] - lag[0] @ wide.coupling @ lag[0])
     scale = float(np.sum(np.abs(work)))
-    return abs(float(gained) - whole) / scale if scale > 0.0 else 0.0
+    return abs(float(gained - np.sum(work))) / scale if scale > 0.0 else 0.0
