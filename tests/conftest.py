@@ -13,7 +13,6 @@ import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 
-from wraparc.across import compiled as across
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.batch import compiled
 from wraparc.checks import compiled as checks
@@ -159,10 +158,9 @@ class Interpreted(Distributed):
 
 @pytest.fixture(scope="module", autouse=True)
 def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Rooms above the arc have it solved by compiled code, many times as fast; strips and trains.
+    """Rooms above the arc have it solved by compiled code, many times as fast; trains too.
 
-    Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py, and of NumPy:
-    tests/across/test_compiled.py), which answers in the rooms of the arc itself, in those of golden
+    Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py), which answers in the rooms of the arc itself, in those of golden
     answers, and in processes of the command line.
     """
 
@@ -173,7 +171,6 @@ def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
         if COMPILED & {request.path.parent.name, request.path.stem}:
             patch.setattr(compiled, "Distributed", Interpreted)
             patch.setattr(Distributed, "solve", solve)
-            patch.setitem(across._ready, "compiled", True)
             patch.setitem(checks._ready, "compiled", True)
             patch.setitem(train._ready, "compiled", True)
         yield

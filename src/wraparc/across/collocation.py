@@ -154,7 +154,7 @@ class System:
         creep -= e.integral_at_points(state.tension) * compliance
         pressure = e.at_points(state.tension) / arc.radius
         stress = stresses(self.law, wide.shear, creep, pressure)
-        pulled = creep @ wide.coupling + pull - stress.stress
+        pulled = self._coupled(kick, drift, state.tension) + pull - stress.stress
         end = state.entry + e.total(pulled)
         creep_end = kick + arc.length * drift - compliance * e.total_of_stages(state.tension)
         own = state.tension - state.entry - e.integral_at_stages(pulled)
@@ -163,6 +163,13 @@ class System:
         last[0] -= np.sqrt(wide.strips) * arc.exit_tension / arc.width
         miss = np.vstack([own @ wide.modes.T, last])
         return Point(state, miss, creep, stress, pulled, end, creep_end)
+
+    def _coupled(self, kick: Array, drift: Array, tension: Array) -> Array:
+        """S d2u/dy2 at the points: as `creep`, of strips coupled before they are integrated."""
+        wide, e = self.wide, self.elements
+        strain = (tension * wide.compliance_in_wrap) @ wide.coupling
+        coupled = kick @ wide.coupling + e.points[:, None] * (drift @ wide.coupling)
+        return np.asarray(coupled - e.integral_at_points(strain))
 
     def _closing(self, path: Array, entry: Array, end: Array) -> Array:
         """How far the mean exit tension and the path of each mode are from closing [N/m]."""
@@ -193,7 +200,8 @@ class System:
         kick, drift = by_entry * d.entry, d.drum - self.squeeze * d.entry
         creep = kick + e.points[:, None] * drift
         creep -= e.integral_at_points(d.tension) * compliance
-        pulled = (creep - self.before @ d.entry - kick) @ wide.coupling
+        pulled = self._coupled(kick, drift, d.tension)
+        pulled -= wide.coupling @ (self.before @ d.entry + kick)
         pulled -= point.stress.by_creep * creep
         pulled -= point.stress.by_pressure / wide.arc.radius * e.at_points(d.tension)
         own = d.tension - d.entry - e.integral_at_stages(pulled)

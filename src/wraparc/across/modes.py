@@ -224,7 +224,7 @@ def _cause(wide: WideArc, before: float, entry: float, tension: Array) -> _Cause
     rate = (on["radius"] + thickness) / arc.radius - np.outer(softer, by_thickness * thickness)
     lag = on["entry_misfit"] + before * on["entry_profile"]
     path = on["entry_misfit"] + on["exit_misfit"]
-    return _Cause(thickness, kick, rate, lag - kick, path, on["entry_profile"])
+    return _Cause(thickness, kick, rate, lag, path, on["entry_profile"])
 
 
 def _give_by_thickness(wide: WideArc) -> float:

@@ -23,9 +23,9 @@ _SPAN_PLACES = 41
 #: a share of the mean tension below which a strip counts as nearly slack
 _NEARLY = 0.15
 #: elements, and parts of each for friction: a solve is held against one with more
-_LEVELS = ((12, 1), (12, 4), (24, 4), (24, 16), (48, 16))
-#: how much nearer, at least, a level comes than the one before
-_GAIN = 4.0
+_LEVELS = ((12, 1), (16, 4), (24, 8), (36, 12), (48, 16))
+#: how much nearer, at least, a level comes than the one before: 2 with kinks, 10 and more without
+_GAIN = 2.0
 #: places along the arc that a result tells, finer at the entry nip: s = L (i/48)^4
 _PLACES = np.linspace(0.0, 1.0, 49) ** 4
 

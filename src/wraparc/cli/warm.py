@@ -129,12 +129,6 @@ def _trains() -> None:
     prepare()
 
 
-def _across() -> None:
-    from wraparc.across.compiled import prepare
-
-    prepare()
-
-
 def _in_time() -> None:
     from wraparc.arc import WrapArc
     from wraparc.files import load_lagging
@@ -162,6 +156,5 @@ PARTS = (
     Part("precise batches: operating points", lambda: _precise(capacities=False)),
     Part("precise batches: capacities", lambda: _precise(capacities=True)),
     Part("drives on one belt", _trains),
-    Part("uneven across the width", _across),
     Part("drives in time", _in_time),
 )

@@ -7,11 +7,10 @@ _state = {"compiled": False}
 
 def use_compiled() -> bool:
     """Load compiled code, or make it, and use it from now on; False where there is none."""
-    from wraparc import across
     from wraparc.checks import compiled as checks
     from wraparc.train import compiled as train
 
-    _state["compiled"] = checks.prepare() and across.prepare() and train.prepare()
+    _state["compiled"] = checks.prepare() and train.prepare()
     return _state["compiled"]
 
 
