@@ -160,8 +160,9 @@ class Interpreted(Distributed):
 def compiled_arcs(request: pytest.FixtureRequest) -> Iterator[None]:
     """Rooms above the arc have it solved by compiled code, many times as fast; trains too.
 
-    Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py), which answers in the rooms of the arc itself, in those of golden
-    answers, and in processes of the command line.
+    Its numbers are those of the interpreter (tests/batch/test_compiled_arc.py), which answers
+    in the rooms of the arc itself, in those of golden answers, and in processes of the command
+    line.
     """
 
     def solve(self: Distributed, arc: WrapArc) -> ArcResult:

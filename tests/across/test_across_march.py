@@ -62,7 +62,7 @@ def marched(wide: WideArc, entry: Array, drum: float) -> Array:
     ids=["cord with a kick", "softening, braking", "table", "constant", "idling"],
 )
 def test_strips_marched_from_their_entry_end_as_found(arc: object, miss: float) -> None:
-    """Source: SciPy's march of order 8; and the conditions at the ends, by the page on the width."""
+    """Source: SciPy's march of order 8; and the conditions at the ends, of the page on it."""
     given = wide(
         arc,  # type: ignore[arg-type]
         STRIPS, 6e4, radius_deviation=crown(0.6e-3, STRIPS), entry_misfit=1e-4 * mode(1, STRIPS),

@@ -108,7 +108,9 @@ def test_stress_by_the_public_friction_of_the_law(name: str) -> None:
 
 def test_a_strip_without_pressure_carries_nothing() -> None:
     for law in LAWS.values():
-        found = stresses(Law.of(law.compact()), np.full(5, 5e-9), np.full(5, 1e-3), np.full(5, -1.0))
+        found = stresses(
+            Law.of(law.compact()), np.full(5, 5e-9), np.full(5, 1e-3), np.full(5, -1.0)
+        )
         assert np.all(np.array(found[:3]) == 0.0)
         assert np.all(found.slip == 1e-3)
 

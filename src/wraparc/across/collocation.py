@@ -19,6 +19,7 @@ finds it in a few vectors (GMRES), without a matrix of all strips.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -291,13 +292,13 @@ def along(found: Found, places: Array) -> tuple[Array, Array]:
 
 
 def newton(system: System, start: State) -> Found:
-    """Solve the conditions from a start, damped so that no strip loses its tension on the way."""
+    """Solve the conditions from a start; a strip that would have to push carries nothing."""
     arc = system.wide.arc
     scale = max(arc.entry_tension, arc.exit_tension) / arc.width
     point = system.at(start)
     with np.errstate(all="ignore"):
         try:
-            inverse = np.linalg.inv(system.modal(point))
+            inverse = np.asarray(np.linalg.inv(system.modal(point)), dtype=float)
         except np.linalg.LinAlgError:
             return Found(system, point, False, 0)
         return _steps(system, point, inverse, scale)
@@ -315,7 +316,7 @@ def _steps(system: System, point: Point, inverse: Array, scale: float) -> Found:
         here = point
         z = solved_by_vectors(lambda v: uncoupled(system.changed(here, v)), -miss)  # noqa: B023
         step = system.step(z)
-        factor = _longest(point.state, step)
+        factor = 1.0
         for _ in range(_HALVINGS):
             trial = system.at(_moved(point.state, step, factor))
             miss_there = uncoupled(trial.miss)
@@ -339,14 +340,6 @@ def _moved(state: State, step: State, factor: float) -> State:
     )
 
 
-def _longest(state: State, step: State) -> float:
-    """Largest part of a step that leaves every tension a tenth of itself."""
-    worst = max(
-        float(np.max(-step.tension / state.tension)), float(np.max(-step.entry / state.entry))
-    )
-    return 1.0 if worst <= 0.9 else 0.9 / worst
-
-
 def solved_by_vectors(product: Callable[[Array], Array], right: Array) -> Array:
     """Solve a linear system that is near the identity by GMRES, from its products alone."""
     size = float(np.linalg.norm(right))
@@ -354,19 +347,27 @@ def solved_by_vectors(product: Callable[[Array], Array], right: Array) -> Array:
         return right
     vectors = np.empty((_MOST_VECTORS + 1, right.size))
     vectors[0] = right.ravel() / size
-    table = np.zeros((_MOST_VECTORS + 1, _MOST_VECTORS))
-    aim = np.zeros(_MOST_VECTORS + 1)
-    aim[0] = size
+    table, left = np.zeros((_MOST_VECTORS, _MOST_VECTORS)), np.zeros(_MOST_VECTORS + 1)
+    left[0] = size
+    turns: list[tuple[float, float]] = []
     for k in range(_MOST_VECTORS):
         new = product(vectors[k].reshape(right.shape)).ravel()
+        column = np.zeros(k + 2)
         for _ in range(2):  # the second time for what rounding left
             along = vectors[: k + 1] @ new
-            table[: k + 1, k] += along
+            column[: k + 1] += along
             new = new - along @ vectors[: k + 1]
-        table[k + 1, k] = length = float(np.linalg.norm(new))
-        part = table[: k + 2, : k + 1]
-        weights = np.linalg.lstsq(part, aim[: k + 2], rcond=None)[0]
-        if length == 0.0 or np.linalg.norm(part @ weights - aim[: k + 2]) <= _LEFT * size:
+        length = float(np.linalg.norm(new))
+        column[k + 1] = length
+        for i, (c, s) in enumerate(turns):
+            column[i : i + 2] = c * column[i] + s * column[i + 1], c * column[i + 1] - s * column[i]
+        radius = math.hypot(column[k], length)
+        turns.append((column[k] / radius, length / radius))
+        table[:k, k], table[k, k] = column[:k], radius
+        left[k + 1] = -turns[k][1] * left[k]
+        left[k] *= turns[k][0]
+        if abs(left[k + 1]) <= _LEFT * size:
             break
         vectors[k + 1] = new / length
+    weights = np.linalg.solve(table[: k + 1, : k + 1], left[: k + 1])
     return np.asarray((weights @ vectors[: k + 1]).reshape(right.shape))

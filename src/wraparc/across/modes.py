@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.across.collocation import Found, Point, System, along, between, newton, started
 from wraparc.across.elements import Elements, graded
@@ -132,7 +133,7 @@ def _kinks(found: Found) -> Array:
     """Places where the even belt goes from one piece of its friction law to the next [m]."""
     system, arc = found.system, found.system.wide.arc
 
-    def piece(places: Array) -> Array:
+    def piece(places: Array) -> NDArray[np.intp]:
         creep, tension = (v[:, :1] for v in along(found, places))
         return pieces(system.law, system.wide.shear[:1], creep, tension / arc.radius)[:, 0]
 
@@ -170,7 +171,9 @@ def _response(system: System, even: Point) -> ModeResponse:
         last /= before + after + arc.length
         z = -np.linalg.solve(matrix, np.vstack([-e.integral_at_stages(pulled), last]))
         own, first = e.at_points(z[:-1]), z[-1]
-        creep += (kick_t - squeeze * e.points[:, None]) * first - unit * e.integral_at_points(z[:-1])
+        creep += (kick_t - squeeze * e.points[:, None]) * first - unit * e.integral_at_points(
+            z[:-1]
+        )
         shear = stress[1] * creep + stress[2] / arc.radius * own + by_thickness * cause.thickness
         lag = creep - cause.kick + cause.lag - (before / wide.belt_modulus + kick_t) * first
         end = first + e.total(k * lag - shear)
@@ -182,7 +185,7 @@ def _response(system: System, even: Point) -> ModeResponse:
     energy = float(e.total(stress[0] * _rate(system, even))[0])
     ends = _ends(system, even)[0]
     energy -= 0.5 * arc.shear_compliance * float(ends[1] ** 2 - ends[0] ** 2)
-    return ModeResponse(*tables, mean_energy=energy)
+    return ModeResponse(tables[0], tables[1], tables[2], tables[3], energy)
 
 
 def _rate(system: System, even: Point) -> Array:
@@ -212,7 +215,7 @@ def _kept(system: System, even: Point, thickness: Array, creep: Array, tension: 
 
 
 def _cause(wide: WideArc, before: float, entry: float, tension: Array) -> _Cause:
-    """What a unit of each cause does, with Lam1/M of the mode and the even tension at the points."""
+    """What a unit of each cause does; `before` is Lam1/M of the mode, tension at the points."""
     arc = wide.arc
     on = {key: np.array([float(key == c) for c in CAUSES]) for key in CAUSES}
     thickness = on["lagging"]

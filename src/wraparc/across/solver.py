@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,8 +20,8 @@ from wraparc.arc import ArcResult, Distributed, Status
 _MOST_TRIALS = 12
 #: places along a transition where the tension is looked at
 _SPAN_PLACES = 41
-#: a share of the mean tension below which a strip counts as nearly slack
-_NEARLY = 0.15
+#: a share of the tension lacking that counts as nothing, where the share of slack is sought
+_NOTHING = 3e-3
 #: elements, and parts of each for friction: a solve is held against one with more
 _LEVELS = ((12, 1), (16, 4), (24, 8), (36, 12), (48, 16))
 #: how much nearer, at least, a level comes than the one before: 2 with kinks, 10 and more without
@@ -64,36 +64,62 @@ class AcrossSolver:
             found = newton(system, _from(start, system))
             if found.solved:
                 return self._finer(found, even)
-        begin = started(system, even)
-        found = newton(system, begin)
-        if found.solved:
-            return self._finer(found, even)
-        return _gradually(system, begin, even, found.iterations)
+        found = newton(system, started(system, even))
+        return self._finer(found, even) if found.solved else self._gradually(found, even)
 
     def _finer(self, found: Found, even: ArcResult) -> AcrossResult:
         """Refine a solution until its error is as small as asked for."""
         error = math.inf
-        for count, fineness in _LEVELS[1:]:
+        for count, fineness in _LEVELS:
+            if count <= len(found.system.elements.lengths):
+                continue
             last = found
-            elements = Elements(graded(last.system.wide.arc.length, count), fineness)
+            elements = Elements(graded(even.arc.length, count), fineness)
             found = newton(replace(last.system, elements=elements), between(last, elements.stages))
             found = found._replace(iterations=last.iterations + found.iterations)
             if not found.solved:
-                return _result(found, even, AcrossStatus.UNSOLVED)
+                return self._gradually(found, even)
             error = distance(last, found) / _GAIN
+            if least_tension(found).tension <= 0.0:
+                return _slack(found, even)
             if error < self.accuracy:
                 break
-        return replace(_judged(found, even), error_estimate=error)
+        return replace(_result(found, even, AcrossStatus.SOLVED), error_estimate=error)
+
+    def _gradually(self, failed: Found, even: ArcResult) -> AcrossResult:
+        """Put the unevenness on little by little; where it will not go further, say why."""
+        last = _without_defects(failed.system, even)
+        iterations, step = failed.iterations, 0.5
+        for _ in range(_MOST_TRIALS):
+            amount = min(last.system.amount + step, 1.0)
+            found = newton(replace(failed.system, amount=amount), last.point.state)
+            iterations += found.iterations
+            found = found._replace(iterations=iterations)
+            if not found.solved:
+                step *= 0.5
+                continue
+            if least_tension(found).tension <= 0.0:
+                return _slack(found, even)
+            if amount == 1.0:
+                return self._finer(found, even)
+            last, step = found, 2.0 * step
+        part = _result(last._replace(iterations=iterations), even, AcrossStatus.UNSOLVED)
+        return replace(part, status=AcrossStatus.BREAKAWAY) if _near_gross_slip(even) else part
 
 
 def distance(one: Found, other: Found) -> float:
-    """How far two solutions are apart: tensions, creep, Gamma, over the largest of each."""
-    a, b = one.point, other.point
+    """How far two solutions are apart: tensions, creep, Gamma, over the largest of each.
+
+    Of creep and Gamma no less than a thousandth of what the belt strains counts as largest.
+    """
+    a, b, system = one.point, other.point, one.system
+    strain = 1e-3 * float(np.max(b.state.entry)) * system.drum_unit
     pairs = (
-        (a.state.entry, b.state.entry), (a.tension_end, b.tension_end),
-        (a.creep_end, b.creep_end), (a.state.drum, b.state.drum),
+        (a.state.entry, b.state.entry, 0.0), (a.tension_end, b.tension_end, 0.0),
+        (a.creep_end, b.creep_end, strain * system.wide.arc.length),
+        (a.state.drum, b.state.drum, strain),
     )  # fmt: skip
-    return max(float(np.max(np.abs(x - y)) / np.max(np.abs(y))) for x, y in pairs)
+    return max(float(np.max(np.abs(x - y)) / max(np.max(np.abs(y)), z)) for x, y, z in pairs)
 
 
 def _from(result: AcrossResult, system: System) -> State:
@@ -103,79 +129,62 @@ def _from(result: AcrossResult, system: System) -> State:
     return State(np.array(columns).T, result.entry_tension, result.drum_number)
 
 
-def _judged(found: Found, even: ArcResult) -> AcrossResult:
-    """Result of conditions that are met: solved, or slack somewhere on the arc."""
-    result = _result(found, even, AcrossStatus.SOLVED)
-    if result.least_tension > 0.0:
-        return result
-    return replace(result, status=AcrossStatus.SLACK, slack=_slackest(result))
+class Least(NamedTuple):
+    """The least tension anywhere on the arc [N/m], its place on the arc [m] and its strip."""
+
+    tension: float
+    place: float
+    strip: int
 
 
-def _slackest(result: AcrossResult) -> Slack:
-    where = np.unravel_index(place_of_largest(-result.fields.tension), result.fields.tension.shape)
-    return Slack(
-        position=float(result.position[where[1]]),
-        angle=float(result.angle[where[0]]),
-        tension=result.least_tension,
-    )
+def least_tension(found: Found) -> Least:
+    """Least tension of a solution, by its parabolas: between the points of the solve, too."""
+    elements, point = found.system.elements, found.point
+    p0, p1, p2 = elements.parabolas(point.pulled)
+    # slope c0 + c1 x + c2 x^2 on an element, x from 0 to 1: where it rises through nothing
+    c0, c1, c2 = p0 - p1 + p2, 2.0 * p1 - 6.0 * p2, 6.0 * p2
+    root: Array = np.sqrt(np.maximum(c1**2 - 4.0 * c0 * c2, 0.0))
+    with np.errstate(all="ignore"):
+        x = np.where(c1 > 0.0, -2.0 * c0 / (c1 + root), (root - c1) / (2.0 * c2))
+    x = np.where((x > 0.0) & (x < 1.0), x, 0.0)
+    fall = np.cumsum(p0, axis=0) - p0 + x * (c0 + x * (c1 / 2.0 + x * c2 / 3.0))
+    tension = np.vstack([point.state.entry + fall, point.tension_end])
+    place = elements.nodes[:, None] + np.vstack([x * elements.lengths[:, None], 0.0 * x[:1]])
+    row, strip = np.unravel_index(place_of_largest(-tension), tension.shape)
+    return Least(float(tension[row, strip]), float(place[row, strip]), int(strip))
 
 
-def _gradually(system: System, start: State, even: ArcResult, iterations: int) -> AcrossResult:
-    """Put the unevenness on little by little; where it will not go further, say why."""
+def _without_defects(system: System, even: ArcResult) -> Found:
     none = replace(system, amount=0.0)
-    done, step, last = 0.0, 0.5, Found(none, none.at(start), True, 0)
-    before: tuple[float, AcrossResult] | None = None
+    return Found(none, none.at(started(none, even)), True, 0)
+
+
+def _slack(found: Found, even: ArcResult) -> AcrossResult:
+    """Result of a belt that goes slack: where, from which share of its unevenness on, how far.
+
+    The share where the least tension is nothing is found by false position (Illinois).
+    """
+    result, least = _result(found, even, AcrossStatus.SLACK), least_tension(found)
+    arc, amount = even.arc, found.system.amount
+    low, high, at = 0.0, amount, _without_defects(found.system, even)
+    above, below = min(arc.entry_tension, arc.exit_tension) / arc.width, least.tension
     for _ in range(_MOST_TRIALS):
-        amount = min(done + step, 1.0)
-        found = newton(replace(system, amount=amount), last.point.state)
-        iterations += found.iterations
-        if not found.solved:
-            step *= 0.5
-            continue
-        part = _judged(found, even)
-        if part.status is AcrossStatus.SLACK or amount == 1.0:
-            return _at_last(part, before, amount, iterations)
-        before, done, last = (amount, part), amount, found
-        step = min(2.0 * step, 1.0 - amount)
-    part = _result(last, even, AcrossStatus.UNSOLVED)
-    return _stopped(part, done, iterations)
-
-
-def _at_last(
-    part: AcrossResult, before: tuple[float, AcrossResult] | None, amount: float, iterations: int
-) -> AcrossResult:
-    """Say at which share of the unevenness the first strip went slack."""
-    part = replace(part, iterations=iterations)
-    if part.slack is None or amount == 1.0:
-        return part
-    first, least = (0.0, float("nan")) if before is None else (before[0], before[1].least_tension)
-    if before is None:
-        least = min(part.even.entry_tension, part.even.exit_tension) / part.wide.arc.width
-    fall = (least - part.least_tension) / (amount - first)
-    slack = replace(
-        part.slack,
-        share=first + least / fall,
-        tension=part.least_tension - fall * (1.0 - amount),
+        share = (low * below - high * above) / (below - above)
+        trial = newton(replace(found.system, amount=share), at.point.state)
+        there = least_tension(trial).tension
+        if not trial.solved or abs(there) < _NOTHING * abs(least.tension):
+            break
+        if there > 0.0:
+            low, above, below, at = share, there, 0.5 * below, trial
+        else:
+            high, below, above = share, there, 0.5 * above
+    slack = Slack(
+        position=float(result.position[least.strip]),
+        angle=least.place / arc.radius,
+        tension=least.tension * (1.0 - share) / (amount - share),
+        share=share,
     )
-    return replace(part, slack=slack)
-
-
-def _stopped(part: AcrossResult, done: float, iterations: int) -> AcrossResult:
-    """Name what stopped a solve: a strip that is nearly slack, or friction at its end."""
-    part = replace(part, iterations=iterations)
-    arc = part.wide.arc
-    slackest = min(arc.entry_tension, arc.exit_tension) / arc.width
-    if done > 0.0 and part.least_tension < _NEARLY * slackest:
-        fall = (slackest - part.least_tension) / done
-        slack = replace(
-            _slackest(part),
-            share=min(slackest / fall, 1.0),
-            tension=min(slackest - fall, 0.0),
-        )
-        return replace(part, status=AcrossStatus.SLACK, slack=slack)
-    if part.even.status is Status.SOLVED and _near_gross_slip(part.even):
-        return replace(part, status=AcrossStatus.BREAKAWAY)
-    return part
+    return replace(result, slack=slack)
 
 
 def _near_gross_slip(even: ArcResult) -> bool:
@@ -189,8 +198,8 @@ def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult
     """Read off a solution along the arc what is reported."""
     system, point = found.system, found.point
     wide, state, elements = system.wide, point.state, system.elements
-    arc, n, drift = wide.arc, wide.strips, system.drift(point.state)
-    places = _places(found)
+    arc, drift = wide.arc, system.drift(point.state)
+    places = np.union1d(arc.length * _PLACES, least_tension(found).place)
     creep, tension = along(found, places)
     stress = stresses(system.law, wide.shear, creep, tension / arc.radius)
     rate = drift - wide.compliance_in_wrap * elements.at_points(state.tension)
@@ -220,31 +229,12 @@ def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult
         else drift - state.entry / wide.belt_modulus,
         span_tension=_span_tension(system, state.entry),
         static_tension=arc.entry_tension / arc.width + system.amount * static,
-        yaw_moment=float(np.sum(state.entry * wide.position) * arc.width / n),
+        yaw_moment=float(np.sum(state.entry * wide.position) * arc.width / wide.strips),
         entry_guide_force=float(wide.shear_stiffness * edges[0]),
         exit_guide_force=float(wide.shear_stiffness * edges[-1]),
         identity_error=_identity_error(found, lag),
         iterations=found.iterations,
     )
-
-
-def _places(found: Found) -> Array:
-    """Places that a result tells [m]: with that of the least tension, where it is between."""
-    elements, point = found.system.elements, found.point
-    places = elements.nodes[-1] * _PLACES
-    p0, p1, p2 = elements.parabolas(point.pulled)
-    # slope c0 + c1 x + c2 x^2 on an element, x from 0 to 1: where it rises through nothing
-    c0, c1, c2 = p0 - p1 + p2, 2.0 * p1 - 6.0 * p2, 6.0 * p2
-    root = np.sqrt(np.maximum(c1**2 - 4.0 * c0 * c2, 0.0))
-    with np.errstate(all="ignore"):
-        x = np.where(c1 > 0.0, -2.0 * c0 / (c1 + root), (root - c1) / (2.0 * c2))
-    x = np.where((x > 0.0) & (x < 1.0), x, 0.0)
-    least = np.cumsum(p0, axis=0) - p0 + x * (c0 + x * (c1 / 2.0 + x * c2 / 3.0))
-    where = np.unravel_index(place_of_largest(-(point.state.entry + least)), least.shape)
-    if x[where] == 0.0:
-        return places
-    element = where[0]
-    return np.union1d(places, elements.nodes[element] + x[where] * elements.lengths[element])
 
 
 def _without_state(wide: WideArc, even: ArcResult, status: AcrossStatus) -> AcrossResult:
