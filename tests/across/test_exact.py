@@ -117,7 +117,7 @@ def test_a_strip_without_pressure_carries_nothing() -> None:
 
 @pytest.mark.parametrize("arc", [FABRIC, braking(FABRIC), replace(CORD, overrun=None)])
 def test_an_even_belt_is_that_of_the_arc(arc: WrapArc) -> None:
-    """Source: the static solver, another march in another state."""
+    """Source: the static solver, which marches, in another state."""
     even = Distributed(steps=768, capacities=False).solve(arc)
     found = solved(wide(arc, strips=4))
     g = found.entry_creep_ratio

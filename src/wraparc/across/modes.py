@@ -119,14 +119,14 @@ def mode_response(wide: WideArc, modes: int = 16, *, even: ArcResult | None = No
     count = min(modes, wide.strips - 1)
     nodes = graded(wide.arc.length, _ELEMENTS)
     fineness = FINENESS if Law.of(wide.arc.law.compact()).bends else 1
-    system = System(_even(wide, count + 1), Elements(nodes, fineness))
+    system = System(_even(wide, 1), Elements(nodes, fineness))
     found = newton(system, started(system, even))
     for _ in range(_TIMES):  # with an element's end where the law goes from piece to piece
         if not found.solved:
             raise ConvergenceError("the even belt was not solved")
         elements = Elements(np.union1d(nodes, _kinks(found)))
         found = newton(replace(system, elements=elements), between(found, elements.stages))
-    return _response(found.system, found.point)
+    return _response(replace(found.system, wide=_even(wide, count + 1)), found.point)
 
 
 def _kinks(found: Found) -> Array:
