@@ -17,6 +17,8 @@ from across.test_exact import LAWS
 from across.twin import stress
 from across.wides import CORD, FABRIC, RUBBER, braking, crown, mode, wide
 from wraparc.across import AcrossSolver, WideArc
+from wraparc.across.collocation import System, newton, started
+from wraparc.across.elements import Elements, graded
 from wraparc.across.wide_arc import Array
 
 STRIPS = 4
@@ -48,6 +50,20 @@ def marched(wide: WideArc, entry: Array, drum: float) -> Array:
     start, unit = np.concatenate([entry, kick]), np.repeat([1e-3, 1e-11], n)
     found = solve_ivp(rates, (0.0, arc.length), start, "DOP853", rtol=1e-9, atol=unit)
     return np.asarray(found.y[:, -1].reshape(2, n))
+
+
+def test_where_newton_fails_at_once_it_is_led_there() -> None:
+    """Source: SciPy's march, for constant friction that holds back under a crown of 8 mm."""
+    arc = replace(braking(FABRIC), law=LAWS["constant"])
+    given = wide(arc, 8, 1e5, radius_deviation=crown(8e-3, 8))
+    system = System(given, Elements(graded(arc.length, 12)))
+    found = AcrossSolver().solve(given)
+    assert not newton(system, started(system, found.even)).solved
+    assert found.status.solved
+    assert found.error_estimate < 1e-6
+    t2, u2 = marched(given, found.entry_tension, found.drum_number)
+    assert found.exit_tension == pytest.approx(t2, abs=2e-6 * float(np.max(t2)))
+    assert found.exit_creep == pytest.approx(u2, abs=1e-5 * float(np.max(np.abs(u2))))
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,8 @@ from across.wides import (
     mode,
     wide,
 )
+from wraparc.across.collocation import System, along, newton, started
+from wraparc.across.elements import Elements, graded
 from wraparc.across.result import AcrossResult, AcrossStatus, to_the_edges
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.spans import extra_path, length_after, length_before
@@ -375,8 +377,35 @@ def test_what_makes_a_strip_slack_is_said() -> None:
     assert found.status is AcrossStatus.SLACK
     assert found.slack is not None
     assert 0.1 < found.slack.share < 0.5
-    assert found.slack.tension < 0.0
+    assert found.slack.tension == found.least_tension < 0.0
     assert abs(found.slack.position) < 0.6
+    # from that share of the heap on, and not before: nothing is left there
+    at = found.slack.share
+    less, more = (
+        AcrossSolver().solve(wide(FABRIC, n, radius_deviation=30e-3 * share * (np.arange(n) > 5)))
+        for share in (0.98 * at, 1.02 * at)
+    )
+    assert less.status is AcrossStatus.SOLVED
+    assert more.status is AcrossStatus.SLACK
+    assert less.least_tension < 0.02 * abs(found.slack.tension)
+    assert less.position[int(np.argmin(np.min(less.fields.tension, 0)))] == found.slack.position
+
+
+def test_the_least_tension_is_read_between_the_places_of_a_result() -> None:
+    """Source: the same solution at ten thousand places; no place of its own is as low."""
+    found = solved(wide(FABRIC, 8, radius_deviation=crown(15e-3, 8)))
+    strip = int(np.argmin(np.min(found.fields.tension, axis=0)))
+    at = int(np.argmin(found.fields.tension[:, strip]))
+    assert 0 < at < len(found.angle) - 1
+    system = System(found.wide, Elements(graded(FABRIC.length, 48), 4))
+    again = newton(system, started(system, found.even))
+    places = np.linspace(0.0, FABRIC.length, 10001)
+    tension = along(again, places)[1][:, strip]
+    assert found.least_tension == pytest.approx(float(np.min(tension)), rel=2e-6)
+    place = float(places[np.argmin(tension)])
+    assert found.angle[at] * FABRIC.radius == pytest.approx(place, abs=2e-3)
+    others = np.delete(found.fields.tension[:, strip], at)
+    assert float(np.min(others)) > 1.0005 * found.least_tension
 
 
 def test_breakaway_is_that_of_the_even_belt() -> None:
