@@ -61,6 +61,15 @@ class State:
     drum: float
 
 
+def _across(values: Array, table: Array) -> Array:
+    """A table of strips or modes applied to values at the stages, shape (m, n).
+
+    A stage at a time: products so small are not split among threads, which would cost more.
+    """
+    n = len(table)
+    return np.asarray((values.reshape(3, -1, n) @ table).reshape(-1, n))
+
+
 class Point(NamedTuple):
     """The equations at a state.
 
@@ -162,13 +171,13 @@ class System:
         paths = self.amount * (wide.entry_misfit + wide.exit_misfit) + creep_end - kick
         last = self._closing(paths, state.entry - self.free, end)
         last[0] -= np.sqrt(wide.strips) * arc.exit_tension / arc.width
-        miss = np.vstack([own @ wide.modes.T, last])
+        miss = np.vstack([_across(own, wide.modes.T), last])
         return Point(state, miss, creep, stress, pulled, end, creep_end)
 
     def _coupled(self, kick: Array, drift: Array, tension: Array) -> Array:
         """S d2u/dy2 at the points: as `creep`, of strips coupled before they are integrated."""
         wide, e = self.wide, self.elements
-        strain = (tension * wide.compliance_in_wrap) @ wide.coupling
+        strain = _across(tension * wide.compliance_in_wrap, wide.coupling)
         coupled = kick @ wide.coupling + e.points[:, None] * (drift @ wide.coupling)
         return np.asarray(coupled - e.integral_at_points(strain))
 
@@ -191,7 +200,7 @@ class System:
         """
         c = self.wide.modes
         drum = float(z[-1, 0]) * self.drum_unit / np.sqrt(self.wide.strips)
-        return State(z[:-1] @ c, z[-1, 1:] @ c[1:], drum)
+        return State(_across(z[:-1], c), z[-1, 1:] @ c[1:], drum)
 
     def changed(self, point: Point, z: Array) -> Array:
         """How the misses change along a vector by mode: the derivative there."""
@@ -208,7 +217,7 @@ class System:
         own = d.tension - d.entry - e.integral_at_stages(pulled)
         end = d.entry + e.total(pulled)
         path = wide.arc.length * drift - compliance * e.total_of_stages(d.tension)
-        return np.vstack([own @ wide.modes.T, self._closing(path, d.entry, end)])
+        return np.vstack([_across(own, wide.modes.T), self._closing(path, d.entry, end)])
 
     def modal(self, point: Point) -> Array:
         """The same as a matrix by mode, friction in the mean over the width: (n, m + 1, m + 1)."""
@@ -306,7 +315,7 @@ def newton(system: System, start: State) -> Found:
 
 def _steps(system: System, point: Point, inverse: Array, scale: float) -> Found:
     def uncoupled(miss: Array) -> Array:
-        return np.asarray(np.matmul(inverse, miss.T[:, :, None])[:, :, 0].T)
+        return np.asarray(np.einsum("nij,jn->in", inverse, miss))
 
     miss = uncoupled(point.miss)
     for iteration in range(1, MOST_ITERATIONS + 1):
@@ -354,9 +363,9 @@ def solved_by_vectors(product: Callable[[Array], Array], right: Array) -> Array:
         new = product(vectors[k].reshape(right.shape)).ravel()
         column = np.zeros(k + 2)
         for _ in range(2):  # the second time for what rounding left
-            along = vectors[: k + 1] @ new
+            along = np.einsum("kv,v->k", vectors[: k + 1], new)
             column[: k + 1] += along
-            new = new - along @ vectors[: k + 1]
+            new = new - np.einsum("k,kv->v", along, vectors[: k + 1])
         length = float(np.linalg.norm(new))
         column[k + 1] = length
         for i, (c, s) in enumerate(turns):
