@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from across.twin import Twin
-from across.wides import CORD, FABRIC, MARCHES, braking, mode, wide
+from across.wides import CORD, FABRIC, braking, mode, wide
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.wide_arc import Array
 from wraparc.arc import WrapArc
@@ -18,7 +18,7 @@ def misses(arc: WrapArc, stiffness: float, strips: int) -> tuple[float, float]:
     given = wide(
         arc, strips, stiffness, radius_deviation=shape, entry_misfit=3e-4 * mode(1, strips)
     )
-    found = AcrossSolver(marches=MARCHES).solve(given)
+    found = AcrossSolver().solve(given)
     twin = Twin(given).solve(found.drum_number)
 
     def miss(a: Array, b: Array) -> float:

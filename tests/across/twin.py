@@ -3,7 +3,7 @@
 Unknown are the lag of the label line at the nodes of one mesh along the belt, and the drum number.
 Tension comes from the lag, M (strain) in the spans and M' (Gamma + a/R - lag_s) on the pulley; its
 balance over every cell, t_s = -tau + S lag_yy with the three-point lag_yy, is solved by Newton's
-method with sparse matrices from the even belt. No modes, no marching, no interface of the room:
+method with sparse matrices from the even belt. No modes, no stages, no stresses of the room:
 slip is bisected from the public friction of the law.
 """
 

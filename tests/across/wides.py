@@ -8,15 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.across.compiled import COMPILED, PLAIN
 from wraparc.across.spans import shear_lengths
 from wraparc.across.wide_arc import Array, WideArc, centres, wave_numbers
 from wraparc.arc import WrapArc
-from wraparc.batch.native import available
 from wraparc.friction import Constant, IntegralLog, PressureKnots, TestedRange
 
-#: the compiled march, which test_compiled.py holds against that in arrays, where it can be had
-MARCHES = COMPILED if available() else PLAIN
 RANGE = TestedRange(pressure_min=34e3, pressure_max=690e3, slip_max=15e-3)
 RUBBER = IntegralLog(
     coefficients=PressureKnots(

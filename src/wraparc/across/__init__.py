@@ -1,7 +1,6 @@
 """Across the width: uneven tension, worn and crowned pulleys, and what wear makes of them."""
 
 from wraparc.across.build import Stiffness, in_plane_stiffness, wide_arc
-from wraparc.across.compiled import prepare
 from wraparc.across.measured import READINGS, MeasuredProfile, profile_of, read_profile, within
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
@@ -36,7 +35,6 @@ __all__ = [
     "march_wear",
     "measured_coefficient",
     "mode_response",
-    "prepare",
     "profile_of",
     "read_profile",
     "screen",

@@ -122,7 +122,11 @@ class AcrossResult(Viewable):
     entry_guide_force, exit_guide_force
         Sideways force that idlers must hold, S times the lag from edge to edge [N].
     identity_error
-        Relative miss of the exact balance of energy: a check of the solve [-].
+        Relative miss of the exact balance of energy, with friction between the points of the solve:
+        a check of it [-].
+    error_estimate
+        Estimated error of tensions, creep and drum number along the arc, over the largest of each
+        [-]; that of strips of finite width comes on top.
     slack
         Where a strip goes slack, or None.
     iterations
@@ -143,6 +147,7 @@ class AcrossResult(Viewable):
     entry_guide_force: float
     exit_guide_force: float
     identity_error: float
+    error_estimate: float = float("nan")
     slack: Slack | None = None
     iterations: int = 0
 

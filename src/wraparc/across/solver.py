@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from dataclasses import dataclass, fields, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from wraparc.across.compiled import Marches, quickest
-from wraparc.across.mesh import Mesh, mesh_of
-from wraparc.across.newton import Found, System, Unknowns, newton, started
+from wraparc.across.collocation import Found, State, System, along, between, newton, started
+from wraparc.across.elements import Elements, graded
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.stresses import stresses
 from wraparc.across.wide_arc import Array, WideArc
@@ -21,24 +20,28 @@ from wraparc.arc import ArcResult, Distributed, Status
 _MOST_TRIALS = 12
 #: places along a transition where the tension is looked at
 _SPAN_PLACES = 41
-#: a share of the mean tension below which a strip counts as nearly slack
-_NEARLY = 0.15
+#: a share of the tension lacking that counts as nothing, where the share of slack is sought
+_NOTHING = 3e-3
+#: elements, and parts of each for friction: a solve is held against one with more
+_LEVELS = ((12, 1), (16, 4), (24, 8), (36, 12), (48, 16))
+#: how much nearer, at least, a level comes than the one before: 2 with kinks, 10 and more without
+_GAIN = 2.0
+#: places along the arc that a result tells, finer at the entry nip: s = L (i/48)^4
+_PLACES = np.linspace(0.0, 1.0, 49) ** 4
 
 
 @dataclass(frozen=True)
 class AcrossSolver:
-    """Strips across the width, marched together.
+    """Strips across the width, all at once by collocation along the arc.
 
     Attributes
     ----------
-    steps
-        Mesh steps over the arc; 48 leave 1e-7 to 5e-6 of the entry tension, less than strips do.
-    marches
-        What carries the strips along the arc: compiled once that is prepared in this process.
+    accuracy
+        Largest error of tensions, creep and drum number along the arc, over the largest of each;
+        elements are added until the estimate is below it, or there are as many as may be.
     """
 
-    steps: int = 48
-    marches: Marches = field(default_factory=quickest)
+    accuracy: float = 1e-6
 
     def solve(self, wide: WideArc, *, start: AcrossResult | None = None) -> AcrossResult:
         """Solve one arc; a failure is a result too, see `AcrossStatus`.
@@ -56,100 +59,132 @@ class AcrossSolver:
             broken = even.status is Status.BREAKAWAY
             status = AcrossStatus.BREAKAWAY if broken else AcrossStatus.UNSOLVED
             return _without_state(wide, even, status)
-        mesh = mesh_of(wide, even, self.steps)
-        system = System(wide, mesh, self.marches)
-        begin = started(wide, even, mesh)
+        system = System(wide, Elements(graded(wide.arc.length, _LEVELS[0][0])))
         if start is not None and start.status.solved:
-            found = newton(system, _from(start, mesh))
+            found = newton(system, _from(start, system))
             if found.solved:
-                return _judged(found, even)
-        found = newton(system, begin)
-        if found.solved:
-            return _judged(found, even)
-        return _gradually(system, begin, even, found.iterations)
+                return self._finer(found, even)
+        found = newton(system, started(system, even))
+        return self._finer(found, even) if found.solved else self._gradually(found, even)
+
+    def _finer(self, found: Found, even: ArcResult) -> AcrossResult:
+        """Refine a solution until its error is as small as asked for."""
+        error = math.inf
+        for count, fineness in _LEVELS:
+            if count <= len(found.system.elements.lengths):
+                continue
+            last = found
+            elements = Elements(graded(even.arc.length, count), fineness)
+            found = newton(replace(last.system, elements=elements), between(last, elements.stages))
+            found = found._replace(iterations=last.iterations + found.iterations)
+            if not found.solved:
+                return self._gradually(found, even)
+            error = distance(last, found) / _GAIN
+            if least_tension(found).tension <= 0.0:
+                return _slack(found, even)
+            if error < self.accuracy:
+                break
+        return replace(_result(found, even, AcrossStatus.SOLVED), error_estimate=error)
+
+    def _gradually(self, failed: Found, even: ArcResult) -> AcrossResult:
+        """Put the unevenness on little by little; where it will not go further, say why."""
+        last = _without_defects(failed.system, even)
+        iterations, step = failed.iterations, 0.5
+        for _ in range(_MOST_TRIALS):
+            amount = min(last.system.amount + step, 1.0)
+            found = newton(replace(failed.system, amount=amount), last.point.state)
+            iterations += found.iterations
+            found = found._replace(iterations=iterations)
+            if not found.solved:
+                step *= 0.5
+                continue
+            if least_tension(found).tension <= 0.0:
+                return _slack(found, even)
+            if amount == 1.0:
+                return self._finer(found, even)
+            last, step = found, 2.0 * step
+        part = _result(last._replace(iterations=iterations), even, AcrossStatus.UNSOLVED)
+        return replace(part, status=AcrossStatus.BREAKAWAY) if _near_gross_slip(even) else part
 
 
-def _from(result: AcrossResult, mesh: Mesh) -> Unknowns:
-    """The unknowns of a result, at the cuts of another mesh."""
-    fields, places = result.fields, mesh.nodes[list(mesh.cuts[1:-1])] / result.wide.arc.radius
-    columns = np.concatenate([fields.tension, fields.creep], axis=1)
-    states = np.array([[np.interp(s, result.angle, c) for c in columns.T] for s in places])
-    states = states.reshape(len(places), columns.shape[1])
-    return Unknowns(fields.tension[0], result.drum_number, states)
+def distance(one: Found, other: Found) -> float:
+    """How far two solutions are apart: tensions, creep, Gamma, over the largest of each.
+
+    Of creep and Gamma no less than a thousandth of what the belt strains counts as largest.
+    """
+    a, b, system = one.point, other.point, one.system
+    strain = 1e-3 * float(np.max(b.state.entry)) * system.drum_unit
+    pairs = (
+        (a.state.entry, b.state.entry, 0.0), (a.tension_end, b.tension_end, 0.0),
+        (a.creep_end, b.creep_end, strain * system.wide.arc.length),
+        (a.state.drum, b.state.drum, strain),
+    )  # fmt: skip
+    return max(float(np.max(np.abs(x - y)) / max(np.max(np.abs(y)), z)) for x, y, z in pairs)
 
 
-def _judged(found: Found, even: ArcResult) -> AcrossResult:
-    """Result of conditions that are met: solved, or slack somewhere on the arc."""
-    result = _result(found, even, AcrossStatus.SOLVED)
-    if result.least_tension > 0.0:
-        return result
-    return replace(result, status=AcrossStatus.SLACK, slack=_slackest(result))
+def _from(result: AcrossResult, system: System) -> State:
+    """The state of a result, on other elements."""
+    places = system.elements.stages / result.wide.arc.radius
+    columns = [np.interp(places, result.angle, c) for c in result.fields.tension.T]
+    return State(np.array(columns).T, result.entry_tension, result.drum_number)
 
 
-def _slackest(result: AcrossResult) -> Slack:
-    where = np.unravel_index(place_of_largest(-result.fields.tension), result.fields.tension.shape)
-    return Slack(
-        position=float(result.position[where[1]]),
-        angle=float(result.angle[where[0]]),
-        tension=result.least_tension,
-    )
+class Least(NamedTuple):
+    """The least tension anywhere on the arc [N/m], its place on the arc [m] and its strip."""
+
+    tension: float
+    place: float
+    strip: int
 
 
-def _gradually(system: System, start: Unknowns, even: ArcResult, iterations: int) -> AcrossResult:
-    """Put the unevenness on little by little; where it will not go further, say why."""
-    done, step, last = 0.0, 0.5, Found(replace(system, amount=0.0), start, True, 0)
-    before: tuple[float, AcrossResult] | None = None
+def least_tension(found: Found) -> Least:
+    """Least tension of a solution, by its parabolas: between the points of the solve, too."""
+    elements, point = found.system.elements, found.point
+    p0, p1, p2 = elements.parabolas(point.pulled)
+    # slope c0 + c1 x + c2 x^2 on an element, x from 0 to 1: where it rises through nothing
+    c0, c1, c2 = p0 - p1 + p2, 2.0 * p1 - 6.0 * p2, 6.0 * p2
+    root: Array = np.sqrt(np.maximum(c1**2 - 4.0 * c0 * c2, 0.0))
+    with np.errstate(all="ignore"):
+        x = np.where(c1 > 0.0, -2.0 * c0 / (c1 + root), (root - c1) / (2.0 * c2))
+    x = np.where((x > 0.0) & (x < 1.0), x, 0.0)
+    fall = np.cumsum(p0, axis=0) - p0 + x * (c0 + x * (c1 / 2.0 + x * c2 / 3.0))
+    tension = np.vstack([point.state.entry + fall, point.tension_end])
+    place = elements.nodes[:, None] + np.vstack([x * elements.lengths[:, None], 0.0 * x[:1]])
+    row, strip = np.unravel_index(place_of_largest(-tension), tension.shape)
+    return Least(float(tension[row, strip]), float(place[row, strip]), int(strip))
+
+
+def _without_defects(system: System, even: ArcResult) -> Found:
+    none = replace(system, amount=0.0)
+    return Found(none, none.at(started(none, even)), True, 0)
+
+
+def _slack(found: Found, even: ArcResult) -> AcrossResult:
+    """Result of a belt that goes slack: where, from which share of its unevenness on, how far.
+
+    The share where the least tension is nothing is found by false position (Illinois).
+    """
+    result, least = _result(found, even, AcrossStatus.SLACK), least_tension(found)
+    arc, amount = even.arc, found.system.amount
+    low, high, at = 0.0, amount, _without_defects(found.system, even)
+    above, below = min(arc.entry_tension, arc.exit_tension) / arc.width, least.tension
     for _ in range(_MOST_TRIALS):
-        amount = min(done + step, 1.0)
-        found = newton(replace(system, amount=amount), last.unknowns)
-        iterations += found.iterations
-        if not found.solved:
-            step *= 0.5
-            continue
-        part = _judged(found, even)
-        if part.status is AcrossStatus.SLACK or amount == 1.0:
-            return _at_last(part, before, amount, iterations)
-        before, done, last = (amount, part), amount, found
-        step = min(2.0 * step, 1.0 - amount)
-    part = _result(last, even, AcrossStatus.UNSOLVED)
-    return _stopped(part, done, iterations)
-
-
-def _at_last(
-    part: AcrossResult, before: tuple[float, AcrossResult] | None, amount: float, iterations: int
-) -> AcrossResult:
-    """Say at which share of the unevenness the first strip went slack."""
-    part = replace(part, iterations=iterations)
-    if part.slack is None or amount == 1.0:
-        return part
-    first, least = (0.0, float("nan")) if before is None else (before[0], before[1].least_tension)
-    if before is None:
-        least = min(part.even.entry_tension, part.even.exit_tension) / part.wide.arc.width
-    fall = (least - part.least_tension) / (amount - first)
-    slack = replace(
-        part.slack,
-        share=first + least / fall,
-        tension=part.least_tension - fall * (1.0 - amount),
+        share = (low * below - high * above) / (below - above)
+        trial = newton(replace(found.system, amount=share), at.point.state)
+        there = least_tension(trial).tension
+        if not trial.solved or abs(there) < _NOTHING * abs(least.tension):
+            break
+        if there > 0.0:
+            low, above, below, at = share, there, 0.5 * below, trial
+        else:
+            high, below, above = share, there, 0.5 * above
+    slack = Slack(
+        position=float(result.position[least.strip]),
+        angle=least.place / arc.radius,
+        tension=least.tension * (1.0 - share) / (amount - share),
+        share=share,
     )
-    return replace(part, slack=slack)
-
-
-def _stopped(part: AcrossResult, done: float, iterations: int) -> AcrossResult:
-    """Name what stopped a solve: a strip that is nearly slack, or friction at its end."""
-    part = replace(part, iterations=iterations)
-    arc = part.wide.arc
-    slackest = min(arc.entry_tension, arc.exit_tension) / arc.width
-    if done > 0.0 and part.least_tension < _NEARLY * slackest:
-        fall = (slackest - part.least_tension) / done
-        slack = replace(
-            _slackest(part),
-            share=min(slackest / fall, 1.0),
-            tension=min(slackest - fall, 0.0),
-        )
-        return replace(part, status=AcrossStatus.SLACK, slack=slack)
-    if part.even.status is Status.SOLVED and _near_gross_slip(part.even):
-        return replace(part, status=AcrossStatus.BREAKAWAY)
-    return part
+    return replace(result, slack=slack)
 
 
 def _near_gross_slip(even: ArcResult) -> bool:
@@ -160,46 +195,44 @@ def _near_gross_slip(even: ArcResult) -> bool:
 
 
 def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult:
-    """Trace a solution along the arc and read off it what is reported."""
-    system, at = found.system, found.unknowns
-    wide, mesh = system.wide, system.mesh
-    n, arc = wide.strips, wide.arc
-    records, _, drift = system.trace(at)
-    tension, creep, work = records[:, :n], records[:, n : 2 * n], records[:, 2 * n : 3 * n]
-    kick = creep[0]
-    lag1 = entry_lag(system, at)
-    stress, slip = _stress_and_slip(wide, tension, creep)
-    energy = work - 0.5 * wide.shear * (stress**2 - stress[0] ** 2)
-    lag = lag1 + creep - kick
-    fields = Fields(
-        tension=tension,
-        wrap_pressure=tension / arc.radius,
-        creep=creep,
-        slip=slip,
-        shear_stress=stress,
-        lag=lag,
-        frictional_energy=energy,
-    )
+    """Read off a solution along the arc what is reported."""
+    system, point = found.system, found.point
+    wide, state, elements = system.wide, point.state, system.elements
+    arc, drift = wide.arc, system.drift(point.state)
+    places = np.union1d(arc.length * _PLACES, least_tension(found).place)
+    creep, tension = along(found, places)
+    stress = stresses(system.law, wide.shear, creep, tension / arc.radius)
+    rate = drift - wide.compliance_in_wrap * elements.at_points(state.tension)
+    work = elements.integral(point.stress.stress * rate, places)
+    energy = work - 0.5 * wide.shear * (stress.stress**2 - stress.stress[0] ** 2)
+    lag = system.entry_lag(state.entry) + creep - creep[0]
     edges = lag[:, -1] - lag[:, 0]
-    width = arc.width / n
     static = wide.entry_profile if wide.static_profile is None else wide.static_profile
     return AcrossResult(
         status=status,
         wide=wide,
         even=even,
-        angle=mesh.nodes / arc.radius,
-        fields=fields,
-        drum_number=at.drum,
-        friction_force=records[-1, 3 * n :],
-        entry_creep_ratio=drift - wide.compliance * tension[0]
+        angle=places / arc.radius,
+        fields=Fields(
+            tension=tension,
+            wrap_pressure=tension / arc.radius,
+            creep=creep,
+            slip=stress.slip,
+            shear_stress=stress.stress,
+            lag=lag,
+            frictional_energy=energy,
+        ),
+        drum_number=state.drum,
+        friction_force=elements.total(point.stress.stress),
+        entry_creep_ratio=drift - wide.compliance * state.entry
         if arc.recovery
-        else drift - tension[0] / wide.belt_modulus,
-        span_tension=_span_tension(system, tension[0]),
+        else drift - state.entry / wide.belt_modulus,
+        span_tension=_span_tension(system, state.entry),
         static_tension=arc.entry_tension / arc.width + system.amount * static,
-        yaw_moment=float(np.sum(tension[0] * wide.position) * width),
+        yaw_moment=float(np.sum(state.entry * wide.position) * arc.width / wide.strips),
         entry_guide_force=float(wide.shear_stiffness * edges[0]),
         exit_guide_force=float(wide.shear_stiffness * edges[-1]),
-        identity_error=_identity_error(wide, drift, fields, work[-1]),
+        identity_error=_identity_error(found, lag),
         iterations=found.iterations,
     )
 
@@ -243,33 +276,20 @@ def _span_tension(system: System, entry: Array) -> Array:
     return np.asarray(mean + np.max(along, axis=0))
 
 
-def entry_lag(system: System, at: Unknowns) -> Array:
-    """Lag of the label line at the entry nip by strip, mean 0 [m]."""
-    wide = system.wide
-    misfit = system.amount * wide.spread(np.ones(wide.strips - 1)) @ wide.entry_misfit
-    free = system.amount * wide.entry_profile - at.tension
-    return np.asarray(misfit + wide.spread(wide.length_before) @ free / wide.belt_modulus)
-
-
-def _stress_and_slip(wide: WideArc, tension: Array, creep: Array) -> tuple[Array, Array]:
-    """Shear stress [Pa] and slip [m] over arc and width."""
-    law, shape = wide.arc.law.compact(), tension.shape
-    shear = np.broadcast_to(wide.shear, shape).ravel()
-    found = stresses(law, wide.knots, shear, creep.ravel(), tension.ravel() / wide.arc.radius)
-    return found[0].reshape(shape), found[3].reshape(shape)
-
-
-def _identity_error(wide: WideArc, drift: Array, fields: Fields, work: Array) -> float:
-    """Relative miss of the exact balance of energy.
+def _identity_error(found: Found, lag: Array) -> float:
+    """Relative miss of the exact balance of energy, friction read between the points of the solve.
 
     int int tau du ds dy = int (t1 - t2)[g + (t1 - t2)/(2 M')] dy - (S/2) int (lag_y^2)| dy
     """
-    numbers = wide.numbers
-    t1, t2 = fields.tension[0], fields.tension[-1]
-    g = drift - numbers.compliance * t1
-    gained = np.sum((t1 - t2) * (g + 0.5 * (t1 - t2) * numbers.compliance))
-    first, last = fields.lag[0], fields.lag[-1]
-    gained += 0.5 * (last @ numbers.coupling @ last - first @ numbers.coupling @ first)
-    whole = float(np.sum(work))
+    system, point = found.system, found.point
+    wide, state, elements = system.wide, point.state, system.elements
+    finer = replace(elements, fineness=2 * elements.fineness)
+    drift, (creep, tension) = system.drift(point.state), along(found, finer.points)
+    stress = stresses(system.law, wide.shear, creep, tension / wide.arc.radius).stress
+    work = finer.total(stress * (drift - wide.compliance_in_wrap * tension))
+    t1, t2 = state.entry, point.tension_end
+    g = drift - wide.compliance_in_wrap * t1
+    gained = np.sum((t1 - t2) * (g + 0.5 * (t1 - t2) * wide.compliance_in_wrap))
+    gained += 0.5 * (lag[-1] @ wide.coupling @ lag[-1] - lag[0] @ wide.coupling @ lag[0])
     scale = float(np.sum(np.abs(work)))
-    return abs(float(gained) - whole) / scale if scale > 0.0 else 0.0
+    return abs(float(gained - np.sum(work))) / scale if scale > 0.0 else 0.0

@@ -9,9 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.across.march import Strips
 from wraparc.across.spans import TransitionSpan
-from wraparc.across.stresses import Knots, knots_of
 from wraparc.arc import WrapArc
 from wraparc.arc.kernel.effort import jumps
 from wraparc.drive import Lagging
@@ -153,19 +151,19 @@ class WideArc:
         return wave_numbers(self.arc.width, self.strips)
 
     @cached_property
-    def knots(self) -> Knots:
-        """Knots of the friction law."""
-        return knots_of(self.arc.law.compact())
+    def compliance_in_wrap(self) -> Array:
+        """How much less a strip creeps per length and tension, shape (n,) [m/N].
+
+        1/M', or 1/M where the lagging does not recover within the wrap.
+        """
+        recovery = self.give if self.arc.recovery else 0.0 * self.give
+        return np.asarray(1.0 / self.belt_modulus + recovery)
 
     @cached_property
-    def numbers(self) -> Strips:
-        """What the march reads."""
+    def coupling(self) -> Array:
+        """S d2/dy2 between strips, shape (n, n) [N/m3]."""
         c = self.modes[1:]
-        coupling = -(c.T * (self.shear_stiffness * self.wave_numbers**2)) @ c
-        recovery = self.give if self.arc.recovery else 0.0 * self.give
-        return Strips(
-            self.knots, self.arc.radius, self.shear, 1.0 / self.belt_modulus + recovery, coupling
-        )
+        return np.asarray(-(c.T * (self.shear_stiffness * self.wave_numbers**2)) @ c)
 
     def overrun(self, tension: Array) -> tuple[Array, Array]:
         """Creep at the entry nip x_c [m] and its derivative by the entry tension [m2/N]."""

@@ -9,7 +9,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.across import AcrossResult, AcrossSolver, prepare, wide_arc
+from wraparc.across import AcrossResult, AcrossSolver, wide_arc
 from wraparc.checks.of_across import EDGE_FACTOR
 from wraparc.checks.rules import tension_factor
 from wraparc.choose.search import Grid, Search
@@ -58,7 +58,6 @@ def is_uneven(search: Search) -> bool:
 
 def solve_edges(search: Search, grid: Grid, which: Integers, known: Edges) -> Edges:
     """Return the edges of further designs, in every load case and condition, with those known."""
-    prepare()
     found = replace(
         known,
         **{

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.across import AcrossResult, AcrossSolver, prepare, wide_arc
+from wraparc.across import AcrossResult, AcrossSolver, wide_arc
 from wraparc.batch.arcs import Arcs
 from wraparc.checks import Level, of_across
 from wraparc.checks.of_rows import NAMES
@@ -67,7 +67,6 @@ def solve_rows(
     uneven = np.array([d.pulley(where[0]).across is not None for d in drives])
     if not uneven.any():
         return found
-    prepare()
     columns = arcs.columns()
     for k in np.flatnonzero(uneven[which]).tolist():
         drive = drives[which[k]]

@@ -11,7 +11,6 @@ from wraparc.across import (
     cushion,
     march_wear,
     measured_coefficient,
-    prepare,
     profile_of,
     slack_words,
     solve_across,
@@ -231,7 +230,6 @@ def _asked(asked: AcrossRequest) -> tuple[Drive, Pulley, LoadCase]:
 
 def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
     """Wear marched on: whether it heals or runs away, and when to re-lag."""
-    prepare()  # many solves, in a process of their own: what is compiled pays at once
     least = _quantity("least_thickness", asked.least_thickness, "length")
     depth = None if asked.depth is None else _quantity("depth", asked.depth, "length")
     drive, pulley, case = _asked(asked)
