@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.arc import MovingArc
 from wraparc.motion.control import Duty, Follower
 from wraparc.motion.event import Event, Measured, OnBelt, OnDrum
@@ -135,15 +134,11 @@ class DrumState:
         there = (o for o in self.on_drum if self.t1 > o.at)
         return self.duty.torque * math.fsum(o.ripple * math.sin(o.order * angle) for o in there)
 
-    def rises(self) -> tuple[float, float]:
-        """Extra radius at the entry and at the exit nip [m]."""
+    def rises(self, travel: float) -> tuple[float, float]:
+        """Extra radius at the entry and at the exit nip after a travel [m]."""
         if not self.on_drum and not self.riders:
             return 0.0, 0.0
-        arc = self.arc
-        first = int(arc.span[0])
-        a, b = arc.rows[first], arc.rows[first + 1]
-        w = (arc.shape.length - arc.to + b[k.TRAVEL]) / (b[k.TRAVEL] - a[k.TRAVEL])
-        return float(arc.rows[arc.span[1], k.RISE]), float(b[k.RISE] + w * (a[k.RISE] - b[k.RISE]))
+        return self.arc.rises(max(travel, self.arc.travel))
 
     def past_exit(self, travel: float, length: float, front: float) -> float:
         """How much of a piece of the belt has left this drum [m]."""

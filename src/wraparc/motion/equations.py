@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.drum_state import DrumState
 from wraparc.motion.station_state import HaltError, StationState
+from wraparc.motion.wraps import Found
 
 _ITERATIONS = 16
 #: Last relative change of a tension and of a drum's speed with which a step is solved: what is left
@@ -57,6 +57,26 @@ class Trial:
     flow_out: list[tuple[float, float, float, float, float]] = field(default_factory=list)
 
 
+class End(NamedTuple):
+    """Where a drum is at the end of a step.
+
+    Attributes
+    ----------
+    travel, angle
+        S [m], turn [rad].
+    surface
+        Rise [m], compliance of belt and recovery [1/N] and share of friction at the nip.
+    entries, speeds
+        Entry tension [N] and speed of the loaded surface at the nip [m/s], before and there.
+    """
+
+    travel: float
+    angle: float
+    surface: tuple[float, float, float]
+    entries: tuple[float, float]
+    speeds: tuple[float, float]
+
+
 def solved(march: StationState, h: float) -> Trial:
     """Solve for the end of a step of h [s].
 
@@ -71,11 +91,11 @@ def solved(march: StationState, h: float) -> Trial:
     worst, place = 0.0, march.names[-1]
     for iteration in range(_ITERATIONS):
         trial.residual, trial.slopes = np.zeros(3 * n + 2), np.zeros((3 * n + 2, 3 * n + 2))
-        _arcs(march, trial, iteration == 0)
-        _runs(march, trial, softer)
-        _ends(march, trial)
-        _turn(march, trial)
         try:
+            _arcs(march, trial, iteration == 0)
+            _runs(march, trial, softer)
+            _ends(march, trial)
+            _turn(march, trial)
             change = np.linalg.solve(trial.slopes, -trial.residual)
         except np.linalg.LinAlgError:
             raise HaltError("breaks away", place) from None
@@ -87,10 +107,11 @@ def solved(march: StationState, h: float) -> Trial:
             step = [0.8 / fall * s for s in step]
         _take(trial, step, n)
         worst = 0.0
-        for i, d in enumerate(march.drums):
-            moved = d.arc.change(trial.m[i], trial.tensions[i + 1])
+        for moved, name in zip(
+            march.wraps.change(trial.m, trial.tensions[1:]), march.names, strict=True
+        ):
             if moved > worst:
-                worst, place = moved, march.names[i]
+                worst, place = moved, name
         faster = max(
             abs(s) / d.duty.speed
             for s, d in zip(step[2 * n + 1 : 3 * n + 1], march.drums, strict=True)
@@ -125,41 +146,54 @@ def _take(trial: Trial, step: list[float], n: int) -> None:
 
 def _arcs(march: StationState, trial: Trial, first: bool) -> None:
     """Sweep the arcs: entry tensions, and the flow of belt through every nip."""
-    trial.travels, trial.angles, trial.surfaces = [], [], []
+    ends = [_travelled(march, trial, i) for i in range(march.n)]
+    trial.travels = [end.travel for end in ends]
+    trial.angles = [end.angle for end in ends]
+    trial.surfaces = [end.surface for end in ends]
+    if first:
+        march.wraps.begin(trial.travels, trial.h)
+    for d, end in zip(march.drums, ends, strict=True):
+        if d.arc.moves and (d.riders or d.on_drum):
+            march.wraps.at_nip(d.arc, *end.surface)
+    travels = [max(end.travel, d.arc.travel + _STANDS) for d, end in zip(march.drums, ends, strict=True)]
+    found = march.wraps.sweep(travels, trial.m, trial.tensions[1:])
     trial.flow_in, trial.flow_out = [], []
+    for i, (end, out) in enumerate(zip(ends, found, strict=True)):
+        _flows(march, trial, i, end, out)
+
+
+def _travelled(march: StationState, trial: Trial, i: int) -> End:
+    """How far a drum has come."""
+    d, half, rise_of_run = march.drums[i], 0.5 * trial.h, march.run_rises[i]
+    arc, w1 = d.arc, trial.omega[i]
+    entry0, entry1 = march.T[i] + rise_of_run, trial.tensions[i] + rise_of_run
+    turn = half * (d.omega + w1)
+    surface = d.at_nip(arc.travel + turn * d.radius, d.angle + turn, march.stretch)
+    v_0 = d.omega * (d.radius - d.squeeze * entry0 + arc.rise)
+    v_1 = w1 * (d.radius - d.squeeze * entry1 + surface[0])
+    return End(arc.travel + half * (v_0 + v_1), d.angle + turn, surface, (entry0, entry1), (v_0, v_1))
+
+
+def _flows(march: StationState, trial: Trial, i: int, end: End, out: Found) -> None:
+    """Equation of an arc, and the unstretched belt through its nips over the step."""
     n, half, r, jac = march.n, 0.5 * trial.h, trial.residual, trial.slopes
-    for i, d in enumerate(march.drums):
-        arc, rise_of_run = d.arc, march.run_rises[i]
-        m1, w1, exit1 = trial.m[i], trial.omega[i], trial.tensions[i + 1]
-        entry0, entry1 = march.T[i] + rise_of_run, trial.tensions[i] + rise_of_run
-        turn = half * (d.omega + w1)
-        rise, give, dry = d.at_nip(arc.travel + turn * d.radius, d.angle + turn, march.stretch)
-        v_0 = d.omega * (d.radius - d.squeeze * entry0 + arc.rise)
-        v_1 = w1 * (d.radius - d.squeeze * entry1 + rise)
-        travel = arc.travel + half * (v_0 + v_1)
-        if first:
-            arc.begin(travel, trial.h)
-        if arc.span[2] and (d.riders or d.on_drum):
-            arc.at_nip(give, rise, dry)
-        trial.travels.append(travel)
-        trial.angles.append(d.angle + turn)
-        trial.surfaces.append((rise, give, dry))
-        out = arc.sweep(max(travel, arc.travel + _STANDS), m1, exit1)
-        # the arc: T_in = its affine map
-        r[i] = entry1 - out[k.IN]
-        jac[i, n + i], jac[i, n + i + 1], jac[i, i] = 1.0, -out[k.IN_X], -out[k.IN_M]
-        # belt through the entry nip: a = 1/EA' there, belt alone without the recovery
-        own0, own1 = arc.give - d.recovery, give - d.recovery
-        down = 1.0 / (1.0 + 0.5 * (own0 * entry0 + own1 * entry1))
-        up = half * (v_0 * (1.0 + arc.give * entry0) + v_1 * (1.0 + give * entry1))
-        q = (up - (m1 - arc.m)) * down
-        by_t = half * (v_1 * give - w1 * d.squeeze * (1.0 + give * entry1)) - 0.5 * q * own1
-        by_t *= down
-        by_w = half * (v_1 / w1 if w1 else d.radius) * (1.0 + give * entry1) * down
-        trial.flow_in.append((q, -down, by_t, by_w))
-        # belt through the exit nip: Q + dW - d Lambda
-        out_flow = q + out[k.WRAPPED] - arc.wrapped - (out[k.LIFTED] - arc.lifted) / d.radius
-        trial.flow_out.append((out_flow, out[k.WRAPPED_M] - down, by_t, out[k.WRAPPED_X], by_w))
+    d, w1, give, m1 = march.drums[i], trial.omega[i], end.surface[1], trial.m[i]
+    arc, (entry0, entry1), (v_0, v_1) = d.arc, end.entries, end.speeds
+    # the arc: T_in = its affine map
+    r[i] = entry1 - out.entry
+    jac[i, n + i], jac[i, n + i + 1], jac[i, i] = 1.0, -out.entry_x, -out.entry_m
+    # belt through the entry nip: a = 1/EA' there, belt alone without the recovery
+    own0, own1 = arc.give - d.recovery, give - d.recovery
+    down = 1.0 / (1.0 + 0.5 * (own0 * entry0 + own1 * entry1))
+    up = half * (v_0 * (1.0 + arc.give * entry0) + v_1 * (1.0 + give * entry1))
+    q = (up - (m1 - arc.m)) * down
+    by_t = half * (v_1 * give - w1 * d.squeeze * (1.0 + give * entry1)) - 0.5 * q * own1
+    by_t *= down
+    by_w = half * (v_1 / w1 if w1 else d.radius) * (1.0 + give * entry1) * down
+    trial.flow_in.append((q, -down, by_t, by_w))
+    # belt through the exit nip: Q + dW - d Lambda
+    out_flow = q + out.wrapped - arc.wrapped - (out.lifted - arc.lifted) / d.radius
+    trial.flow_out.append((out_flow, out.wrapped_m - down, by_t, out.wrapped_x, by_w))
 
 
 def _runs(march: StationState, trial: Trial, softer: list[float]) -> None:
@@ -189,26 +223,34 @@ def _ends(march: StationState, trial: Trial) -> None:
         jac[first, n] = jac[last, 2 * n] = jac[own, own] = 1.0
         return
     carry, back = station.carry_run * march.stretch, station.return_run * march.stretch
-    v0, v1 = march.v, trial.v
+    v0, v1, h = march.v, trial.v, trial.h
+    mass = station.conveyor_mass
+    f0, _ = march.resistance(v0, march.t)
+    f1, slope = march.resistance(v1, t1)
+    # distance that the conveyor moves: from speed and acceleration at both ends, to fourth order
+    part = h * h / (12.0 * mass)
+    moved = half * (v0 + v1) + part * (before[0] - before[n] - f0 - after[0] + after[n] + f1)
+    by_v = half + part * slope
     q, by_m, by_t, by_w = trial.flow_in[0]
-    r[first] = carry * (after[0] - before[0]) - q + half * (v0 + v1)
-    jac[first, n], jac[first, 0] = carry - by_t, -by_m
-    jac[first, 2 * n + 1], jac[first, own] = -by_w, half
+    r[first] = carry * (after[0] - before[0]) - q + moved
+    jac[first, n], jac[first, 0], jac[first, 2 * n] = carry - by_t - part, -by_m, part
+    jac[first, 2 * n + 1], jac[first, own] = -by_w, by_v
     if station.take_up == "gravity":
         r[last] = after[n] - march.slack
         jac[last, 2 * n] = 1.0
     else:
         p, p_m, p_t, p_x, p_w = trial.flow_out[-1]
-        r[last] = back * (after[n] - before[n]) - half * (v0 + v1) + p
-        jac[last, 2 * n], jac[last, 2 * n - 1] = back + p_x, p_t
-        jac[last, n - 1], jac[last, 3 * n], jac[last, own] = p_m, p_w, -half
+        r[last] = back * (after[n] - before[n]) - moved + p
+        jac[last, 2 * n], jac[last, 2 * n - 1] = back + p_x - part, p_t
+        jac[last, n] += part
+        jac[last, n - 1], jac[last, 3 * n], jac[last, own] = p_m, p_w, -by_v
         if station.take_up == "winch":
-            r[last] -= trial.h * march.winch(before[n])
-    f0, _ = march.resistance(v0, march.t)
-    f1, slope = march.resistance(v1, t1)
-    mass = station.conveyor_mass
-    r[own] = mass * (v1 - v0) - half * (before[0] - before[n] - f0 + after[0] - after[n] - f1)
-    jac[own, n], jac[own, 2 * n], jac[own, own] = -half, half, mass + half * slope
+            r[last] -= h * march.winch(before[n])
+    bend = h * h / (6.0 * (h + march.h_before)) if march.h_before else 0.0
+    curve = (after[0] - after[n] - before[0] + before[n]) - h * (march.rates[0] - march.rates[n])
+    force = half * (before[0] - before[n] - f0 + after[0] - after[n] - f1) - bend * curve
+    r[own] = mass * (v1 - v0) - force
+    jac[own, n], jac[own, 2 * n], jac[own, own] = -half + bend, half - bend, mass + half * slope
 
 
 def _turn(march: StationState, trial: Trial) -> None:
@@ -218,7 +260,8 @@ def _turn(march: StationState, trial: Trial) -> None:
     for i in march.order:
         d, row = march.drums[i], 2 * n + 1 + i
         w1, entry = trial.omega[i], trial.tensions[i] + march.run_rises[i]
-        moment, by_in, by_out = d.moment_of(entry, trial.tensions[i + 1], *d.rises())
+        rises = d.rises(trial.travels[i])
+        moment, by_in, by_out = d.moment_of(entry, trial.tensions[i + 1], *rises)
         if d.on_drum:
             d.extra = d.ripple(trial.angles[i])
         jac[row, row] = 1.0

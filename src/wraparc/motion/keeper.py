@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from wraparc.batch.native import available
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.march import March
 from wraparc.motion.result import (
     EXTREMES,
@@ -108,7 +106,7 @@ class Keeper:
         """Keep the largest of every step, whatever rows are kept."""
         m, size = self.march, len(EXTREMES)
         for i, d in enumerate(m.drums):
-            slip, stress, most_slip, most_stress, speed = d.arc.out[k.EXIT_SLIP :].tolist()
+            slip, stress, most_slip, most_stress, speed = d.arc.felt
             creep = abs(slip + d.arc.shape.shear * stress)
             entry, exit_ = m.T[i] + m.run_rises[i], m.T[i + 1]
             # in the order of EXTREMES; of least tensions the largest negative
@@ -125,7 +123,7 @@ class Keeper:
         m = self.march
         row = [m.t, m.v if m.station.conveyor_mass is not None else m.speed]
         for i, d in enumerate(m.drums):
-            slip, stress, _, shear, _ = d.arc.out[k.EXIT_SLIP :].tolist()
+            slip, stress, _, shear, _ = d.arc.felt
             creep = slip + d.arc.shape.shear * stress
             entry = m.T[i] + m.run_rises[i]
             row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
@@ -141,7 +139,7 @@ class Keeper:
         for d in m.drums:
             place = d.arc.place() / d.arc.shape.length
             creep.append(np.interp(self.across, place, d.arc.creep()))
-            shear.append(np.interp(self.across, place, d.arc.along(k.STRESS)))
+            shear.append(np.interp(self.across, place, d.arc.stress()))
         self.pictures.append((m.t, creep, shear))
         self.next_picture = m.t + self.between_pictures
         if len(self.pictures) > 2 * _PICTURES:
@@ -196,7 +194,6 @@ class Keeper:
             steps=steps,
             belt_error=self._belt_error(),
             build_distance=self._build_distance(table, columns),
-            compiled=available(),
         )
 
     def _belt_error(self) -> float:

@@ -45,15 +45,17 @@ class March(StationState):
 
     def _run(self) -> None:
         """Begin in the steady state."""
-        for d, member in zip(self.drums, self.steady.members, strict=True):
-            pair = (member.arc.entry_tension, member.arc.exit_tension)
-            try:
-                d.arc.settle(*pair, wraps=5.0)
-            except ArithmeticError:
-                message = "its steady state could not be reached by marching"
-                remedy = "Give more points, or begin at rest."
-                problem = Problem(key=f"pulley.{member.name}", message=message, remedy=remedy)
-                raise InputError(problem) from None
+        members = self.steady.members
+        entries = [m.arc.entry_tension for m in members]
+        exits = [m.arc.exit_tension for m in members]
+        try:
+            self.wraps.settle(entries, exits, wraps=5.0)
+        except ArithmeticError as error:
+            message = "its steady state could not be reached by marching"
+            remedy = "Give more points, or begin at rest."
+            key = f"pulley.{self.names[error.args[0]]}"
+            raise InputError(Problem(key=key, message=message, remedy=remedy)) from None
+        for d, pair in zip(self.drums, zip(entries, exits, strict=True), strict=True):
             d.omega, d.level = d.duty.speed, 1.0
             d.moment = d.torque = d.moment_of(*pair, 0.0, 0.0)[0]
             d.turning.run(1.0, d.omega, d.torque)
@@ -95,8 +97,8 @@ class March(StationState):
         except HaltError:
             if not halvings:
                 raise
+            self.wraps.undo()
             for d, trim, lock in zip(self.drums, trims, locks, strict=True):
-                d.arc.undo()
                 d.locked = lock
                 if d.trimming is not None and trim is not None:
                     d.trimming.back(trim)
@@ -122,8 +124,7 @@ class March(StationState):
                 break
             for d in stopped:
                 d.locked = True
-            for d in self.drums:
-                d.arc.undo()
+            self.wraps.undo()
         return trial
 
     def _command(self, h: float) -> None:
@@ -156,7 +157,7 @@ class March(StationState):
         for i in self.order:
             d, w1 = self.drums[i], trial.omega[i]
             entry = after[i] + self.run_rises[i]
-            moment = d.moment_of(entry, after[i + 1], *d.rises())[0]
+            moment = d.moment_of(entry, after[i + 1], *d.rises(trial.travels[i]))[0]
             lead = torques[d.master] if d.master >= 0 else 0.0
             if d.locked:
                 d.torque, own = moment, 0.0
@@ -169,15 +170,17 @@ class March(StationState):
             torques[i], d.moment = own, moment
             arc = d.arc
             d.slope_0, d.slope = d.slope, (trial.m[i] - arc.m) / h
-            if arc.span[2]:
+            if arc.moves:
+                self.wraps.at_nip(arc, *trial.surfaces[i])
                 arc.rise, arc.give, arc.dry = trial.surfaces[i]
             d.turned_back = min(d.turned_back + trial.travels[i] - arc.travel, 0.0)
-            arc.finish(trial.m[i], after[i + 1])
             d.rate_0, d.rate = d.rate, (w1 - d.omega) / h
             d.omega, d.angle = w1, trial.angles[i]
-            if d.turned_back < -_BACK * arc.shape.length:
-                raise HaltError("turns back", self.names[i])
-        self.rates_0 = self.rates
+        self.wraps.finish(trial.m, after[1:])
+        for d, name in zip(self.drums, self.names, strict=True):
+            if d.turned_back < -_BACK * d.arc.shape.length:
+                raise HaltError("turns back", name)
+        self.rates_0, self.h_before = self.rates, h
         self.rates = [(a - b) / h for a, b in zip(after, self.T, strict=True)]
         self.v_rate_0, self.v_rate = self.v_rate, (trial.v - self.v) / h
         self.T, self.v, self.t = list(after), trial.v, self.t + h

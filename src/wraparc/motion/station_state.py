@@ -9,6 +9,7 @@ from wraparc.errors import InputError, Problem
 from wraparc.motion.drum_state import SOFT, drum_of
 from wraparc.motion.event import Event, LoadStep, OnBelt, PowerFailure
 from wraparc.motion.station import Station
+from wraparc.motion.wraps import Wraps
 from wraparc.train import CaseResult
 from wraparc.train.solve import solve_case
 
@@ -35,8 +36,8 @@ class StationState:
         Tensions before, between and behind the drums [N]; speed of the conveyor [m/s].
     rates, v_rate
         dT/dt [N/s] and dv/dt [m/s2] of the last step; with _0 of the one before.
-    drums
-        In belt order.
+    drums, wraps
+        In belt order; their arcs as one table.
     pull, slack
         Effective tension of all drums, and tension of the take-up [N].
     stretch
@@ -58,6 +59,7 @@ class StationState:
         ]
         self.n = len(train.pulleys)
         self.drums = [drum_of(station, event, self.steady, i, points) for i in range(self.n)]
+        self.wraps = Wraps([d.arc for d in self.drums])
         # masters before those that follow them
         self.order = sorted(range(self.n), key=lambda i: self.drums[i].master >= 0)
         self.names = station.names
@@ -76,6 +78,7 @@ class StationState:
         # dT/dt and dv/dt, and in the step before
         self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
         self.v_rate = self.v_rate_0 = 0.0
+        self.h_before = 0.0
 
     def load(self, t: float) -> float:
         """Resistance over that of the load case [-]."""
