@@ -6,7 +6,7 @@ Its pieces of lagging are carried along by :mod:`wraparc.motion.wraps`.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import sqrt
+from math import inf, sqrt
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -97,6 +97,8 @@ class MovingArc:
         radius [m], share of the friction [-].
     nip, moves
         Place of the piece at the entry nip in the table; whether it came there in this step.
+    joint
+        S where it began to move after it stood [m].
     past_travel, past_kept
         S at the ends of the steps before and what pieces laid there keep [m], the last first.
     felt
@@ -118,6 +120,7 @@ class MovingArc:
     dry: float = 1.0
     nip: int = 0
     moves: bool = False
+    joint: float = -inf
     past_travel: list[float] = field(default_factory=list)
     past_kept: list[float] = field(default_factory=list)
     felt: tuple[float, ...] = tuple(Felt())

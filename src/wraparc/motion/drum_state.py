@@ -83,13 +83,13 @@ class DrumState:
         self.held = self.turning.holds and on and not given
         self.turning.begin(h, level)
 
-    def guessed(self, h: float) -> float:
+    def guessed(self, h: float, onward: float) -> float:
         """Speed at the end of a step of h [s], as far as it is known before [rad/s]."""
         if self.locked:
             return 0.0
         if self.held:
             return self.duty.speed * self.level
-        return self.omega + h * (2.0 * self.rate - self.rate_0)
+        return self.omega + h * (self.rate + onward * (self.rate - self.rate_0))
 
     def driven(self, omega: float, lead: float) -> tuple[float, float, float]:
         """Torque of motor and brake at the end of the step, its slopes by speed and master's."""

@@ -125,15 +125,16 @@ def solved(march: StationState, h: float) -> Trial:
 
 def guessed(march: StationState, h: float) -> Trial:
     """Guess the end of a step: every unknown goes on as it went in the last two steps."""
+    w = march.onward(h)
     return Trial(
         h=h,
-        m=[d.arc.m + h * (2.0 * d.slope - d.slope_0) for d in march.drums],
+        m=[d.arc.m + h * (d.slope + w * (d.slope - d.slope_0)) for d in march.drums],
         tensions=[
-            max(t + h * (2.0 * r - r_0), 0.5 * t)
+            max(t + h * (r + w * (r - r_0)), 0.5 * t)
             for t, r, r_0 in zip(march.T, march.rates, march.rates_0, strict=True)
         ],
-        omega=[d.guessed(h) for d in march.drums],
-        v=march.v + h * (2.0 * march.v_rate - march.v_rate_0),
+        omega=[d.guessed(h, w) for d in march.drums],
+        v=march.v + h * (march.v_rate + w * (march.v_rate - march.v_rate_0)),
     )
 
 
@@ -151,7 +152,7 @@ def _arcs(march: StationState, trial: Trial, first: bool) -> None:
     trial.angles = [end.angle for end in ends]
     trial.surfaces = [end.surface for end in ends]
     if first:
-        march.wraps.begin(trial.travels, trial.h)
+        march.wraps.begin(trial.travels, trial.h, march.onward(trial.h))
     for d, end in zip(march.drums, ends, strict=True):
         if d.arc.moves and (d.riders or d.on_drum):
             march.wraps.at_nip(d.arc, *end.surface)

@@ -72,6 +72,8 @@ class Keeper:
         self.travel0 = [d.arc.travel for d in self.march.drums]
         for d in self.march.drums:
             d.arc.work = 0.0
+        self.march.watch = self._watch
+        self._watch()
         self.take(False)
         self.count = 0
 
@@ -86,11 +88,6 @@ class Keeper:
         """Take what the march has come to."""
         m = self.march
         self.count += 1
-        self._watch()
-        for i, d in enumerate(m.drums):
-            power = d.moment * d.omega
-            self.work[i] += 0.5 * m.h * (self.power[i] + power) if self.rows else 0.0
-            self.power[i] = power
         if m.t >= self.next - 1e-9 or last:
             self.rows.append(self._row())
             self.next = m.t + self.between
@@ -117,6 +114,9 @@ class Keeper:
                     self.most[j], self.when[j] = value, m.t
             if creep > self.limits[i]:
                 self.over[i] += m.t - self.before
+            power = d.moment * d.omega
+            self.work[i] += 0.5 * (m.t - self.before) * (self.power[i] + power)
+            self.power[i] = power
         self.before = m.t
 
     def _row(self) -> list[float]:

@@ -10,13 +10,21 @@ import math
 from wraparc.errors import InputError, Problem
 from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
-from wraparc.motion.equations import Trial, solved
+from wraparc.motion.equations import Trial, guessed, solved
 from wraparc.motion.event import Event, OnBelt
 from wraparc.motion.station import Station
 from wraparc.motion.station_state import HaltError, StationState
 
 #: Part of the wrap by which a drum may turn back.
 _BACK = 0.05
+#: A step that fails is halved so often.
+_HALVINGS = 6
+#: Pieces of lagging in a step, at most, while the joint of old and fresh contact is nearer than
+#: this part of a wrap to the exit nip.
+_PIECES, _AROUND = 0.25, 0.03
+#: Part of the slack-side tension, and of speed, by which a step may end off its guess; it is not
+#: divided for that below so many of the finest.
+_STRAYS, _FINE = 1e-3, 1.5
 
 
 class March(StationState):
@@ -81,8 +89,8 @@ class March(StationState):
 
     # --- one step ---
 
-    def step(self, h: float | None = None, halvings: int = 6) -> None:
-        """Take one step, in halves where it is hard.
+    def step(self, h: float | None = None) -> None:
+        """Take one step, in parts where it is hard or, if none was asked for, much happens.
 
         Raises
         ------
@@ -90,22 +98,52 @@ class March(StationState):
             If the run cannot go on: a slack belt, a drive that breaks away, a drum that turns back.
         """
         h = h or self.h
+        parts = self._parts(h) if self.divides else 1
+        for _ in range(parts):
+            self._part(h / parts, _HALVINGS)
+
+    def _parts(self, h: float) -> int:
+        """In how many parts to take a step: creep jumps where the joint of old and fresh contact
+        leaves a wrap."""
+        pieces = []
+        for d in self.drums:
+            ahead = max(d.omega, d.guessed(h, self.onward(h))) * d.radius * h
+            left = d.arc.joint + d.arc.shape.length - d.arc.travel
+            if -_AROUND * d.arc.shape.length < left < ahead + _AROUND * d.arc.shape.length:
+                pieces.append(ahead / d.arc.spacing)
+        return max(math.ceil(max(pieces, default=0.0) / _PIECES), 1)
+
+    def _part(self, h: float, halvings: int) -> None:
         trims = [d.trimming.state() if d.trimming else None for d in self.drums]
         locks = [d.locked for d in self.drums]
         try:
             trial = self._tried(h)
+            good = not self.divides or h <= _FINE * self.finest or self._as_guessed(trial)
         except HaltError:
             if not halvings:
                 raise
+            good = False
+        if not good:
             self.wraps.undo()
             for d, trim, lock in zip(self.drums, trims, locks, strict=True):
                 d.locked = lock
                 if d.trimming is not None and trim is not None:
                     d.trimming.back(trim)
-            self.step(0.5 * h, halvings - 1)
-            self.step(0.5 * h, halvings - 1)
+            self._part(0.5 * h, halvings - 1)
+            self._part(0.5 * h, halvings - 1)
             return
         self._accept(trial)
+        self.watch()
+
+    def _as_guessed(self, trial: Trial) -> bool:
+        """Whether tensions and speeds went on nearly as they went in the two steps before."""
+        guess = guessed(self, trial.h)
+        off = [abs(a - b) / self.slack for a, b in zip(trial.tensions, guess.tensions, strict=True)]
+        off += [
+            abs(a - b) / d.duty.speed
+            for a, b, d in zip(trial.omega, guess.omega, self.drums, strict=True)
+        ]
+        return max(off) < _STRAYS
 
     def _tried(self, h: float) -> Trial:
         """Solve for the end of a step; drums that would turn back against a stop stand."""
@@ -180,7 +218,7 @@ class March(StationState):
         for d, name in zip(self.drums, self.names, strict=True):
             if d.turned_back < -_BACK * d.arc.shape.length:
                 raise HaltError("turns back", name)
-        self.rates_0, self.h_before = self.rates, h
+        self.rates_0, self.h_0, self.h_before = self.rates, self.h_before, h
         self.rates = [(a - b) / h for a, b in zip(after, self.T, strict=True)]
         self.v_rate_0, self.v_rate = self.v_rate, (trial.v - self.v) / h
         self.T, self.v, self.t = list(after), trial.v, self.t + h

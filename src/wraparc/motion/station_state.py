@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from wraparc.arc import Distributed
 from wraparc.errors import InputError, Problem
+from wraparc.motion.control import Follower
 from wraparc.motion.drum_state import SOFT, drum_of
-from wraparc.motion.event import Event, LoadStep, OnBelt, PowerFailure
+from wraparc.motion.event import Event, LoadStep, Measured, OnBelt, OnDrum, PowerFailure
 from wraparc.motion.station import Station
 from wraparc.motion.wraps import Wraps
 from wraparc.train import CaseResult
 from wraparc.train.solve import solve_case
 
+#: Part of the shortest wrap that the lagging moves in a step where nothing asks for less.
+_STEP = 0.07
 #: Part of the set tension by which it may be missed before the winch goes at its full speed.
 _WINCH = 0.05
 
@@ -66,7 +70,10 @@ class StationState:
         lead = self.drums[0]
         self.speed = lead.duty.speed * lead.duty.radius
         finest = min(d.arc.spacing for d in self.drums)
-        self.h = step or 1.2 * finest / self.speed
+        self.finest = 1.2 * finest / self.speed
+        self.divides = step is None and not self._delayed()
+        self.h = step or (_longest(self) if self.divides else self.finest)
+        self.watch: Callable[[], None] = lambda: None  # called after every part of a step
         self.t = 0.0
         self.pull = case.entry_tension - case.exit_tension
         self.slack = case.exit_tension
@@ -78,7 +85,19 @@ class StationState:
         # dT/dt and dv/dt, and in the step before
         self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
         self.v_rate = self.v_rate_0 = 0.0
-        self.h_before = 0.0
+        self.h_before = self.h_0 = 0.0  # length of the last step and of the one before [s]
+
+    def _delayed(self) -> bool:
+        """Whether something needs short steps of one length: what turns, rides or comes late."""
+        delayed = (OnDrum, OnBelt, Measured)
+        return any(isinstance(h, delayed) for h in self.event.happenings) or any(
+            d.trim is not None or isinstance(d.control, Follower) for d in self.station.drums
+        )
+
+    def onward(self, h: float) -> float:
+        """Weight of the change of a rate in the guess of what it will be over the next step [-]."""
+        known = self.h_before + self.h_0
+        return (h + self.h_before) / known if known else 1.0
 
     def load(self, t: float) -> float:
         """Resistance over that of the load case [-]."""
@@ -133,6 +152,11 @@ class StationState:
             total -= self.T[0] * self.station.carry_run * self.stretch
             total -= self.T[self.n] * self.station.return_run * self.stretch
         return total
+
+
+def _longest(state: StationState) -> float:
+    shortest = min(d.arc.shape.length for d in state.drums)
+    return max(_STEP * shortest / state.speed, state.finest)
 
 
 def steady_of(station: Station) -> CaseResult:

@@ -35,6 +35,9 @@ STANDS = 1e-10
 _ITERATIONS, _SETTLED = 40, 1e-10
 #: A piece is laid for good once the surface has moved on by so much of a spacing.
 _LAID = 0.999
+#: Part of the curvature that a trapezium of stress over slip misses, and of a logarithm from 0.
+_ALONG, _FROM_NIP = 1.0 / 6.0, 1.0 / 4.0
+_SMALL = 1e-6  # of 1 - c K: with less nothing slips
 #: Ends of steps before this one that n of the pieces between is interpolated with.
 _KNOWN = 2
 
@@ -152,8 +155,18 @@ class Wraps:
 
     # --- one step, in three parts: begin, sweep and change as often as needed, finish ---
 
-    def begin(self, travels: Sequence[float], h: float = 1.0) -> None:
-        """Begin a step of h [s] that will end at about these travels [m]."""
+    def begin(self, travels: Sequence[float], h: float = 1.0, onward: float = 1.0) -> None:
+        """Begin a step that will end at about these travels [m].
+
+        Parameters
+        ----------
+        travels
+            S at its end, about [m].
+        h
+            How long it takes [s].
+        onward
+            Weight of the last change of a rate in the guess of what it will be [-].
+        """
         nips = [(a.nip, a.moves) for a in self.arcs]
         self.before = self.table, self.turns, self.count, nips
         self.h, self.open, self.lays = h, False, False
@@ -164,7 +177,7 @@ class Wraps:
             if laid:
                 self._lay(arc, end, fresh, laid)
         self.laid = [laid for *_, laid in plans]
-        self._guess(ends)
+        self._guess(ends, onward)
 
     def _plan(self, arc: MovingArc, ahead: float) -> tuple[int, int, int]:
         """Whether the piece at the nip stays, whether a fresh one is put there, how many are laid."""
@@ -174,6 +187,7 @@ class Wraps:
         if not arc.moves:  # the piece at the nip stood there and remembers: it stays
             kept = float(self.table[KEPT, arc.own, arc.nip])
             jumped = abs(arc.m - kept - arc.shape.overrun(arc.entry))
+            arc.joint = arc.travel
             return 1, int(jumped > 1e-9), laid  # old and fresh contact may meet there
         gone = arc.travel - float(self.table[TRAVEL, arc.own, arc.nip - 1])
         return int(laid > 1 or gone >= _LAID * arc.spacing), 0, laid
@@ -227,11 +241,12 @@ class Wraps:
         self.kept[arc.own, first:nip] = sum(w * n for w, (_, n) in zip(weights[1:], known, strict=True))
         rows[BY_M, first:nip] = 1.0 - weights[0]
 
-    def _guess(self, ends: Sequence[float]) -> None:
+    def _guess(self, ends: Sequence[float], onward: float) -> None:
         """Guess the end of a step: what travel carries on, and what else changed, extrapolated."""
         table, h = self.table, self.h
         ahead = np.array([[e - a.travel] for a, e in zip(self.arcs, ends, strict=True)])
         t, i = table[TENSION], table[SHORT]
+        self.tension_0 = t.copy()
         i += table[GIVE] * t * ahead
         t -= self.width * table[STRESS] * ahead
         for arc, laid, end in zip(self.arcs, self.laid, ends, strict=True):
@@ -239,9 +254,9 @@ class Wraps:
                 own = arc.own, slice(arc.nip - laid + 1, None)
                 i[own] = table[GIVE][own] * t[own] * (end - table[TRAVEL][own])
         table[T_CARRIED], table[I_CARRIED] = t, i
-        t += h * (2.0 * table[T_RATE] - table[T_RATE_0])
+        t += h * (table[T_RATE] + onward * (table[T_RATE] - table[T_RATE_0]))
         np.maximum(t, np.array([[0.1 * a.exit] for a in self.arcs]), out=t)
-        i += h * (2.0 * table[I_RATE] - table[I_RATE_0])
+        i += h * (table[I_RATE] + onward * (table[I_RATE] - table[I_RATE_0]))
 
     def sweep(
         self, travels: Sequence[float], m: Sequence[float], exits: Sequence[float]
@@ -411,7 +426,8 @@ class Wraps:
         """Take the trial of the pieces for good, and what friction came to."""
         table, h = self.table, self.h
         slid, began = table[NEW_SLIP] - table[SLIP], table[STRESS].copy()
-        fastest = np.abs(slid)
+        fastest, bend = slid.copy(), np.full(slid.shape, _ALONG)
+        pulled = table[TENSION] - self.tension_0
         table[T_RATE_0 :] = table[T_RATE : T_RATE_0]
         table[T_RATE] = (table[TENSION] - table[T_CARRIED]) / h
         table[I_RATE] = (table[SHORT] - table[I_CARRIED]) / h
@@ -419,9 +435,15 @@ class Wraps:
             if laid:  # what was laid in this step slips on from the overrun
                 new = arc.own, slice(arc.nip - laid + 1, None)
                 slid[new] = table[NEW_SLIP][new] - table[NEW_SLIP, arc.own, -1]
+                pulled[new] = table[TENSION][new] - table[TENSION, arc.own, -1]
                 began[new], fastest[new] = table[NEW_STRESS, arc.own, -1], 0.0
+                bend[new] = _FROM_NIP
                 table[T_RATE][new], table[I_RATE][new] = table[T_RATE, arc.own, -1], 0.0
-        done = 0.5 * (began + table[NEW_STRESS]) * slid
+        # stress against slip is curved: by how much tells its tangent at the end
+        stiff, gain = table[BY_CREEP], table[NEW_STRESS] - began
+        ease = np.maximum(1.0 - self.shear * stiff, _SMALL)
+        curved = gain - (table[BY_TENSION] * pulled + stiff * slid) / ease
+        done = (0.5 * (began + table[NEW_STRESS]) + bend * curved) * slid
         table[SLIP : SIDE + 1] = table[NEW_SLIP : NEW_SIDE + 1]
         np.maximum(table[REACH], np.abs(table[SLIP]), out=table[REACH])
         self.count = self.new_count
@@ -431,12 +453,18 @@ class Wraps:
         dz = z[:, 1:] - z[:, :-1]
         begins = np.array([a.travel for a in self.arcs])
         ends = np.array(self.to)
-        # what leaves on the way works half of it
+        # what leaves on the way works half of it, and where less is done
         f = (length - 0.5 * (begins + ends) + z[:, 1]) / dz[:, 0]
         work = f * dz[:, 0] * (done[:, 1] + 0.5 * f * (done[:, 0] - done[:, 1]))
         work += 0.5 * (dz[:, 1:] * (done[:, 1:-1] + done[:, 2:])).sum(axis=1)
+        work -= (ends - begins) ** 2 / 24.0 * (done[:, 0] - done[:, 1]) / dz[:, 0]
         f = (length - ends + z[:, 1]) / dz[:, 0]
-        felt = [fastest.max(axis=1) / h]
+        # over the step a piece was as fast as pieces are half of it further back
+        back = [max(laid // 2, 1) for laid in self.laid]
+        own = np.arange(len(self.arcs))
+        along = (fastest[:, 0] - fastest[own, back]) / (z[own, back] - z[:, 0])
+        at_exit = fastest[:, 1] + f * (fastest[:, 0] - fastest[:, 1]) + 0.5 * (ends - begins) * along
+        felt = [np.maximum(np.abs(fastest[:, 1:]).max(axis=1), np.abs(at_exit)) / h]
         for value in (table[STRESS], table[SLIP]):
             at_exit = value[:, 1] + f * (value[:, 0] - value[:, 1])
             most = np.take_along_axis(value, _largest(value[:, 1:])[:, None] + 1, 1)[:, 0]
