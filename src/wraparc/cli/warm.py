@@ -27,7 +27,7 @@ class Part(NamedTuple):
 
 @click.command()
 def warm() -> int:
-    """Compile what batches, studies, the server and runs in time need, once for this machine.
+    """Compile what batches, studies and the server need, once for this machine.
 
     Without it the first of each compiles its part, and whoever asked waits for it. Run it after an
     installation or an update; what is compiled already is only loaded.
@@ -135,25 +135,6 @@ def _across() -> None:
     prepare()
 
 
-def _in_time() -> None:
-    from wraparc.arc import WrapArc
-    from wraparc.files import load_lagging
-    from wraparc.motion.arc import MovingArc
-
-    lag = load_lagging("diamond-rubber")
-    arc = MovingArc(
-        WrapArc(
-            law=lag.law, entry_tension=1e5, exit_tension=1e5, diameter=0.8, wrap_angle=math.pi,
-            width=1.2, axial_stiffness=18e6, thickness=lag.thickness,
-            shear_modulus=lag.shear_modulus, compression_modulus=lag.compression_modulus,
-        )
-    )  # fmt: skip
-    arc.begin(1e-3)
-    arc.sweep(1e-3, arc.m, 1e5)
-    arc.change(arc.m, 1e5)
-    arc.finish(arc.m, 1e5)
-
-
 PARTS = (
     Part("server: one drive at a time", _one_by_one),
     Part("batches and studies: operating points", lambda: _engineering(capacities=False)),
@@ -163,5 +144,4 @@ PARTS = (
     Part("precise batches: capacities", lambda: _precise(capacities=True)),
     Part("drives on one belt", _trains),
     Part("uneven across the width", _across),
-    Part("drives in time", _in_time),
 )

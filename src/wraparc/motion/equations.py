@@ -21,6 +21,8 @@ _ITERATIONS = 16
 #: Last relative change of a tension and of a drum's speed with which a step is solved: what is left
 #: is of the order of the square. (Pieces that pass the nips alone change a tension by 6e-5 a step.)
 _SETTLED, _SPEED_SETTLED = 1.5e-4, 1e-6
+#: Part of a step by which what happens at its ends is looked at on its own side of them.
+BESIDE = 1e-6
 _STANDS = 1e-13  # least travel of an arc that moves [m]
 
 
@@ -219,15 +221,15 @@ def _ends(march: StationState, trial: Trial) -> None:
     r, jac, before, after = trial.residual, trial.slopes, march.T, trial.tensions
     first, last, own = 2 * n - 1, 2 * n, 3 * n + 1
     if station.conveyor_mass is None:
-        r[first] = after[0] - (march.slack + march.pull * march.load(t1))
+        r[first] = after[0] - (march.slack + march.pull * march.load(t1 - BESIDE * trial.h))
         r[last] = after[n] - march.slack
         jac[first, n] = jac[last, 2 * n] = jac[own, own] = 1.0
         return
     carry, back = station.carry_run * march.stretch, station.return_run * march.stretch
     v0, v1, h = march.v, trial.v, trial.h
     mass = station.conveyor_mass
-    f0, _ = march.resistance(v0, march.t)
-    f1, slope = march.resistance(v1, t1)
+    f0, _ = march.resistance(v0, march.t + BESIDE * h)
+    f1, slope = march.resistance(v1, t1 - BESIDE * h)
     # distance that the conveyor moves: from speed and acceleration at both ends, to fourth order
     part = h * h / (12.0 * mass)
     moved = half * (v0 + v1) + part * (before[0] - before[n] - f0 - after[0] + after[n] + f1)

@@ -284,6 +284,12 @@ class Event:
         moves = (h for h in self.happenings if isinstance(h, Start))
         return tuple(sorted(moves, key=lambda h: h.at))
 
+    @cached_property
+    def instants(self) -> tuple[float, ...]:
+        """When something begins or comes to its end [s]; what rides or turns is left out."""
+        times = [t for h in (*self.moves, *self.of(LoadStep)) for t in (h.at, h.at + h.time)]
+        return tuple(sorted({*times, *(h.at for h in self.of(PowerFailure))}))
+
     @property
     def from_rest(self) -> bool:
         """Whether the station stands when it begins."""

@@ -65,7 +65,7 @@ class Keeper:
         n, train = self.march.n, self.march.station.train
         self.limits = [train.creep_limit_of(pulley) for pulley in train.pulleys]
         self.most, self.when = [-math.inf] * (n * len(EXTREMES)), [0.0] * (n * len(EXTREMES))
-        self.over, self.before = [0.0] * n, self.march.t
+        self.over, self.before, self.creeps = [0.0] * n, self.march.t, [0.0] * n
         self.work = [0.0] * n
         self.power = [0.0] * n
         self.across = np.linspace(0.0, 1.0, _ACROSS)
@@ -112,8 +112,8 @@ class Keeper:
             for j, value in enumerate(found, start=size * i):
                 if value > self.most[j]:
                     self.most[j], self.when[j] = value, m.t
-            if creep > self.limits[i]:
-                self.over[i] += m.t - self.before
+            self.over[i] += (m.t - self.before) * _part_over(self.creeps[i], creep, self.limits[i])
+            self.creeps[i] = creep
             power = d.moment * d.omega
             self.work[i] += 0.5 * (m.t - self.before) * (self.power[i] + power)
             self.power[i] = power
@@ -215,6 +215,14 @@ class Keeper:
             off = np.nonzero(np.abs(creep - creep[-1]) > 0.05 * abs(creep[-1]))[0]
             worst = max(worst, float(travel[min(off[-1] + 1, len(travel) - 1)]) if len(off) else 0)
         return worst
+
+
+def _part_over(before: float, after: float, limit: float) -> float:
+    """Part of a step in which something is over a limit, that goes straight from end to end."""
+    low, high = min(before, after), max(before, after)
+    if high <= limit:
+        return 0.0
+    return 1.0 if low >= limit else (high - limit) / (high - low)
 
 
 def _frozen(values: Array) -> Array:

@@ -10,7 +10,7 @@ import math
 from wraparc.errors import InputError, Problem
 from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
-from wraparc.motion.equations import Trial, guessed, solved
+from wraparc.motion.equations import BESIDE, Trial, guessed, solved
 from wraparc.motion.event import Event, OnBelt
 from wraparc.motion.station import Station
 from wraparc.motion.station_state import HaltError, StationState
@@ -22,9 +22,9 @@ _HALVINGS = 6
 #: Pieces of lagging in a step, at most, while the joint of old and fresh contact is nearer than
 #: this part of a wrap to the exit nip.
 _PIECES, _AROUND = 0.25, 0.03
-#: Part of the slack-side tension, and of speed, by which a step may end off its guess; it is not
-#: divided for that below so many of the finest.
-_STRAYS, _FINE = 1e-3, 1.5
+#: Part of the slack-side tension, and of speed, by which a step longer than the finest may end off
+#: its guess.
+_STRAYS = 1e-4
 
 
 class March(StationState):
@@ -35,15 +35,22 @@ class March(StationState):
     station, event
         What moves, and what happens.
     step
-        [s]; None for one piece of lagging a step at running speed.
+        [s]; None for a length of its own, in parts where much happens.
     points
         Pieces on the shortest wrap.
+    every
+        Time between the rows that are asked for, if not every step [s]: no step is longer.
     """
 
     def __init__(
-        self, station: Station, event: Event, step: float | None = None, points: int = 100
+        self,
+        station: Station,
+        event: Event,
+        step: float | None = None,
+        points: int = 100,
+        every: float | None = None,
     ) -> None:
-        super().__init__(station, event, step, points)
+        super().__init__(station, event, step, points, every)
         if event.from_rest:
             rest(self)
         else:
@@ -98,9 +105,16 @@ class March(StationState):
             If the run cannot go on: a slack belt, a drive that breaks away, a drum that turns back.
         """
         h = h or self.h
-        parts = self._parts(h) if self.divides else 1
-        for _ in range(parts):
-            self._part(h / parts, _HALVINGS)
+        if not self.divides:
+            self._part(h, _HALVINGS)
+            return
+        near = BESIDE * h
+        cuts = [t for t in self.event.instants if self.t + near < t < self.t + h - near]
+        for end in (*cuts, self.t + h):
+            ahead = end - self.t
+            parts = max(self._parts(ahead), math.ceil(0.5 * ahead / self.went - near))
+            for _ in range(parts):
+                self._part(ahead / parts, _HALVINGS)
 
     def _parts(self, h: float) -> int:
         """In how many parts to take a step: creep jumps where the joint of old and fresh contact
@@ -118,7 +132,7 @@ class March(StationState):
         locks = [d.locked for d in self.drums]
         try:
             trial = self._tried(h)
-            good = not self.divides or h <= _FINE * self.finest or self._as_guessed(trial)
+            good = not self.divides or h <= self.finest or self._as_guessed(trial)
         except HaltError:
             if not halvings:
                 raise
@@ -133,6 +147,7 @@ class March(StationState):
             self._part(0.5 * h, halvings - 1)
             return
         self._accept(trial)
+        self.went = h
         self.watch()
 
     def _as_guessed(self, trial: Trial) -> bool:
@@ -168,16 +183,17 @@ class March(StationState):
     def _command(self, h: float) -> None:
         """Tell the drives what is asked of them at the end of the step."""
         t1 = self.t + h
-        level = self.event.level(t1)
-        failed = any(t1 >= f.at for f in self.failures)
-        braking = any(f.brakes and t1 >= f.at for f in self.failures)
+        before = t1 - BESIDE * h
+        level = self.event.level(before)
+        failed = any(before >= f.at for f in self.failures)
+        braking = any(f.brakes and before >= f.at for f in self.failures)
         for d in self.drums:
             own = level
             if d.trimming is not None:
                 total = math.fsum(o.moment for o in self.drums)
                 share = d.moment / total if abs(total) > 1e-9 else d.trimming.goal
                 own = level * (1.0 + d.trimming.next(h, share))
-            d.turning.fill = self.event.fill(t1)
+            d.turning.fill = self.event.fill(before)
             d.command(h, t1, own, not failed, braking)
 
     def _released(self, d: DrumState) -> bool:

@@ -49,7 +49,12 @@ class StationState:
     """
 
     def __init__(
-        self, station: Station, event: Event, step: float | None = None, points: int = 100
+        self,
+        station: Station,
+        event: Event,
+        step: float | None = None,
+        points: int = 100,
+        every: float | None = None,
     ) -> None:
         self.station, self.event = station, event
         train = station.train
@@ -72,7 +77,8 @@ class StationState:
         finest = min(d.arc.spacing for d in self.drums)
         self.finest = 1.2 * finest / self.speed
         self.divides = step is None and not self._delayed()
-        self.h = step or (_longest(self) if self.divides else self.finest)
+        self.h = step or (_longest(self, every) if self.divides else self.finest)
+        self.went = self.h  # length of the last part of a step [s]
         self.watch: Callable[[], None] = lambda: None  # called after every part of a step
         self.t = 0.0
         self.pull = case.entry_tension - case.exit_tension
@@ -90,7 +96,7 @@ class StationState:
     def _delayed(self) -> bool:
         """Whether something needs short steps of one length: what turns, rides or comes late."""
         delayed = (OnDrum, OnBelt, Measured)
-        return any(isinstance(h, delayed) for h in self.event.happenings) or any(
+        return self.station.take_up == "winch" or any(isinstance(h, delayed) for h in self.event.happenings) or any(
             d.trim is not None or isinstance(d.control, Follower) for d in self.station.drums
         )
 
@@ -154,9 +160,12 @@ class StationState:
         return total
 
 
-def _longest(state: StationState) -> float:
+def _longest(state: StationState, every: float | None) -> float:
+    """Length of a step where nothing asks for less, so that they end where a row is due [s]."""
     shortest = min(d.arc.shape.length for d in state.drums)
-    return max(_STEP * shortest / state.speed, state.finest)
+    longest = max(_STEP * shortest / state.speed, state.finest)
+    due = min(every or math.inf, state.event.duration)
+    return due / math.ceil(due / longest)
 
 
 def steady_of(station: Station) -> CaseResult:

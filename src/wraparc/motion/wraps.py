@@ -453,17 +453,19 @@ class Wraps:
         dz = z[:, 1:] - z[:, :-1]
         begins = np.array([a.travel for a in self.arcs])
         ends = np.array(self.to)
-        # what leaves on the way works half of it, and where less is done
+        # what leaves on the way works half of it
         f = (length - 0.5 * (begins + ends) + z[:, 1]) / dz[:, 0]
         work = f * dz[:, 0] * (done[:, 1] + 0.5 * f * (done[:, 0] - done[:, 1]))
         work += 0.5 * (dz[:, 1:] * (done[:, 1:-1] + done[:, 2:])).sum(axis=1)
-        work -= (ends - begins) ** 2 / 24.0 * (done[:, 0] - done[:, 1]) / dz[:, 0]
+        # trapezia miss how steeply work rises to the exit, and so does half a step
+        ahead = ends - begins
+        work -= (ahead**2 / 24.0 + dz[:, 0] ** 2 / 12.0) * (done[:, 0] - done[:, 1]) / dz[:, 0]
         f = (length - ends + z[:, 1]) / dz[:, 0]
         # over the step a piece was as fast as pieces are half of it further back
         back = [max(laid // 2, 1) for laid in self.laid]
         own = np.arange(len(self.arcs))
         along = (fastest[:, 0] - fastest[own, back]) / (z[own, back] - z[:, 0])
-        at_exit = fastest[:, 1] + f * (fastest[:, 0] - fastest[:, 1]) + 0.5 * (ends - begins) * along
+        at_exit = fastest[:, 1] + f * (fastest[:, 0] - fastest[:, 1]) + 0.5 * ahead * along
         felt = [np.maximum(np.abs(fastest[:, 1:]).max(axis=1), np.abs(at_exit)) / h]
         for value in (table[STRESS], table[SLIP]):
             at_exit = value[:, 1] + f * (value[:, 0] - value[:, 1])
