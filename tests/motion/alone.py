@@ -1,6 +1,7 @@
 """One moving arc alone: a table of wraps with a single one, as the tests of arcs drive it."""
 
 from wraparc import WrapArc
+from wraparc.motion import held
 from wraparc.motion.arc import MovingArc
 from wraparc.motion.wraps import Wraps
 
@@ -25,9 +26,9 @@ def driven(arc: MovingArc, ahead: float, dm: float, exit_tension: float, h: floa
 
 def roll(arc: MovingArc, ahead: float, entry: float, exit_tension: float) -> None:
     """Travel on with given tensions."""
-    arc.wraps.roll([ahead], [entry], [exit_tension])
+    held.roll(arc.wraps, [ahead], [entry], [exit_tension])
 
 
 def settle(arc: MovingArc, entry: float, exit_tension: float, wraps: float) -> None:
     """Bring an arc into its steady state."""
-    arc.wraps.settle([entry], [exit_tension], wraps)
+    held.settle(arc.wraps, [entry], [exit_tension], wraps)

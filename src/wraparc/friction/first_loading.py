@@ -266,7 +266,9 @@ class LimitLoading(FirstLoading):
         limits = [limit_at(self.law, segment_of(self.law, p), p) for p in pressure.tolist()]
         mu, mu_p = np.array(limits).T
         one = np.ones(len(pressure))
-        return Loading(pressure, share * mu * pressure, share * (mu + pressure * mu_p), one, 0 * one)
+        return Loading(
+            pressure, share * mu * pressure, share * (mu + pressure * mu_p), one, 0 * one
+        )
 
     def loaded(self, b: Loading, z: Array) -> tuple[Array, Array, Array]:
         """Not asked: one element needs no first loading."""

@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.friction.base import FrictionLaw
-from wraparc.friction.first_loading import Array, FirstLoading, Loading, first_loading_of
 from wraparc.friction.compact import LIMIT, CompactLaw
+from wraparc.friction.first_loading import Array, FirstLoading, Loading, first_loading_of
 from wraparc.friction.table import MeasuredTable
 
 Index = NDArray[np.int64]
@@ -157,7 +157,9 @@ class Lagging:
             self._turning(held, creep, pressure, past, near, count, side, has_turned, at)
         return Points(*at[:4], count, side)
 
-    def virgin(self, creep: Array, pressure: Array, side: Array, guess: Array, share: Any) -> Points:
+    def virgin(
+        self, creep: Array, pressure: Array, side: Array, guess: Array, share: Any
+    ) -> Points:
         """State of points that have slipped one way only, at a creep of that side."""
         c, first = self.shear, self.first
         b = first.at(pressure, None, share)
@@ -238,7 +240,10 @@ class Lagging:
                 f, f_z, f_p = self.first.loaded(b.of(done), z[done])
                 give, s = 1.0 + self.shear * f_z, s[done]
                 at.slip[i], at.stress[i] = x[done], base[done] + 2.0 * s * f
-                at.by_creep[i], at.by_pressure[i] = f_z / give, (base_p[done] + 2.0 * s * f_p) / give
+                at.by_creep[i], at.by_pressure[i] = (
+                    f_z / give,
+                    (base_p[done] + 2.0 * s * f_p) / give,
+                )
             live = live[~done]
 
     def _carried(self, b: Loading, turns: Array, count: Index) -> tuple[Array, Array]:

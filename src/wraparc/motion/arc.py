@@ -123,7 +123,7 @@ class MovingArc:
     joint: float = -inf
     past_travel: list[float] = field(default_factory=list)
     past_kept: list[float] = field(default_factory=list)
-    felt: tuple[float, ...] = tuple(Felt())
+    felt: Felt = field(default_factory=Felt)
 
     def __post_init__(self) -> None:
         arc = self.arc

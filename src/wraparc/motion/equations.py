@@ -1,7 +1,8 @@
 """The end of a step: the equations of drums, runs and conveyor around the arcs, and their solution.
 
-Trapezium rule. Flows of belt appear only as their integrals over the step, so that belt is
-conserved to rounding. Newton's method on m of every drum, every tension, omega of every drum and
+Trapezium rule, but for the conveyor, whose swing on its belt hardly dies: its way by speed and
+acceleration at both ends (error h^5), its speed by tensions at both ends and before (h^4). Flows of
+belt appear only as their integrals over the step, so that belt is conserved to rounding. Newton's method on m of every drum, every tension, omega of every drum and
 the speed of the conveyor, in this order, with the arcs as affine maps.
 """
 
@@ -158,7 +159,9 @@ def _arcs(march: StationState, trial: Trial, first: bool) -> None:
     for d, end in zip(march.drums, ends, strict=True):
         if d.arc.moves and (d.riders or d.on_drum):
             march.wraps.at_nip(d.arc, *end.surface)
-    travels = [max(end.travel, d.arc.travel + _STANDS) for d, end in zip(march.drums, ends, strict=True)]
+    travels = [
+        max(end.travel, d.arc.travel + _STANDS) for d, end in zip(march.drums, ends, strict=True)
+    ]
     found = march.wraps.sweep(travels, trial.m, trial.tensions[1:])
     trial.flow_in, trial.flow_out = [], []
     for i, (end, out) in enumerate(zip(ends, found, strict=True)):
@@ -174,7 +177,9 @@ def _travelled(march: StationState, trial: Trial, i: int) -> End:
     surface = d.at_nip(arc.travel + turn * d.radius, d.angle + turn, march.stretch)
     v_0 = d.omega * (d.radius - d.squeeze * entry0 + arc.rise)
     v_1 = w1 * (d.radius - d.squeeze * entry1 + surface[0])
-    return End(arc.travel + half * (v_0 + v_1), d.angle + turn, surface, (entry0, entry1), (v_0, v_1))
+    return End(
+        arc.travel + half * (v_0 + v_1), d.angle + turn, surface, (entry0, entry1), (v_0, v_1)
+    )
 
 
 def _flows(march: StationState, trial: Trial, i: int, end: End, out: Found) -> None:

@@ -74,8 +74,9 @@ def simulate(
 
     Notes
     -----
-    Second order in points, and of a lower error than theirs in its own step. Quasi-static belt on the drums, one mass for the conveyor, no
-    viscoelastic rubber, no friction that depends on speed or on rest.
+    Second order in points and step; the step that is chosen errs less than 100 points do.
+    Quasi-static belt on the drums, one mass for the conveyor, no viscoelastic rubber, no friction
+    that depends on speed or on rest.
     """
     check_event(station, event)
     march = March(station, event, step, points, every)

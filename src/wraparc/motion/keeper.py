@@ -103,11 +103,11 @@ class Keeper:
         """Keep the largest of every step, whatever rows are kept."""
         m, size = self.march, len(EXTREMES)
         for i, d in enumerate(m.drums):
-            slip, stress, most_slip, most_stress, speed = d.arc.felt
-            creep = abs(slip + d.arc.shape.shear * stress)
+            felt = d.arc.felt
+            creep = abs(felt.exit_slip + d.arc.shape.shear * felt.exit_stress)
             entry, exit_ = m.T[i] + m.run_rises[i], m.T[i + 1]
             # in the order of EXTREMES; of least tensions the largest negative
-            friction = (creep, abs(most_slip), speed, abs(most_stress))
+            friction = (creep, abs(felt.most_slip), felt.slip_speed, abs(felt.most_stress))
             found = (*friction, abs(entry - exit_), abs(d.torque), entry, exit_, -entry, -exit_)
             for j, value in enumerate(found, start=size * i):
                 if value > self.most[j]:
@@ -123,10 +123,10 @@ class Keeper:
         m = self.march
         row = [m.t, m.v if m.station.conveyor_mass is not None else m.speed]
         for i, d in enumerate(m.drums):
-            slip, stress, _, shear, _ = d.arc.felt
-            creep = slip + d.arc.shape.shear * stress
+            felt = d.arc.felt
+            creep = felt.exit_slip + d.arc.shape.shear * felt.exit_stress
             entry = m.T[i] + m.run_rises[i]
-            row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
+            row += [entry, m.T[i + 1], d.omega, d.torque, creep, felt.exit_slip, felt.most_stress]
         return row
 
     def _extremes(self, i: int) -> Extremes:

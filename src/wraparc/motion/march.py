@@ -12,11 +12,14 @@ from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
 from wraparc.motion.equations import BESIDE, Trial, guessed, solved
 from wraparc.motion.event import Event, OnBelt
+from wraparc.motion.held import settle
 from wraparc.motion.station import Station
 from wraparc.motion.station_state import HaltError, StationState
 
 #: Part of the wrap by which a drum may turn back.
 _BACK = 0.05
+#: Part of a step that ends where something begins or ends, unless it does so nearer to its own.
+_NEAR = 0.02
 #: A step that fails is halved so often.
 _HALVINGS = 6
 #: Pieces of lagging in a step, at most, while the joint of old and fresh contact is nearer than
@@ -64,7 +67,7 @@ class March(StationState):
         entries = [m.arc.entry_tension for m in members]
         exits = [m.arc.exit_tension for m in members]
         try:
-            self.wraps.settle(entries, exits, wraps=5.0)
+            settle(self.wraps, entries, exits, lengths=5.0)
         except ArithmeticError as error:
             message = "its steady state could not be reached by marching"
             remedy = "Give more points, or begin at rest."
@@ -108,17 +111,16 @@ class March(StationState):
         if not self.divides:
             self._part(h, _HALVINGS)
             return
-        near = BESIDE * h
+        near = _NEAR * h
         cuts = [t for t in self.event.instants if self.t + near < t < self.t + h - near]
         for end in (*cuts, self.t + h):
             ahead = end - self.t
-            parts = max(self._parts(ahead), math.ceil(0.5 * ahead / self.went - near))
+            parts = max(self._parts(ahead), math.ceil(0.5 * ahead / self.went - _NEAR))
             for _ in range(parts):
                 self._part(ahead / parts, _HALVINGS)
 
     def _parts(self, h: float) -> int:
-        """In how many parts to take a step: creep jumps where the joint of old and fresh contact
-        leaves a wrap."""
+        """In how many parts to take a step: creep jumps where old and fresh contact part."""
         pieces = []
         for d in self.drums:
             ahead = max(d.omega, d.guessed(h, self.onward(h))) * d.radius * h

@@ -96,8 +96,12 @@ class StationState:
     def _delayed(self) -> bool:
         """Whether something needs short steps of one length: what turns, rides or comes late."""
         delayed = (OnDrum, OnBelt, Measured)
-        return self.station.take_up == "winch" or any(isinstance(h, delayed) for h in self.event.happenings) or any(
-            d.trim is not None or isinstance(d.control, Follower) for d in self.station.drums
+        return (
+            self.station.take_up == "winch"
+            or any(isinstance(h, delayed) for h in self.event.happenings)
+            or any(
+                d.trim is not None or isinstance(d.control, Follower) for d in self.station.drums
+            )
         )
 
     def onward(self, h: float) -> float:
@@ -164,7 +168,7 @@ def _longest(state: StationState, every: float | None) -> float:
     """Length of a step where nothing asks for less, so that they end where a row is due [s]."""
     shortest = min(d.arc.shape.length for d in state.drums)
     longest = max(_STEP * shortest / state.speed, state.finest)
-    due = min(every or math.inf, state.event.duration)
+    due = max(min(every or math.inf, state.event.duration), state.finest)
     return due / math.ceil(due / longest)
 
 
