@@ -68,7 +68,7 @@ class Material:
 
     def to(self, u: float, p: float) -> float:
         self.points = self.moved(u, p)
-        self.count = self.points.count.copy()
+        self.count = self.points.held.copy()
         shorten(self.turns, self.count)
         self.reach = np.maximum(self.reach, np.abs(self.points.slip))
         return self.at.stress

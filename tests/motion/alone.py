@@ -13,22 +13,29 @@ def alone(arc: WrapArc, points: int) -> MovingArc:
     return moving
 
 
+def wraps_of(arc: MovingArc) -> Wraps:
+    """Its table."""
+    assert isinstance(arc.wraps, Wraps)
+    return arc.wraps
+
+
 def driven(arc: MovingArc, ahead: float, dm: float, exit_tension: float, h: float = 1.0) -> None:
     """One step with given travel and given surface less belt."""
     travel, m, exits = arc.travel + ahead, arc.m + dm, [exit_tension]
-    arc.wraps.begin([travel], h)
+    wraps = wraps_of(arc)
+    wraps.begin([travel], h)
     for _ in range(30):
-        arc.wraps.sweep([travel], [m], exits)
-        if arc.wraps.change([m], exits)[0] < 1e-12:
+        wraps.sweep([travel], [m], exits)
+        if wraps.change([m], exits)[0] < 1e-12:
             break
-    arc.wraps.finish([m], exits)
+    wraps.finish([m], exits)
 
 
 def roll(arc: MovingArc, ahead: float, entry: float, exit_tension: float) -> None:
     """Travel on with given tensions."""
-    held.roll(arc.wraps, [ahead], [entry], [exit_tension])
+    held.roll(wraps_of(arc), [ahead], [entry], [exit_tension])
 
 
-def settle(arc: MovingArc, entry: float, exit_tension: float, wraps: float) -> None:
+def settle(arc: MovingArc, entry: float, exit_tension: float, lengths: float) -> None:
     """Bring an arc into its steady state."""
-    held.settle(arc.wraps, [entry], [exit_tension], wraps)
+    held.settle(wraps_of(arc), [entry], [exit_tension], lengths)

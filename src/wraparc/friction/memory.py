@@ -39,7 +39,7 @@ class Past(NamedTuple):
 
     Attributes
     ----------
-    turns, count
+    turns, held
         Turning points of the slip, shape (n, ROOM) [m], and how many of them hold. The place behind
         the last one is written to where the slip has just turned.
     side, slip, stress
@@ -51,7 +51,7 @@ class Past(NamedTuple):
     """
 
     turns: Array
-    count: Index
+    held: Index
     side: Array
     slip: Array
     stress: Array
@@ -68,7 +68,7 @@ class Points(NamedTuple):
         x [m], tau [Pa].
     by_creep, by_pressure
         Slopes of tau by creep [Pa/m] and by pressure [-].
-    count
+    held
         Turning points that are left.
     side
         Direction of the slip, +1 or -1; 0 of a law with a limit.
@@ -78,7 +78,7 @@ class Points(NamedTuple):
     stress: Array
     by_creep: Array
     by_pressure: Array
-    count: Index
+    held: Index
     side: Array
 
 
@@ -129,7 +129,7 @@ class Lagging:
         if self.law.kind == LIMIT:
             return self.stuck_or_sliding(creep, pressure, past)
         side = np.where(past.side == 0.0, np.where(creep >= 0.0, 1.0, -1.0), past.side)
-        count = np.where(past.side == 0.0, 0, past.count)
+        count = np.where(past.side == 0.0, 0, past.held)
         if not count.any():
             at = self.virgin(creep, pressure, side, np.abs(near), past.share)
             free = np.arange(len(creep))

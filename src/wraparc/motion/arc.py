@@ -19,7 +19,7 @@ from wraparc.friction.memory import has_memory
 from wraparc.units import display
 
 if TYPE_CHECKING:
-    from wraparc.motion.wraps import Wraps
+    from wraparc.motion.pieces import Table
 
 Array = NDArray[np.float64]
 
@@ -132,7 +132,7 @@ class MovingArc:
         self.give = arc.compliance
         self.shape, self.spacing = shape_of(arc), arc.length / self.points
 
-    def on(self, wraps: Wraps, place: int) -> None:
+    def on(self, wraps: Table, place: int) -> None:
         """Say which wrap of a table is its own."""
         self.wraps, self.own = wraps, place
 

@@ -1,9 +1,9 @@
 """The end of a step: the equations of drums, runs and conveyor around the arcs, and their solution.
 
-Trapezium rule, but for the conveyor, whose swing on its belt hardly dies: its way by speed and
-acceleration at both ends (error h^5), its speed by tensions at both ends and before (h^4). Flows of
-belt appear only as their integrals over the step, so that belt is conserved to rounding. Newton's method on m of every drum, every tension, omega of every drum and
-the speed of the conveyor, in this order, with the arcs as affine maps.
+Trapezium rule, but of fourth order for the conveyor, whose swing on its belt hardly dies. Flows of
+belt appear only as their integrals over the step, so that belt is conserved to rounding. Newton's
+method on m of every drum, every tension, omega of every drum and the speed of the conveyor, in this
+order, with the arcs as affine maps.
 """
 
 from __future__ import annotations
@@ -22,6 +22,9 @@ _ITERATIONS = 16
 #: Last relative change of a tension and of a drum's speed with which a step is solved: what is left
 #: is of the order of the square. (Pieces that pass the nips alone change a tension by 6e-5 a step.)
 _SETTLED, _SPEED_SETTLED = 1.5e-4, 1e-6
+#: Angle of the conveyor's swing in a step up to which a rule of fourth order feeds it by less than
+#: 3e-5 of it a radian [rad].
+SWING = 0.3
 #: Part of a step by which what happens at its ends is looked at on its own side of them.
 BESIDE = 1e-6
 _STANDS = 1e-13  # least travel of an arc that moves [m]
@@ -221,44 +224,80 @@ def _runs(march: StationState, trial: Trial, softer: list[float]) -> None:
 
 
 def _ends(march: StationState, trial: Trial) -> None:
-    """Equations of the first and last tension, and of the conveyor."""
-    n, station, half, t1 = march.n, march.station, 0.5 * trial.h, march.t + trial.h
+    """Equations of the first and last tension."""
+    n, station, h = march.n, march.station, trial.h
     r, jac, before, after = trial.residual, trial.slopes, march.T, trial.tensions
     first, last, own = 2 * n - 1, 2 * n, 3 * n + 1
     if station.conveyor_mass is None:
-        r[first] = after[0] - (march.slack + march.pull * march.load(t1 - BESIDE * trial.h))
+        load = march.load(march.t + h - BESIDE * h)
+        r[first] = after[0] - (march.slack + march.pull * load)
         r[last] = after[n] - march.slack
         jac[first, n] = jac[last, 2 * n] = jac[own, own] = 1.0
         return
+    way, by_t, by_v = _conveyor(march, trial)
     carry, back = station.carry_run * march.stretch, station.return_run * march.stretch
-    v0, v1, h = march.v, trial.v, trial.h
-    mass = station.conveyor_mass
-    f0, _ = march.resistance(v0, march.t + BESIDE * h)
-    f1, slope = march.resistance(v1, t1 - BESIDE * h)
-    # distance that the conveyor moves: from speed and acceleration at both ends, to fourth order
-    part = h * h / (12.0 * mass)
-    moved = half * (v0 + v1) + part * (before[0] - before[n] - f0 - after[0] + after[n] + f1)
-    by_v = half + part * slope
-    q, by_m, by_t, by_w = trial.flow_in[0]
-    r[first] = carry * (after[0] - before[0]) - q + moved
-    jac[first, n], jac[first, 0], jac[first, 2 * n] = carry - by_t - part, -by_m, part
-    jac[first, 2 * n + 1], jac[first, own] = -by_w, by_v
+    q, q_m, q_t, q_w = trial.flow_in[0]
+    r[first] = carry * (after[0] - before[0]) - q + way
+    jac[first, n], jac[first, 0], jac[first, 2 * n] = carry - q_t + by_t, -q_m, -by_t
+    jac[first, 2 * n + 1], jac[first, own] = -q_w, by_v
     if station.take_up == "gravity":
         r[last] = after[n] - march.slack
         jac[last, 2 * n] = 1.0
-    else:
-        p, p_m, p_t, p_x, p_w = trial.flow_out[-1]
-        r[last] = back * (after[n] - before[n]) - moved + p
-        jac[last, 2 * n], jac[last, 2 * n - 1] = back + p_x - part, p_t
-        jac[last, n] += part
-        jac[last, n - 1], jac[last, 3 * n], jac[last, own] = p_m, p_w, -by_v
-        if station.take_up == "winch":
-            r[last] -= h * march.winch(before[n])
-    bend = h * h / (6.0 * (h + march.h_before)) if march.h_before else 0.0
-    curve = (after[0] - after[n] - before[0] + before[n]) - h * (march.rates[0] - march.rates[n])
-    force = half * (before[0] - before[n] - f0 + after[0] - after[n] - f1) - bend * curve
-    r[own] = mass * (v1 - v0) - force
-    jac[own, n], jac[own, 2 * n], jac[own, own] = -half + bend, half - bend, mass + half * slope
+        return
+    p, p_m, p_t, p_x, p_w = trial.flow_out[-1]
+    r[last] = back * (after[n] - before[n]) - way + p
+    jac[last, 2 * n], jac[last, 2 * n - 1] = back + p_x + by_t, p_t
+    jac[last, n] -= by_t
+    jac[last, n - 1], jac[last, 3 * n], jac[last, own] = p_m, p_w, -by_v
+    if station.take_up == "winch":
+        r[last] -= h * march.winch(before[n])
+
+
+def _conveyor(march: StationState, trial: Trial) -> tuple[float, float, float]:
+    """Equation of the conveyor's speed; its way over the step, with slopes by T_0 and speed.
+
+    The way follows from speed and acceleration at both ends, the change of speed from the pull at
+    both ends and at those of the two steps before. Where a swing takes so few steps that this would
+    feed it, both are trapezia.
+    """
+    n, h, half, own = march.n, trial.h, 0.5 * trial.h, 3 * march.n + 1
+    v0, v1, mass = march.v, trial.v, march.mass
+    pull0, pull1 = march.T[0] - march.T[n], trial.tensions[0] - trial.tensions[n]
+    f0, _ = march.resistance(v0, march.t + BESIDE * h)
+    f1, slope = march.resistance(v1, march.t + h - BESIDE * h)
+    part, miss, by_pull = 0.0, 0.0, 0.0
+    if h * march.swing <= SWING:
+        part = h * h / (12.0 * mass)
+        rates = (r[0] - r[n] for r in (march.rates, march.rates_0))
+        miss, by_pull = _missed(h, march.h_before, march.h_0, (pull1 - pull0) / h, *rates)
+    force = half * (pull0 - f0 + pull1 - f1) - miss
+    trial.residual[own] = mass * (v1 - v0) - force
+    by_pull = half - by_pull
+    trial.slopes[own, n], trial.slopes[own, 2 * n] = -by_pull, by_pull
+    trial.slopes[own, own] = mass + half * slope
+    way = half * (v0 + v1) + part * (pull0 - f0 - pull1 + f1)
+    return way, -part, half + part * slope
+
+
+def _missed(
+    h: float, h_1: float, h_2: float, rate: float, rate_1: float, rate_2: float
+) -> tuple[float, float]:
+    """What a trapezium over a step counts too much, and its slope by the value at its end.
+
+    By the polynomial through the ends of this and of the last two steps, of these lengths and with
+    these mean rates.
+    """
+    if not h_1:
+        return 0.0, 0.0
+    bend, by_end = (rate - rate_1) / (h + h_1), 1.0 / (h * (h + h_1))
+    miss = h**3 / 6.0 * bend
+    by = h**3 / 6.0 * by_end
+    if h_2:
+        known = h + h_1 + h_2
+        turn = (bend - (rate_1 - rate_2) / (h_1 + h_2)) / known
+        weight = h**3 * (h + 2.0 * h_1) / 12.0
+        miss, by = miss + weight * turn, by + weight * by_end / known
+    return miss, by
 
 
 def _turn(march: StationState, trial: Trial) -> None:

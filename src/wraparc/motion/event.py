@@ -287,8 +287,9 @@ class Event:
     @cached_property
     def instants(self) -> tuple[float, ...]:
         """When something begins or comes to its end [s]; what rides or turns is left out."""
-        times = [t for h in (*self.moves, *self.of(LoadStep)) for t in (h.at, h.at + h.time)]
-        return tuple(sorted({*times, *(h.at for h in self.of(PowerFailure))}))
+        times = {h.at for h in self.happenings if isinstance(h, Start | LoadStep | PowerFailure)}
+        times |= {h.at + h.time for h in self.happenings if isinstance(h, Start | LoadStep)}
+        return tuple(sorted(times))
 
     @property
     def from_rest(self) -> bool:

@@ -89,6 +89,7 @@ class Table:
         self.tension_0 = self.table[TENSION]  # at the beginning of a step
         self.open = self.lays = False
         self.h, self.laid = 1.0, [0] * len(arcs)
+        self.to = [a.travel for a in arcs]
         for i, arc in enumerate(arcs):
             arc.on(self, i)
             self.lay_at_rest(arc, arc.exit)

@@ -17,6 +17,8 @@ from wraparc.train.solve import solve_case
 
 #: Part of the shortest wrap that the lagging moves in a step where nothing asks for less.
 _STEP = 0.07
+#: Angle of the conveyor's swing in such a step [rad].
+_SWING = 0.25
 #: Part of the set tension by which it may be missed before the winch goes at its full speed.
 _WINCH = 0.05
 
@@ -46,6 +48,13 @@ class StationState:
         Effective tension of all drums, and tension of the take-up [N].
     stretch
         1/EA of the belt [1/N].
+    mass, swing
+        Of the conveyor, infinite without [kg], and how fast it swings on its belt [1/s].
+    finest, divides, went
+        Step with one piece of lagging at running speed [s]; whether steps are taken in parts where
+        much happens, and how long the last part was [s].
+    watch
+        Called after every step or part of one.
     """
 
     def __init__(
@@ -77,9 +86,11 @@ class StationState:
         finest = min(d.arc.spacing for d in self.drums)
         self.finest = 1.2 * finest / self.speed
         self.divides = step is None and not self._delayed()
-        self.h = step or (_longest(self, every) if self.divides else self.finest)
-        self.went = self.h  # length of the last part of a step [s]
-        self.watch: Callable[[], None] = lambda: None  # called after every part of a step
+        self.watch: Callable[[], None] = lambda: None
+        self.mass = station.conveyor_mass or math.inf
+        self.swing = self._swing()
+        self.h = step or (self._longest(every) if self.divides else self.finest)
+        self.went = self.h
         self.t = 0.0
         self.pull = case.entry_tension - case.exit_tension
         self.slack = case.exit_tension
@@ -92,6 +103,24 @@ class StationState:
         self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
         self.v_rate = self.v_rate_0 = 0.0
         self.h_before = self.h_0 = 0.0  # length of the last step and of the one before [s]
+
+    def _swing(self) -> float:
+        """Angular frequency of the conveyor on its belt, the drums standing [1/s]."""
+        station = self.station
+        runs = [station.carry_run]
+        if station.take_up != "gravity":
+            runs.append(station.return_run)
+        return math.sqrt(math.fsum(1.0 / (run * self.stretch) for run in runs) / self.mass)
+
+    def _longest(self, every: float | None) -> float:
+        """Length of a step where nothing asks for less, so that they end where a row is due [s]."""
+        shortest = min(d.arc.shape.length for d in self.drums)
+        longest = _STEP * shortest / self.speed
+        if self.swing:
+            longest = min(longest, _SWING / self.swing)
+        longest = max(longest, self.finest)
+        due = max(min(every or math.inf, self.event.duration), self.finest)
+        return due / math.ceil(due / longest)
 
     def _delayed(self) -> bool:
         """Whether something needs short steps of one length: what turns, rides or comes late."""
@@ -162,14 +191,6 @@ class StationState:
             total -= self.T[0] * self.station.carry_run * self.stretch
             total -= self.T[self.n] * self.station.return_run * self.stretch
         return total
-
-
-def _longest(state: StationState, every: float | None) -> float:
-    """Length of a step where nothing asks for less, so that they end where a row is due [s]."""
-    shortest = min(d.arc.shape.length for d in state.drums)
-    longest = max(_STEP * shortest / state.speed, state.finest)
-    due = max(min(every or math.inf, state.event.duration), state.finest)
-    return due / math.ceil(due / longest)
 
 
 def steady_of(station: Station) -> CaseResult:

@@ -162,7 +162,7 @@ class Wraps(Table):
                 table[column, own] = values.reshape(shape)
             table[BY_TENSION, own] = at.by_pressure.reshape(shape)
             table[NEW_SIDE, own] = at.side.reshape(shape)
-            self.new_count[own] = at.count.reshape(shape)
+            self.new_count[own] = at.held.reshape(shape)
         table[BY_TENSION] *= self.per
         return by_t
 
