@@ -1,7 +1,7 @@
 """Memory of a law under reversal: closed forms of loops, and a sum of elements as a twin."""
 
 import math
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 import pytest
@@ -41,6 +41,12 @@ class Point(NamedTuple):
     by_pressure: float
     side: float
 
+    @classmethod
+    def of(cls, points: Points) -> Self:
+        """The first of some points."""
+        slip, stress, by_creep, by_pressure, _, side = (float(v[0]) for v in points)
+        return cls(slip, stress, by_creep, by_pressure, side)
+
 
 class Material:
     """One point, driven by slip and pressure (c = 0) or by creep."""
@@ -55,7 +61,7 @@ class Material:
     @property
     def at(self) -> Point:
         """Where it is, in plain numbers."""
-        return Point(*(float(v[0]) for v in self.points[:4]), float(self.points.side[0]))
+        return Point.of(self.points)
 
     def moved(self, u: float, p: float) -> Points:
         a = self.points
@@ -63,8 +69,7 @@ class Material:
         return self.lagging.moved(np.array([u]), np.array([p]), past, a.slip)
 
     def try_(self, u: float, p: float) -> Point:
-        found = self.moved(u, p)
-        return Point(*(float(v[0]) for v in found[:4]), float(found.side[0]))
+        return Point.of(self.moved(u, p))
 
     def to(self, u: float, p: float) -> float:
         self.points = self.moved(u, p)

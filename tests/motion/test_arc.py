@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from motion.alone import alone, driven, roll, settle
+from motion.alone import alone, driven, roll, settle, wraps_of
 from wraparc import (
     ArcResult,
     Constant,
@@ -226,7 +226,7 @@ def test_a_pull_put_on_at_rest_and_taken_off(file: str) -> None:
     def pull(part: float) -> None:
         roll(arc, 0.0, mean + (entry - mean) * part, mean + (exit_ - mean) * part)
 
-    arc.wraps.lay_at_rest(arc, mean)
+    wraps_of(arc).lay_at_rest(arc, mean)
     for j in range(1, 21):
         pull(j / 20)
     creeps = [arc.creep()[-1]]
@@ -258,7 +258,7 @@ def work_miss(points: int) -> float:
         s, t, tau = arc.place(), arc.tension(), arc.stress()
         return float(np.trapezoid(0.5 * a * t * t + 0.5 * b * c * tau * tau, s))
 
-    arc.wraps.lay_at_rest(arc, exit_)
+    wraps_of(arc).lay_at_rest(arc, exit_)
     start, brought, out, ds = stored(), 0.0, 0.0, arc.spacing
     for j in range(2 * points):
         goal = exit_ + (entry - exit_) * min((j + 1) / points, 1.0)

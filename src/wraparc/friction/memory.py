@@ -134,7 +134,8 @@ class Lagging:
             at = self.virgin(creep, pressure, side, np.abs(near), past.share)
             free = np.arange(len(creep))
         else:
-            at = Points(*np.zeros((4, len(creep))), count, side)
+            four = tuple(np.zeros((4, len(creep))))
+            at = Points(four[0], four[1], four[2], four[3], count, side)
             free = np.flatnonzero(count == 0)
             if free.size:
                 _put(at, free, self._virgin(free, creep, pressure, side, np.abs(near), past))

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import inf, sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +17,6 @@ from wraparc.errors import InputError, Problem
 from wraparc.friction.compact import LIMIT
 from wraparc.friction.memory import has_memory
 from wraparc.units import display
-
-if TYPE_CHECKING:
-    from wraparc.motion.pieces import Table
 
 Array = NDArray[np.float64]
 
@@ -68,6 +65,32 @@ class Felt(NamedTuple):
     most_slip: float = 0.0
     most_stress: float = 0.0
     slip_speed: float = 0.0
+
+
+class Pieces(NamedTuple):
+    """The pieces on one wrap, from beyond the exit nip to the entry nip; shape (n,) each.
+
+    Attributes
+    ----------
+    travel, kept, rise
+        zeta, n and rho [m].
+    slip, stress, tension
+        x [m], tau [Pa], T [N].
+    """
+
+    travel: Array
+    kept: Array
+    rise: Array
+    slip: Array
+    stress: Array
+    tension: Array
+
+
+class Carried(Protocol):
+    """What carries the pieces of arcs along."""
+
+    def pieces(self, arc: MovingArc) -> Pieces:
+        """Return the pieces on the wrap of an arc."""
 
 
 @dataclass
@@ -132,7 +155,7 @@ class MovingArc:
         self.give = arc.compliance
         self.shape, self.spacing = shape_of(arc), arc.length / self.points
 
-    def on(self, wraps: Table, place: int) -> None:
+    def on(self, wraps: Carried, place: int) -> None:
         """Say which wrap of a table is its own."""
         self.wraps, self.own = wraps, place
 

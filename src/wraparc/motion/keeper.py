@@ -22,6 +22,8 @@ from wraparc.motion.station import Station
 
 #: Rows and pictures that are kept at most; when there are more, every other one is dropped.
 _ROWS, _PICTURES, _ACROSS = 4000, 240, 61
+#: Part of the time between two rows by which one may come early.
+_EARLY = 1e-6
 
 Sink = Callable[[Sequence[float]], None]
 
@@ -59,7 +61,7 @@ class Keeper:
 
     def __post_init__(self) -> None:
         self.between = self.every
-        self.next = self.next_picture = 0.0
+        self.kept, self.next_picture = -math.inf, 0.0
         self.between_pictures = max(self.march.event.duration / _PICTURES, self.march.h, self.every)
         self.streamed, self.told = -math.inf, 0
         n, train = self.march.n, self.march.station.train
@@ -88,13 +90,13 @@ class Keeper:
         """Take what the march has come to."""
         m = self.march
         self.count += 1
-        if m.t >= self.next - 1e-9 or last:
+        if _due(m.t, self.kept, self.between) or last:
             self.rows.append(self._row())
-            self.next = m.t + self.between
+            self.kept = m.t
             if len(self.rows) > _ROWS and not last:
                 self.rows = self.rows[::2]
                 self.between *= 2.0
-        if m.t >= self.streamed + self.every - 1e-9 or last:
+        if _due(m.t, self.streamed, self.every) or last:
             self.stream()
         if m.t >= self.next_picture - 1e-9 or last:
             self._picture()
@@ -215,6 +217,11 @@ class Keeper:
             off = np.nonzero(np.abs(creep - creep[-1]) > 0.05 * abs(creep[-1]))[0]
             worst = max(worst, float(travel[min(off[-1] + 1, len(travel) - 1)]) if len(off) else 0)
         return worst
+
+
+def _due(t: float, before: float, every: float) -> bool:
+    """Whether a multiple of `every` has been passed since something was done before."""
+    return before < 0.0 or math.floor(t / every + _EARLY) > math.floor(before / every + _EARLY)
 
 
 def _part_over(before: float, after: float, limit: float) -> float:

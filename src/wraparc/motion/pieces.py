@@ -9,13 +9,12 @@ between its ends keep is interpolated in travel.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.friction.memory import ROOM
-from wraparc.motion.arc import MovingArc
+from wraparc.motion.arc import MovingArc, Pieces
 from wraparc.motion.two_point import PANEL
 
 Array = NDArray[np.float64]
@@ -46,25 +45,6 @@ _APART = 0.05
     T_RATE, I_RATE, T_RATE_0, I_RATE_0,  # what did [N/s, m/s], in the last step and the one before
 ) = range(23)  # fmt: skip
 COLUMNS = 23
-
-
-class Pieces(NamedTuple):
-    """The pieces on one wrap, from beyond the exit nip to the entry nip; shape (n,) each.
-
-    Attributes
-    ----------
-    travel, kept, rise
-        zeta, n and rho [m].
-    slip, stress, tension
-        x [m], tau [Pa], T [N].
-    """
-
-    travel: Array
-    kept: Array
-    rise: Array
-    slip: Array
-    stress: Array
-    tension: Array
 
 
 class Table:
@@ -132,7 +112,7 @@ class Table:
         """
         nips = [(a.nip, a.moves) for a in self.arcs]
         self.before = self.table, self.turns, self.count, nips
-        self.h, self.open, self.lays = h, False, False
+        self.h, self.open = h, False
         ends = [
             t if t - a.travel > STANDS else a.travel
             for a, t in zip(self.arcs, travels, strict=True)
@@ -143,6 +123,9 @@ class Table:
             if laid:
                 self._lay(arc, end, fresh, laid)
         self.laid = [laid for *_, laid in plans]
+        self.lays = max(self.laid) > 1
+        if self.lays:
+            self.kept = self.table[KEPT].copy()
         self._guess(ends, onward)
 
     def _plan(self, arc: MovingArc, ahead: float) -> tuple[int, int, int]:
@@ -178,7 +161,7 @@ class Table:
             turns = self.turns.reshape(-1, ROOM).take(flat, axis=0)
             self.turns = turns.reshape(wraps, wide, ROOM)
         self.count = self.count.ravel().take(flat).reshape(wraps, wide)
-        self.table[BY_M], self.kept = 1.0, self.table[KEPT]
+        self.table[BY_M] = 1.0
 
     def _lay(self, arc: MovingArc, end: float, fresh: int, laid: int) -> None:
         """Make the fresh pieces of a step: put at the nip as it was, and laid on the way."""
@@ -198,8 +181,6 @@ class Table:
             like = slice(nip_0 - laid + 1, nip_0)
             for column in (NEW_SLIP, NEW_STRESS, BY_CREEP, TENSION):
                 rows[column, first:nip] = before[column, like]
-        if not self.lays:
-            self.kept, self.lays = self.table[KEPT].copy(), True
         # n at the ends of steps, interpolated in travel: a part goes with the end of this one
         known = [(arc.travel, arc.m - arc.shape.overrun(arc.entry))]
         if moved:
@@ -207,9 +188,7 @@ class Table:
             earlier = zip(arc.past_travel, arc.past_kept, strict=True)
             known += [(s, n) for s, n in earlier if arc.travel - s > least]
         weights = _lagrange(z, [end, *(s for s, _ in known)])
-        self.kept[arc.own, first:nip] = sum(
-            w * n for w, (_, n) in zip(weights[1:], known, strict=True)
-        )
+        rows[KEPT, first:nip] = sum(w * n for w, (_, n) in zip(weights[1:], known, strict=True))
         rows[BY_M, first:nip] = 1.0 - weights[0]
 
     def _guess(self, ends: Sequence[float], onward: float) -> None:

@@ -113,14 +113,15 @@ class StationState:
         return math.sqrt(math.fsum(1.0 / (run * self.stretch) for run in runs) / self.mass)
 
     def _longest(self, every: float | None) -> float:
-        """Length of a step where nothing asks for less, so that they end where a row is due [s]."""
+        """Length of a step where nothing asks for less; the event is a number of them [s]."""
         shortest = min(d.arc.shape.length for d in self.drums)
         longest = _STEP * shortest / self.speed
         if self.swing:
             longest = min(longest, _SWING / self.swing)
         longest = max(longest, self.finest)
-        due = max(min(every or math.inf, self.event.duration), self.finest)
-        return due / math.ceil(due / longest)
+        if every and every < longest:  # rows are due more often
+            return max(every, self.finest)
+        return self.event.duration / math.ceil(self.event.duration / longest)
 
     def _delayed(self) -> bool:
         """Whether something needs short steps of one length: what turns, rides or comes late."""
