@@ -1,6 +1,7 @@
 """Memory of a law under reversal: closed forms of loops, and a sum of elements as a twin."""
 
 import math
+from typing import NamedTuple, Self
 
 import numpy as np
 import pytest
@@ -8,7 +9,15 @@ import pytest
 from friction.laws import CROSSING, TRENDS
 from wraparc import Constant, ElasticPlastic, FrictionLaw, IntegralLog, MeasuredTable, PressureKnots
 from wraparc.files import load_lagging
-from wraparc.friction.memory import MOST_TURNS, ROOM, Point, has_memory, moved, shortened
+from wraparc.friction.memory import (
+    MOST_TURNS,
+    ROOM,
+    Lagging,
+    Past,
+    Points,
+    has_memory,
+    shorten,
+)
 
 LOG = IntegralLog(
     coefficients=PressureKnots(
@@ -23,38 +32,50 @@ RUBBER = load_lagging("diamond-rubber").law
 CERAMIC = load_lagging("medium-ceramic").law
 
 
+class Point(NamedTuple):
+    """A point in plain numbers."""
+
+    slip: float
+    stress: float
+    by_creep: float
+    by_pressure: float
+    side: float
+
+    @classmethod
+    def of(cls, points: Points) -> Self:
+        """The first of some points."""
+        slip, stress, by_creep, by_pressure, _, side = (float(v[0]) for v in points)
+        return cls(slip, stress, by_creep, by_pressure, side)
+
+
 class Material:
     """One point, driven by slip and pressure (c = 0) or by creep."""
 
     def __init__(self, law: FrictionLaw, c: float = 0.0) -> None:
-        self.law, self.c = law.compact(), c
-        self.turns = [0.0] * (ROOM)
-        self.count, self.reach = 0, 0.0
-        self.at = Point(0.0, 0.0, 0.0, 0.0, 0, 0.0)
+        self.lagging = Lagging(law.compact(), c)
+        none = np.zeros(1)
+        self.turns, self.count = np.zeros((1, ROOM)), np.zeros(1, dtype=np.int64)
+        self.reach, self.whole = none, np.ones(1)
+        self.points = Points(none, none, none, none, self.count, none)
+
+    @property
+    def at(self) -> Point:
+        """Where it is, in plain numbers."""
+        return Point.of(self.points)
+
+    def moved(self, u: float, p: float) -> Points:
+        a = self.points
+        past = Past(self.turns, self.count, a.side, a.slip, a.stress, self.reach, self.whole)
+        return self.lagging.moved(np.array([u]), np.array([p]), past, a.slip)
 
     def try_(self, u: float, p: float) -> Point:
-        a = self.at
-        turns, count = self.turns, self.count
-        return moved(
-            self.law,
-            self.c,
-            u,
-            p,
-            turns,
-            0,
-            count,
-            a.side,
-            a.slip,
-            a.stress,
-            self.reach,
-            1.0,
-            a.slip,
-        )
+        return Point.of(self.moved(u, p))
 
     def to(self, u: float, p: float) -> float:
-        self.at = self.try_(u, p)
-        self.count = shortened(self.turns, 0, self.at.turns)
-        self.reach = max(self.reach, abs(self.at.slip))
+        self.points = self.moved(u, p)
+        self.count = self.points.held.copy()
+        shorten(self.turns, self.count)
+        self.reach = np.maximum(self.reach, np.abs(self.points.slip))
         return self.at.stress
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from motion.alone import alone, driven, roll, settle, wraps_of
 from wraparc import (
     ArcResult,
     Constant,
@@ -25,7 +26,6 @@ from wraparc import (
     load_train,
     solve_train,
 )
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.arc import MovingArc
 
 FREE = IntegralLog(
@@ -50,25 +50,14 @@ def steady(file: str, i: int) -> ArcResult:
     return solve_train(train, method=Distributed(capacities=False)).cases[0].members[i].arc
 
 
-def driven(arc: MovingArc, ahead: float, dm: float, exit_tension: float) -> None:
-    """One step with given travel and given surface less belt."""
-    arc.begin(arc.travel + ahead)
-    travel, m = arc.travel + ahead, arc.m + dm
-    for _ in range(30):
-        arc.sweep(travel, m, exit_tension)
-        if arc.change(m, exit_tension) < 1e-12:
-            break
-    arc.finish(m, exit_tension)
-
-
 @pytest.mark.parametrize("file", ["tandem-fabric", "tandem-steel-cord"])
 @pytest.mark.parametrize("i", [0, 1])
 def test_the_steady_limit_is_that_of_solve(file: str, i: int) -> None:
     """Other code: `solve`, to 1e-4 with 100 pieces, order 1.9 or better."""
     expected, errors = steady(file, i), []
     for points in (50, 100):
-        arc = MovingArc(expected.arc, points)
-        arc.settle(expected.entry_tension, expected.exit_tension, 6.0)
+        arc = alone(expected.arc, points)
+        settle(arc, expected.entry_tension, expected.exit_tension, 6.0)
         assert arc.entry == pytest.approx(expected.entry_tension, rel=1e-9)
         errors.append(abs(arc.creep()[-1] / expected.exit_creep - 1.0))
     assert errors[1] < 1e-4
@@ -83,7 +72,7 @@ def phi(x: float) -> float:
 
 def log_ratio(points: int) -> list[float]:
     """Errors of ln(T1/T2) at three times of a start from rest at a slip speed w."""
-    arc = MovingArc(RIGID, points)
+    arc = alone(RIGID, points)
     length, speed, w, errors = arc.shape.length, 2.0, 12e-3, []
     h = arc.spacing / speed
     for j in range(1, int(1.5 * points) + 1):
@@ -111,16 +100,16 @@ def test_a_start_from_rest_of_a_rigid_belt() -> None:
 
 def test_a_rigid_belt_slips_everywhere_as_fast_as_the_drum_runs_ahead() -> None:
     """Identity: slip m - n grows by dm in every step, and is the largest where it began."""
-    arc = MovingArc(RIGID, 40)
+    arc = alone(RIGID, 40)
     for j in range(1, 31):
         driven(arc, arc.spacing, 1e-4, 1e5)  # a step of 1 s
-        assert arc.out[k.SLIP_SPEED] == pytest.approx(1e-4, rel=1e-9)
-        assert arc.out[k.MOST_SLIP] == pytest.approx(j * 1e-4, rel=1e-9)
+        assert arc.felt.slip_speed == pytest.approx(1e-4, rel=1e-9)
+        assert arc.felt.most_slip == pytest.approx(j * 1e-4, rel=1e-9)
 
 
 def shear_only(points: int) -> MovingArc:
     law = ElasticPlastic(stiffness=1e16, friction_coefficient=50.0)
-    return MovingArc(replace(RIGID, law=law, thickness=12e-3, shear_modulus=2.3e6), points)
+    return alone(replace(RIGID, law=law, thickness=12e-3, shear_modulus=2.3e6), points)
 
 
 def test_a_start_from_rest_with_shear_only() -> None:
@@ -142,17 +131,17 @@ def test_deviations_of_held_tensions_die_as_they_must() -> None:
         z -= (z - 1.0 + np.exp(-z)) / (1.0 - np.exp(-z))
     assert z == pytest.approx(complex(-2.0888, 7.4615), abs=1e-4)
     for _ in range(700):
-        arc.roll(arc.spacing, 1.2e5, 1e5)
+        roll(arc, arc.spacing, 1.2e5, 1e5)
     rate = arc.slope  # of the steady state
     # lay what the pieces keep as that mode would have it, and see it go on
-    part = arc.rows[arc.span[0] : arc.span[1] + 1]
-    s = arc.travel - part[:, k.TRAVEL]
+    pieces = arc.wraps.pieces(arc)
+    s = arc.travel - pieces.travel
     size = 1e-5
-    part[:, k.KEPT] += size * np.real(np.exp(-z * s / arc.shape.length))
+    pieces.kept[:] += size * np.real(np.exp(-z * s / arc.shape.length))
     arc.m += size
     m0, found, expected = arc.m, [], []
     for j in range(1, 101):
-        arc.roll(arc.spacing, 1.2e5, 1e5)
+        roll(arc, arc.spacing, 1.2e5, 1e5)
         found.append(arc.m - m0 + size - rate * j * arc.spacing)
         expected.append(size * np.real(np.exp(z * j / 100)))
     assert np.array(found) == pytest.approx(np.array(expected), abs=0.02 * size)
@@ -160,7 +149,7 @@ def test_deviations_of_held_tensions_die_as_they_must() -> None:
 
 def test_a_pull_cycled_at_rest_runs_through_masing_loops() -> None:
     """ln(T1/T2) = phi mu(x) with the loops of the law: area 2 mu_pk x_a^2/x_pk."""
-    arc, top = MovingArc(RIGID, 160), 8e-3
+    arc, top = alone(RIGID, 160), 8e-3
     angles = np.linspace(0.0, 2.5 * math.pi, 1001)
     x, mu = [], []
     for a in angles:
@@ -192,7 +181,7 @@ def test_strength_lost_past_the_peak_stays_lost() -> None:
             post_peak_slope=(-10.0,), residual_friction=(0.3,),
         )
     )  # fmt: skip
-    arc, peak, left = MovingArc(replace(RIGID, law=softening), 160), 20e-3, 0.7
+    arc, peak, left = alone(replace(RIGID, law=softening), 160), 20e-3, 0.7
     for x in np.linspace(0.0, 1.5 * peak, 61)[1:]:
         driven(arc, 0.0, x - arc.m, 1e5)
     assert math.log(arc.entry / 1e5) / math.pi == pytest.approx(left, abs=1e-4)
@@ -215,12 +204,12 @@ def test_strength_lost_past_the_peak_stays_lost() -> None:
 def test_held_tensions_depend_on_travel_alone() -> None:
     """Identity: a wait on the way, at any speed, changes nothing."""
     result = steady("tandem-fabric", 0)
-    a, b = MovingArc(result.arc, 40), MovingArc(result.arc, 40)
+    a, b = alone(result.arc, 40), alone(result.arc, 40)
     for j in range(60):
-        a.roll(a.spacing, 1.2e5, result.exit_tension)
-        b.roll(b.spacing, 1.2e5, result.exit_tension)
+        roll(a, a.spacing, 1.2e5, result.exit_tension)
+        roll(b, b.spacing, 1.2e5, result.exit_tension)
         if j % 7 == 0:
-            b.roll(0.0, 1.2e5, result.exit_tension)
+            roll(b, 0.0, 1.2e5, result.exit_tension)
     assert b.creep()[-1] == pytest.approx(a.creep()[-1], rel=1e-9)
     assert b.m == pytest.approx(a.m, rel=1e-9)
 
@@ -231,18 +220,18 @@ def test_a_pull_put_on_at_rest_and_taken_off(file: str) -> None:
     at once, 1.35 after exactly one wrap, within 4 % after 1.5 and 0.2 % after 2.5; taken off at
     rest much of it stays, and stress of either sign is locked in."""
     result = steady(file, 0)
-    arc, entry, exit_ = MovingArc(result.arc, 80), result.entry_tension, result.exit_tension
+    arc, entry, exit_ = alone(result.arc, 80), result.entry_tension, result.exit_tension
     mean = 0.5 * (entry + exit_)
 
     def pull(part: float) -> None:
-        arc.roll(0.0, mean + (entry - mean) * part, mean + (exit_ - mean) * part)
+        roll(arc, 0.0, mean + (entry - mean) * part, mean + (exit_ - mean) * part)
 
-    arc.lay_at_rest(mean)
+    wraps_of(arc).lay_at_rest(arc, mean)
     for j in range(1, 21):
         pull(j / 20)
     creeps = [arc.creep()[-1]]
     for _ in range(240):
-        arc.roll(arc.spacing, entry, exit_)
+        roll(arc, arc.spacing, entry, exit_)
         creeps.append(arc.creep()[-1])
     ratio = np.array(creeps) / result.exit_creep
     assert ratio[0] == pytest.approx(0.47, abs=0.01)
@@ -253,7 +242,7 @@ def test_a_pull_put_on_at_rest_and_taken_off(file: str) -> None:
     for j in range(19, -1, -1):
         pull(j / 20)
     assert arc.creep()[-1] / result.exit_creep == pytest.approx(0.58, abs=0.05)
-    stress = arc.along(k.STRESS)
+    stress = arc.stress()
     assert stress.min() < -0.3 * np.max(np.abs(stress))
     assert stress.max() > 0.3 * np.max(np.abs(stress))
 
@@ -261,27 +250,27 @@ def test_a_pull_put_on_at_rest_and_taken_off(file: str) -> None:
 def work_miss(points: int) -> float:
     """Error of the energy balance of a start over its friction work."""
     result = steady("tandem-fabric", 0)
-    arc = MovingArc(replace(result.arc, overrun=0.0), points)
+    arc = alone(replace(result.arc, overrun=0.0), points)
     a, b, c = arc.give, arc.shape.width, arc.shape.shear
     entry, exit_ = result.entry_tension, result.exit_tension
 
     def stored() -> float:
-        s, t, tau = arc.place(), arc.along(k.TENSION), arc.along(k.STRESS)
+        s, t, tau = arc.place(), arc.tension(), arc.stress()
         return float(np.trapezoid(0.5 * a * t * t + 0.5 * b * c * tau * tau, s))
 
-    arc.lay_at_rest(exit_)
+    wraps_of(arc).lay_at_rest(arc, exit_)
     start, brought, out, ds = stored(), 0.0, 0.0, arc.spacing
     for j in range(2 * points):
         goal = exit_ + (entry - exit_) * min((j + 1) / points, 1.0)
-        before, m, wrapped, tau = arc.entry, arc.m, arc.wrapped, arc.along(k.STRESS)[-1]
-        arc.roll(ds, goal, exit_)
+        before, m, wrapped, tau = arc.entry, arc.m, arc.wrapped, arc.stress()[-1]
+        roll(arc, ds, goal, exit_)
         mid = 0.5 * (before + arc.entry)
         # belt without stretch in and out; the stretch of what is laid on goes with the surface
         came = ds - (arc.m - m)
         went = came + arc.wrapped - wrapped
         brought += (mid - exit_) * ds - mid * came + exit_ * went
         brought -= 0.5 * a * (mid**2 - exit_**2) * ds
-        out += 0.5 * b * c * (0.5 * (tau + arc.along(k.STRESS)[-1])) ** 2 * ds
+        out += 0.5 * b * c * (0.5 * (tau + arc.stress()[-1])) ** 2 * ds
     return (brought - arc.work - (stored() - start) - out) / arc.work
 
 

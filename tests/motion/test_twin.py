@@ -14,9 +14,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from motion.test_arc import RIGID, driven
+from motion.alone import alone, driven, settle
+from motion.test_arc import RIGID
 from wraparc import Distributed
-from wraparc.motion.arc import MovingArc
 
 Array = NDArray[np.float64]
 SPEED, NODES = 3.0, 20
@@ -137,8 +137,8 @@ def misses(seed: int, points: int = 60) -> float:
     rng = np.random.default_rng(seed)
     steady = Distributed(capacities=False).solve(SOFT)
     twin = Twin(steady.entry_creep_ratio, [waves(rng) for _ in range(3)])
-    arc = MovingArc(SOFT, points)
-    arc.settle(SOFT.entry_tension, SOFT.exit_tension, 4.0)
+    arc = alone(SOFT, points)
+    settle(arc, SOFT.entry_tension, SOFT.exit_tension, 4.0)
     h = 0.8 * arc.spacing / SPEED
     times: Array = np.asarray(h * np.arange(1, int(0.6 / h)), dtype=float)
     found = []

@@ -1,4 +1,4 @@
-"""Memory of a friction law under reversal: one material point of a lagging.
+"""Memory of a friction law under reversal: the material points of a lagging, in arrays.
 
 The integral-log law F(r) = r (1 - ln r) is the integral of min(r/xi, 1) over xi from 0 to 1: a set
 of elastic-sliding elements in parallel whose break-away slips are spread evenly up to the peak.
@@ -10,62 +10,57 @@ x_1..x_k the turning points of the slip, s the signs of the differences, A and x
 pressure. Passing x_(k-1) forgets x_k and x_(k-1), passing -x_1 forgets all. Strength lost past the
 peak stays lost: A is taken at the largest slip so far. A measured table is such a set as well if
 it is concave; a law with a limit is one element (return mapping).
-
-The functions are written for plain floats, so that one source runs interpreted and compiled.
 """
 
 from __future__ import annotations
 
-from collections.abc import MutableSequence
 from itertools import pairwise
-from math import log
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.friction.base import FrictionLaw
-from wraparc.friction.compact import (
-    LIMIT,
-    TABLE,
-    CompactLaw,
-    limit_at,
-    peak,
-    segment_of,
-    table_at,
-    tail,
-)
+from wraparc.friction.compact import LIMIT, CompactLaw
+from wraparc.friction.first_loading import Array, FirstLoading, Loading, first_loading_of
 from wraparc.friction.table import MeasuredTable
+
+Index = NDArray[np.int64]
+Rows = TypeVar("Rows", "Past", "Points")
 
 #: turning points that are kept, and the least reversal that makes one [m]
 MOST_TURNS = 24
 ROOM = MOST_TURNS + 2  # places that a point needs
 LEAST_TURN = 1e-12
-_SMALLEST = 1e-16  # slip over peak slip at which the logarithm is taken
 
 
-class Backbone(NamedTuple):
-    """First loading at one pressure: what :func:`loaded` needs.
+class Past(NamedTuple):
+    """What material points remember.
 
     Attributes
     ----------
-    segment
-        Of the pressure, see :mod:`wraparc.friction.compact`.
-    pressure
-        Wrap pressure [Pa].
-    strength, strength_p
-        A [Pa] and its derivative by pressure [-].
-    peak_slip, peak_slip_p
-        x_pk [m] and its derivative by pressure [m/Pa].
+    turns, held
+        Turning points of the slip, shape (n, ROOM) [m], and how many of them hold. The place behind
+        the last one is written to where the slip has just turned.
+    side, slip, stress
+        Direction of the slip (0 without any), slip [m] and shear stress [Pa].
+    reach
+        Largest slip so far [m].
+    share
+        Part of the friction that is there: less than 1 on a wet patch [-].
     """
 
-    segment: int
-    pressure: float
-    strength: float
-    strength_p: float
-    peak_slip: float
-    peak_slip_p: float
+    turns: Array
+    held: Index
+    side: Array
+    slip: Array
+    stress: Array
+    reach: Array
+    share: Array
 
 
-class Point(NamedTuple):
-    """A material point after a step, not yet taken for good.
+class Points(NamedTuple):
+    """Material points after a step, not yet taken for good.
 
     Attributes
     ----------
@@ -73,18 +68,18 @@ class Point(NamedTuple):
         x [m], tau [Pa].
     by_creep, by_pressure
         Slopes of tau by creep [Pa/m] and by pressure [-].
-    turns
+    held
         Turning points that are left.
     side
-        Direction of the slip, +1 or -1; 0 without any.
+        Direction of the slip, +1 or -1; 0 of a law with a limit.
     """
 
-    slip: float
-    stress: float
-    by_creep: float
-    by_pressure: float
-    turns: int
-    side: float
+    slip: Array
+    stress: Array
+    by_creep: Array
+    by_pressure: Array
+    held: Index
+    side: Array
 
 
 def has_memory(law: FrictionLaw) -> bool:
@@ -103,265 +98,181 @@ def has_memory(law: FrictionLaw) -> bool:
     return True
 
 
-def backbone_at(law: CompactLaw, pressure: float, reach: float, share: float = 1.0) -> Backbone:
-    """First loading of a law, times a share, at a pressure [Pa] after a largest slip [m]."""
-    b = dry_backbone(law, pressure, reach)
-    if share == 1.0:
-        return b
-    return Backbone(
-        b.segment, pressure, share * b.strength, share * b.strength_p, b.peak_slip, b.peak_slip_p
-    )
-
-
-def dry_backbone(law: CompactLaw, pressure: float, reach: float) -> Backbone:
-    """First loading of a law as it is."""
-    edges = law.edges
-    last = len(edges) - 1
-    segment = segment_of(law, pressure)
-    if law.kind == LIMIT:
-        mu, mu_p = limit_at(law, segment, pressure)
-        return Backbone(segment, pressure, mu * pressure, mu + pressure * mu_p, 1.0, 0.0)
-    if law.kind == TABLE:
-        return Backbone(segment, pressure, 1.0, 0.0, 1.0, 0.0)
-    x_pk, mu, x_p, mu_p = peak(law, segment, pressure)
-    if reach > x_pk:
-        slope, residual, slope_p, residual_p = tail(law, segment, pressure)
-        line = mu + slope * (reach - x_pk)
-        if line > min(residual, mu):
-            mu_p = mu_p + slope_p * (reach - x_pk) - slope * x_p
-            mu = line
-        elif residual < mu:
-            mu, mu_p = residual, residual_p
-    if last >= 0 and segment >= last:  # above the tested pressures the traction is held
-        return Backbone(segment, pressure, mu * edges[last], 0.0, x_pk, 0.0)
-    if segment < 0:
-        mu_p, x_p = 0.0, 0.0
-    return Backbone(segment, pressure, mu * pressure, mu + pressure * mu_p, x_pk, x_p)
-
-
-def loaded(law: CompactLaw, b: Backbone, z: float) -> tuple[float, float, float]:
-    """Return f(z) [Pa] and its derivatives by slip z >= 0 [Pa/m] and pressure [-], to the peak."""
-    if law.kind == TABLE:
-        mu, mu_x, mu_p = table_at(law, b.segment, z, b.pressure)
-        p = b.strength * b.pressure  # of a table the strength is a share of it
-        return mu * p, mu_x * p, b.strength * (mu + b.pressure * mu_p)
-    r = z / b.peak_slip
-    if r >= 1.0:
-        return b.strength, 0.0, b.strength_p
-    if r < _SMALLEST:
-        r = _SMALLEST
-    lr = log(r)
-    form = r - r * lr
-    return (
-        b.strength * form,
-        -b.strength * lr / b.peak_slip,
-        b.strength_p * form + b.strength * r * lr * b.peak_slip_p / b.peak_slip,
-    )
-
-
-def shared(law: CompactLaw, b: Backbone, c: float, w: float, guess: float) -> float:
-    """Slip z [m] with z + c f(z) = w >= 0, c the compliance of the lagging in shear [m/Pa]."""
-    if w <= 0.0:
-        return 0.0
-    if c == 0.0:
-        return w
-    if law.kind == TABLE:
-        return shared_of_table(law, b, c, w, guess)
-    top = b.peak_slip + c * b.strength
-    if w >= top:
-        return w - c * b.strength
-    k = c * b.strength / b.peak_slip
-    goal = w / b.peak_slip
-    most = goal / (1.0 + k)  # 1 - ln r is at least 1
-    r = min(guess / b.peak_slip, most)
-    if r <= 0.0:
-        r = most / (1.0 + k * (1.0 - log(max(most, _SMALLEST))))
-    for _ in range(60):
-        lr = log(r)
-        step = (goal - r - k * (r - r * lr)) / (1.0 - k * lr)
-        r = r + step if r + step > 0.0 else 0.05 * r
-        if abs(step) <= 1e-5 * r:  # what is left is of the order of its square
-            break
-    return r * b.peak_slip
-
-
-def shared_of_table(law: CompactLaw, b: Backbone, c: float, w: float, guess: float) -> float:
-    """Slip z of :func:`shared` for a measured table [m]."""
-    z = guess if 0.0 < guess < w else 0.5 * w
-    for _ in range(60):
-        value, slope, _ = loaded(law, b, z)
-        step = (w - z - c * value) / (1.0 + c * slope)
-        z = z + step if z + step > 0.0 else 0.05 * z
-        if abs(step) <= 1e-9 * z:
-            break
-    return z
-
-
-def virgin(
-    law: CompactLaw, pressure: float, c: float, u: float, side: float, guess: float, share: float
-) -> Point:
-    """Return the state of a point that has slipped one way only, at a creep u of that side."""
-    b = backbone_at(law, pressure, 0.0, share)
-    w = side * u
-    if w <= 0.0:
-        return Point(0.0, 0.0, 0.0 if c == 0.0 else 1.0 / c, 0.0, 0, side)
-    if law.kind != TABLE and w > b.peak_slip + c * b.strength:
-        return past_peak(law, b, c, w, side, share)
-    z = shared(law, b, c, w, guess)
-    f, f_z, f_p = loaded(law, b, z)
-    give = 1.0 + c * f_z
-    return Point(side * z, side * f, f_z / give, side * f_p / give, 0, side)
-
-
-def past_peak(law: CompactLaw, b: Backbone, c: float, w: float, side: float, share: float) -> Point:
-    """Return the state of a point on the straight line past the peak or at the residual level."""
-    slope, residual, _, _ = tail(law, b.segment, b.pressure)
-    push = share * b.pressure
-    last = len(law.edges) - 1
-    if last >= 0 and b.segment >= last:  # above the tested pressures the traction is held
-        push = share * law.edges[last]
-    fall = slope * push
-    z = (w - c * (b.strength - fall * b.peak_slip)) / (1.0 + c * fall)
-    least = min(residual * push, b.strength)
-    if b.strength + fall * (z - b.peak_slip) <= least:
-        fall = 0.0
-        z = w - c * least
-    at = backbone_at(law, b.pressure, z, share)
-    give = 1.0 + c * fall
-    return Point(side * z, side * at.strength, fall / give, side * at.strength_p / give, 0, side)
-
-
-def stuck_or_sliding(
-    law: CompactLaw, pressure: float, c: float, u: float, slip: float, stress: float, share: float
-) -> Point:
-    """Return mapping of a law with a limit: one element, elastic until the limit is reached."""
-    b = backbone_at(law, pressure, 0.0, share)
-    give = c + law.onset_compliance
-    trial = stress + (u - slip - c * stress) / give
-    if abs(trial) <= b.strength:
-        return Point(u - c * trial, trial, 1.0 / give, 0.0, 0, 0.0)
-    side = 1.0 if trial > 0.0 else -1.0
-    return Point(u - c * side * b.strength, side * b.strength, 0.0, side * b.strength_p, 0, 0.0)
-
-
-def moved(
-    law: CompactLaw,
-    c: float,
-    u: float,
-    pressure: float,
-    turns: MutableSequence[float],
-    at: int,
-    count: int,
-    side: float,
-    slip: float,
-    stress: float,
-    reach: float,
-    share: float,
-    near: float,
-) -> Point:
-    """State of a material point after its creep and pressure have changed.
+class Lagging:
+    """A friction law on a lagging that shears: stress and slip of its points under creep.
 
     Parameters
     ----------
     law
         The law.
-    c
-        Compliance of the lagging in shear, h/G [m/Pa].
-    u, pressure
-        The new creep [m] and wrap pressure [Pa].
-    turns, at, count
-        Turning points of the slip [m] from place `at` on, and how many of them hold; the place
-        after the last one is written to where the slip has just turned.
-    side, slip, stress
-        Direction, slip [m] and shear stress [Pa] before.
-    reach
-        Largest slip so far [m].
-    share
-        Part of the friction that is there: less than 1 on a wet patch [-].
-    near
-        A guess of the new slip [m]: the closer, the faster.
-
-    Returns
-    -------
-    The new state; nothing else is changed, so that a solver can try.
+    shear
+        c = h/G, compliance of the lagging in shear [m/Pa].
     """
-    if law.kind == LIMIT:
-        return stuck_or_sliding(law, pressure, c, u, slip, stress, share)
-    if side == 0.0:
-        side = 1.0 if u >= 0.0 else -1.0
-        count = 0
-    if count == 0:
-        point = virgin(law, pressure, c, u, side, abs(near), share)
-        if side * (point.slip - slip) >= -LEAST_TURN and side * u >= 0.0:
-            return point
-        if abs(slip) < LEAST_TURN:
-            return virgin(law, pressure, c, u, -side, 0.0, share)
-        turns[at] = slip
-        count, side = 1, -side
-        turned = True
-    else:
-        turned = False
-    b = backbone_at(law, pressure, reach, share)
-    while count > 0:
-        base, base_p = carried(law, b, turns, at, count)
-        top = turns[at + count - 1]
-        w = 0.5 * side * (u - top - c * base)
-        guess = 0.5 * side * (near - top)
-        z = shared(law, b, c, w, guess)
-        x = top + 2.0 * side * z
-        if not turned and (w < 0.0 or side * (x - slip) < -LEAST_TURN):
-            turned = True
-            if abs(slip - top) > LEAST_TURN:
-                turns[at + count] = slip
-                count += 1
-                side = -side
-                continue
-            # back to a turning point just made: it turns no more
-            count -= 1
-            side = -side
-            continue
-        other = -top if count == 1 else turns[at + count - 2]
-        if z > 0.5 * abs(top - other):
-            count = 0 if count == 1 else count - 2
-            turned = True
-            continue
-        f, f_z, f_p = loaded(law, b, z)
-        give = 1.0 + c * f_z
-        tau = base + 2.0 * side * f
-        return Point(x, tau, f_z / give, (base_p + 2.0 * side * f_p) / give, count, side)
-    return virgin(law, pressure, c, u, side, abs(near), share)
 
+    def __init__(self, law: CompactLaw, shear: float) -> None:
+        self.law, self.shear = law, shear
+        self.first: FirstLoading = first_loading_of(law)
 
-def carried(
-    law: CompactLaw, b: Backbone, turns: MutableSequence[float], at: int, count: int
-) -> tuple[float, float]:
-    """Shear stress at the last turning point [Pa], and its derivative by pressure [-]."""
-    value, value_p = 0.0, 0.0
-    before = 0.0
-    for j in range(count):
-        d = turns[at + j] - before
-        side = 1.0 if d >= 0.0 else -1.0
-        if j == 0:
-            f, _, f_p = loaded(law, b, abs(d))
-            value, value_p = side * f, side * f_p
+    def moved(self, creep: Array, pressure: Array, past: Past, near: Array) -> Points:
+        """State of material points after their creep and pressure have changed.
+
+        Parameters
+        ----------
+        creep, pressure
+            The new creep u = x + c tau [m] and wrap pressure [Pa], shape (n,).
+        past
+            What the points remember. Nothing of it is changed but the places behind the turning
+            points that hold, so that a solver can try.
+        near
+            A guess of the new slip [m]: the closer, the faster.
+        """
+        if self.law.kind == LIMIT:
+            return self.stuck_or_sliding(creep, pressure, past)
+        side = np.where(past.side == 0.0, np.where(creep >= 0.0, 1.0, -1.0), past.side)
+        count = np.where(past.side == 0.0, 0, past.held)
+        if not count.any():
+            at = self.virgin(creep, pressure, side, np.abs(near), past.share)
+            free = np.arange(len(creep))
         else:
-            f, _, f_p = loaded(law, b, 0.5 * abs(d))
-            value += 2.0 * side * f
-            value_p += 2.0 * side * f_p
-        before = turns[at + j]
-    return value, value_p
+            four = tuple(np.zeros((4, len(creep))))
+            at = Points(four[0], four[1], four[2], four[3], count, side)
+            free = np.flatnonzero(count == 0)
+            if free.size:
+                _put(at, free, self._virgin(free, creep, pressure, side, np.abs(near), past))
+        # of those without turning points the ones that have just turned
+        turns = side[free] * (at.slip[free] - past.slip[free]) < -LEAST_TURN
+        turned = free[turns | (side[free] * creep[free] < 0.0)]
+        if not turned.size and len(free) == len(creep):
+            return at
+        fresh = np.abs(past.slip[turned]) < LEAST_TURN
+        over, turned = turned[fresh], turned[~fresh]
+        if over.size:
+            side[over] *= -1.0
+            _put(at, over, self._virgin(over, creep, pressure, side, 0.0 * near, past))
+        past.turns[turned, 0] = past.slip[turned]
+        count[turned], side[turned] = 1, -side[turned]
+        held = np.flatnonzero(count)
+        if held.size:
+            has_turned = np.zeros(len(creep), dtype=bool)
+            has_turned[turned] = True
+            self._turning(held, creep, pressure, past, near, count, side, has_turned, at)
+        return Points(*at[:4], count, side)
+
+    def virgin(
+        self, creep: Array, pressure: Array, side: Array, guess: Array, share: Any
+    ) -> Points:
+        """State of points that have slipped one way only, at a creep of that side."""
+        c, first = self.shear, self.first
+        b = first.at(pressure, None, share)
+        w = side * creep
+        z = first.shared(b, c, w, guess)
+        f, f_z, f_p = first.loaded(b, z)
+        give = 1.0 + c * f_z
+        slip, stress, by_creep, by_pressure = side * z, side * f, f_z / give, side * f_p / give
+        none = w <= 0.0
+        if none.any():
+            slip[none] = stress[none] = by_pressure[none] = 0.0
+            by_creep[none] = 0.0 if c == 0.0 else 1.0 / c
+        past = w > b.peak_slip + c * b.strength
+        if past.any():
+            x, tau, fall, by_p = first.past_peak(b.of(past), c, w[past], _of(share, past))
+            slip[past], stress[past] = side[past] * x, side[past] * tau
+            by_creep[past] = fall / (1.0 + c * fall)
+            by_pressure[past] = side[past] * by_p / (1.0 + c * fall)
+        return Points(slip, stress, by_creep, by_pressure, np.zeros(len(w), dtype=np.int64), side)
+
+    def stuck_or_sliding(self, creep: Array, pressure: Array, past: Past) -> Points:
+        """Return mapping of a law with a limit: one element, elastic until the limit is reached."""
+        b, c = self.first.at(pressure, None, past.share), self.shear
+        give = c + self.law.onset_compliance
+        trial = past.stress + (creep - past.slip - c * past.stress) / give
+        slides = np.abs(trial) > b.strength
+        side = np.where(trial > 0.0, 1.0, -1.0)
+        stress = np.where(slides, side * b.strength, trial)
+        return Points(
+            creep - c * stress,
+            stress,
+            np.where(slides, 0.0, 1.0 / give),
+            np.where(slides, side * b.strength_p, 0.0),
+            np.zeros(len(creep), dtype=np.int64),
+            np.zeros(len(creep)),
+        )
+
+    def _virgin(
+        self, i: Index, creep: Array, pressure: Array, side: Array, guess: Array, past: Past
+    ) -> Points:
+        return self.virgin(creep[i], pressure[i], side[i], guess[i], past.share[i])
+
+    def _turning(
+        self, live: Index, creep: Array, pressure: Array, past: Past, near: Array,
+        count: Index, side: Array, turned: NDArray[np.bool_], at: Points,
+    ) -> None:  # fmt: skip
+        """Find the state of points that have turned; turning points come and go until they fit."""
+        turns, reach = past.turns, past.reach
+        while live.size:
+            free = live[count[live] == 0]
+            if free.size:
+                _put(at, free, self._virgin(free, creep, pressure, side, np.abs(near), past))
+                live = live[count[live] > 0]
+                continue
+            b = self.first.at(pressure[live], reach[live], past.share[live])
+            base, base_p = self._carried(b, turns[live], count[live])
+            n, s = count[live], side[live]
+            top = turns[live, n - 1]
+            w = 0.5 * s * (creep[live] - top - self.shear * base)
+            z = self.first.shared(b, self.shear, w, 0.5 * s * (near[live] - top))
+            x = top + 2.0 * s * z
+            turn = ~turned[live] & ((w < 0.0) | (s * (x - past.slip[live]) < -LEAST_TURN))
+            # back to a turning point just made, it turns no more
+            again = turn & (np.abs(past.slip[live] - top) <= LEAST_TURN)
+            other = np.where(n == 1, -top, turns[live, np.maximum(n - 2, 0)])
+            closes = ~turn & (z > 0.5 * np.abs(top - other))
+            new = live[turn & ~again]
+            turns[new, count[new]] = past.slip[new]
+            count[new] += 1
+            count[live[again]] -= 1
+            side[live[turn]] *= -1.0
+            closed = live[closes]
+            count[closed] = np.where(count[closed] == 1, 0, count[closed] - 2)
+            turned[live[turn | closes]] = True
+            done = ~(turn | closes)
+            i = live[done]
+            if i.size:
+                f, f_z, f_p = self.first.loaded(b.of(done), z[done])
+                give, s = 1.0 + self.shear * f_z, s[done]
+                at.slip[i], at.stress[i] = x[done], base[done] + 2.0 * s * f
+                at.by_creep[i], at.by_pressure[i] = (
+                    f_z / give,
+                    (base_p[done] + 2.0 * s * f_p) / give,
+                )
+            live = live[~done]
+
+    def _carried(self, b: Loading, turns: Array, count: Index) -> tuple[Array, Array]:
+        """Shear stress at the last turning point [Pa], and its derivative by pressure [-]."""
+        most = int(count.max())
+        legs = np.diff(turns[:, :most], axis=1, prepend=0.0)
+        holds = np.arange(most) < count[:, None]
+        legs = np.where(holds, legs, 0.0)
+        half = np.full(most, 0.5)
+        half[0] = 1.0
+        f, _, f_p = self.first.loaded(b.of((slice(None), None)), np.abs(legs) * half)
+        sign = np.where(legs >= 0.0, 1.0, -1.0) * holds / half
+        return (sign * f).sum(axis=1), (sign * f_p).sum(axis=1)
 
 
-def shortened(turns: MutableSequence[float], at: int, count: int) -> int:
-    """Forget the smallest loop if there is no room for another turning point; what is left."""
-    if count < MOST_TURNS:
-        return count
-    smallest = 1
-    for j in range(1, count):
-        if abs(turns[at + j] - turns[at + j - 1]) < abs(
-            turns[at + smallest] - turns[at + smallest - 1]
-        ):
-            smallest = j
-    for j in range(smallest + 1, count):
-        turns[at + j - 2] = turns[at + j]
-    return count - 2
+def shorten(turns: Array, count: Index) -> None:
+    """Forget the smallest loop of every point without room for another turning point, in place."""
+    for i in np.flatnonzero(count >= MOST_TURNS):
+        n = int(count[i])
+        smallest = 1 + int(np.argmin(np.abs(np.diff(turns[i, :n]))))
+        turns[i, smallest - 1 : n - 2] = turns[i, smallest + 1 : n].copy()
+        count[i] = n - 2
+
+
+def _put(at: Points, i: Index, found: Points) -> None:
+    for values, new in zip(at[:4], found[:4], strict=True):
+        values[i] = new
+
+
+def _of(share: Any, which: NDArray[np.bool_]) -> Any:
+    return share[which] if np.ndim(share) else share

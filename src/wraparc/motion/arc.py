@@ -1,34 +1,101 @@
-"""One arc in time: the pieces of lagging on the wrap, carried along with the belt."""
+"""One arc in time: what it is, where it has come to, and what can be read of it.
+
+Its pieces of lagging are carried along by :mod:`wraparc.motion.wraps`.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from math import inf, sqrt
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
-from wraparc.batch.native import available, compiled
 from wraparc.errors import InputError, Problem
 from wraparc.friction.compact import LIMIT
-from wraparc.friction.memory import ROOM, has_memory
-from wraparc.motion import arc_kernel as k
+from wraparc.friction.memory import has_memory
 from wraparc.units import display
 
 Array = NDArray[np.float64]
 
-#: Travel of a step below which a drum stands [m].
-STANDS = 1e-10
-#: Steps of Newton's method for one arc alone, and how far it goes.
-_ITERATIONS, _SETTLED = 40, 1e-10
+
+class Shape(NamedTuple):
+    """What of an arc stays the same in time.
+
+    Attributes
+    ----------
+    width, diameter, length
+        B, D and L [m].
+    shear
+        c = h/G [m/Pa].
+    kick, kick_coefficient
+        The overrun is kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
+    """
+
+    width: float
+    diameter: float
+    length: float
+    shear: float
+    kick: float
+    kick_coefficient: float
+
+    def overrun(self, tension: float) -> float:
+        """x_c at an entry tension [m]."""
+        pressure = max(2.0 / (self.width * self.diameter) * tension, 0.0)
+        return self.kick + self.kick_coefficient * pressure * sqrt(pressure)
+
+
+class Felt(NamedTuple):
+    """What friction came to in a step.
+
+    Attributes
+    ----------
+    exit_slip, exit_stress
+        Slip [m] and shear stress [Pa] at the exit nip.
+    most_slip, most_stress
+        The largest on the wrap, with their signs.
+    slip_speed
+        Largest speed of slip, either way [m/s].
+    """
+
+    exit_slip: float = 0.0
+    exit_stress: float = 0.0
+    most_slip: float = 0.0
+    most_stress: float = 0.0
+    slip_speed: float = 0.0
+
+
+class Pieces(NamedTuple):
+    """The pieces on one wrap, from beyond the exit nip to the entry nip; shape (n,) each.
+
+    Attributes
+    ----------
+    travel, kept, rise
+        zeta, n and rho [m].
+    slip, stress, tension
+        x [m], tau [Pa], T [N].
+    """
+
+    travel: Array
+    kept: Array
+    rise: Array
+    slip: Array
+    stress: Array
+    tension: Array
+
+
+class Carried(Protocol):
+    """What carries the pieces of arcs along."""
+
+    def pieces(self, arc: MovingArc) -> Pieces:
+        """Return the pieces on the wrap of an arc."""
 
 
 @dataclass
 class MovingArc:
-    """An arc that moves: its pieces, what they remember, and where Newton's method stands.
-
-    The only thing in this room that changes: a march owns its arcs.
+    """An arc that moves, as one number each; its pieces are in the table of its `wraps`.
 
     Attributes
     ----------
@@ -51,6 +118,14 @@ class MovingArc:
     give, rise, dry
         What the piece at the nip gets: compliance of belt and lagging recovery [1/N], extra
         radius [m], share of the friction [-].
+    nip, moves
+        Place of the piece at the entry nip in the table; whether it came there in this step.
+    joint
+        S where it began to move after it stood [m].
+    past_travel, past_kept
+        S at the ends of the steps before and what pieces laid there keep [m], the last first.
+    felt
+        What friction came to in the last step.
     """
 
     arc: WrapArc
@@ -66,6 +141,12 @@ class MovingArc:
     give: float = field(init=False)
     rise: float = 0.0
     dry: float = 1.0
+    nip: int = 0
+    moves: bool = False
+    joint: float = -inf
+    past_travel: list[float] = field(default_factory=list)
+    past_kept: list[float] = field(default_factory=list)
+    felt: Felt = field(default_factory=Felt)
 
     def __post_init__(self) -> None:
         arc = self.arc
@@ -73,211 +154,49 @@ class MovingArc:
         self.entry = self.exit = arc.exit_tension
         self.give = arc.compliance
         self.shape, self.spacing = shape_of(arc), arc.length / self.points
-        self.what, *law = numbers_of(arc, self.spacing)
-        room = 6 * self.points + 40
-        self.rows = np.zeros((room, k.COLUMNS))
-        self.turns = np.zeros(room * ROOM)
-        self.counts = np.zeros(room, dtype=np.int64)
-        self.span = np.zeros(3, dtype=np.int64)
-        self.out = np.zeros(k.ANSWERS)
-        self.tables = (self.what, *law, self.rows, self.turns, self.counts, self.span)
-        fast = available()
-        self._sweep: Any = compiled(k.sweep) if fast else k.sweep
-        self._change: Any = compiled(k.change) if fast else k.change
-        self._keep: Any = compiled(k.keep) if fast else k.keep
-        self.open, self.begun, self.ahead, self.h = False, False, 0.0, 1.0
-        self.given, self.to = (0.0, 0.0), 0.0
-        self.lay_at_rest(arc.exit_tension)
 
-    def lay_at_rest(self, tension: float) -> None:
-        """Put fresh pieces under a belt of one tension that has not crept."""
-        n = self.points + 2
-        self.rows[:], self.counts[:] = 0.0, 0
-        place = self.travel - self.spacing * np.arange(n - 1, -1, -1)
-        self.rows[:n, k.TRAVEL], self.rows[:n, k.GIVE] = place, self.give
-        self.rows[:n, k.TENSION], self.rows[:n, k.DRY] = tension, 1.0
-        self.rows[:n, k.SHORT] = self.give * tension * (self.travel - place)
-        self.rows[:n, k.KEPT] = self.m - self.rows[:n, k.SHORT]
-        beyond = self.travel - place[1] >= self.shape.length
-        self.span[:] = int(beyond), n - 1, 0
-        self.out[:] = 0.0
-        self.entry = self.exit = tension
-        self.wrapped = self.give * tension * self.shape.length
-
-    # --- one step, in three parts: begin, sweep and change as often as needed, finish ---
-
-    def begin(self, travel: float, h: float = 1.0) -> None:
-        """Begin a step of h [s] that will end at about a travel [m]."""
-        ahead = travel - self.travel
-        moving = ahead > STANDS
-        nip = int(self.span[1])
-        if nip + 3 >= len(self.rows):
-            nip = self._shift()
-        if moving and not self.span[2]:  # the piece at the nip stood there and remembers: it stays
-            jumped = abs(self.m - self.rows[nip, k.KEPT] - self.overrun(self.entry))
-            for _ in range(2 if jumped > 1e-9 else 1):  # old and fresh contact may meet there
-                nip += 1
-                self._fresh(nip, self.m - self.overrun(self.entry), nip - 1)
-            self.span[1] = nip
-        self.span[2] = int(moving)
-        self.ahead, self.h, self.begun = ahead if moving else 0.0, h, True
-
-    def sweep(self, travel: float, m: float, exit_tension: float) -> list[float]:
-        """One Newton step for the end of the step; see :mod:`wraparc.motion.arc_kernel`."""
-        if self.open:
-            self.change(m, exit_tension)
-        self.to = travel if self.span[2] else self.travel
-        self.given = m, exit_tension
-        first = (self.ahead, self.h) if self.begun else (0.0, 0.0)
-        self._sweep(*self.tables, self.out, self.to, m, exit_tension, *first)
-        self.begun, self.open = False, True
-        self.found: list[float] = self.out.tolist()
-        return self.found
-
-    def change(self, m: float, exit_tension: float) -> float:
-        """Change tensions and creep as the sweep found, for m and T_out; the largest dT/T."""
-        at = self.given
-        worst: float = self._change(
-            self.what, self.rows, self.span, m - at[0], exit_tension - at[1]
-        )
-        self.open = False
-        return worst
-
-    def undo(self) -> None:
-        """Go back to before the step that was begun; the next one is guessed without rates."""
-        if self.begun:  # it was not swept
-            return
-        part = self.rows[self.span[0] : self.span[1] + 1]
-        ahead = self.ahead
-        part[:, k.TENSION] = part[:, k.T_CARRIED] + self.shape.width * part[:, k.STRESS] * ahead
-        part[:, k.SHORT] = part[:, k.I_CARRIED] - part[:, k.GIVE] * part[:, k.TENSION] * ahead
-        part[:, k.T_RATE : k.I_RATE_0 + 1] = 0.0
-        if self.span[2]:
-            part[-1, k.SHORT] = 0.0
-        self.open = False
-
-    def finish(self, m: float, exit_tension: float) -> None:
-        """Take the step for good."""
-        if self.open:
-            self.change(m, exit_tension)
-        out, at = self.found, self.given
-        dm, dx = m - at[0], exit_tension - at[1]
-        self.entry = out[k.IN] + out[k.IN_M] * dm + out[k.IN_X] * dx
-        self.wrapped = out[k.WRAPPED] + out[k.WRAPPED_M] * dm + out[k.WRAPPED_X] * dx
-        self.lifted = out[k.LIFTED]
-        if self.span[2]:
-            self.at_nip(self.give, self.rise, self.dry)
-        self.work += self._keep(
-            self.what, self.rows, self.turns, self.counts, self.span, self.out,
-            self.travel, self.to, m, self.entry, self.h,
-        )  # fmt: skip
-        self.travel, self.m, self.exit = self.to, m, exit_tension
-
-    def at_nip(self, give: float, rise: float, dry: float) -> None:
-        """Say what the belt and the lagging at the nip are like."""
-        row = self.rows[self.span[1]]
-        row[k.GIVE], row[k.RISE], row[k.DRY] = give, rise, dry
-
-    # --- with the tensions at both nips held, nothing depends on time ---
-
-    def roll(self, ahead: float, entry: float, exit_tension: float) -> None:
-        """Travel on with given tensions at both nips [N].
-
-        Raises
-        ------
-        ArithmeticError
-            If there is no creep with which the arc holds them.
-        """
-        self.begin(self.travel + ahead)
-        # a belt that does not creep is laid on stretched
-        rate = self.slope or self.give * entry
-        m, travel = self.m + rate * ahead, self.travel + ahead
-        for _ in range(_ITERATIONS):
-            out = self.sweep(travel, m, exit_tension)
-            dm = (entry - out[k.IN]) / out[k.IN_M] if out[k.IN_M] != 0.0 else np.inf
-            if not abs(dm) < 0.1:
-                raise ArithmeticError
-            m += dm
-            settled = self.change(m, exit_tension) < _SETTLED
-            if settled and abs(dm) < 1e-14 + 1e-9 * self.spacing:
-                break
-        else:
-            raise ArithmeticError
-        self.slope = (m - self.m) / ahead if ahead > STANDS else 0.0
-        self.finish(m, exit_tension)
-
-    def settle(self, entry: float, exit_tension: float, wraps: float = 3.0) -> None:
-        """Bring the arc into its steady state between two tensions."""
-        for i in range(1, 21):  # the pull is put on little by little while the belt travels
-            self.roll(
-                2.0 * self.spacing, exit_tension + (entry - exit_tension) * i / 20.0, exit_tension
-            )
-        for _ in range(int(wraps * self.points)):
-            self.roll(self.spacing, entry, exit_tension)
-        self.work = 0.0
-
-    # --- what it is like ---
-
-    def overrun(self, tension: float) -> float:
-        """x_c at an entry tension [m]."""
-        return k.overrun(self.what, tension)
+    def on(self, wraps: Carried, place: int) -> None:
+        """Say which wrap of a table is its own."""
+        self.wraps, self.own = wraps, place
 
     def place(self) -> Array:
         """Positions on the wrap of the pieces, from the entry nip to the exit nip [m]."""
-        part = self.rows[self.span[0] : self.span[1] + 1]
-        s = self.travel - part[::-1, k.TRAVEL]
+        s = self.travel - self.wraps.pieces(self).travel[::-1]
         s[-1] = self.shape.length
         return np.asarray(s)
 
-    def along(self, column: int) -> Array:
-        """Values at :meth:`place`; the last one is interpolated at the exit nip."""
-        part = self.rows[self.span[0] : self.span[1] + 1][::-1]
-        values = np.array(part[:, column])
-        s = self.travel - part[:, k.TRAVEL]
-        w = (self.shape.length - s[-2]) / (s[-1] - s[-2])
+    def along(self, values: Array) -> Array:
+        """Values of the pieces at :meth:`place`; the last one is interpolated at the exit nip."""
+        s, values = self.travel - self.wraps.pieces(self).travel, np.array(values[::-1])
+        w = (self.shape.length - s[1]) / (s[0] - s[1])
         values[-1] = values[-2] + w * (values[-1] - values[-2])
         return values
 
+    def stress(self) -> Array:
+        """Shear stress at :meth:`place` [Pa]."""
+        return self.along(self.wraps.pieces(self).stress)
+
+    def tension(self) -> Array:
+        """Tension at :meth:`place` [N]."""
+        return self.along(self.wraps.pieces(self).tension)
+
     def creep(self) -> Array:
         """Creep u = x + c tau at :meth:`place` [m]."""
-        return self.along(k.SLIP) + self.shape.shear * self.along(k.STRESS)
+        pieces = self.wraps.pieces(self)
+        return self.along(pieces.slip) + self.shape.shear * self.along(pieces.stress)
 
-    # --- housekeeping ---
-
-    def _fresh(self, j: int, kept: float, like: int) -> None:
-        row = self.rows[j]
-        tension = self.rows[j - 1, k.TENSION] if row[k.TENSION] == 0.0 else row[k.TENSION]
-        rates = self.rows[like, k.T_RATE], self.rows[like, k.T_RATE_0]
-        row[:] = 0.0
-        row[k.T_RATE], row[k.T_RATE_0] = rates
-        row[k.TENSION], row[k.KEPT], row[k.TRAVEL] = tension, kept, self.travel
-        row[k.GIVE], row[k.RISE], row[k.DRY] = self.give, self.rise, self.dry
-        self.counts[j] = 0
-
-    def _shift(self) -> int:
-        first, nip = int(self.span[0]), int(self.span[1])
-        n = nip - first + 1
-        for table in (self.rows, self.turns.reshape(-1, ROOM), self.counts):
-            table[:n] = table[first : nip + 1].copy()
-        self.rows[n:, k.TENSION] = 0.0
-        self.span[0], self.span[1] = 0, n - 1
-        return n - 1
+    def rises(self, travel: float) -> tuple[float, float]:
+        """Extra radius at the entry and at the exit nip after a travel [m]."""
+        pieces = self.wraps.pieces(self)
+        (z_d, z_u), (d, u) = pieces.travel[:2].tolist(), pieces.rise[:2].tolist()
+        w = (self.shape.length - travel + z_u) / (z_u - z_d)
+        return float(pieces.rise[-1]), u + w * (d - u)
 
 
-def numbers_of(arc: WrapArc, spacing: float) -> tuple[Array, Array, Array, Array]:
-    """Return law, shape and spacing of an arc in arrays; see `arc_kernel.arc_of`."""
-    law = arc.law.compact()
-    what = np.array([law.kind, law.onset_compliance, *shape_of(arc), spacing], dtype=float)
-    edges, coefficients, slips = (
-        np.array(v, dtype=float) for v in (law.edges, law.coefficients, law.slips)
-    )
-    return what, edges, coefficients, slips
-
-
-def shape_of(arc: WrapArc) -> k.Shape:
+def shape_of(arc: WrapArc) -> Shape:
     """Return what of an arc stays the same in time."""
     g = arc.geometry()
-    return k.Shape(arc.width, arc.diameter, arc.length, g.shear, g.kick, g.kick_coefficient)
+    return Shape(arc.width, arc.diameter, arc.length, g.shear, g.kick, g.kick_coefficient)
 
 
 def _refuse(arc: WrapArc) -> None:

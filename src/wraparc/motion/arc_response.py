@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult
-from wraparc.friction.compact import LIMIT, CompactLaw
-from wraparc.friction.memory import stuck_or_sliding, virgin
+from wraparc.friction.compact import LIMIT
+from wraparc.friction.memory import Lagging, Past
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -59,16 +59,16 @@ class SteadyProfile:
     @classmethod
     def of(cls, result: ArcResult, speed: float, steps: int = _STEPS) -> SteadyProfile:
         """Return the profile of a solved arc whose surface moves at a speed [m/s]."""
-        arc, law = result.arc, result.arc.law.compact()
+        arc, lagging = result.arc, Lagging(result.arc.law.compact(), result.arc.shear_compliance)
         g, entry, give = result.entry_creep_ratio, result.entry_tension, arc.compliance
-        per, c, b = 2.0 / (arc.width * arc.diameter), arc.shear_compliance, arc.width
+        per, b = 2.0 / (arc.width * arc.diameter), arc.width
         count = 2 * steps
         xi = np.linspace(0.0, 1.0, count + 1)
         t, u = entry, arc.entry_overrun
         rows = []
 
         def state(t: float, u: float) -> tuple[float, float, float]:
-            return _stress(law, max(t, 1.0) * per, c, u)
+            return _stress(lagging, max(t, 1.0) * per, u)
 
         def slopes(x: float, t: float, u: float) -> tuple[float, float]:
             ds = 3.0 * arc.length * x * x
@@ -173,10 +173,14 @@ class ArcResponse:
         return np.asarray(-self.out_by_slip / (1.0 - self.lam * self.wrapped_by_slip))
 
 
-def _stress(law: CompactLaw, pressure: float, c: float, u: float) -> tuple[float, float, float]:
+def _stress(lagging: Lagging, pressure: float, u: float) -> tuple[float, float, float]:
     """Shear stress and its slopes by creep and pressure in a steady state."""
-    if law.kind == LIMIT:
-        at = stuck_or_sliding(law, pressure, c, u, 0.0, 0.0, 1.0)
+    creep, one = np.array([u]), np.ones(1)
+    at, side = np.array([pressure]), np.where(creep >= 0.0, 1.0, -1.0)
+    if lagging.law.kind == LIMIT:
+        none = 0.0 * one
+        past = Past(none[:, None], none.astype(np.int64), none, none, none, none, one)
+        found = lagging.stuck_or_sliding(creep, at, past)
     else:
-        at = virgin(law, pressure, c, u, 1.0 if u >= 0.0 else -1.0, abs(u), 1.0)
-    return at.stress, at.by_creep, at.by_pressure
+        found = lagging.virgin(creep, at, side, np.abs(creep), 1.0)
+    return float(found.stress[0]), float(found.by_creep[0]), float(found.by_pressure[0])

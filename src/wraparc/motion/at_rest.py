@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from wraparc.errors import InputError, Problem
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.station_state import StationState
 
 
@@ -16,7 +15,7 @@ def rest(march: StationState) -> None:
         If its state at rest is not known.
     """
     for d in march.drums:
-        d.arc.lay_at_rest(march.slack)
+        march.wraps.lay_at_rest(d.arc, march.slack)
         d.locked = True
         d.turning.run(0.0, 0.0, 0.0)
     march.T = [march.slack] * (march.n + 1)
@@ -39,17 +38,16 @@ def rest(march: StationState) -> None:
 
 def _hang(march: StationState) -> None:
     """Find the tensions between standing drums for the outer ones: no belt runs through."""
-    for i, d in enumerate(march.drums):
-        last = i == march.n - 1
-        exit_ = march.slack if last else march.slack + (march.T[0] - march.slack) * 0.5
-        if not last:
-            march.T[i + 1] = exit_
-        d.arc.begin(d.arc.travel)
-        m = d.arc.m
-        for _ in range(30):
-            out = d.arc.sweep(d.arc.travel, m, exit_)
-            dm = (march.T[i] - out[k.IN]) / out[k.IN_M]
-            m += dm
-            if abs(dm) < 1e-12:
-                break
-        d.arc.finish(m, exit_)
+    for i in range(1, march.n):
+        march.T[i] = march.slack + (march.T[0] - march.slack) * 0.5
+    exits = [*march.T[1:-1], march.slack]
+    arcs = march.wraps.arcs
+    travels, m = [a.travel for a in arcs], [a.m for a in arcs]
+    march.wraps.begin(travels)
+    for _ in range(30):
+        found = march.wraps.sweep(travels, m, exits)
+        steps = [(t - out.entry) / out.entry_m for t, out in zip(march.T, found, strict=False)]
+        m = [a + dm for a, dm in zip(m, steps, strict=True)]
+        if max(map(abs, steps)) < 1e-12:
+            break
+    march.wraps.finish(m, exits)

@@ -132,7 +132,7 @@ class Checkpoint:
                 setattr(part, key, kind(value) if kind in (tuple, deque) else value)
             for key, value in vars(part).items():
                 if isinstance(value, np.ndarray):
-                    value[...] = arrays[f"{name}.{key}"]
+                    setattr(part, key, arrays[f"{name}.{key}"])
         keeper.rows = arrays["rows"].tolist()
         pictures = zip(arrays["picture_times"], arrays["creep"], arrays["shear"], strict=True)
         keeper.pictures = [(float(t), list(creep), list(shear)) for t, creep, shear in pictures]
@@ -146,6 +146,7 @@ class Checkpoint:
 def _parts(march: March, keeper: Keeper) -> Iterator[tuple[str, Any]]:
     """Everything that changes on the march, by name."""
     yield "march", march
+    yield "wraps", march.wraps
     yield "keeper", keeper
     for i, d in enumerate(march.drums):
         yield f"drum{i}", d

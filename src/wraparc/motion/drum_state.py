@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.arc import MovingArc
 from wraparc.motion.control import Duty, Follower
 from wraparc.motion.event import Event, Measured, OnBelt, OnDrum
@@ -84,13 +83,13 @@ class DrumState:
         self.held = self.turning.holds and on and not given
         self.turning.begin(h, level)
 
-    def guessed(self, h: float) -> float:
+    def guessed(self, h: float, onward: float) -> float:
         """Speed at the end of a step of h [s], as far as it is known before [rad/s]."""
         if self.locked:
             return 0.0
         if self.held:
             return self.duty.speed * self.level
-        return self.omega + h * (2.0 * self.rate - self.rate_0)
+        return self.omega + h * (self.rate + onward * (self.rate - self.rate_0))
 
     def driven(self, omega: float, lead: float) -> tuple[float, float, float]:
         """Torque of motor and brake at the end of the step, its slopes by speed and master's."""
@@ -135,15 +134,11 @@ class DrumState:
         there = (o for o in self.on_drum if self.t1 > o.at)
         return self.duty.torque * math.fsum(o.ripple * math.sin(o.order * angle) for o in there)
 
-    def rises(self) -> tuple[float, float]:
-        """Extra radius at the entry and at the exit nip [m]."""
+    def rises(self, travel: float) -> tuple[float, float]:
+        """Extra radius at the entry and at the exit nip after a travel [m]."""
         if not self.on_drum and not self.riders:
             return 0.0, 0.0
-        arc = self.arc
-        first = int(arc.span[0])
-        a, b = arc.rows[first], arc.rows[first + 1]
-        w = (arc.shape.length - arc.to + b[k.TRAVEL]) / (b[k.TRAVEL] - a[k.TRAVEL])
-        return float(arc.rows[arc.span[1], k.RISE]), float(b[k.RISE] + w * (a[k.RISE] - b[k.RISE]))
+        return self.arc.rises(max(travel, self.arc.travel))
 
     def past_exit(self, travel: float, length: float, front: float) -> float:
         """How much of a piece of the belt has left this drum [m]."""

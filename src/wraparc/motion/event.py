@@ -284,6 +284,13 @@ class Event:
         moves = (h for h in self.happenings if isinstance(h, Start))
         return tuple(sorted(moves, key=lambda h: h.at))
 
+    @cached_property
+    def instants(self) -> tuple[float, ...]:
+        """When something begins or comes to its end [s]; what rides or turns is left out."""
+        times = {h.at for h in self.happenings if isinstance(h, Start | LoadStep | PowerFailure)}
+        times |= {h.at + h.time for h in self.happenings if isinstance(h, Start | LoadStep)}
+        return tuple(sorted(times))
+
     @property
     def from_rest(self) -> bool:
         """Whether the station stands when it begins."""

@@ -8,8 +8,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from wraparc.batch.native import available
-from wraparc.motion import arc_kernel as k
 from wraparc.motion.march import March
 from wraparc.motion.result import (
     EXTREMES,
@@ -24,6 +22,8 @@ from wraparc.motion.station import Station
 
 #: Rows and pictures that are kept at most; when there are more, every other one is dropped.
 _ROWS, _PICTURES, _ACROSS = 4000, 240, 61
+#: Part of the time between two rows by which one may come early.
+_EARLY = 1e-6
 
 Sink = Callable[[Sequence[float]], None]
 
@@ -61,19 +61,21 @@ class Keeper:
 
     def __post_init__(self) -> None:
         self.between = self.every
-        self.next = self.next_picture = 0.0
+        self.kept, self.next_picture = -math.inf, 0.0
         self.between_pictures = max(self.march.event.duration / _PICTURES, self.march.h, self.every)
         self.streamed, self.told = -math.inf, 0
         n, train = self.march.n, self.march.station.train
         self.limits = [train.creep_limit_of(pulley) for pulley in train.pulleys]
         self.most, self.when = [-math.inf] * (n * len(EXTREMES)), [0.0] * (n * len(EXTREMES))
-        self.over, self.before = [0.0] * n, self.march.t
+        self.over, self.before, self.creeps = [0.0] * n, self.march.t, [0.0] * n
         self.work = [0.0] * n
         self.power = [0.0] * n
         self.across = np.linspace(0.0, 1.0, _ACROSS)
         self.travel0 = [d.arc.travel for d in self.march.drums]
         for d in self.march.drums:
             d.arc.work = 0.0
+        self.march.watch = self._watch
+        self._watch()
         self.take(False)
         self.count = 0
 
@@ -88,18 +90,13 @@ class Keeper:
         """Take what the march has come to."""
         m = self.march
         self.count += 1
-        self._watch()
-        for i, d in enumerate(m.drums):
-            power = d.moment * d.omega
-            self.work[i] += 0.5 * m.h * (self.power[i] + power) if self.rows else 0.0
-            self.power[i] = power
-        if m.t >= self.next - 1e-9 or last:
+        if _due(m.t, self.kept, self.between) or last:
             self.rows.append(self._row())
-            self.next = m.t + self.between
+            self.kept = m.t
             if len(self.rows) > _ROWS and not last:
                 self.rows = self.rows[::2]
                 self.between *= 2.0
-        if m.t >= self.streamed + self.every - 1e-9 or last:
+        if _due(m.t, self.streamed, self.every) or last:
             self.stream()
         if m.t >= self.next_picture - 1e-9 or last:
             self._picture()
@@ -108,27 +105,30 @@ class Keeper:
         """Keep the largest of every step, whatever rows are kept."""
         m, size = self.march, len(EXTREMES)
         for i, d in enumerate(m.drums):
-            slip, stress, most_slip, most_stress, speed = d.arc.out[k.EXIT_SLIP :].tolist()
-            creep = abs(slip + d.arc.shape.shear * stress)
+            felt = d.arc.felt
+            creep = abs(felt.exit_slip + d.arc.shape.shear * felt.exit_stress)
             entry, exit_ = m.T[i] + m.run_rises[i], m.T[i + 1]
             # in the order of EXTREMES; of least tensions the largest negative
-            friction = (creep, abs(most_slip), speed, abs(most_stress))
+            friction = (creep, abs(felt.most_slip), felt.slip_speed, abs(felt.most_stress))
             found = (*friction, abs(entry - exit_), abs(d.torque), entry, exit_, -entry, -exit_)
             for j, value in enumerate(found, start=size * i):
                 if value > self.most[j]:
                     self.most[j], self.when[j] = value, m.t
-            if creep > self.limits[i]:
-                self.over[i] += m.t - self.before
+            self.over[i] += (m.t - self.before) * _part_over(self.creeps[i], creep, self.limits[i])
+            self.creeps[i] = creep
+            power = d.moment * d.omega
+            self.work[i] += 0.5 * (m.t - self.before) * (self.power[i] + power)
+            self.power[i] = power
         self.before = m.t
 
     def _row(self) -> list[float]:
         m = self.march
         row = [m.t, m.v if m.station.conveyor_mass is not None else m.speed]
         for i, d in enumerate(m.drums):
-            slip, stress, _, shear, _ = d.arc.out[k.EXIT_SLIP :].tolist()
-            creep = slip + d.arc.shape.shear * stress
+            felt = d.arc.felt
+            creep = felt.exit_slip + d.arc.shape.shear * felt.exit_stress
             entry = m.T[i] + m.run_rises[i]
-            row += [entry, m.T[i + 1], d.omega, d.torque, creep, slip, shear]
+            row += [entry, m.T[i + 1], d.omega, d.torque, creep, felt.exit_slip, felt.most_stress]
         return row
 
     def _extremes(self, i: int) -> Extremes:
@@ -141,7 +141,7 @@ class Keeper:
         for d in m.drums:
             place = d.arc.place() / d.arc.shape.length
             creep.append(np.interp(self.across, place, d.arc.creep()))
-            shear.append(np.interp(self.across, place, d.arc.along(k.STRESS)))
+            shear.append(np.interp(self.across, place, d.arc.stress()))
         self.pictures.append((m.t, creep, shear))
         self.next_picture = m.t + self.between_pictures
         if len(self.pictures) > 2 * _PICTURES:
@@ -196,7 +196,6 @@ class Keeper:
             steps=steps,
             belt_error=self._belt_error(),
             build_distance=self._build_distance(table, columns),
-            compiled=available(),
         )
 
     def _belt_error(self) -> float:
@@ -218,6 +217,19 @@ class Keeper:
             off = np.nonzero(np.abs(creep - creep[-1]) > 0.05 * abs(creep[-1]))[0]
             worst = max(worst, float(travel[min(off[-1] + 1, len(travel) - 1)]) if len(off) else 0)
         return worst
+
+
+def _due(t: float, before: float, every: float) -> bool:
+    """Whether a multiple of `every` has been passed since something was done before."""
+    return before < 0.0 or math.floor(t / every + _EARLY) > math.floor(before / every + _EARLY)
+
+
+def _part_over(before: float, after: float, limit: float) -> float:
+    """Part of a step in which something is over a limit, that goes straight from end to end."""
+    low, high = min(before, after), max(before, after)
+    if high <= limit:
+        return 0.0
+    return 1.0 if low >= limit else (high - limit) / (high - low)
 
 
 def _frozen(values: Array) -> Array:

@@ -10,13 +10,24 @@ import math
 from wraparc.errors import InputError, Problem
 from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
-from wraparc.motion.equations import Trial, solved
+from wraparc.motion.equations import BESIDE, Trial, guessed, solved
 from wraparc.motion.event import Event, OnBelt
+from wraparc.motion.held import settle
 from wraparc.motion.station import Station
 from wraparc.motion.station_state import HaltError, StationState
 
 #: Part of the wrap by which a drum may turn back.
 _BACK = 0.05
+#: Part of a step that ends where something begins or ends, unless it does so nearer to its own.
+_NEAR = 0.02
+#: A step that fails is halved so often.
+_HALVINGS = 6
+#: Pieces of lagging in a step, at most, while the joint of old and fresh contact is nearer than
+#: this part of a wrap to the exit nip.
+_PIECES, _AROUND = 0.25, 0.03
+#: Part of the slack-side tension, and of speed, by which a step longer than the finest may end off
+#: its guess.
+_STRAYS = 1e-4
 
 
 class March(StationState):
@@ -27,15 +38,22 @@ class March(StationState):
     station, event
         What moves, and what happens.
     step
-        [s]; None for one piece of lagging a step at running speed.
+        [s]; None for a length of its own, in parts where much happens.
     points
         Pieces on the shortest wrap.
+    every
+        Time between the rows that are asked for, if not every step [s]: no step is longer.
     """
 
     def __init__(
-        self, station: Station, event: Event, step: float | None = None, points: int = 100
+        self,
+        station: Station,
+        event: Event,
+        step: float | None = None,
+        points: int = 100,
+        every: float | None = None,
     ) -> None:
-        super().__init__(station, event, step, points)
+        super().__init__(station, event, step, points, every)
         if event.from_rest:
             rest(self)
         else:
@@ -45,15 +63,17 @@ class March(StationState):
 
     def _run(self) -> None:
         """Begin in the steady state."""
-        for d, member in zip(self.drums, self.steady.members, strict=True):
-            pair = (member.arc.entry_tension, member.arc.exit_tension)
-            try:
-                d.arc.settle(*pair, wraps=5.0)
-            except ArithmeticError:
-                message = "its steady state could not be reached by marching"
-                remedy = "Give more points, or begin at rest."
-                problem = Problem(key=f"pulley.{member.name}", message=message, remedy=remedy)
-                raise InputError(problem) from None
+        members = self.steady.members
+        entries = [m.arc.entry_tension for m in members]
+        exits = [m.arc.exit_tension for m in members]
+        try:
+            settle(self.wraps, entries, exits, lengths=5.0)
+        except ArithmeticError as error:
+            message = "its steady state could not be reached by marching"
+            remedy = "Give more points, or begin at rest."
+            key = f"pulley.{self.names[error.args[0]]}"
+            raise InputError(Problem(key=key, message=message, remedy=remedy)) from None
+        for d, pair in zip(self.drums, zip(entries, exits, strict=True), strict=True):
             d.omega, d.level = d.duty.speed, 1.0
             d.moment = d.torque = d.moment_of(*pair, 0.0, 0.0)[0]
             d.turning.run(1.0, d.omega, d.torque)
@@ -79,8 +99,8 @@ class March(StationState):
 
     # --- one step ---
 
-    def step(self, h: float | None = None, halvings: int = 6) -> None:
-        """Take one step, in halves where it is hard.
+    def step(self, h: float | None = None) -> None:
+        """Take one step, in parts where it is hard or, if none was asked for, much happens.
 
         Raises
         ------
@@ -88,22 +108,59 @@ class March(StationState):
             If the run cannot go on: a slack belt, a drive that breaks away, a drum that turns back.
         """
         h = h or self.h
+        if not self.divides:
+            self._part(h, _HALVINGS)
+            return
+        near = _NEAR * h
+        cuts = [t for t in self.event.instants if self.t + near < t < self.t + h - near]
+        for end in (*cuts, self.t + h):
+            ahead = end - self.t
+            parts = max(self._parts(ahead), math.ceil(0.5 * ahead / self.went - _NEAR))
+            for _ in range(parts):
+                self._part(ahead / parts, _HALVINGS)
+
+    def _parts(self, h: float) -> int:
+        """In how many parts to take a step: creep jumps where old and fresh contact part."""
+        pieces = []
+        for d in self.drums:
+            ahead = max(d.omega, d.guessed(h, self.onward(h))) * d.radius * h
+            left = d.arc.joint + d.arc.shape.length - d.arc.travel
+            if -_AROUND * d.arc.shape.length < left < ahead + _AROUND * d.arc.shape.length:
+                pieces.append(ahead / d.arc.spacing)
+        return max(math.ceil(max(pieces, default=0.0) / _PIECES), 1)
+
+    def _part(self, h: float, halvings: int) -> None:
         trims = [d.trimming.state() if d.trimming else None for d in self.drums]
         locks = [d.locked for d in self.drums]
         try:
             trial = self._tried(h)
+            good = not self.divides or h <= self.finest or self._as_guessed(trial)
         except HaltError:
             if not halvings:
                 raise
+            good = False
+        if not good:
+            self.wraps.undo()
             for d, trim, lock in zip(self.drums, trims, locks, strict=True):
-                d.arc.undo()
                 d.locked = lock
                 if d.trimming is not None and trim is not None:
                     d.trimming.back(trim)
-            self.step(0.5 * h, halvings - 1)
-            self.step(0.5 * h, halvings - 1)
+            self._part(0.5 * h, halvings - 1)
+            self._part(0.5 * h, halvings - 1)
             return
         self._accept(trial)
+        self.went = h
+        self.watch()
+
+    def _as_guessed(self, trial: Trial) -> bool:
+        """Whether tensions and speeds went on nearly as they went in the two steps before."""
+        guess = guessed(self, trial.h)
+        off = [abs(a - b) / self.slack for a, b in zip(trial.tensions, guess.tensions, strict=True)]
+        off += [
+            abs(a - b) / d.duty.speed
+            for a, b, d in zip(trial.omega, guess.omega, self.drums, strict=True)
+        ]
+        return max(off) < _STRAYS
 
     def _tried(self, h: float) -> Trial:
         """Solve for the end of a step; drums that would turn back against a stop stand."""
@@ -122,23 +179,23 @@ class March(StationState):
                 break
             for d in stopped:
                 d.locked = True
-            for d in self.drums:
-                d.arc.undo()
+            self.wraps.undo()
         return trial
 
     def _command(self, h: float) -> None:
         """Tell the drives what is asked of them at the end of the step."""
         t1 = self.t + h
-        level = self.event.level(t1)
-        failed = any(t1 >= f.at for f in self.failures)
-        braking = any(f.brakes and t1 >= f.at for f in self.failures)
+        before = t1 - BESIDE * h
+        level = self.event.level(before)
+        failed = any(before >= f.at for f in self.failures)
+        braking = any(f.brakes and before >= f.at for f in self.failures)
         for d in self.drums:
             own = level
             if d.trimming is not None:
                 total = math.fsum(o.moment for o in self.drums)
                 share = d.moment / total if abs(total) > 1e-9 else d.trimming.goal
                 own = level * (1.0 + d.trimming.next(h, share))
-            d.turning.fill = self.event.fill(t1)
+            d.turning.fill = self.event.fill(before)
             d.command(h, t1, own, not failed, braking)
 
     def _released(self, d: DrumState) -> bool:
@@ -156,7 +213,7 @@ class March(StationState):
         for i in self.order:
             d, w1 = self.drums[i], trial.omega[i]
             entry = after[i] + self.run_rises[i]
-            moment = d.moment_of(entry, after[i + 1], *d.rises())[0]
+            moment = d.moment_of(entry, after[i + 1], *d.rises(trial.travels[i]))[0]
             lead = torques[d.master] if d.master >= 0 else 0.0
             if d.locked:
                 d.torque, own = moment, 0.0
@@ -169,15 +226,17 @@ class March(StationState):
             torques[i], d.moment = own, moment
             arc = d.arc
             d.slope_0, d.slope = d.slope, (trial.m[i] - arc.m) / h
-            if arc.span[2]:
+            if arc.moves:
+                self.wraps.at_nip(arc, *trial.surfaces[i])
                 arc.rise, arc.give, arc.dry = trial.surfaces[i]
             d.turned_back = min(d.turned_back + trial.travels[i] - arc.travel, 0.0)
-            arc.finish(trial.m[i], after[i + 1])
             d.rate_0, d.rate = d.rate, (w1 - d.omega) / h
             d.omega, d.angle = w1, trial.angles[i]
-            if d.turned_back < -_BACK * arc.shape.length:
-                raise HaltError("turns back", self.names[i])
-        self.rates_0 = self.rates
+        self.wraps.finish(trial.m, after[1:])
+        for d, name in zip(self.drums, self.names, strict=True):
+            if d.turned_back < -_BACK * d.arc.shape.length:
+                raise HaltError("turns back", name)
+        self.rates_0, self.h_0, self.h_before = self.rates, self.h_before, h
         self.rates = [(a - b) / h for a, b in zip(after, self.T, strict=True)]
         self.v_rate_0, self.v_rate = self.v_rate, (trial.v - self.v) / h
         self.T, self.v, self.t = list(after), trial.v, self.t + h

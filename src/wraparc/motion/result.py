@@ -186,8 +186,6 @@ class RunResult:
     build_distance
         Travel of the belt until the exit creep of every drum stays within 5 % of its last value,
         for a start [m]; nan for other events.
-    compiled
-        Whether compiled code was used.
     """
 
     station: Station
@@ -202,7 +200,6 @@ class RunResult:
     steps: int
     belt_error: float
     build_distance: float
-    compiled: bool
 
     def __iter__(self) -> Iterator[DrumHistory]:
         return iter(self.drums)

@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from wraparc.arc import Distributed
 from wraparc.errors import InputError, Problem
+from wraparc.motion.control import Follower
 from wraparc.motion.drum_state import SOFT, drum_of
-from wraparc.motion.event import Event, LoadStep, OnBelt, PowerFailure
+from wraparc.motion.event import Event, LoadStep, Measured, OnBelt, OnDrum, PowerFailure
 from wraparc.motion.station import Station
+from wraparc.motion.wraps import Wraps
 from wraparc.train import CaseResult
 from wraparc.train.solve import solve_case
 
+#: Part of the shortest wrap that the lagging moves in a step where nothing asks for less.
+_STEP = 0.07
+#: Angle of the conveyor's swing in such a step [rad].
+_SWING = 0.25
 #: Part of the set tension by which it may be missed before the winch goes at its full speed.
 _WINCH = 0.05
 
@@ -35,16 +42,28 @@ class StationState:
         Tensions before, between and behind the drums [N]; speed of the conveyor [m/s].
     rates, v_rate
         dT/dt [N/s] and dv/dt [m/s2] of the last step; with _0 of the one before.
-    drums
-        In belt order.
+    drums, wraps
+        In belt order; their arcs as one table.
     pull, slack
         Effective tension of all drums, and tension of the take-up [N].
     stretch
         1/EA of the belt [1/N].
+    mass, swing
+        Of the conveyor, infinite without [kg], and how fast it swings on its belt [1/s].
+    finest, divides, went
+        Step with one piece of lagging at running speed [s]; whether steps are taken in parts where
+        much happens, and how long the last part was [s].
+    watch
+        Called after every step or part of one.
     """
 
     def __init__(
-        self, station: Station, event: Event, step: float | None = None, points: int = 100
+        self,
+        station: Station,
+        event: Event,
+        step: float | None = None,
+        points: int = 100,
+        every: float | None = None,
     ) -> None:
         self.station, self.event = station, event
         train = station.train
@@ -58,13 +77,20 @@ class StationState:
         ]
         self.n = len(train.pulleys)
         self.drums = [drum_of(station, event, self.steady, i, points) for i in range(self.n)]
+        self.wraps = Wraps([d.arc for d in self.drums])
         # masters before those that follow them
         self.order = sorted(range(self.n), key=lambda i: self.drums[i].master >= 0)
         self.names = station.names
         lead = self.drums[0]
         self.speed = lead.duty.speed * lead.duty.radius
         finest = min(d.arc.spacing for d in self.drums)
-        self.h = step or 1.2 * finest / self.speed
+        self.finest = 1.2 * finest / self.speed
+        self.divides = step is None and not self._delayed()
+        self.watch: Callable[[], None] = lambda: None
+        self.mass = station.conveyor_mass or math.inf
+        self.swing = self._swing()
+        self.h = step or (self._longest(every) if self.divides else self.finest)
+        self.went = self.h
         self.t = 0.0
         self.pull = case.entry_tension - case.exit_tension
         self.slack = case.exit_tension
@@ -76,6 +102,42 @@ class StationState:
         # dT/dt and dv/dt, and in the step before
         self.rates, self.rates_0 = [0.0] * (self.n + 1), [0.0] * (self.n + 1)
         self.v_rate = self.v_rate_0 = 0.0
+        self.h_before = self.h_0 = 0.0  # length of the last step and of the one before [s]
+
+    def _swing(self) -> float:
+        """Angular frequency of the conveyor on its belt, the drums standing [1/s]."""
+        station = self.station
+        runs = [station.carry_run]
+        if station.take_up != "gravity":
+            runs.append(station.return_run)
+        return math.sqrt(math.fsum(1.0 / (run * self.stretch) for run in runs) / self.mass)
+
+    def _longest(self, every: float | None) -> float:
+        """Length of a step where nothing asks for less; the event is a number of them [s]."""
+        shortest = min(d.arc.shape.length for d in self.drums)
+        longest = _STEP * shortest / self.speed
+        if self.swing:
+            longest = min(longest, _SWING / self.swing)
+        longest = max(longest, self.finest)
+        if every and every < longest:  # rows are due more often
+            return max(every, self.finest)
+        return self.event.duration / math.ceil(self.event.duration / longest)
+
+    def _delayed(self) -> bool:
+        """Whether something needs short steps of one length: what turns, rides or comes late."""
+        delayed = (OnDrum, OnBelt, Measured)
+        return (
+            self.station.take_up == "winch"
+            or any(isinstance(h, delayed) for h in self.event.happenings)
+            or any(
+                d.trim is not None or isinstance(d.control, Follower) for d in self.station.drums
+            )
+        )
+
+    def onward(self, h: float) -> float:
+        """Weight of the change of a rate in the guess of what it will be over the next step [-]."""
+        known = self.h_before + self.h_0
+        return (h + self.h_before) / known if known else 1.0
 
     def load(self, t: float) -> float:
         """Resistance over that of the load case [-]."""

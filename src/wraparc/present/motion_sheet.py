@@ -24,8 +24,7 @@ def run_sheet(run: RunResult, system: System = "si") -> Sheet:
     return Sheet(
         title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
         subtitle=f"{run.steps} steps of {display(run.step, 'time', digits=3)}, "
-        f"{display(float(run.time[-1]), 'time', digits=3)} followed"
-        + ("" if run.compiled else "; without numba, which makes it some hundred times faster"),
+        f"{display(float(run.time[-1]), 'time', digits=3)} followed",
         verdict=in_words(told, system, [*told.sentences(system), *_run_sentences(run, system)]),
         tables=(*run_tables(run, system), check_table(told, system)),
         remarks=told.data + _LEFT_OUT,
