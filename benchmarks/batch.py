@@ -27,11 +27,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
+from wraparc.batch.lane_kernel import GUESSED, TENSIONS
 
 from wraparc import load_lagging
 from wraparc.batch import Setting, engineering, lane_slots, row, solve_arcs
 from wraparc.batch.arcs import Arcs, arcs_of_table
-from wraparc.batch.lane_kernel import GUESSED, TENSIONS
 from wraparc.friction import Constant, FrictionLaw, MeasuredTable
 from wraparc.friction.compact import branch_of, friction_at, segment_of
 

@@ -83,7 +83,7 @@ FIRST = (
     "batch/test_batch", "cli/test_readme", "report/test_note_pdf", "arc/test_capacity",
     "cli/test_process", "cli/test_trim", "choose/test_selection", "arc/test_results",
     "arc/test_paper_march", "arc/test_twin", "shear_test/test_misfit", "shear_test/test_coverage",
-    "web/test_serve", "web/test_pages_conveyor", "batch/test_compiled_cache",
+    "web/test_serve", "web/test_pages_conveyor",
 )  # fmt: skip
 
 

@@ -82,7 +82,7 @@ def test_a_breakaway_carries_its_result() -> None:
     "error",
     [
         InputError([COMMA, COMMA]),
-        MissingExtraError("numba", "fast"),
+        MissingExtraError("scipy", "fit"),
         BreakawayError("slips", result=(1, 2)),
         ConvergenceError("400 steps"),
     ],

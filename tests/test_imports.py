@@ -50,7 +50,7 @@ NAMED = re.compile(r"(wraparc(?:\.\w+)*)(?::(\w+))?")
 BASE = {"click", "numpy", "tomli_w"}
 EXTRAS = (
     "alembic", "annotated_types", "calamine", "dask", "distributed", "emcee", "fastapi",
-    "matplotlib", "multipart", "numba", "pandas", "psycopg", "pyarrow", "pydantic",
+    "matplotlib", "multipart", "pandas", "psycopg", "pyarrow", "pydantic",
     "python_calamine", "rich", "scipy", "sqlalchemy", "starlette", "typst", "uvicorn", "xlsxwriter",
 )  # fmt: skip
 # Libraries that come with one of an extra and are used beside it.
@@ -58,7 +58,7 @@ UNDER_THE_EXTRAS = {"llvmlite"}
 # Rooms that are nothing without their extra and may import it at the top.
 OPTIONAL_ROOMS = {"web"}
 # Modules that exist for their extra alone and are imported only where it is used.
-OPTIONAL_MODULES = {"wraparc.batch.series", "wraparc.batch.underlay"}
+OPTIONAL_MODULES: set[str] = set()
 
 
 def modules(root: Path) -> dict[str, Path]:

@@ -17,7 +17,7 @@ from scipy.optimize import minimize_scalar
 
 from arc.drives import ARC, LAWS, RUBBER, SOFTENING, integral_log, random_arc
 from arc.twin import Twin
-from wraparc.arc import ArcResult, Capacities, Status, WrapArc
+from wraparc.arc import ArcResult, Capacities, Distributed, Status, WrapArc
 from wraparc.arc.kernel import capacity
 from wraparc.arc.kernel.effort import CREEP, Aim
 from wraparc.files import load_lagging

@@ -10,16 +10,13 @@ import pytest
 
 from choose.searches import CERAMIC, CORD, FABRIC, RUBBER, drive, search
 from wraparc import Belt, InputError, Lagging, LoadCase, Tensions, solve
-from wraparc.arc import WrapArc
 from wraparc.batch.arcs import Arcs
-from wraparc.checks.gross_slip import Grip
 from wraparc.choose import selection as selection_module
 from wraparc.choose.answers import ANSWERS, solve_columns
 from wraparc.choose.belt_rating import least_belt
 from wraparc.choose.ranking import front
 from wraparc.choose.search import Limits
 from wraparc.choose.selection import Selection, choose
-from wraparc.choose.slack_rules import largest_ratio
 
 
 @pytest.fixture(scope="module")
@@ -126,18 +123,6 @@ def test_front_of_made_up_numbers() -> None:
     ranking = np.arange(5)
     other = np.array([5.0, 5.0, 6.0, 2.0, 3.0])
     assert front(ranking, np.arange(5.0), other).tolist() == [0, 3]
-
-
-def test_gross_slip_of_a_falling_law_is_sought_compiled_as_the_checks_seek_it() -> None:
-    """Expected: `checks.gross_slip.Grip`, which seeks by the interpreter unless it is told."""
-    for pulley in (RUBBER, CERAMIC):
-        base = drive()
-        changed = replace(base, pulleys=(replace(base.pulleys[0], lagging=pulley),))
-        arc = WrapArc.of(changed, changed.pulleys[0], changed.load_cases[0])
-        ratio = largest_ratio(arc)
-        assert math.isnan(ratio) == (pulley.law.steepest_fall() >= 0.0)
-        assert Grip(arc, ratio).tight_for(9e4) == pytest.approx(Grip(arc).tight_for(9e4), rel=1e-9)
-    assert any(pulley.law.steepest_fall() < 0.0 for pulley in (RUBBER, CERAMIC))
 
 
 def made_up(arcs: Arcs, *, capacities: bool, precise: bool) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from cli.running import DRIVE, drive_file, wraparc, wraparc_process, wraparc_unr
 from wraparc import __version__
 from wraparc.cli.group import COMMANDS, LazyGroup
 
-HEAVY = {"scipy", "numba", "pandas", "matplotlib", "pydantic", "PIL", "tomli_w"}
+HEAVY = {"scipy", "pandas", "matplotlib", "pydantic", "PIL", "tomli_w"}
 
 #: What one drive, even and steady, has no need of.
 ELSEWHERE = tuple(

@@ -24,9 +24,9 @@ UV = os.environ["UV"]
 #: The Python that the lowest libraries have wheels for.
 LEAST = (3, 11)
 #: Extras that bring every library between them, for an environment that has all.
-ALL = ("plot", "report", "bayes", "fast", "study", "dask", "web", "notebook")
+ALL = ("plot", "report", "bayes", "study", "dask", "web", "notebook")
 #: What new versions of Python break: compiled libraries, and the server.
-NEWEST = ("plot", "fast", "web")
+NEWEST = ("plot", "web")
 
 
 def main() -> None:

@@ -17,8 +17,8 @@ import tempfile
 import tomllib
 import urllib.request
 import zlib
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout
 from functools import partial
 from importlib import metadata
 from pathlib import Path
@@ -99,18 +99,8 @@ def _rig() -> None:
         wraparc("rig", "rig", *few)
 
 
-def fast() -> None:
-    """A function of the kernel compiled in the project's way; the smallest, for time's sake."""
-    from wraparc.arc.kernel.butcher import to_second
-    from wraparc.batch.native import compiled
-
-    os.environ["WRAPARC_CACHE_DIR"] = os.path.abspath("compiled")
-    assert compiled(to_second)(6.0) == to_second(6.0)
-    assert any(Path("compiled").rglob("*.nbi")), "compiled code was not kept"
-
-
 def batch() -> None:
-    """Two designs by the compiled lanes, and by the interpreter; not in the gate."""
+    """Two designs, to both settings; not in the gate."""
     import numpy as np
 
     from wraparc import Setting, load_lagging, solve_batch
@@ -121,22 +111,8 @@ def batch() -> None:
     }  # fmt: skip
     laws = load_lagging("diamond-rubber")
     found = solve_batch(table, laws, capacities=False)
-    with no_compiler():
-        plain = solve_batch(table, laws, capacities=False, setting=Setting.PRECISE)
+    plain = solve_batch(table, laws, capacities=False, setting=Setting.PRECISE)
     assert np.allclose(found["exit_creep"], plain["exit_creep"], rtol=1e-4)
-
-
-@contextmanager
-def no_compiler() -> Iterator[None]:
-    """Go without numba for a while: to compile takes longer than all the rest."""
-    kept = sys.modules.get("numba")
-    sys.modules["numba"] = None  # type: ignore[assignment]
-    try:
-        yield
-    finally:
-        del sys.modules["numba"]
-        if kept is not None:
-            sys.modules["numba"] = kept
 
 
 _STUDY = """
@@ -161,8 +137,7 @@ def study() -> None:
     import pyarrow.parquet as pq
 
     Path("study.toml").write_text(_STUDY, "utf-8")
-    with no_compiler():
-        wraparc("study", "study.toml", "-o", "study.parquet", "--plot", "study.svg")
+    wraparc("study", "study.toml", "-o", "study.parquet", "--plot", "study.svg")
     assert pq.read_table("study.parquet").num_rows == 8
 
 
@@ -172,7 +147,7 @@ def dask() -> None:
     from distributed import LocalCluster
 
     settings = {"processes": False, "protocol": "tcp://", "dashboard_address": None}
-    with no_compiler(), LocalCluster(1, **settings) as cluster:
+    with LocalCluster(1, **settings) as cluster:
         address = cluster.scheduler_address
         wraparc("study", "study.toml", "-o", "dask.parquet", "--scheduler", address)
     assert pq.read_table("dask.parquet").equals(pq.read_table("study.parquet"))
@@ -235,7 +210,7 @@ def notebook() -> None:
 
 #: What an extra brings, in the order in which they build on one another.
 EXTRAS: dict[str, Callable[[], None]] = {
-    "base": base, "plot": plot, "report": report, "fit": fit, "bayes": bayes, "fast": fast,
+    "base": base, "plot": plot, "report": report, "fit": fit, "bayes": bayes,
     "batch": batch, "study": study, "dask": dask, "web": web, "notebook": notebook,
 }  # fmt: skip
 

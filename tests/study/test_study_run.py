@@ -202,12 +202,9 @@ def test_a_cluster_out_of_reach_is_told_before_any_work(
     assert isinstance(executor_named("tcp://h:1"), DaskCluster)
 
 
-# Plain Python starts sooner. The second part waits until the first is kept, tells it, and is held
+# The second part waits until the first is kept, tells it, and is held
 # until the run is given up.
-_PLAIN = "import sys; sys.modules['numba'] = None\n"
-_HELD = (
-    _PLAIN
-    + """
+_HELD = """
 import glob
 from wraparc.study import executor
 solve_part, begun = executor.solve_part, []
@@ -226,7 +223,6 @@ def held(study, start, stop, tell):
 
 executor.solve_part = held
 """
-)
 
 
 @pytest.mark.processes
@@ -252,7 +248,7 @@ def test_a_run_killed_and_interrupted_ends_in_the_same_file(tmp_path: Path) -> N
     kept = f"2 of 3 parts are kept in {parts_folder(path)}: go on with --resume."
     assert f"Interrupted.\n{kept}\n" in told
     for into in (path, whole):
-        ran = wraparc_process(*arguments, into, "--resume", code=_PLAIN)
+        ran = wraparc_process(*arguments, into, "--resume")
         assert ran.returncode == 0, ran.stderr
     assert path.read_bytes() == whole.read_bytes()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.parquet", "whole.parquet"]

@@ -18,7 +18,6 @@ Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
 _LONG = 120e3
-#: Studies may have to compile first.
 STUDY = 1e3 * PATIENCE
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
 FLAGS = [

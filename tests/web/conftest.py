@@ -17,7 +17,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def server(folder: Path) -> Iterator[Process]:
-    """One server for all files of pages: it has to start and to compile only once."""
+    """One server for all files of pages: it has to start only once."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TMPDIR", str(folder))
         database = str(folder / "designs.sqlite")

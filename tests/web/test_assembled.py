@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from wraparc.web.answers.solving import main_solver
 
 from web.test_in_page import DRIVES
 from wraparc import catalogue
@@ -20,7 +21,6 @@ from wraparc.web.answers.documents import read
 from wraparc.web.answers.drives import SolveAnswer
 from wraparc.web.answers.form import form
 from wraparc.web.answers.judging import judging
-from wraparc.web.answers.solving import main_solver
 
 Data = dict[str, Any]
 #: What only the program itself solves.

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from wraparc.web.answers.solving import main_solver
 
 from wraparc.arc import WrapArc
 from wraparc.drive import Drive
@@ -20,7 +21,6 @@ from wraparc.web.answers.drives import solve_fast
 from wraparc.web.answers.form import form
 from wraparc.web.answers.prepared import prepared
 from wraparc.web.answers.shown import Profile, numbers, outside, status_of
-from wraparc.web.answers.solving import main_solver
 from wraparc.web.asked import FastRequest
 from wraparc.web.examples import examples
 

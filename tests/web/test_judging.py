@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from wraparc.web.answers.solving import main_solver
 
 from web.test_in_page import DRIVES, drives, with_value
 from wraparc.arc import DriveResult, solve
@@ -24,7 +25,6 @@ from wraparc.web.answers.drives import SolveAnswer
 from wraparc.web.answers.form import form
 from wraparc.web.answers.judging import judging
 from wraparc.web.answers.shown import tables
-from wraparc.web.answers.solving import main_solver
 
 Data = dict[str, Any]
 #: Moves of all numbers of a drive at once: somewhat, and until something is missed or slips.

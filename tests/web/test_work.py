@@ -41,7 +41,6 @@ async def until(condition: Callable[[], bool]) -> None:
 def _cold(monkeypatch: pytest.MonkeyPatch) -> None:
     """Processes begin at once: what they solve beforehand is no matter here."""
     monkeypatch.setattr(work, "_warm", os.getpid)
-    monkeypatch.setattr("wraparc.web.warm.compile_kernel", bool)
 
 
 @asynccontextmanager

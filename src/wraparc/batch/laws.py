@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.batch.elementwise import memory
 from wraparc.batch.traction import Laws, laws_of
 from wraparc.friction import FrictionLaw
 from wraparc.friction.compact import CompactLaw
@@ -58,12 +55,13 @@ class LawBank:
     @classmethod
     def of(cls, laws: Sequence[FrictionLaw]) -> LawBank:
         """Return the bank of some laws."""
-        kind, numbers, places, onset_compliance = arrays_of([law.compact() for law in laws])
+        compact = [law.compact() for law in laws]
+        numbers, places = _packed(compact)
         return cls(
-            kind=kind,
+            kind=np.array([law.kind for law in compact], dtype=np.int64),
             numbers=numbers,
             places=places,
-            onset_compliance=onset_compliance,
+            onset_compliance=np.array([law.onset_compliance for law in compact], dtype=float),
             steepest_fall=np.array([law.steepest_fall() for law in laws], dtype=float),
             tested=np.array([tested_ends(law) for law in laws], dtype=float).reshape(-1, 3),
             tested_speed=np.array([_tested_speed(law) for law in laws], dtype=float),
@@ -73,11 +71,6 @@ class LawBank:
         """Traction of rows that each have the place of their law; the laws are of one kind."""
         used, place = np.unique(law, return_inverse=True)
         return laws_of([self.compact(int(i)) for i in used], place)
-
-    @property
-    def arrays(self) -> tuple[Integers, Array, Integers, Array]:
-        """What of the bank a compiled kernel reads."""
-        return self.kind, self.numbers, self.places, self.onset_compliance
 
     def compact(self, index: int) -> CompactLaw:
         """One law as the solvers read it."""
@@ -102,19 +95,6 @@ class LawBank:
         )
 
 
-def arrays_of(laws: Sequence[CompactLaw]) -> tuple[Integers, Array, Integers, Array]:
-    """What of some laws a compiled kernel reads; see `LawBank.arrays`."""
-    numbers, places = _packed(laws)
-    kind = np.array([law.kind for law in laws], dtype=np.int64)
-    return kind, numbers, places, np.array([law.onset_compliance for law in laws], dtype=float)
-
-
-@lru_cache(maxsize=64)
-def bank_of(law: CompactLaw) -> tuple[Integers, Array, Integers, Array]:
-    """What of one law a compiled kernel reads, the same arrays for the same law."""
-    return arrays_of([law])
-
-
 def tested_ends(law: FrictionLaw) -> tuple[float, float, float]:
     """Least and largest pressure [Pa] and largest slip [m] tested; nan where nothing was."""
     t = law.tested
@@ -132,16 +112,3 @@ def _packed(laws: Sequence[CompactLaw]) -> tuple[Array, Integers]:
     starts = np.concatenate([[0], np.cumsum(sizes)[:-1]]) if parts else sizes
     numbers = np.concatenate(parts) if parts else np.empty(0)
     return numbers, np.stack([starts, sizes], axis=1).reshape(-1, 6).astype(np.int64)
-
-
-def law_of(bank: Any, which: int) -> CompactLaw:
-    """One law of a bank of (kinds, numbers, places, onsets), in memory that is not counted."""
-    kinds, numbers, places, onsets = bank
-    e, ne, c, nc, s, ns = places[which]
-    return CompactLaw(
-        kinds[which],
-        memory(numbers, "edges")[e : e + ne],
-        memory(numbers, "coefficients")[c : c + nc],
-        memory(numbers, "slips")[s : s + ns],
-        onsets[which],
-    )
