@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from wraparc.web.answers.solving import main_solver
 
 from web.test_in_page import DRIVES
 from wraparc import catalogue
-from wraparc.arc import solve
+from wraparc.arc import Distributed, solve
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.web.answers.book import book
@@ -50,7 +49,7 @@ def prepared_by_the_server(document: Data) -> Data | None:
     """Return what the server prepares; None where it leaves the drive to itself."""
     drive = read(document)
     assert isinstance(drive, Drive)
-    result = solve(drive, method=main_solver(24), raise_on_failure=False)
+    result = solve(drive, method=Distributed(points=24), raise_on_failure=False)
     construct: Any = SolveAnswer.model_construct
     found: Data | None = json.loads(construct(judging=judging(document, result)).model_dump_json())[
         "judging"

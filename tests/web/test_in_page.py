@@ -10,9 +10,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from wraparc.web.answers.solving import main_solver
 
-from wraparc.arc import WrapArc
+from wraparc.arc import Distributed, WrapArc
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.units import display_unit
@@ -53,7 +52,7 @@ def answered(document: Data, case: str | None) -> Data:
     drive = read(document)
     assert isinstance(drive, Drive)
     pulley, load = asked_for(drive, None, case)
-    result = main_solver(POINTS, capacities=False).solve(WrapArc.of(drive, pulley, load))
+    result = Distributed(POINTS, capacities=False).solve(WrapArc.of(drive, pulley, load))
     ready = prepared(document, drive, pulley, load)
     return {
         "status": status_of(result),

@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from wraparc.web.answers.solving import main_solver
 
 from web.test_in_page import DRIVES, drives, with_value
-from wraparc.arc import DriveResult, solve
+from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.checks import judge, least_tension
 from wraparc.drive import Drive
 from wraparc.errors import InputError
@@ -44,7 +43,7 @@ SYSTEMS: tuple[System, System] = ("si", "us")
 def solved(document: Data, *, capacities: bool = False) -> DriveResult:
     drive = read(document)
     assert isinstance(drive, Drive)
-    return solve(drive, method=main_solver(capacities=capacities), raise_on_failure=False)
+    return solve(drive, method=Distributed(capacities=capacities), raise_on_failure=False)
 
 
 def base_of(document: Data, *, capacities: bool = False) -> Data:

@@ -474,8 +474,8 @@ class Tables:
         left = self._blend(0, place + len(self.slips) - 1, weight)[0]
         total = np.zeros(pressure.shape)
         for k in range(len(self.slips) - 1):
-            width = (self.slips[k + 1] - self.slips[k])[self.row]
-            width = np.where(np.isfinite(width), width, 0.0)
+            start, end = self.slips[k][self.row], self.slips[k + 1][self.row]
+            width = np.where(np.isfinite(end), end, 0.0) - np.where(np.isfinite(end), start, 0.0)
             c0, c1, c2, c3 = (self._blend(j, place + k, weight)[0] for j in range(4))
             mean = c0 + width * (c1 / 2.0 + width * (c2 / 3.0 + width * c3 / 4.0))
             total = total + width * (mean - left)
