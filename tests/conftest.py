@@ -77,13 +77,14 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 #: What takes longest, so that workers who begin with it end together.
 FIRST = (
-    "golden/test_golden", "arc/test_wide_net", "web/test_pages_looks", "web/test_pages",
-    "web/test_pages_editing", "web/test_fuzz", "web/test_across_page",
-    "web/test_pages_events", "study/test_study_dask", "calibrate/test_calibration",
-    "batch/test_batch", "cli/test_readme", "report/test_note_pdf", "arc/test_capacity",
-    "cli/test_process", "cli/test_trim", "choose/test_selection", "arc/test_results",
-    "arc/test_paper_march", "arc/test_twin", "shear_test/test_misfit", "shear_test/test_coverage",
-    "web/test_serve", "web/test_pages_conveyor",
+    "golden/test_golden", "arc/test_wide_net", "web/test_pages_looks", "web/test_page_file",
+    "web/test_pages", "web/test_pages_editing", "web/test_states_looks",
+    "web/test_page_file_trains", "web/test_case_loads", "web/test_restarted", "web/test_serve",
+    "web/test_advice", "web/test_across_page", "web/test_fuzz", "web/test_pages_events",
+    "web/test_questions", "web/test_inputs", "web/test_drafts", "web/test_exports",
+    "study/test_study_dask", "batch/test_batch",
+    "present/test_rounding", "cli/test_readme", "plot/test_pictures", "report/test_note_pdf",
+    "cli/test_process",
 )  # fmt: skip
 
 

@@ -19,7 +19,7 @@ def moved(value: Any, rng: np.random.Generator, size: float = 1.0) -> Any:
         return value * (1.0 + float(rng.integers(-4, 5)) * 2.0**-52)
     if isinstance(value, np.ndarray) and value.dtype == float and value.any():
         size = float(np.abs(value[np.isfinite(value)]).max(initial=0.0))
-        return np.array([moved(v, rng, size) for v in value.tolist()])
+        return np.reshape([moved(v, rng, size) for v in value.ravel().tolist()], value.shape)
     if isinstance(value, dict):
         return {name: moved(v, rng) for name, v in value.items()}
     if isinstance(value, tuple):

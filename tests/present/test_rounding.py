@@ -6,16 +6,19 @@ and every zero by what is left of a difference of two equal numbers of that size
 
 import json
 import math
+import re
 import shutil
 from collections.abc import Iterator
 from dataclasses import astuple, replace
 from functools import cache, partial
+from importlib import import_module
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+import typst
 from python_calamine import CalamineWorkbook
 
 from cli.running import wraparc
@@ -34,6 +37,7 @@ from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.profile_csv import profile_csv
 from wraparc.present.sheet import Sheet, percent
 from wraparc.present.train_sheet import signed, train_sheet
+from wraparc.present.train_words import case_sentences
 from wraparc.study.parameter_study import Study
 from wraparc.units import System, display
 from wraparc.web.answers.rows import csv_bytes
@@ -151,6 +155,22 @@ def test_nothing_is_minus_nothing() -> None:
     assert math.isfinite(json.loads(json_text({"a": -0.0}))["a"])
 
 
+def test_a_term_of_which_no_digit_shows_has_no_sign() -> None:
+    """Expected: by hand, terms of speeds are told in percent to three places behind the point."""
+    result = solve_train(
+        load_train(EXAMPLES / "tandem-fabric.toml"), method=Distributed(capacities=False, points=20)
+    )
+    (case, *_), told = result, {}
+    for term in (0.0, -0.0, 3e-16, -3e-16, 4.9e-6, -4.9e-6, 5.1e-6, -5.1e-6):
+        first, second = case.members
+        members = (first, replace(second, contraction_term=term))
+        (told[repr(term)],) = (s for s in case_sentences(replace(case, members=members), "si")
+                               if "belt contraction" in s)  # fmt: skip
+    shown = {t: s.partition("contraction ")[2].partition(",")[0] for t, s in told.items()}
+    assert (shown.pop("5.1e-06"), shown.pop("-5.1e-06")) == ("+0.001 %", "-0.001 %")
+    assert set(shown.values()) == {"0 %"}
+
+
 def test_alike_margins_govern_in_their_order_however_large() -> None:
     """Expected: by hand; equal to rounding is equal, and what cannot be rounded is itself."""
     place = partial(order_of, missed=False, binding=True, advises=False, leads=False)
@@ -159,13 +179,29 @@ def test_alike_margins_govern_in_their_order_however_large() -> None:
     assert [place(m) for m in (-1e305, 1e305, math.inf)] == [-1e305, 1e305, math.inf]
 
 
+#: Letters of a picture, which stay letters.
+LABEL = re.compile(r"<text[^>]*>([^<]*)<")
+
+
+def source(parts: dict[str, bytes], **_: Any) -> bytes:
+    """Return what a PDF is set from, in the place of the PDF: its words, the labels it draws."""
+    lines = [f"{k} {v}" for k, v in words(json.loads(parts["data.json"]))]
+    for name in sorted(parts):
+        lines += LABEL.findall(parts[name].decode("utf-8")) if name.endswith(".svg") else []
+    return "\n".join(lines).encode("utf-8")
+
+
 def doors(folder: Path, *arguments: str) -> list[str]:
     """Return the lines that a command prints and writes, the cells of a workbook in rows."""
     ran = wraparc(*arguments)
     assert ran.code in (0, 1), ran.err
     lines = ran.out.splitlines()
-    for file in sorted(folder.glob("out.[!p]*")):
-        if file.suffix == ".xlsx":
+    for file in sorted(folder.glob("out.*")):
+        if file.suffix == ".svg":
+            lines += LABEL.findall(file.read_text("utf-8"))
+        elif file.suffix == ".parquet":
+            pass  # data, to their last bit
+        elif file.suffix == ".xlsx":
             sheets = CalamineWorkbook.from_path(file)
             for name in sheets.sheet_names:
                 for row in sheets.get_sheet_by_name(name).to_python():
@@ -191,19 +227,25 @@ def words(value: Any, place: str = "") -> Iterator[tuple[str, str]]:
         yield place, value if isinstance(value, str) else type(value).__name__
 
 
+across = import_module("wraparc.across.solve")  # which keeps what was solved
 COMMANDS = [
-    ("solve", "worn-head-drive-fabric.toml", "--json", "out.json"),
-    ("solve", "tandem-steel-cord.toml", "--json", "out.json", "--units", "us"),
-    ("trim", "tandem-fabric.toml", "--points", "5", "--json", "out.json"),
+    ("solve", "worn-head-drive-fabric.toml", "--json", "out.json", "--plot", "out.svg",
+     "--map", "out.map.svg"),
+    ("solve", "tandem-steel-cord.toml", "--json", "out.json", "--units", "us", "--plot", "out.svg"),
+    ("trim", "tandem-fabric.toml", "--points", "5", "--json", "out.json", "--plot", "out.svg"),
     ("what-if", "studies/head-drive.toml", "--belt", "Flexsteel ST1000", "--lagging",
      "full-ceramic", "--worn", "6 mm", "--wet", "0.7", "--json", "out.json"),
     ("field", "head-drive-fabric.toml", "--wear-coefficient", "0.001 mm3/J", "--json", "out.json"),
-    ("choose", "wet-season/choose.toml", "--json", "out.json", "--csv", "out.csv"),
-    ("run", "tandem-fabric.toml", "--event", "run-out", "--quiet"),
+    ("choose", "wet-season/choose.toml", "--json", "out.json", "--csv", "out.csv",
+     "--plot", "out.svg"),
+    ("run", "tandem-fabric.toml", "--event", "run-out", "--quiet", "--plot", "out.svg"),
     ("stability", "tandem-fabric.toml"),
     ("calibrate", "test-pulley/published-pair.toml"),
-    ("study", "studies/sensitivity.toml", "-o", "out.parquet", "--json", "out.json"),
+    ("study", "studies/sensitivity.toml", "-o", "out.parquet", "--json", "out.json",
+     "--plot", "out.svg"),
     ("report", "downhill-braking.toml", "-o", "out.md", "--date", "-"),
+    ("report", "worn-head-drive-fabric.toml", "-o", "out.pdf", "--date", "-", "--units", "us"),
+    ("report", "tandem-steel-cord.toml", "-o", "out.pdf", "--date", "-"),
     ("report", "tandem-steel-cord.toml", "-o", "out.xlsx", "--date", "-"),
 ]  # fmt: skip
 
@@ -212,7 +254,10 @@ COMMANDS = [
 def test_a_door_reads_the_same(
     command: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Every solution that a command is made of moved: arcs, belts across, events, columns."""
+    """Every solution that a command is made of moved: arcs, belts across, events, columns.
+
+    Read are texts, JSON, tables, cells, what a PDF is set from, and the labels of pictures.
+    """
     shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
     monkeypatch.chdir(tmp_path)
     seeds: list[int] = []
@@ -224,10 +269,11 @@ def test_a_door_reads_the_same(
 
         return moved_after
 
+    monkeypatch.setattr(typst, "compile", source)
     monkeypatch.setattr(Distributed, "solve", cache(Distributed.solve))
     for owner, name in (
-        (Distributed, "solve"), (AcrossSolver, "solve"), (Study, "solve_values"),
-        (motion, "simulate"), (vibration, "stability"),
+        (Distributed, "solve"), (AcrossSolver, "solve"), (across, "_solved"),
+        (Study, "solve_values"), (motion, "simulate"), (vibration, "stability"),
     ):  # fmt: skip
         monkeypatch.setattr(owner, name, moving(getattr(owner, name)))
     expected = doors(tmp_path, *command)

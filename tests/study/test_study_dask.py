@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from cli.running import wraparc, wraparc_process
+from cli.running import wraparc
 from study.studies import FOLDER
 from study.test_study_run import columns, small
 from wraparc.errors import InputError
@@ -71,7 +71,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
         made.end()
 
 
-def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> None:
+def test_a_worker_or_a_cluster_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> None:
     """All rows there, none twice, every bit as on the threads of this process."""
     with (
         cluster.client() as client,
@@ -87,18 +87,19 @@ def test_a_worker_that_dies_loses_nothing(cluster: Cluster, tmp_path: Path) -> N
             cluster.workers[0].wait()
             alive.append(total - done)
 
-    path = tmp_path / "cluster.parquet"
+    path, here = tmp_path / "cluster.parquet", tmp_path / "here.parquet"
     solver = DaskCluster(cluster.address, timeout=60.0)
     run_study(study, path, Run(executor=solver, part_designs=10, progress=tell))
     assert alive, "the worker was to die in the middle of the work"
     assert alive[0] > 0
-    run_study(study, tmp_path / "here.parquet")
-    assert columns(path) == columns(tmp_path / "here.parquet")
+    run_study(study, here)
+    assert columns(path) == columns(here)
+    loses_its_scheduler(cluster, tmp_path / "lost.parquet", here)
 
 
-def test_a_cluster_that_is_lost_keeps_what_is_done(cluster: Cluster, tmp_path: Path) -> None:
-    cluster.add_workers(1)
-    study, path = small(), tmp_path / "a.parquet"
+def loses_its_scheduler(cluster: Cluster, path: Path, here: Path) -> None:
+    """What is done stays, and the rest is solved without the cluster."""
+    study = small()
 
     def tell(done: int, total: int) -> None:
         if done >= total // 4:
@@ -109,8 +110,7 @@ def test_a_cluster_that_is_lost_keeps_what_is_done(cluster: Cluster, tmp_path: P
         run_study(study, path, Run(executor=solver, part_designs=10, progress=tell))
     assert len(list(parts_folder(path).glob("*.parquet"))) >= 10
     run_study(study, path, Run(resume=True))
-    run_study(study, tmp_path / "here.parquet")
-    assert columns(path) == columns(tmp_path / "here.parquet")
+    assert columns(path) == columns(here)
 
 
 def test_a_cluster_without_workers_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -140,7 +140,7 @@ def test_a_cluster_without_workers_is_not_waited_for(monkeypatch: pytest.MonkeyP
 def test_processes_of_this_computer(tmp_path: Path) -> None:
     file = Path(FOLDER) / "load-cases.toml"
     path, here = tmp_path / "a.parquet", tmp_path / "here.parquet"
-    ran = wraparc_process("study", file, "-o", path, "--scheduler", "local:1")
-    assert ran.returncode == 0, ran.stderr
+    ran = wraparc("study", file, "-o", path, "--scheduler", "local:1")
+    assert ran.code == 0, ran.err
     assert wraparc("study", file, "-o", here).code == 0
     assert columns(path) == columns(here)

@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 import wraparc
-from web.browser import Visitor, browser
+from web.browser import Calculator, Visitor
 from web.calculators import serving
 
 DATA = Path(wraparc.__file__).parent / "catalogue" / "data" / "laggings"
@@ -22,7 +22,7 @@ life_years = [2, 2]
 
 
 def test_prices_of_two_currencies_are_never_set_side_by_side(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    calculator: Calculator, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # expected: by the currency that a file or the catalogue states; there is no rate of exchange
     folder = tmp_path / "catalogue"
@@ -34,8 +34,8 @@ def test_prices_of_two_currencies_are_never_set_side_by_side(
     (folder / "laggings" / "own-rubber.toml").write_text(own + COST, "utf-8")
     monkeypatch.setenv("WRAPARC_CATALOGUE", str(folder))
     place = str(tmp_path / "designs.sqlite")
-    with serving("--no-open", "--workers", "0", "--database", place) as server, browser() as found:
-        visitor = Visitor(found, server.address)
+    with serving("--no-open", "--workers", "0", "--database", place) as server:
+        visitor = Visitor(calculator[0], server.address)
         page = visitor.open("compare")
         status = page.locator("#compare [role=status]").first
         own_row = page.locator("#compare tbody tr", has_text="Own rubber")

@@ -569,7 +569,7 @@ def test_site_has_calculator_and_examples(tmp_path: Path) -> None:
     assert "worn-head-drive-fabric.html" not in there
 
 
-@pytest.mark.parametrize("name", ["attention", "kept", "braking, US units", "breakaway", "wet"])
+@pytest.mark.parametrize("name", ["kept", "braking, US units", "breakaway", "wet"])
 def test_comparison_is_that_of_the_server(page_of: Any, name: str) -> None:
     # expected: the server's own comparison, without what it costs
     text = 'condition = "wet"\n' + HEAD if name == "wet" else DRIVES[name][0]

@@ -1,22 +1,19 @@
-"""The page of drives in time: a start of both shipped tandems is followed and played."""
+"""The page of drives in time: a start of a shipped tandem is followed and played."""
 
 import re
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from web.browser import PHONE, Calculator, Visitor
 from wraparc.web.examples import examples
 
-TANDEMS = ("tandem-fabric", "tandem-steel-cord")
 
-
-def short(name: str) -> str:
-    """Return a shipped tandem whose start is looked at for 3 s."""
-    text = next(e.text for e in examples() if e.name == name)
+def short() -> str:
+    """Return a shipped tandem whose start is looked at for 2 s: every frame of it is drawn."""
+    text = next(e.text for e in examples() if e.name == "tandem-fabric")
     assert 'duration = "40 s"' in text
-    return text.replace('duration = "40 s"', 'duration = "3 s"')
+    return text.replace('duration = "40 s"', 'duration = "2 s"')
 
 
 def minutes(page: Page) -> None:
@@ -37,15 +34,14 @@ def opened(visitor: Visitor, text: str, folder: Path) -> Page:
     return page
 
 
-@pytest.mark.parametrize("name", TANDEMS)
-def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, name: str, tmp_path: Path) -> None:
-    page = opened(visitor, short(name), tmp_path)
+def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> None:
+    page = opened(visitor, short(), tmp_path)
     page.click("#follow")
     # the answers stand first, and it plays by itself
     expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("does not pulsate")
     expect(page.locator("#play")).to_contain_text("Play")  # when it has come to its end
     reading = page.locator("#events .reading-time")
-    expect(reading).to_contain_text(re.compile(r"^3\.0\d s: belt"))
+    expect(reading).to_contain_text(re.compile(r"^2\.0\d s: belt"))
     drum = page.locator("#events svg.pulley").first
     told, colours = drum.get_attribute("aria-label"), _colours(page)
     assert told is not None
@@ -106,7 +102,7 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     visitor = Visitor(browser, server.address, PHONE, reduced_motion="reduce")
     back = '{ kind = "load-step", at = "0.5 s", factor = -2.0, time = "0.5 s" }'
     start = '{ kind = "start", shape = "s-curve", time = "20 s" }'
-    text = short("tandem-fabric")
+    text = short()
     assert start in text
     page = opened(visitor, text.replace(start, back), tmp_path)
     minutes(page)

@@ -17,9 +17,10 @@ from sqlalchemy import create_engine
 
 from cli.running import wraparc
 from web.browser import browser
-from web.calculators import API, TOKEN, document, serving, wait_for
+from web.calculators import API, TOKEN, client, document, serving, wait_for
 from wraparc.errors import InputError
 from wraparc.web.database.engine import migrate
+from wraparc.web.private import private_files
 from wraparc.web.token import own_token
 
 _NOBODY = 65534
@@ -94,10 +95,10 @@ def test_nobody_else_reads_what_is_saved_and_old_files_are_mended(home: Path) ->
             assert not any(others_read(folder / name) for name in found)
 
 
-@pytest.mark.processes
 def test_a_database_that_is_named_is_closed_and_its_folder_left(home: Path) -> None:
-    with usual_umask(), serving("--workers", "0", "--database", str(home / "d.sqlite")) as server:
-        assert server.ask(f"{API}/designs").status == 200
+    named = f"sqlite:///{home / 'd.sqlite'}"
+    with usual_umask(), private_files(), client(database=named) as server:
+        assert server.get(f"{API}/designs").status_code == 200
         assert mode(home) == 0o755  # it may hold what is meant for others
         assert {mode(path) for path in home.glob("d.sqlite*")} == {0o600}
         assert not others_read(home / "d.sqlite")
@@ -107,7 +108,10 @@ def test_a_database_that_is_named_is_closed_and_its_folder_left(home: Path) -> N
 def test_the_browser_is_given_a_file_that_nobody_else_reads(
     home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # what a browser is started with is its command line, which `ps` shows to every user
+    # what a browser is started with is its command line, which `ps` shows to every user; that a new
+    # token takes the place of the old one is seen by the way
+    folder = home / "wraparc"
+    old = own_token(folder)
     script, seen = home / "browser.py", home / "seen.json"
     script.write_text(
         "import json, pathlib, sys\n"
@@ -116,13 +120,16 @@ def test_the_browser_is_given_a_file_that_nobody_else_reads(
         f"draft.rename({str(seen)!r})\n"
     )
     monkeypatch.setenv("BROWSER", f"{sys.executable} {script} %s")
-    with usual_umask(), serving("--workers", "0", "--open") as server:
+    asked = ("--workers", "0", "--open", "--token", "", "--new-token")
+    with usual_umask(), serving(*asked) as server:
         wait_for(seen.exists)
         given = json.loads(seen.read_text())
-        assert TOKEN in server.told
-        assert TOKEN not in " ".join(given)
+        new = own_token(folder)
+        assert new not in (old, TOKEN)
+        assert f"?token={new}" in server.told
+        assert new not in " ".join(given)
         file = Path(unquote(urlsplit(given[-1]).path))
-        assert TOKEN in file.read_text()
+        assert new in file.read_text()
         assert mode(file) == 0o600
         assert not others_read(file)
         with browser() as found:
@@ -130,29 +137,14 @@ def test_the_browser_is_given_a_file_that_nobody_else_reads(
             page.goto(given[-1])
             page.wait_for_url(f"http://127.0.0.1:{server.port}/")
             assert page.request.get(f"http://127.0.0.1:{server.port}{API}/designs").ok
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{server.port}{API}/designs",
+            headers={"authorization": f"Bearer {old}"},
+        )
+        with pytest.raises(urllib.error.HTTPError, match="401"):
+            urllib.request.urlopen(request)  # noqa: S310
         server.stop()
         assert not file.exists()
-
-
-@pytest.mark.processes
-def test_a_new_token_takes_the_place_of_the_old_one(home: Path) -> None:
-    folder = home / "wraparc"
-    old = own_token(folder)
-    with serving("--workers", "0", "--token", "", "--new-token") as server:
-        new = own_token(folder)
-        assert new != old
-        assert f"?token={new}" in server.told
-        asked = [
-            urllib.request.Request(
-                f"http://127.0.0.1:{server.port}{API}/designs",
-                headers={"authorization": f"Bearer {token}"},
-            )
-            for token in (new, old)
-        ]
-        with urllib.request.urlopen(asked[0]) as answer:  # noqa: S310
-            assert answer.status == 200
-        with pytest.raises(urllib.error.HTTPError, match="401"):
-            urllib.request.urlopen(asked[1])  # noqa: S310
 
 
 def test_a_token_that_others_could_know_is_replaced(home: Path) -> None:

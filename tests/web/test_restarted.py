@@ -2,74 +2,77 @@
 
 from pathlib import Path
 
-from playwright.sync_api import expect
+from playwright.sync_api import Page, expect
 
 from web.browser import READY, Calculator, Visitor
 from web.calculators import Process, serving, wait_for
 from web.test_pages_tests import FILES
 
 
-def test_a_killed_server_loses_nothing_typed_and_says_which_tests_to_drop_again(
+def test_a_killed_server_is_waited_for_and_comes_back(
     calculator: Calculator, tmp_path: Path
 ) -> None:
-    # expected: what was typed while it was away is solved on its return; a test session ended with
-    # the server and says so, where the page waited for ever; what computes is no matter here
+    # two windows on one server; what computes is no matter here
     place = ("--no-open", "--workers", "0", "--database", str(tmp_path / "designs.sqlite"))
     with serving(*place) as server:
-        visitor = Visitor(calculator[0], server.address)
-        page = visitor.open("tests")
+        window, other = (Visitor(calculator[0], server.address) for _ in range(2))
+        page = window.open("tests")
         page.set_input_files("#test-files", FILES)
         page.wait_for_selector(f"text={len(FILES)} tests")
         page.click("#nav-drive")
-        visitor.solved()
-        server.kill()
-        page.fill("#f-pulley-0-exit_tension", "77")
-        expect(page.locator(".gone")).to_contain_text("does not answer")
-        assert "cannot be used" not in page.inner_text("#results")
-        again = Process(*place, "--port", str(server.port))
-    try:
-        expect(page.locator(".gone")).to_have_count(0)
-        visitor.solved()
-        expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
-        expect(page.locator("#results [role=alert]")).to_have_text("")
-        page.click("#nav-tests")
-        page.get_by_role("button", name="Fit the lagging").click()
-        expect(page.locator("#toast")).to_contain_text("drop the files again")
-        expect(page.get_by_text("Fitting …")).to_have_count(0)
-        page.set_input_files("#test-files", FILES)
-        page.wait_for_selector(f"text={len(FILES)} tests")
-        visitor.context.close()
-    finally:
-        again.kill()
-
-
-def test_a_page_not_yet_seen_waits_for_the_server(calculator: Calculator, tmp_path: Path) -> None:
-    # expected: it is asked for once, the other pages work on, and it comes with the server; it was
-    # asked for again the moment it did not come, and nothing could be pressed any more
-    place = ("--no-open", "--workers", "0", "--database", str(tmp_path / "designs.sqlite"))
-    with serving(*place) as server:
-        visitor = Visitor(calculator[0], server.address)
-        page = visitor.open("drive")
+        window.solved()
         failed: list[str] = []
-        page.on("requestfailed", lambda request: failed.append(request.url))
+        other.open("drive").on("requestfailed", lambda request: failed.append(request.url))
         server.kill()
-        page.click("#nav-study")
-        expect(page.locator(".gone")).to_contain_text("does not answer")
-        expect(page.locator("#study")).to_contain_text("Loading")
-        page.click("#nav-drive")
-        page.fill("#f-pulley-0-exit_tension", "77")
-        page.click("#nav-study")
-        # two questions later, a second apart, hundreds of tries were none
-        wait_for(lambda: page.evaluate("1") and sum("about" in url for url in failed) > 2)
-        assert len(failed) < 30
+        loses_its_server(page)
+        asks_for_a_page_once(other.page, failed)
         again = Process(*place, "--port", str(server.port))
     try:
-        page.wait_for_selector(READY["study"])
-        page.click("#nav-drive")
-        expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
-        visitor.context.close()
+        finds_it_again(window)
+        other.page.wait_for_selector(READY["study"])
+        other.page.click("#nav-drive")
+        expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+        for visitor in (window, other):
+            visitor.context.close()
     finally:
         again.kill()
+
+
+def loses_its_server(page: Page) -> None:
+    # expected: what was typed while it was away is solved on its return
+    page.fill("#f-pulley-0-exit_tension", "77")
+    expect(page.locator(".gone")).to_contain_text("does not answer")
+    assert "cannot be used" not in page.inner_text("#results")
+
+
+def asks_for_a_page_once(page: Page, failed: list[str]) -> None:
+    # expected: a page not yet seen is asked for once, the others work on, and it comes with the
+    # server; it was asked for again the moment it did not come, and nothing could be pressed any
+    # more
+    page.click("#nav-study")
+    expect(page.locator(".gone")).to_contain_text("does not answer")
+    expect(page.locator("#study")).to_contain_text("Loading")
+    page.click("#nav-drive")
+    page.fill("#f-pulley-0-exit_tension", "77")
+    page.click("#nav-study")
+    # two questions later, a second apart, hundreds of tries were none
+    wait_for(lambda: page.evaluate("1") and sum("about" in url for url in failed) > 2)
+    assert len(failed) < 30
+
+
+def finds_it_again(visitor: Visitor) -> None:
+    # expected: a test session ended with the server and says so, where the page waited for ever
+    page = visitor.page
+    expect(page.locator(".gone")).to_have_count(0)
+    visitor.solved()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+    expect(page.locator("#results [role=alert]")).to_have_text("")
+    page.click("#nav-tests")
+    page.get_by_role("button", name="Fit the lagging").click()
+    expect(page.locator("#toast")).to_contain_text("drop the files again")
+    expect(page.get_by_text("Fitting …")).to_have_count(0)
+    page.set_input_files("#test-files", FILES)
+    page.wait_for_selector(f"text={len(FILES)} tests")
 
 
 def test_a_link_is_shown_where_the_clipboard_is_closed(calculator: Calculator) -> None:

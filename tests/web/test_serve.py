@@ -1,7 +1,9 @@
 """``wraparc serve`` as a user starts it: what it says, what it refuses, how it ends."""
 
 import gc
+import os
 import re
+import signal
 import socket
 import urllib.error
 import urllib.request
@@ -13,7 +15,7 @@ from typing import Any
 import pytest
 
 from cli.running import drive_file, wraparc
-from web.calculators import API, Process, serving, wait_for
+from web.calculators import API, Process, document, serving, wait_for
 from wraparc.web.token import own_token
 
 
@@ -26,7 +28,7 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Process]:
 
 
 @pytest.mark.processes
-def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
+def test_it_opens_a_file_and_solves_in_other_processes_that_are_replaced(tmp_path: Path) -> None:
     lagging = Path(tmp_path / "mine.toml")
     from wraparc.catalogue import lagging_text
 
@@ -63,26 +65,15 @@ def test_it_opens_a_file_and_solves_in_other_processes(tmp_path: Path) -> None:
         assert (solved["quick"]["prepared"], solved["whole"]["judging"]) != (None, None)
         about = server.ask(f"{API}/about").json()
         assert (about["database"], about["token"]) == ("sqlite", True)
+        # a worker that dies is replaced
+        for pid in _children(server.process.pid):
+            os.kill(pid, signal.SIGKILL)
+        another = {"document": document()}
+        wait_for(lambda: server.ask(f"{API}/solve/fast", another).status == 200)
+        assert server.ask(f"{API}/about").json()["name"] == "wraparc"
         code, complaints = server.stop()
         assert code in (0, 130, -2)
         assert "Traceback" not in complaints
-
-
-@pytest.mark.processes
-def test_a_worker_that_dies_is_replaced(tmp_path: Path) -> None:
-    import json
-    import os
-    import signal
-
-    from web.calculators import document
-
-    body = {"document": document()}
-    with serving("--database", str(tmp_path / "d.sqlite"), "--workers", "1") as server:
-        assert server.ask(f"{API}/solve/fast", body).status == 200
-        for pid in _children(server.process.pid):
-            os.kill(pid, signal.SIGKILL)
-        wait_for(lambda: server.ask(f"{API}/solve/fast", body).status == 200)
-        assert json.loads(server.ask(f"{API}/about").body)["name"] == "wraparc"
 
 
 def _children(pid: int) -> list[int]:
