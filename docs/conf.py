@@ -29,7 +29,6 @@ nitpick_ignore_regex = [
     ("py:.*", r"(?!wraparc).*"),
     ("py:.*", r"wraparc\.arc\.(kernel|summary)\..*"),
 ]
-nitpick_ignore_regex += [("py:.*", r"wraparc\.across\.stresses\..*")]
 
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3

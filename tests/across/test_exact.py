@@ -356,6 +356,39 @@ def test_every_law_is_solved(name: str) -> None:
     assert found.iterations <= 18  # on five meshes at most
 
 
+FAR: dict[str, WideArc] = {
+    "rigid": wide(replace(FABRIC, thickness=0.0, compression_modulus=math.inf),
+                  radius_deviation=crown(0.5e-3, 8)),
+    "thin, constant friction": wide(
+        replace(FABRIC, thickness=1e-4, law=Constant(friction_coefficient=0.6)),
+        radius_deviation=crown(0.3e-3, 8),
+    ),
+    "hardly sheared": wide(CORD, 8, 1e9, radius_deviation=crown(0.2e-3, 8)),
+    "long": wide(replace(FABRIC, wrap_angle=6.0), radius_deviation=crown(0.5e-3, 8)),
+    "every other strip": wide(CORD, 32, radius_deviation=0.5e-3 * (-1.0) ** np.arange(32)),
+    "idle": wide(replace(CORD, exit_tension=CORD.entry_tension), radius_deviation=crown(5e-4, 8)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FAR)
+def test_far_from_what_is_usual(name: str) -> None:
+    """Source: the balances of energy and forces, and the path of each mode, which closes."""
+    given = FAR[name]
+    found = solved(given)
+    n, m, width = given.strips, given.belt_modulus, given.arc.width
+    assert found.error_estimate < 1e-6
+    assert found.identity_error < 1e-5
+    tight = given.arc.entry_tension / width
+    force = found.entry_tension - found.exit_tension - found.friction_force
+    assert np.mean(force) == pytest.approx(0.0, abs=1e-9 * tight)
+    rise = found.exit_creep - found.fields.creep[0]
+    scale = float(np.max(np.abs(rise))) + given.arc.length * tight / m
+    for k in range(1, n):
+        t1, t2, u = (_mode(v, k) for v in (found.entry_tension, found.exit_tension, rise))
+        before, after = given.length_before[k - 1], given.length_after[k - 1]
+        assert u == pytest.approx((before * t1 + after * t2) / m, abs=1e-8 * scale)
+
+
 def test_spans_to_a_pulley_that_grips() -> None:
     """Source: v'' = v/lambda^2 by exponentials; v = 0 at a pulley before, v' = 0 at one behind."""
     decay, d = np.array([4.3, 1.0, 0.2]), 1.5

@@ -308,9 +308,9 @@ def newton(system: System, start: State) -> Found:
     with np.errstate(all="ignore"):
         try:
             inverse = np.asarray(np.linalg.inv(system.modal(point)), dtype=float)
+            return _steps(system, point, inverse, scale)
         except np.linalg.LinAlgError:
             return Found(system, point, False, 0)
-        return _steps(system, point, inverse, scale)
 
 
 def _steps(system: System, point: Point, inverse: Array, scale: float) -> Found:
@@ -370,7 +370,7 @@ def solved_by_vectors(product: Callable[[Array], Array], right: Array) -> Array:
         column[k + 1] = length
         for i, (c, s) in enumerate(turns):
             column[i : i + 2] = c * column[i] + s * column[i + 1], c * column[i + 1] - s * column[i]
-        radius = math.hypot(column[k], length)
+        radius = math.hypot(column[k], length) or 1.0
         turns.append((column[k] / radius, length / radius))
         table[:k, k], table[k, k] = column[:k], radius
         left[k + 1] = -turns[k][1] * left[k]

@@ -122,10 +122,10 @@ def mode_response(wide: WideArc, modes: int = 16, *, even: ArcResult | None = No
     system = System(_even(wide, 1), Elements(nodes, fineness))
     found = newton(system, started(system, even))
     for _ in range(_TIMES):  # with an element's end where the law goes from piece to piece
-        if not found.solved:
-            raise ConvergenceError("the even belt was not solved")
         elements = Elements(np.union1d(nodes, _kinks(found)))
         found = newton(replace(system, elements=elements), between(found, elements.stages))
+    if not found.solved:
+        raise ConvergenceError("the even belt was not solved")
     return _response(replace(found.system, wide=_even(wide, count + 1)), found.point)
 
 
@@ -171,9 +171,8 @@ def _response(system: System, even: Point) -> ModeResponse:
         last /= before + after + arc.length
         z = -np.linalg.solve(matrix, np.vstack([-e.integral_at_stages(pulled), last]))
         own, first = e.at_points(z[:-1]), z[-1]
-        creep += (kick_t - squeeze * e.points[:, None]) * first - unit * e.integral_at_points(
-            z[:-1]
-        )
+        creep += (kick_t - squeeze * e.points[:, None]) * first
+        creep -= unit * e.integral_at_points(z[:-1])
         shear = stress[1] * creep + stress[2] / arc.radius * own + by_thickness * cause.thickness
         lag = creep - cause.kick + cause.lag - (before / wide.belt_modulus + kick_t) * first
         end = first + e.total(k * lag - shear)
