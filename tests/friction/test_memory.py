@@ -204,6 +204,23 @@ def test_creep_slip_and_slopes_belong_together(law: FrictionLaw) -> None:
     assert at.by_pressure == pytest.approx(by_p, rel=1e-4, abs=1e-6)
 
 
+@pytest.mark.parametrize("top", [9e-3, 14e-3, 45e-3])
+@pytest.mark.parametrize("eased", [0.0, 2e-3])
+def test_slopes_past_the_peak(top: float, eased: float) -> None:
+    """Identity: slopes by creep and pressure are those of differences, on the line past the peak
+    and on the residual level, sliding on and eased from there."""
+    c, p = 12e-3 / 2.3e6, 90e3
+    point = Material(CERAMIC, c)
+    point.to(top, p)
+    point.to(top - eased, p)
+    u = point.at.slip + c * point.at.stress + (1e-4 if not eased else -1e-4)
+    at, du, dp = point.try_(u, p), 1e-9, 1.0
+    by_u = (point.try_(u + du, p).stress - point.try_(u - du, p).stress) / (2.0 * du)
+    by_p = (point.try_(u, p + dp).stress - point.try_(u, p - dp).stress) / (2.0 * dp)
+    assert at.by_creep == pytest.approx(by_u, rel=1e-4, abs=10.0)
+    assert at.by_pressure == pytest.approx(by_p, rel=1e-4, abs=1e-6)
+
+
 def test_laws_with_a_limit_are_one_element() -> None:
     """Closed form: elastic unloading from the limit, sliding the other way after 2 p mu/k."""
     p, k, mu = 2e5, 4e7, 0.5

@@ -57,6 +57,20 @@ def test_what_is_told_of_a_start_in_long_steps() -> None:
         assert d.over_limit == pytest.approx(e.over_limit, abs=2e-3)
 
 
+def test_the_joint_of_old_and_fresh_contact_leaves_in_small_parts() -> None:
+    """By definition: a quarter of a piece of lagging each, when it is at the exit nip."""
+    march = March(STATION, START, points=50)
+    places: list[tuple[float, float]] = []
+    arc = march.drums[0].arc
+    march.watch = lambda: places.append((arc.travel, arc.travel - arc.joint))
+    while march.t < 6.0:
+        march.step()
+    travel, since = np.array(places).T
+    small = np.diff(travel)[np.abs(since[1:] / arc.shape.length - 1.0) < 0.02] / arc.spacing
+    assert len(small) >= 8
+    assert np.max(small) < 0.3
+
+
 def test_a_load_step_comes_when_it_comes() -> None:
     """In the middle of a step: to 1e-3 of the change it makes, which a shift by half a step would
     miss by 1e-2. Unstretched belt stays, 1e-10."""

@@ -141,6 +141,25 @@ def test_arcs_in_one_table_are_the_arcs_alone() -> None:
         assert arc.m == pytest.approx(lone.m, abs=1e-10)
 
 
+@pytest.mark.parametrize("pieces", [1, 6])
+def test_old_and_fresh_contact_meet_where_it_stood(pieces: int) -> None:
+    """Identity: two pieces at one place, what they keep apart by the creep of the nip at rest less
+    the overrun with which fresh contact begins."""
+    result = steady("tandem-fabric", 0)
+    arc = alone(result.arc, 40)
+    for part in (0.5, 1.0):
+        tension = result.exit_tension + part * (result.entry_tension - result.exit_tension)
+        roll(arc, 0.0, tension, result.exit_tension)
+    jump = arc.creep()[0] - arc.shape.overrun(arc.entry)
+    assert jump > 1e-3
+    for _ in range(12 // pieces):
+        roll(arc, pieces * arc.spacing, result.entry_tension, result.exit_tension)
+    there = wraps_of(arc).pieces(arc)
+    (i,) = np.flatnonzero(np.diff(there.travel) < 1e-9)
+    assert there.travel[i] == pytest.approx(0.0, abs=1e-12)
+    assert there.kept[i + 1] - there.kept[i] == pytest.approx(jump, rel=1e-9)
+
+
 @pytest.mark.parametrize("pieces", [0.0, 0.4, 1.0, 6.0])
 def test_a_step_that_is_undone_leaves_nothing(pieces: float) -> None:
     """Identity: the same step after one that was begun, swept and given up."""

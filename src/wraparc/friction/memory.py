@@ -15,7 +15,7 @@ it is concave; a law with a limit is one element (return mapping).
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,6 @@ from wraparc.friction.first_loading import Array, FirstLoading, Loading, first_l
 from wraparc.friction.table import MeasuredTable
 
 Index = NDArray[np.int64]
-Rows = TypeVar("Rows", "Past", "Points")
 
 #: turning points that are kept, and the least reversal that makes one [m]
 MOST_TURNS = 24
@@ -130,15 +129,13 @@ class Lagging:
             return self.stuck_or_sliding(creep, pressure, past)
         side = np.where(past.side == 0.0, np.where(creep >= 0.0, 1.0, -1.0), past.side)
         count = np.where(past.side == 0.0, 0, past.held)
-        if not count.any():
+        free = np.flatnonzero(count == 0)
+        if len(free) == len(creep):
             at = self.virgin(creep, pressure, side, np.abs(near), past.share)
-            free = np.arange(len(creep))
         else:
-            four = tuple(np.zeros((4, len(creep))))
+            four = np.zeros((4, len(creep)))
             at = Points(four[0], four[1], four[2], four[3], count, side)
-            free = np.flatnonzero(count == 0)
-            if free.size:
-                _put(at, free, self._virgin(free, creep, pressure, side, np.abs(near), past))
+            _put(at, free, self._virgin(free, creep, pressure, side, np.abs(near), past))
         # of those without turning points the ones that have just turned
         turns = side[free] * (at.slip[free] - past.slip[free]) < -LEAST_TURN
         turned = free[turns | (side[free] * creep[free] < 0.0)]
@@ -146,16 +143,13 @@ class Lagging:
             return at
         fresh = np.abs(past.slip[turned]) < LEAST_TURN
         over, turned = turned[fresh], turned[~fresh]
-        if over.size:
-            side[over] *= -1.0
-            _put(at, over, self._virgin(over, creep, pressure, side, 0.0 * near, past))
+        side[over] *= -1.0
+        _put(at, over, self._virgin(over, creep, pressure, side, 0.0 * near, past))
         past.turns[turned, 0] = past.slip[turned]
         count[turned], side[turned] = 1, -side[turned]
-        held = np.flatnonzero(count)
-        if held.size:
-            has_turned = np.zeros(len(creep), dtype=bool)
-            has_turned[turned] = True
-            self._turning(held, creep, pressure, past, near, count, side, has_turned, at)
+        has_turned = np.zeros(len(creep), dtype=bool)
+        has_turned[turned] = True
+        self._turning(creep, pressure, past, near, count, side, has_turned, at)
         return Points(*at[:4], count, side)
 
     def virgin(
@@ -204,18 +198,18 @@ class Lagging:
         return self.virgin(creep[i], pressure[i], side[i], guess[i], past.share[i])
 
     def _turning(
-        self, live: Index, creep: Array, pressure: Array, past: Past, near: Array,
+        self, creep: Array, pressure: Array, past: Past, near: Array,
         count: Index, side: Array, turned: NDArray[np.bool_], at: Points,
     ) -> None:  # fmt: skip
         """Find the state of points that have turned; turning points come and go until they fit."""
-        turns, reach = past.turns, past.reach
+        turns, live = past.turns, np.flatnonzero(count)
         while live.size:
             free = live[count[live] == 0]
             if free.size:
                 _put(at, free, self._virgin(free, creep, pressure, side, np.abs(near), past))
                 live = live[count[live] > 0]
                 continue
-            b = self.first.at(pressure[live], reach[live], past.share[live])
+            b = self.first.at(pressure[live], past.reach[live], past.share[live])
             base, base_p = self._carried(b, turns[live], count[live])
             n, s = count[live], side[live]
             top = turns[live, n - 1]

@@ -83,6 +83,7 @@ class End(NamedTuple):
     speeds: tuple[float, float]
 
 
+@np.errstate(all="ignore")  # a trial may be far off; what is not finite halts it
 def solved(march: StationState, h: float) -> Trial:
     """Solve for the end of a step of h [s].
 

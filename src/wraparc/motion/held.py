@@ -15,6 +15,7 @@ _ITERATIONS, _SETTLED = 40, 1e-10
 _TOO_FAR, _ROLLS = 0.1, 25
 
 
+@np.errstate(all="ignore")  # a trial may be far off
 def roll(
     wraps: Wraps, aheads: Sequence[float], entries: Sequence[float], exits: Sequence[float]
 ) -> None:
@@ -34,7 +35,10 @@ def roll(
     ]
     wraps.begin(travels)
     for _ in range(_ITERATIONS):
-        found = wraps.sweep(travels, m, exits)
+        try:
+            found = wraps.sweep(travels, m, exits)
+        except np.linalg.LinAlgError:
+            raise ArithmeticError(0) from None
         steps = [
             (entry - out.entry) / out.entry_m if out.entry_m else np.inf
             for out, entry in zip(found, entries, strict=True)
