@@ -38,7 +38,7 @@ from wraparc.train.motor_rows import MotorRows
 
 EXACT = Distributed(capacities=False)
 #: Shares, and creep, slip and stress relative to their values, by setting.
-WITHIN = {Setting.PRECISE: (1e-8, 5e-7), Setting.ENGINEERING: (3e-5, 3e-4)}
+WITHIN = {Setting.PRECISE: (1e-6, 5e-6), Setting.ENGINEERING: (3e-5, 3e-4)}
 STRESS = 2e-3  # of the engineering setting where the pressure leaves the tested range
 CODES = {TrainStatus.SOLVED: 0, TrainStatus.BREAKAWAY: 1, TrainStatus.BEYOND_MOTOR: 4}
 
@@ -108,7 +108,7 @@ def test_what_wears_and_is_trimmed_keeps_the_speeds() -> None:
     columns = {"p2.wear": [0.0, 1e-3], "p2.speed_trim": [1.0, 1.0]}
     worn = solve_train_batch(of, {"p2.wear": columns["p2.wear"]}, setting=Setting.PRECISE)
     after = what_if(before, pulley="p2", wear=1e-3, method=EXACT)
-    np.testing.assert_allclose(worn.shares, [[0.6, 0.4], after.shares], rtol=1e-8)
+    np.testing.assert_allclose(worn.shares, [[0.6, 0.4], after.shares], rtol=1e-6)
     trim = before.cases[0]["p2"].speed_trim
     trimmed = solve_train_batch(of, {"p2.speed_trim": [trim, 1.001 * trim]})
     assert trimmed.shares[0] == pytest.approx([0.6, 0.4], abs=1e-5)

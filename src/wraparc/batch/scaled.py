@@ -2,9 +2,7 @@
 
 With mu'(x, p) = f mu(x/s, p) the equations of an arc are those of the unscaled law for another
 one: creep, slip and overrun over s, wrap angle times f, compliance of the belt over f s, shear
-compliance of the lagging times f/s, shear stress over f. Exact but for one thing: the gross-slip
-capacity of a softening law is looked for at entry creep ratios below f s instead of below 1, which
-moves it by a per cent or two where it lies at that end.
+compliance of the lagging times f/s, shear stress over f. Exact.
 """
 
 from __future__ import annotations
