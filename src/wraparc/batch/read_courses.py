@@ -9,6 +9,7 @@ from wraparc.batch.two_point import (
     Array,
     Block,
     Courses,
+    Integers,
     between,
     cubic_through,
     stage_creeps,
@@ -16,9 +17,8 @@ from wraparc.batch.two_point import (
 )
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
-HALVINGS = 45
+HALVINGS, REGULA = 45, 9
 FINE, LOOKS = 8, 3  # parts of a neighbourhood in which the largest shear is looked for, how often
-CROSSINGS = 128  # parts of an arc of which some is outside the tested range
 REST = 1e-9  # of the largest slip: a belt at rest
 
 
@@ -51,9 +51,8 @@ def read_courses(
     if len(tested):
         limits = (lowest[tested], highest[tested], furthest[tested])
         p = tension[:, tested] / block.area[tested]
-        outside[tested] = _outside(
-            block.rows(tested), at.rows(tested), p, size[:, tested], limits
-        )
+        of_tests = block.rows(tested), at.rows(tested), shares[:, tested]
+        outside[tested] = _outside(*of_tests, (p, size[:, tested]), limits)
     return {
         row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
         row.EXIT_CREEP: at.creep[-1],
@@ -134,13 +133,17 @@ def _begins(at: Courses) -> Array:
     rows = np.arange(len(goal))
     t0 = at.tension[place, rows]
     k0, k1, k2 = at.stage[:, place, rows]
-    low, high = np.zeros(len(goal)), np.ones(len(goal))
-    for _ in range(HALVINGS):
-        c = 0.5 * (low + high)
-        less = (cubic_through(c, t0, k0, k1, k2) - goal) * np.sign(change) > 0.0
+    low, high, sign = np.zeros(len(goal)), np.ones(len(goal)), np.sign(change)
+    f_low, f_high = sign * (t0 - goal), sign * (at.tension[place + 1, rows] - goal)
+    c = low
+    for _ in range(REGULA):  # Illinois
+        c = np.clip(low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high), 0, 1)
+        f = sign * (cubic_through(c, t0, k0, k1, k2) - goal)
+        less = f > 0.0
+        f_high, f_low = np.where(less, 0.5 * f_high, f), np.where(less, f, 0.5 * f_low)
         low, high = np.where(less, c, low), np.where(less, high, c)
     a, b = at.shares[place, rows], at.shares[place + 1, rows]
-    return np.asarray(np.where(change == 0.0, 1.0, a + (b - a) * low))
+    return np.asarray(np.where(change == 0.0, 1.0, a + (b - a) * c))
 
 
 def _stuck(block: Block, at: Courses, shares: Array, slip: Array) -> Array:
@@ -165,29 +168,52 @@ def _stuck(block: Block, at: Courses, shares: Array, slip: Array) -> Array:
 
 
 def _outside(
-    block: Block, at: Courses, pressure: Array, slip: Array, limits: tuple[Array, Array, Array]
+    block: Block, at: Courses, shares: Array, samples: tuple[Array, Array], limits: tuple[Array, ...]
 ) -> Array:
-    """Share of an arc outside the tested range; crossings by straight lines between fine points."""
+    """Share of an arc outside the tested range: between samples, up to where they cross a limit."""
+    pressure, slip = samples
     lowest, highest, furthest = limits
-    out = (pressure < lowest) | (pressure > highest) | (slip > furthest)
-    share = out.all(axis=0).astype(float)
-    which = np.flatnonzero(out.any(axis=0) & ~out.all(axis=0))
-    if not len(which):
-        return share
-    part, some = block.rows(which), at.rows(which)
-    points = np.broadcast_to(
-        (np.arange(CROSSINGS + 1) / CROSSINGS)[:, None], (CROSSINGS + 1, len(which))
-    )
-    creep, tension = between(part, some, points)
-    p, x = tension / part.area, np.abs(part.stress(tension, creep).slip)
-    low, high = np.zeros((CROSSINGS, len(which))), np.ones((CROSSINGS, len(which)))
-    for f in (lowest[which] - p, p - highest[which], x - furthest[which]):
-        a, b = f[:-1], f[1:]
-        cross = a / np.where(a == b, 1.0, a - b)
-        high = np.where((a > 0.0) & (b > 0.0), -1.0, high)
-        low = np.where((a > 0.0) & (b <= 0.0), np.maximum(low, cross), low)
-        high = np.where((a <= 0.0) & (b > 0.0), np.minimum(high, cross), high)
-    beyond = 1.0 - np.maximum(high - low, 0.0)
+    low, high = np.zeros((len(shares) - 1, len(block))), np.ones((len(shares) - 1, len(block)))
+    for k, f in enumerate((lowest - pressure, pressure - highest, slip - furthest)):
+        out = f > 0.0
+        high = np.where(out[:-1] & out[1:], -1.0, high)
+        where, rows = np.nonzero(out[:-1] != out[1:])
+        if not len(rows):
+            continue
+        place = _crossing(block, at, (shares, f), where, rows, (k, limits[k][rows]))
+        leaves = out[:-1][where, rows]
+        cells = where, rows
+        low[cells] = np.where(leaves, np.maximum(low[cells], place), low[cells])
+        high[cells] = np.where(leaves, high[cells], np.minimum(high[cells], place))
+    beyond = (1.0 - np.maximum(high - low, 0.0)) * np.diff(shares, axis=0)
     # one after the other: a sum in pairs would depend on how many rows there are
-    share[which] = np.cumsum(beyond, axis=0)[-1] / CROSSINGS
-    return share
+    return np.asarray(np.cumsum(beyond, axis=0)[-1])
+
+
+def _crossing(
+    block: Block,
+    at: Courses,
+    samples: tuple[Array, Array],
+    where: Integers,
+    rows: Integers,
+    limit: tuple[int, Array],
+) -> Array:
+    """Where between two samples a pressure (0, 1) or a slip (2) crosses its limit: Illinois."""
+    shares, f = samples
+    kind, most = limit
+    part, some = block.rows(rows), at.rows(rows)
+    start, width = shares[where, rows], shares[where + 1, rows] - shares[where, rows]
+    low, high = np.zeros(len(rows)), np.ones(len(rows))
+    f_low, f_high = f[where, rows], f[where + 1, rows]
+    place = low
+    for _ in range(REGULA):
+        place = low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high)
+        creep, tension = between(part, some, (start + place * width)[None])
+        if kind < 2:
+            value = (tension[0] / part.area - most) * (1.0 if kind == 1 else -1.0)
+        else:
+            value = np.abs(part.stress(tension, creep).slip[0]) - most
+        same = (value > 0.0) == (f_low > 0.0)
+        f_high, f_low = np.where(same, 0.5 * f_high, value), np.where(same, value, 0.5 * f_low)
+        low, high = np.where(same, place, low), np.where(same, high, place)
+    return place

@@ -216,8 +216,12 @@ def stage_creeps(block: Block, steps: Array, at: Courses) -> Array:
 
 
 class _Linear(NamedTuple):
-    """Elements made linear: stages (4 x 3) and ends (4 x 2) by constant, du, dT, dK."""
+    """Elements made linear: stages (4 x 3) and ends (4 x 2) by constant, du, dT, dK.
 
+    And the stresses at the stages that they were made with, shape (3, elements, n) [Pa].
+    """
+
+    stress: Array
     stages: list[tuple[Array, Array, Array]]
     creep: list[Array]
     tension: list[Array]
@@ -270,7 +274,7 @@ def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
             (h0, h1, h2),
         ),
     )
-    found = _Linear([], [], [])
+    found = _Linear(s.stress, [], [], [])
     for q0, q1, q2, (g0, g1, g2) in right:
         y0 = (a00 * q0 + a01 * q1 + a02 * q2) * over
         y1 = (a10 * q0 + a11 * q1 + a12 * q2) * over
@@ -289,14 +293,29 @@ def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
     return found
 
 
-def improved(block: Block, ends: Ends, at: Courses) -> tuple[Courses, Array, Array]:
+class Step(NamedTuple):
     """One Newton step of every row.
 
-    Returns
-    -------
-    The courses after it; the largest change of a tension, of the largest there is; and whether more
-    is asked with more of it, see `Solved.grows`, > 0 where it is.
+    Attributes
+    ----------
+    courses
+        The courses after it.
+    change
+        Largest change of a tension, of the largest there is.
+    grows
+        See `Solved`.
+    stress
+        At the stages before it [Pa].
     """
+
+    courses: Courses
+    change: Array
+    grows: Array
+    stress: Array
+
+
+def improved(block: Block, ends: Ends, at: Courses) -> Step:
+    """One Newton step of every row."""
     steps = np.diff(at.shares, axis=0) * block.length
     linear = _condensed(block, steps, at)
     overrun, by_tension = block.overrun(at.tension[0])
@@ -338,7 +357,7 @@ def improved(block: Block, ends: Ends, at: Courses) -> tuple[Courses, Array, Arr
     )
     most = np.maximum(np.abs(change).max(axis=(0, 1)), np.abs(dt).max(axis=0))
     grows = slope if ends.kind == TENSION else slope / np.where(block.side > 0.0, first_k, end_k)
-    return moved, most / np.maximum(at.tension[0], at.tension[-1]), grows
+    return Step(moved, most / np.maximum(at.tension[0], at.tension[-1]), grows, linear.stress)
 
 
 def _exit(
@@ -385,22 +404,24 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
     Rows that are done are put aside.
     """
     out = Courses(*(np.array(column) for column in start))
+    stress = np.empty_like(out.stage)
     met, grows = np.zeros(len(block), dtype=bool), np.full(len(block), np.nan)
     which, part, asked, at = np.arange(len(block)), block, ends, start
     open_ = np.ones(len(block), dtype=bool)
     for _ in range(STEPS):
-        at, change, slope = improved(part, asked, at)
+        at, change, slope, stages = improved(part, asked, at)
         # a row keeps what it had when it was done, whatever it is solved with
         done = open_ & (change < near)
         _put(out, which[done], at, done)
         met[which[done]], grows[which[done]] = True, slope[done]
+        stress[:, :, which[done]] = stages[:, :, done]
         open_ &= (change < 1e4) & ~done
         if open_.mean() < COMPRESS:
             which, part, asked, at = which[open_], part.rows(open_), asked.rows(open_), at.rows(open_)
             open_ = open_[open_]
         if not len(which):
             break
-    return Solved(out, met, grows, misfits(block, out))
+    return Solved(out, met, grows, misfits(block, out, stress))
 
 
 def _put(out: Courses, where: Integers, at: Courses, which: Flags) -> None:
@@ -410,10 +431,10 @@ def _put(out: Courses, where: Integers, at: Courses, which: Flags) -> None:
     out.ratio[where] = at.ratio[which]
 
 
-def misfits(block: Block, at: Courses) -> Array:
-    """See `Solved.misfit`; of each element, shape (elements, n)."""
+def misfits(block: Block, at: Courses, stress: Array) -> Array:
+    """See `Solved.misfit`; `stress` is that at the stages [Pa]."""
     steps = np.diff(at.shares, axis=0) * block.length
-    f0, f1, f2 = block.stress(at.stage, stage_creeps(block, steps, at)).stress
+    f0, f1, f2 = stress
     f = block.stress(at.tension, at.creep).stress
     left = np.abs(E0 * f0 + E1 * f1 + E2 * f2 - f[:-1])
     right = np.abs(E2 * f0 + E1 * f1 + E0 * f2 - f[1:])
