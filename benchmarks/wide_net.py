@@ -1,7 +1,8 @@
 """Random drives over all that the readers accept: python benchmarks/wide_net.py [drives] [seed].
 
 How each ended, with its capacities, and every solution and breakaway held against the twin
-(tests/arc/shooting.py), with the CPU time of the answer. Each drive has a seed of its own, and its row goes to build/wide_net_SEED.jsonl: a run that was ended goes on there. With `2500-5000`
+(tests/arc/shooting.py), with the CPU time of the answer. Each drive has a seed of its own, and its
+row goes to build/wide_net_SEED.jsonl: a run that was ended goes on there. With `2500-5000`
 for the drives a second process does that half. Prints a table, and the drives that miss by more
 than is allowed, end otherwise than solved, in breakaway or refused, or take longer than 2 s.
 """

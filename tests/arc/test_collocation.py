@@ -44,7 +44,7 @@ def test_random_drives_have_the_creep_of_the_marches(name: str) -> None:
         done, found = course_of(arc)
         assert done == (expected.status is Status.SOLVED), (name, k)
         if done:
-            size = max(max(found.creep), -min(found.creep))
+            size = max(map(abs, found.creep))
             assert found.creep[-1] == pytest.approx(expected.exit_creep, abs=1e-5 * size + REST)
             solved += 1
     assert solved

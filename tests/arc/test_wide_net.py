@@ -67,10 +67,7 @@ def ends_well(name: str, seed: list[int], solver: Distributed = INTERPRETED) -> 
 @pytest.mark.parametrize("name", NAMES)
 def test_random_drives_end_well(name: str) -> None:
     place = NAMES.index(name)
-    ends = [
-        ends_well(name, [7, 1000 * place + k])
-        for k in range(DRIVES_PER_LAW)
-    ]
+    ends = [ends_well(name, [7, 1000 * place + k]) for k in range(DRIVES_PER_LAW)]
     assert ends.count("solved") > DRIVES_PER_LAW // 3
 
 

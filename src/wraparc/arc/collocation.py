@@ -138,7 +138,7 @@ def overrun_at(arc: Geometry, tension: float) -> tuple[float, float]:
 
 
 def first_course(face: Interface, arc: Geometry, entry: float, leaving: float) -> Course:
-    """A first guess on a mesh graded to the entry: tension falls evenly, with the creep for that."""
+    """A first guess on a mesh graded to the entry: tension falls evenly, with creep for that."""
     n, length = FIRST_ELEMENTS, arc.radius * arc.wrap_angle
     fall = log(entry / leaving)
     creep, start = 2.0 * mean_creep(face, arc, entry, leaving), overrun_at(arc, entry)[0]
@@ -146,8 +146,7 @@ def first_course(face: Interface, arc: Geometry, entry: float, leaving: float) -
     stage = []
     for i in range(n):
         h = shares[i + 1] - shares[i]
-        for c in (C0, C1, C2):
-            stage.append(entry * exp(-fall * (shares[i] + c * h)))
+        stage += [entry * exp(-fall * (shares[i] + c * h)) for c in (C0, C1, C2)]
     return Course(
         [length * share for share in shares],
         [start + creep * share for share in shares],
@@ -447,7 +446,7 @@ def _differ(one: tuple[int, int, int], other: tuple[int, int, int]) -> bool:
 def kinks(face: Interface, arc: Geometry, at: Course) -> list[tuple[float, bool]]:
     """Places where the course passes into another piece of the law [m], and whether creep turns."""
     found: list[tuple[float, bool]] = []
-    least = SMALL * max(max(at.creep), -min(at.creep))
+    least = SMALL * max(*at.creep, -min(at.creep))
     code = piece_code(face, arc, state_at(arc, at, 0, C0), least)
     for i in range(len(at.place) - 1):
         low = 0.0 if i > 0 else C0
@@ -571,7 +570,9 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
     return Course(places, creep, tension, stage, at.ratio)
 
 
-def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) -> tuple[bool, Course]:
+def eased(
+    face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float
+) -> tuple[bool, Course]:
     """Continuation in the law: from traction that grows evenly with creep, in steps that adapt."""
     share, step = 0.0, FIRST_SHARE
     size = max(abs(at.creep[-1]), abs(at.creep[0]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -47,9 +48,7 @@ def ratio_at_gross_slip(
     return q
 
 
-def wrap_needed(
-    laws: Laws, top: Array, fall: Array, friction: Callable[[Array], Array]
-) -> Array:
+def wrap_needed(laws: Laws, top: Array, fall: Array, friction: Callable[[Array], Array]) -> Array:
     """Wrap angle over which ln T falls so far from the tight side, shape (n,) [rad]."""
     return _angle(top, fall, _falls(laws, top), friction)
 
@@ -64,7 +63,7 @@ def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array
     ends = np.sort(np.minimum(edges, q), axis=0)
     ends = np.concatenate([np.zeros((1, len(q))), ends, q[None]])
     total = np.zeros(len(q))
-    for low, high in zip(ends[:-1], ends[1:], strict=True):
+    for low, high in pairwise(ends):
         width = high - low
         if not (width > 0.0).any():
             continue

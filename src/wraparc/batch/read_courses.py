@@ -91,9 +91,7 @@ def _samples(block: Block, at: Courses) -> tuple[Array, Array, Array]:
     )
 
 
-def _largest_stress(
-    block: Block, at: Courses, shares: Array, stress: Array
-) -> tuple[Array, Array]:
+def _largest_stress(block: Block, at: Courses, shares: Array, stress: Array) -> tuple[Array, Array]:
     """Largest magnitude of shear stress [Pa], and its place as a share of the arc."""
     best = np.abs(stress).argmax(axis=0)
     rows = np.arange(len(block))
@@ -106,7 +104,10 @@ def _largest_stress(
         size = np.abs(block.stress(tension, creep).stress)
         k = size.argmax(axis=0)
         better = size[k, rows] > most
-        most, where = np.where(better, size[k, rows], most), np.where(better, points[k, rows], where)
+        most, where = (
+            np.where(better, size[k, rows], most),
+            np.where(better, points[k, rows], where),
+        )
         low = points[np.maximum(k - 1, 0), rows]
         high = points[np.minimum(k + 1, FINE), rows]
     k = np.clip(k, 1, FINE - 1)
@@ -137,7 +138,9 @@ def _begins(at: Courses) -> Array:
     f_low, f_high = sign * (t0 - goal), sign * (at.tension[place + 1, rows] - goal)
     c = low
     for _ in range(REGULA):  # Illinois
-        c = np.clip(low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high), 0, 1)
+        c = np.clip(
+            low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high), 0, 1
+        )
         f = sign * (cubic_through(c, t0, k0, k1, k2) - goal)
         less = f > 0.0
         f_high, f_low = np.where(less, 0.5 * f_high, f), np.where(less, f, 0.5 * f_low)
@@ -168,7 +171,11 @@ def _stuck(block: Block, at: Courses, shares: Array, slip: Array) -> Array:
 
 
 def _outside(
-    block: Block, at: Courses, shares: Array, samples: tuple[Array, Array], limits: tuple[Array, ...]
+    block: Block,
+    at: Courses,
+    shares: Array,
+    samples: tuple[Array, Array],
+    limits: tuple[Array, ...],
 ) -> Array:
     """Share of an arc outside the tested range: between samples, up to where they cross a limit."""
     pressure, slip = samples

@@ -257,7 +257,14 @@ class RowBatch:
             good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
             last = done.courses.creep[-1]
             if good.any():
-                read(Met(which[some[good]], block.rows(good), done.courses.rows(good), done.grows[good]))
+                read(
+                    Met(
+                        which[some[good]],
+                        block.rows(good),
+                        done.courses.rows(good),
+                        done.grows[good],
+                    )
+                )
             on = sound & ~good
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
@@ -300,12 +307,16 @@ class RowBatch:
 
     def _read(self, met: Met) -> None:
         """Write operating points into rows of results."""
-        ranges = [self.of_input(name)[met.which] for name in ("pressure_min", "pressure_max", "slip_max")]
+        ranges = [
+            self.of_input(name)[met.which] for name in ("pressure_min", "pressure_max", "slip_max")
+        ]
         columns = read_courses(met.block, met.courses, *ranges)
         for place, column in columns.items():
             self.found[met.which, place] = column
 
-    def _carried(self, which: Integers, tight: Array, limit: Array | None, found: Array) -> Integers:
+    def _carried(
+        self, which: Integers, tight: Array, limit: Array | None, found: Array
+    ) -> Integers:
         """ln(tight/slack) at a creep [m], or at the largest tested slip, into `found`.
 
         Returns the places in `which` where that fails.
@@ -327,9 +338,7 @@ class RowBatch:
             found[met.which] = np.abs(np.log(tension[0] / tension[-1]))
 
         places = np.arange(len(which))
-        inner = RowBatch(
-            self.arcs, self.given, block, self.found, self.left, self.accuracy
-        )
+        inner = RowBatch(self.arcs, self.given, block, self.found, self.left, self.accuracy)
         return inner.meet(places, ends, guess, read)
 
     def _find_carried(self, which: Integers, limit: Array | None, place: int, part: int) -> None:
@@ -476,7 +485,9 @@ def _crown(x: list[Array], y: list[Array]) -> Array:
     return np.clip(at, x[0] + 0.5 * apart, x[2] - 0.5 * apart)
 
 
-def _narrowed(x: list[Array], y: list[Array], at: Array, value: Array) -> tuple[list[Array], list[Array]]:
+def _narrowed(
+    x: list[Array], y: list[Array], at: Array, value: Array
+) -> tuple[list[Array], list[Array]]:
     """Three points around the best of four."""
     value = np.nan_to_num(value, nan=-np.inf)
     after, better = at > x[1], value > y[1]

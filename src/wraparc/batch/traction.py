@@ -31,7 +31,7 @@ RISE_STEPS, NEAR_PEAK = 4, 0.8
 
 
 class Stress(NamedTuple):
-    """Traction [Pa], its slopes by creep [Pa/m] and pressure [-], slip [m] and friction's branch."""
+    """Traction [Pa], its slopes by creep [Pa/m] and by pressure [-], and slip [m]."""
 
     stress: Array
     by_creep: Array
@@ -55,8 +55,7 @@ class Laws(Protocol):
         """Friction that holds a belt before it slips, 0 for laws that rise from nothing [-]."""
 
     def excess(self, pressure: Array) -> Array:
-        """int (mu - mu_residual) dx over all slips [m]: > 0 where more than the residual is left
-        for a while."""
+        """Friction beyond its residual over all slips, int (mu - mu_residual) dx [m]."""
 
     def edges(self) -> Array:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
@@ -131,8 +130,7 @@ class IntegralLog:
         )
 
     def _cells(self, pressure: Array) -> tuple[Array, Integers, Array, Array, Array]:
-        """Numbers of all cells; the cell of each pressure, the pressure held inside the edges; and
-        the lowest and the highest edge."""
+        """Numbers of all cells; cells of pressures; these held inside the edges; both edges."""
         row, one = self.row, len(self.knots[0]) == 1
         first, last = (self.ends[:, 0]) if one else self.ends[:, row]
         at = np.minimum(np.maximum(pressure, first), last)
@@ -214,7 +212,9 @@ class IntegralLog:
         stiff = 1.0 / (1.0 + ease * mu_x)
         by_pressure = np.where(pressure < last, mu + pressure * np.where(below, 0.0, mu_p), 0.0)
         scale = sign * (np.abs(creep) / size)
-        return Stress(scale * mu * held, held * mu_x * stiff, scale * by_pressure * stiff, scale * x)
+        return Stress(
+            scale * mu * held, held * mu_x * stiff, scale * by_pressure * stiff, scale * x
+        )
 
     def _past(
         self, c: _Columns, ease: Array, size: Array, rise: tuple[Array, Array, Array, Array]
@@ -258,11 +258,13 @@ class IntegralLog:
         return np.asarray(left * np.minimum(last / pressure, 1.0))
 
     def excess(self, pressure: Array) -> Array:
-        """int (mu - mu_residual) dx over all slips [m]; 3/4 mu_pk x_pk is that up to the peak."""
+        """Friction beyond its residual over all slips [m]; up to the peak 3/4 mu_pk x_pk."""
         c, _, last = self._columns(pressure)
         left = np.where(c.slope < 0.0, np.minimum(c.residual, c.friction), c.friction)
         fall = c.friction - left
-        line = np.where(fall > 0.0, -0.5 * fall * fall / np.where(c.slope < 0.0, c.slope, -1.0), 0.0)
+        line = np.where(
+            fall > 0.0, -0.5 * fall * fall / np.where(c.slope < 0.0, c.slope, -1.0), 0.0
+        )
         found = c.slip * (0.75 * c.friction - left) + line
         return np.asarray(found * np.minimum(last / pressure, 1.0))
 
@@ -298,7 +300,9 @@ class Limits:
     def of(cls, laws: Sequence[CompactLaw], row: Integers) -> Limits:
         """Return them from compact laws."""
         numbers = np.array([law.coefficients for law in laws], dtype=float).T
-        ends = np.array([(law.edges[0], law.edges[-1]) if law.edges else (0.0, np.inf) for law in laws])
+        ends = np.array(
+            [(law.edges[0], law.edges[-1]) if law.edges else (0.0, np.inf) for law in laws]
+        )
         return cls(numbers, ends.T, row)
 
     def edges(self) -> Array:
@@ -314,7 +318,9 @@ class Limits:
         mu_0, p_0, n = self.numbers[:3, self.row]
         first, last = self.ends[:, self.row]
         at = np.minimum(np.maximum(pressure, first), last)
-        mu = mu_0 * np.where(n == 0.0, 1.0, (np.maximum(at, 1e-12) / np.where(n == 0.0, 1.0, p_0)) ** -n)
+        mu = mu_0 * np.where(
+            n == 0.0, 1.0, (np.maximum(at, 1e-12) / np.where(n == 0.0, 1.0, p_0)) ** -n
+        )
         inside = (pressure >= first) & (pressure < last)
         slope = np.where(pressure >= last, 0.0, mu * np.where(inside, 1.0 - n, 1.0))
         return mu * np.minimum(pressure, last), slope
@@ -425,7 +431,9 @@ class Tables:
         (c0, d0), (c1, d1), (c2, d2), (c3, d3) = coefficients
         span = np.where(np.isfinite(high), high - low, np.inf)
         t = np.where(
-            np.isfinite(span), (size - u_low) / np.where(np.isfinite(span), u_high - u_low, 1.0), 0.0
+            np.isfinite(span),
+            (size - u_low) / np.where(np.isfinite(span), u_high - u_low, 1.0),
+            0.0,
         ) * np.where(np.isfinite(span), span, 0.0)
         done = stuck.copy()
         a, b = np.zeros(size.shape), np.where(np.isfinite(span), span, 0.0)
@@ -469,7 +477,7 @@ class Tables:
         return np.asarray(mu * held / pressure)
 
     def excess(self, pressure: Array) -> Array:
-        """int (mu - mu_residual) dx over all slips [m]: of the cubics, cell by cell."""
+        """Friction beyond its residual over all slips [m], cell by cell."""
         held, place, weight, _ = self._between(pressure)
         left = self._blend(0, place + len(self.slips) - 1, weight)[0]
         total = np.zeros(pressure.shape)

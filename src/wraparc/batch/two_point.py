@@ -102,7 +102,7 @@ class Block:
 class Ends(NamedTuple):
     """What is asked at the ends: see `wraparc.arc.collocation.Ends`; the kind is that of all.
 
-    SLIP is asked as CREEP, its goal moved with the tension at the exit: `slip` is that slip, or nan.
+    SLIP is asked as CREEP, its goal moved with the tension there: `slip` is that slip, or nan.
     """
 
     at_entry: Array
@@ -281,10 +281,10 @@ def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
         y2 = (a20 * q0 + a21 * q1 + a22 * q2) * over
         found.stages.append((y0, y1, y2))
         found.creep.append(-hc * (B0 * y0 + B1 * y1 + B2 * y2))
-        g0 = g0 + j00 * y0 + j01 * y1 + j02 * y2
-        g1 = g1 + j10 * y0 + j11 * y1 + j12 * y2
-        g2 = g2 + j20 * y0 + j21 * y1 + j22 * y2
-        found.tension.append(-hb * (B0 * g0 + B1 * g1 + B2 * g2))
+        t0 = g0 + j00 * y0 + j01 * y1 + j02 * y2
+        t1 = g1 + j10 * y0 + j11 * y1 + j12 * y2
+        t2 = g2 + j20 * y0 + j21 * y1 + j22 * y2
+        found.tension.append(-hb * (B0 * t0 + B1 * t1 + B2 * t2))
     found.creep[0] += u + steps * at.ratio - hc * (B0 * k0 + B1 * k1 + B2 * k2) - at.creep[1:]
     found.tension[0] += tension - at.tension[1:]
     found.creep[1] += 1.0
@@ -386,7 +386,7 @@ class Solved(NamedTuple):
         Whether Newton's method settled.
     grows
         > 0 where the tension at the entry grows with creep (the branch on which friction is not yet
-        exhausted), or, at a creep that is asked, what is carried with the tension of the tight side.
+        exhausted); at a creep that is asked, where what is carried does with the tight side.
     misfit
         How far the parabolas through the stage stresses miss the stresses at the ends of elements,
         as a tension, of the largest change of tension along the arc, shape (elements, n) [-].
@@ -417,7 +417,12 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
         stress[:, :, which[done]] = stages[:, :, done]
         open_ &= (change < 1e4) & ~done
         if open_.mean() < COMPRESS:
-            which, part, asked, at = which[open_], part.rows(open_), asked.rows(open_), at.rows(open_)
+            which, part, asked, at = (
+                which[open_],
+                part.rows(open_),
+                asked.rows(open_),
+                at.rows(open_),
+            )
             open_ = open_[open_]
         if not len(which):
             break

@@ -146,7 +146,7 @@ def _remarks(found: FieldNumbers) -> Iterator[str]:
             "took, to have the wear in a year."
         )
     if found.at_breakaway is None:
-        yield "No particular creep marks gross slip: what carries most is approached as creep grows."
+        yield "No creep marks gross slip: what carries most is approached as creep grows."
 
 
 def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, Any]:

@@ -234,7 +234,9 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         if asked.load_case is not None:
             case = asked_for(thing, None, asked.load_case)[1]
             thing = replace(thing, load_cases=(case,))
-        whole = first = solve(thing, method=Distributed(points=asked.points), raise_on_failure=False)
+        whole = first = solve(
+            thing, method=Distributed(points=asked.points), raise_on_failure=False
+        )
     drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     sources = [Source(**source) for source in sources_of(drive)]
