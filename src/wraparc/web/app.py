@@ -8,7 +8,6 @@ from typing import Any
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
-from starlette.formparsers import MultiPartParser
 
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
@@ -25,7 +24,7 @@ from wraparc.web.routes import (
     studies,
 )
 from wraparc.web.routes.parts import BEARER, State
-from wraparc.web.security import UPLOAD_LIMIT, Door
+from wraparc.web.security import Door
 from wraparc.web.settings import Settings
 
 _DESCRIPTION = (
@@ -77,7 +76,6 @@ def create_app(settings: Settings) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.wraparc = state
-    MultiPartParser.spool_max_size = UPLOAD_LIMIT  # what is uploaded never touches the disk
     for part in (drives, start, designs, shear_tests, reports, results, studies, events, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)

@@ -142,7 +142,7 @@ class Workers:
         """
         if not self._count:
             return await asyncio.to_thread(answer, function, *asked)
-        question = pickle.dumps((function, asked))
+        question = await asyncio.to_thread(pickle.dumps, (function, asked))
         task, waiting = self._shared.get(question, (None, []))
         if task is None or task.cancelling():  # what is given up gives nobody an answer
             task, waiting = asyncio.create_task(self._short(client, question, queue)), []
@@ -219,7 +219,8 @@ class Workers:
         try:
             worker = await self._started(warm=False)
             try:
-                question = pickle.dumps((_alone, (folder, function, *asked)))
+                alone = (_alone, (folder, function, *asked))
+                question = await asyncio.to_thread(pickle.dumps, alone)
                 return await self._asked(worker, question, limit, tell)
             finally:
                 worker.end()
