@@ -5,6 +5,7 @@ The expected numbers are the limits that the refusals themselves name.
 
 import contextlib
 import json
+import os
 import socket
 import sys
 import threading
@@ -266,3 +267,93 @@ def test_a_head_that_does_not_end_is_cut_off(plain: Process, head: str) -> None:
                 assert connection.recv(1000).split()[1] == status
     time.sleep(0)  # whoever comes next is served
     assert plain.ask(f"{API}/about").status == 200
+
+
+#: Files opened to write while this is a list.
+_written: list[list[str]] = []
+
+
+def _watch(event: str, given: tuple[Any, ...]) -> None:
+    if _written and event == "open" and given[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
+        _written[-1].append(str(given[0]))
+
+
+@pytest.fixture(scope="module")
+def audited() -> None:
+    sys.addaudithook(_watch)  # for good: an interpreter forgets no hook
+
+
+@pytest.mark.usefixtures("audited")
+def test_what_is_uploaded_never_touches_the_disk(local: TestClient) -> None:
+    session = local.post(f"{API}/tests").json()["session"]
+    rows = b"".join(b"%d.%d;%d\n" % (i // 10, i % 10, i % 977) for i in range(300_000))
+    table = b"position (mm);reading (mm)\n" + rows
+    assert len(table) > 3_000_000
+    files = [("files", (f"test {i}.csv", table, "text/csv")) for i in range(2)]
+    _written.append([])
+    try:
+        read = local.post(f"{API}/tests/{session}/files", files=files)
+        fits = {"width": "1200 mm"}
+        profile = local.post(f"{API}/across/profile", files={"file": ("a", table)}, data=fits)
+    finally:
+        found = _written.pop()
+    assert [one["bytes"] for one in read.json()["files"]] == [len(table)] * 2
+    assert profile.status_code == 413  # it is no upload of shear tests: 2 MB are enough
+    assert found == []
+
+
+@pytest.mark.parametrize(
+    ("named", "expected"),
+    [
+        ('filename="plain.csv"', "plain.csv"),
+        ('filename="Prüfung 5 °C.csv"', "Prüfung 5 °C.csv"),  # browsers send UTF-8
+        ('filename="a \\"b\\" c.csv"', 'a "b" c.csv'),  # quotes as RFC 2616 escapes them
+        ("filename*=UTF-8''Pr%C3%BCfung.csv", "Prüfung.csv"),  # RFC 5987
+        ('filename="../../etc/passwd"', "passwd"),
+        ('filename=""', "file"),
+    ],
+)
+def test_files_have_the_names_they_were_sent_with(
+    local: TestClient, named: str, expected: str
+) -> None:
+    session = local.post(f"{API}/tests").json()["session"]
+    body = f'--x\r\ncontent-disposition: form-data; name="files"; {named}\r\n\r\n1\r\n--x--'
+    headers = {"content-type": "multipart/form-data; boundary=x"}
+    answer = local.post(f"{API}/tests/{session}/files", content=body.encode(), headers=headers)
+    assert [file["name"] for file in answer.json()["files"]] == [expected]
+
+
+@pytest.mark.parametrize(
+    ("body", "status", "message"),
+    [
+        (b"", 400, "ends before its last part"),
+        (
+            b'--x\r\ncontent-disposition: form-data; name="files"; filename="a"\r\n\r\n1',
+            400,
+            "ends",
+        ),
+        (b"--x\r\nno head\r\n--x--", 400, "a part of the body has no head"),
+        (
+            b"--x\r\na: " + b"b" * 9000 + b"\r\n\r\n1\r\n--x--",
+            400,
+            "a part of the body has no head",
+        ),
+        (
+            b"--x\r\n\r\n\r\n1" + b"\r\n--x\r\n\r\n1" * 101 + b"\r\n--x--",
+            413,
+            "more than 100 parts",
+        ),
+        (b"--x--", 422, "field required"),
+        (b'--x\r\ncontent-disposition: form-data; name="files"\r\n\r\n1\r\n--x--', 422, "files"),
+    ],
+)
+def test_files_that_do_not_come_whole_are_refused(
+    local: TestClient, body: bytes, status: int, message: str
+) -> None:
+    session = local.post(f"{API}/tests").json()["session"]
+    headers = {"content-type": "multipart/form-data; boundary=x"}
+    answer = local.post(f"{API}/tests/{session}/files", content=body, headers=headers)
+    assert (answer.status_code, message in answer.text) == (status, True), answer.text
+    plain = {"content-type": "multipart/form-data"}
+    unnamed = local.post(f"{API}/tests/{session}/files", content=body or b"1", headers=plain)
+    assert (unnamed.status_code, "no boundary" in unnamed.text) == (400, True)

@@ -12,6 +12,7 @@ from starlette.exceptions import HTTPException
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 from wraparc.web.errors import PROBLEM_JSON, ApiError, refusal_of, request_problems
+from wraparc.web.packing import Packing
 from wraparc.web.routes import (
     designs,
     drives,
@@ -82,7 +83,8 @@ def create_app(settings: Settings) -> FastAPI:
     for kind in (InputError, ApiError, MissingExtraError, HTTPException, Exception):
         app.add_exception_handler(kind, _refuse)
     app.add_exception_handler(RequestValidationError, _bad_request)
-    app.add_middleware(Door, settings=settings)
+    app.add_middleware(Packing)
+    app.add_middleware(Door, settings=settings)  # the first that a request comes to
     return app
 
 

@@ -13,7 +13,6 @@ from wraparc.train import Train
 from wraparc.train.as_drive import nearest_drive
 from wraparc.web.answers.shown import DriveKind
 
-
 #: Most pulleys times load cases: 20 s of work and 12 MB of answer.
 MOST_ARCS = 200
 
