@@ -92,13 +92,20 @@ class Visitor:
     """A page of the browser that remembers what went wrong on it."""
 
     def __init__(
-        self, browser: Browser, address: str, size: ViewportSize | None = None, **context: Any
+        self,
+        browser: Browser,
+        address: str,
+        size: ViewportSize | None = None,
+        *,
+        told_long: bool = True,
+        **context: Any,
     ) -> None:
         self.context = browser.new_context(
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
         self.context.set_default_timeout(_LONG)
-        self.context.add_init_script(_TOLD_LONG)
+        if told_long:
+            self.context.add_init_script(_TOLD_LONG)
         self.page: Page = self.context.new_page()
         self.address = address
         self.wrong: list[str] = []

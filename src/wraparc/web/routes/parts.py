@@ -10,6 +10,7 @@ from typing import Any, get_type_hints
 from fastapi import APIRouter, Request, Response
 from fastapi.routing import APIRoute
 
+from wraparc.version import __version__
 from wraparc.web.answers import rows
 from wraparc.web.database.store import Store
 from wraparc.web.errors import Problems, refused
@@ -74,6 +75,7 @@ class Route(APIRoute):
 
         async def handler(request: Request) -> Response:
             answer = await serve(Body(request, state_of(request).readers, model))
+            answer.headers["wraparc-version"] = __version__  # a page of another one says so
             if request.method == "GET" and answer.status_code == 200:
                 return _tagged(request, answer)
             return answer

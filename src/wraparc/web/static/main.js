@@ -2,7 +2,7 @@
 import { again, brought, keepAddress, keepMine, pageOfAddress } from "./base/address.js";
 import { app, look, redraw, watch } from "./base/design.js";
 import { beginWith, keepDraft, offerDraft, openShown } from "./base/drafts.js";
-import { ask, complain, Refused, told } from "./base/server.js";
+import { ask, complain, onReturn, part, Refused, told, unanswered } from "./base/server.js";
 import { keepFocus } from "./frame/focus.js";
 import { Header, listen } from "./frame/header.js";
 import { Main, present } from "./frame/pages.js";
@@ -49,7 +49,7 @@ function changed() {
     }
   });
 }
-const openLink = async () => (await import("./frame/link.js")).openLink();
+const openLink = async () => (await part(() => import("./frame/link.js"))).openLink();
 /** A page of the history, or a link that was put into the address. */
 async function arrive() {
   const page = pageOfAddress();
@@ -110,7 +110,8 @@ skip();
 paper();
 addEventListener("hashchange", arrive);
 begin().catch((x) => {
-  console.error(x);
+  if (unanswered(x)) onReturn(() => location.reload());
+  else console.error(x);
   const denied = x instanceof Refused && x.status === 401;
   const message = denied
     ? "This calculator asks for a token: open it with the link that the server printed " +
