@@ -84,6 +84,8 @@ const apart = (late, first = []) => ({
   },
 });
 const EXPORT = /^export (?:async )?(?:const|function|class) (\w+)/gm;
+/** An export of a library, which is minified. */
+const RENAMED = /(?<=export\{[^}]*)\w+ as (\w+)/g;
 /** By this a test puts a design on the page. */
 const DRIVEN_BY = "take";
 /** What a later file takes from the first script: only that is told by name there. */
@@ -105,10 +107,10 @@ async function served() {
   const takes = found.outputFiles.flatMap(({ text }) => [...text.matchAll(TAKEN)]);
   const taken = takes.flatMap(([, names]) => names.split(",").map((n) => n.split(" as ")[0]));
   const exported = first.map(async (file) => {
-    const all = [...(await readFile(file, "utf-8")).matchAll(EXPORT)].map(([, name]) => name);
+    const text = await readFile(file, "utf-8");
+    const all = [...text.matchAll(EXPORT), ...text.matchAll(RENAMED)].map(([, name]) => name);
     const names = all.filter((name) => taken.includes(name) || name === DRIVEN_BY);
-    const what = file.includes("/vendor/") ? "*" : `{ ${names.join(", ")} }`;
-    return `export ${what} from ${JSON.stringify(file)};`;
+    return `export { ${names.join(", ")} } from ${JSON.stringify(file)};`;
   });
   const contents = [`import ${JSON.stringify(entry)};`, ...(await Promise.all(exported))].join("");
   const stdin = { contents, resolveDir: pages };

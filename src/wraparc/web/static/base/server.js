@@ -32,10 +32,19 @@ const LAST = 30_000;
 
 /**
  * @typedef {{method?: string, signal?: AbortSignal}} Asked
- * What waits for an answer; all is given up when the server is gone.
- * @type {Set<AbortController>}
+ * What waits for an answer, and since when [ms]; all is given up when the server is gone.
+ * @type {Map<AbortController, number>}
  */
-const waiting = new Set();
+const waiting = new Map();
+const SECOND = 1000;
+/** Seconds that the oldest question waits for its answer. */
+export const waited = () =>
+  Math.floor((performance.now() - Math.min(...waiting.values())) / SECOND) || 0;
+/** Give up what waits: the server ends what it does for it. */
+export function cancel() {
+  for (const one of waiting.keys()) one.abort(CANCELLED);
+}
+const CANCELLED = "Cancelled.";
 /**
  * Ask the server, and read its answer; no answer, half of one and a server at its end are one.
  * @template T @param {string} path @param {any} body @param {Asked} how
@@ -47,7 +56,8 @@ async function answered(path, body, { method, signal }, read) {
   const own = new AbortController();
   const stop = () => own.abort();
   signal?.addEventListener("abort", stop);
-  waiting.add(own);
+  waiting.set(own, performance.now());
+  const told = setInterval(redraw, SECOND);
   const silent = setInterval(askAgain, SILENT);
   try {
     signal?.throwIfAborted();
@@ -62,11 +72,14 @@ async function answered(path, body, { method, signal }, read) {
     return found;
   } catch (x) {
     if (x instanceof Refused || signal?.aborted) throw x;
+    if (own.signal.reason === CANCELLED) throw new Refused([{ path: "", message: CANCELLED }], 499);
     lost();
     throw new Refused([{ path: "", message: GONE }], 0);
   } finally {
+    clearInterval(told);
     clearInterval(silent);
     waiting.delete(own);
+    if (!waiting.size) redraw();
     signal?.removeEventListener("abort", stop);
   }
 }
@@ -150,7 +163,7 @@ export async function askAgain() {
   asking = false;
 }
 function lost() {
-  for (const one of waiting) one.abort();
+  for (const one of waiting.keys()) one.abort();
   if (!looking) {
     looking = setTimeout(askAgain, pause);
     pause = Math.min(2 * pause, LAST);

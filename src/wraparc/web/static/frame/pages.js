@@ -59,7 +59,7 @@ function bars() {
 const KEPT = " The drive, as typed, is kept in this browser.";
 /** @typedef {[string, string, string, () => void]} Bar */
 /** @type {Bar} */
-const GONE_BAR = [GONE, "It is asked again and again, at least every 30 s.", "Ask now", askAgain];
+const GONE_BAR = [GONE, "It is asked again, at least every 30 s.", "Ask now", askAgain];
 const reload = () => location.reload();
 /** @type {Bar} */
 const NEWER = ["The calculator is of another version now.", "", "Reload", reload];

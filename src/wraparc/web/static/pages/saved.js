@@ -3,7 +3,7 @@
 import { turnTo } from "../base/address.js";
 import { app, look, redraw } from "../base/design.js";
 import { open } from "../base/drafts.js";
-import { act, Advice, ask, complain, later, note, onReturn } from "../base/server.js";
+import { Advice, act, ask, complain, later, note, onReturn } from "../base/server.js";
 import { timeOf } from "../base/units.js";
 import { scroll } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
