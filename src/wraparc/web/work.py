@@ -22,6 +22,8 @@ from wraparc.web.turns import Turns, busy
 QUICK, WHOLE = "quick", "whole"
 #: Most seconds for a short answer, for a long one, and for one that nobody waits for any more.
 SHORT_LIMIT, LONG_LIMIT, LEFT_LIMIT = 90.0, 600.0, 0.5
+#: Most seconds of a job, which goes on by itself until it is cancelled: a study, a run in time.
+JOB_LIMIT = 4 * 3600.0
 _LONG_TASKS, _MOST_WAITING = 2, 200
 #: Most memory of a long task [bytes]: a file made to fill it all fills no more than this.
 _MEMORY = 6 * 1024**3
