@@ -17,7 +17,7 @@ from web.calculators import PATIENCE, TOKEN, Process, wait_for
 Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
-_LONG = 15e3
+_LONG = 120e3
 #: Studies may have to compile first.
 STUDY = 1e3 * PATIENCE
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
@@ -50,7 +50,9 @@ _REFUSED = ("status of 422", "status of 409")
 #: What is told in the corner stays until something else is: a busy machine reads it late.
 _TOLD_LONG = """{
   const usual = window.setTimeout;
-  window.setTimeout = (f, wait, ...more) => usual(f, wait > 5000 ? 10 * wait : wait, ...more);
+  const told = [6000, 12000];
+  window.setTimeout = (f, wait, ...more) =>
+    usual(f, told.includes(wait) ? 10 * wait : wait, ...more);
 }"""
 PAINTED = """() => new Promise((done) => {
   requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)));

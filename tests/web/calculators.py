@@ -25,7 +25,7 @@ API = "/api/v1"
 #: Of servers that tests start.
 TOKEN = "token-of-the-tests-0123"  # noqa: S105
 #: After this long [s] what a test waits for is taken to hang; no test counts on it.
-PATIENCE = 40.0
+PATIENCE = 600.0
 
 
 def document(name: str = "head-drive-fabric") -> dict[str, Any]:
