@@ -8,7 +8,6 @@ import pytest
 from starlette.testclient import TestClient
 
 from web.calculators import API, client, document
-from wraparc.web import packing
 from wraparc.web.packing import LEAST
 
 PLAIN, PACKED = {"accept-encoding": "identity"}, {"accept-encoding": "gzip"}
@@ -61,7 +60,7 @@ def test_an_answer_that_is_asked_for_comes_packed_in_a_thread(
         packed_in.append(threading.get_ident())
         return usual(data, level)
 
-    monkeypatch.setattr(packing.gzip, "compress", noted)
+    monkeypatch.setattr(gzip, "compress", noted)
     asked = {"document": document()}
     plain = local.post(f"{API}/solve", json=asked, headers=PLAIN)
     assert not packed_in

@@ -151,10 +151,11 @@ def _part(piece: bytes) -> tuple[str, UploadFile | str]:
         raise refused(400, "a part of the body has no head", "Send it as a form does.")
     said, headers = Message(), {}
     for line in piece[:end].decode("utf-8", "replace").split("\r\n"):
-        name, _, value = line.partition(":")
-        headers[name.strip().lower()] = value.strip()
+        key, _, value = line.partition(":")
+        headers[key.strip().lower()] = value.strip()
     said["content-disposition"] = headers.get("content-disposition", "")
-    name, file = (said.get_param(key, header="content-disposition") for key in ("name", "filename"))
+    name = said.get_param("name", header="content-disposition")
+    file = said.get_param("filename", header="content-disposition")
     data = piece[end + 4 :]
     if file is None:
         return _named(name), data.decode("utf-8", "replace")
