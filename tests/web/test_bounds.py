@@ -19,7 +19,8 @@ from starlette.testclient import TestClient
 
 from web.calculators import API, TOKEN, Process, client, document, serving
 from wraparc.schema import bounds
-from wraparc.web.answers import documents
+from wraparc.web.answers import documents, drives
+from wraparc.web.asked import SolveRequest
 from wraparc.web.connections import LONGEST_HEAD
 
 JSON, TOML = "application/json", "application/toml"
@@ -234,6 +235,25 @@ def test_a_thousand_load_cases_are_refused_with_how_many_are_taken(
     assert answer.status_code == 422
     told = answer.json()["problems"][0]["message"]
     assert told.startswith(f"1,000 load cases are more than the {documents.MOST_ARCS} ")
+
+
+def test_the_work_grows_with_the_load_cases_and_no_faster(monkeypatch: pytest.MonkeyPatch) -> None:
+    # what a check asks of the slack side was sought for all load cases once for each of them
+    module = sys.modules["wraparc.checks.least_tension"]  # the package names its function so
+    usual, sought = module._figures, Counter[int]()
+
+    def figures(case_count: int) -> int:
+        def counted(*given: Any) -> Any:
+            sought[case_count] += 1
+            return usual(*given)
+
+        monkeypatch.setattr(module, "_figures", counted)
+        drives.solve_all(SolveRequest(document=_cases(case_count), prepared=True, points=60))
+        return sought[case_count]
+
+    few, twice, thrice = figures(3), figures(6), figures(9)
+    assert 0 < few < twice
+    assert thrice - twice == twice - few
 
 
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:
