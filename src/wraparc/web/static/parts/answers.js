@@ -49,7 +49,7 @@ export const judgedIf = (how, v) =>
 export const stands = (how, ...children) =>
   h(
     "div",
-    { class: `stands ${how}`, "data-stands": how, key: "stands" },
+    { "data-stands": how, key: "stands" },
     how !== "fresh" &&
       h(
         "p",

@@ -88,7 +88,7 @@ export class Results extends Component {
       h(
         "div",
         {
-          class: `answer stands ${stood()}`,
+          class: "answer",
           "data-stands": stood(),
           hidden: !arc || awaited || (refused && foreign),
         },
