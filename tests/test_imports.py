@@ -50,7 +50,7 @@ NAMED = re.compile(r"(wraparc(?:\.\w+)*)(?::(\w+))?")
 BASE = {"click", "numpy", "tomli_w"}
 EXTRAS = (
     "alembic", "annotated_types", "calamine", "dask", "distributed", "emcee", "fastapi",
-    "matplotlib", "multipart", "pandas", "psycopg", "pyarrow", "pydantic",
+    "httptools", "matplotlib", "multipart", "pandas", "psycopg", "pyarrow", "pydantic",
     "python_calamine", "rich", "scipy", "sqlalchemy", "starlette", "typst", "uvicorn", "xlsxwriter",
 )  # fmt: skip
 # Libraries that come with one of an extra and are used beside it.

@@ -84,6 +84,12 @@ const apart = (late, first = []) => ({
   },
 });
 const EXPORT = /^export (?:async )?(?:const|function|class) (\w+)/gm;
+/** An export of a library, which is minified. */
+const RENAMED = /(?<=export\{[^}]*)\w+ as (\w+)/g;
+/** By this a test puts a design on the page. */
+const DRIVEN_BY = "take";
+/** What a later file takes from the first script: only that is told by name there. */
+const TAKEN = /import\{([^}]*)\}from"\/static\/main\.js"/g;
 async function served() {
   const late = new Set([WORKER]);
   const esm = { ...common, format: "esm", outdir: join(pages, "built"), outbase: pages };
@@ -92,10 +98,19 @@ async function served() {
   const { metafile } = await build({ ...how, entryPoints: [entry] });
   const inputs = Object.keys(metafile.inputs).map((name) => join(root, name));
   const first = inputs.filter((file) => file !== KERNEL); // the little that it takes of it is twice
+  let found = { outputFiles: [] };
+  for (let known = 0; known < late.size; ) {
+    known = late.size;
+    const plugins = [apart(late, first)];
+    found = await build({ ...esm, splitting: true, plugins, entryPoints: [...late].sort() });
+  }
+  const takes = found.outputFiles.flatMap(({ text }) => [...text.matchAll(TAKEN)]);
+  const taken = takes.flatMap(([, names]) => names.split(",").map((n) => n.split(" as ")[0]));
   const exported = first.map(async (file) => {
-    const names = [...(await readFile(file, "utf-8")).matchAll(EXPORT)].map((found) => found[1]);
-    const what = file.includes("/vendor/") ? "*" : `{ ${names.join(", ")} }`;
-    return `export ${what} from ${JSON.stringify(file)};`;
+    const text = await readFile(file, "utf-8");
+    const all = [...text.matchAll(EXPORT), ...text.matchAll(RENAMED)].map(([, name]) => name);
+    const names = all.filter((name) => taken.includes(name) || name === DRIVEN_BY);
+    return `export { ${names.join(", ")} } from ${JSON.stringify(file)};`;
   });
   const contents = [`import ${JSON.stringify(entry)};`, ...(await Promise.all(exported))].join("");
   const stdin = { contents, resolveDir: pages };
@@ -105,12 +120,6 @@ async function served() {
     outdir: undefined,
     outfile: join(esm.outdir, "main.js"),
   });
-  let found = { outputFiles: [] };
-  for (let known = 0; known < late.size; ) {
-    known = late.size;
-    const plugins = [apart(late, first)];
-    found = await build({ ...esm, splitting: true, plugins, entryPoints: [...late].sort() });
-  }
   const style = await build({ ...esm, entryPoints: [join(pages, "style.css")] });
   const all = [main, found, style].flatMap(({ outputFiles }) => outputFiles);
   const plain = ["index.html", "icon.svg"].map(async (name) => [

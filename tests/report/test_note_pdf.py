@@ -3,9 +3,13 @@
 import subprocess
 import sys
 from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import pytest
+import typst
+from matplotlib import image
 
 from present.drives import drive, marched, solved, sticking
 from report.cases import EXAMPLES, train
@@ -207,3 +211,23 @@ def test_pages_can_be_looked_at(note: bytes) -> None:
         assert int.from_bytes(picture[16:20], "big") == pytest.approx(595, abs=1)
         assert int.from_bytes(picture[20:24], "big") == pytest.approx(842, abs=1)
         assert len(picture) > 5000
+
+
+def test_a_long_title_stays_on_the_paper(monkeypatch: pytest.MonkeyPatch) -> None:
+    # as long as a drive file may have it, without a blank: the margins of 18 mm stay white
+    images: list[bytes] = []
+    compile_files: Any = typst.compile
+
+    def drawn(parts: object, **settings: Any) -> Any:
+        images.extend(compile_files(parts, format="png", ppi=50.8))  # 2 pixels a millimetre
+        return compile_files(parts, **settings)
+
+    monkeypatch.setattr(typst, "compile", drawn)
+    for title in ("W" * 200, "W" * 20):
+        long = replace(drive(), title=title)
+        images.clear()
+        pdf([replace(found, drive=long) for found in BOTH], HEAD)
+        first = image.imread(BytesIO(images[0]))
+        assert first.shape[1] == 420
+        margin = first[:, -34:]
+        assert margin.min() == 1.0

@@ -49,7 +49,9 @@ _REFUSED = ("status of 422", "status of 409")
 #: What is told in the corner stays until something else is: a busy machine reads it late.
 _TOLD_LONG = """{
   const usual = window.setTimeout;
-  window.setTimeout = (f, wait, ...more) => usual(f, wait > 5000 ? 10 * wait : wait, ...more);
+  const told = [6000, 12000];
+  window.setTimeout = (f, wait, ...more) =>
+    usual(f, told.includes(wait) ? 10 * wait : wait, ...more);
 }"""
 PAINTED = """() => new Promise((done) => {
   requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)));
@@ -91,13 +93,20 @@ class Visitor:
     """A page of the browser that remembers what went wrong on it."""
 
     def __init__(
-        self, browser: Browser, address: str, size: ViewportSize | None = None, **context: Any
+        self,
+        browser: Browser,
+        address: str,
+        size: ViewportSize | None = None,
+        *,
+        told_long: bool = True,
+        **context: Any,
     ) -> None:
         self.context = browser.new_context(
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
         self.context.set_default_timeout(_LONG)
-        self.context.add_init_script(_TOLD_LONG)
+        if told_long:
+            self.context.add_init_script(_TOLD_LONG)
         self.page: Page = self.context.new_page()
         self.address = address
         self.wrong: list[str] = []

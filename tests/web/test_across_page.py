@@ -28,7 +28,7 @@ def presses(page: Page) -> int:
 
 def settled(page: Page) -> None:
     """Wait until the answer is that of what stands in the form."""
-    expect(page.locator("#across .waiting")).to_have_count(0)
+    expect(page.locator("#across [data-stands=computing]")).to_have_count(0)
 
 
 def downloaded(page: Page, folder: Path) -> Path:

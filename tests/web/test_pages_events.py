@@ -122,6 +122,8 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
     # an answer of another design says so
     page.fill("#e-motion-conveyor_mass", "120")
-    expect(page.locator("#events .results")).to_contain_text("The design has changed since")
+    expect(page.locator("#events .results")).to_contain_text(
+        "Below is the answer before the change"
+    )
     assert visitor.wrong == []
     visitor.context.close()

@@ -203,9 +203,9 @@ def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> N
     page.get_by_label("SI", exact=True).check(force=True)
     # of another drive it is marked as of before, and asked again by its button
     page.select_option("#f-pulley-0-lagging", "full-ceramic")
-    expect(card.locator(".before")).to_be_visible()
+    expect(card.locator("[data-stands=stale]")).to_be_visible()
     card.get_by_role("button", name="Show").click()
-    expect(card.locator(".before")).to_have_count(0)
+    expect(card.locator("[data-stands=stale]")).to_have_count(0)
     expect(card).to_contain_text("as it is 4.21 mm")
 
 
@@ -308,4 +308,4 @@ def test_a_record_calibrates_the_drive_on_the_page(visitor: Visitor) -> None:
     assert violations(page) == []
     page.get_by_role("button", name="Use the calibrated lagging").click()
     expect(page.locator("#f-pulley-0-lagging")).to_have_value("diamond-rubber-calibrated")
-    expect(card.locator(".before")).to_be_visible()
+    expect(card.locator("[data-stands=stale]")).to_be_visible()

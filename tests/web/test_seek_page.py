@@ -40,10 +40,10 @@ def test_which_wrap_gives_6_mm(visitor: Visitor) -> None:
     assert float(page.input_value("#f-pulley-0-wrap_angle")) == pytest.approx(degrees, rel=1e-5)
     expect(page.locator("#drive .figures b").first).to_have_text("6.00 mm")
     # what was found is of the drive before, and looks so; undo brings that back
-    expect(card.locator(".before")).to_have_count(1)
+    expect(card.locator("[data-stands=stale]")).to_have_count(1)
     page.click("#undo")
     expect(page.locator("#f-pulley-0-wrap_angle")).to_have_value("180")
-    expect(card.locator(".before")).to_have_count(0)
+    expect(card.locator("[data-stands=stale]")).to_have_count(0)
 
 
 def test_a_number_of_the_catalogue_is_sought_in_us_units_too(visitor: Visitor) -> None:

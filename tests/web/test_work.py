@@ -5,6 +5,7 @@ import multiprocessing
 import os
 import pickle
 import signal
+import threading
 import time
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
@@ -123,6 +124,24 @@ def test_the_same_question_is_computed_once(tmp_path: Path) -> None:
             answers = await asyncio.gather(*asked)
             assert len(set(answers)) == 1
             assert len(list(tmp_path.iterdir())) == 1
+
+    asyncio.run(scenario())
+
+
+def test_a_question_is_packed_off_the_event_loop() -> None:
+    packed_in: list[int] = []
+
+    class Question:
+        def __reduce__(self) -> tuple[type, tuple[()]]:
+            packed_in.append(threading.get_ident())
+            return object, ()
+
+    async def scenario() -> None:
+        async with workers() as found:
+            await found.short("a", id, Question())
+            await found.apart("a", id, Question())
+            assert len(packed_in) == 2
+            assert threading.get_ident() not in packed_in
 
     asyncio.run(scenario())
 

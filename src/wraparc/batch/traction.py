@@ -141,7 +141,7 @@ class IntegralLog:
             cell += row * self.cells.shape[2]
         return self.cells.reshape(self.cells.shape[0], -1), cell, at, first, last
 
-    def _columns(self, pressure: Array) -> tuple[_Columns, Array, Array]:
+    def _columns(self, pressure: Array) -> tuple[_Columns, NDArray[np.bool_], Array]:
         """Columns at pressures, held outside; whether a pressure lies below, and the top edge."""
         flat, cell, at, first, last = self._cells(pressure)
         inside = (pressure >= first) & (pressure < last)
@@ -152,7 +152,8 @@ class IntegralLog:
     def _cubics(self, flat: Array, cell: Integers, at: Array) -> tuple[Array, ...]:
         base = self.knots[:-1].T.reshape(-1)
         t = at - base.take(cell)
-        values, slopes = [], []
+        values: list[Array] = []
+        slopes: list[Array] = []
         for o in (0, 4, 8, 12):
             if o > 4 and not self.softens:
                 values.append(np.zeros(1) if o == 8 else values[1])

@@ -7,15 +7,13 @@ import tomllib
 from typing import Any
 
 from wraparc.errors import InputError, Problem, shown
+from wraparc.schema.bounds import check_toml
 from wraparc.schema.kinds import Kind
 from wraparc.schema.problems import Report
 from wraparc.schema.shared_keys import FORMAT
 
 #: Largest file that is read [bytes].
 LARGEST = 5_000_000
-#: Most parts of one dotted key; TOML readers take quadratic time over them.
-_MOST_KEY_PARTS = 40
-_LONG_KEY = re.compile(rf"(?<![\w\"'-])(?:[\w\"'-]++[ \t]*+\.[ \t]*+){{{_MOST_KEY_PARTS}}}")
 _POSITION = re.compile(r" ?\(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 Document = dict[str, Any]
@@ -77,14 +75,11 @@ def parse(text: str, file: str = "") -> Document:
     Raises
     ------
     InputError
-        If it is no TOML, with the line.
+        If it is no TOML, with the line, or holds more than is read.
     """
     if len(text) > LARGEST:
         raise _file_problem(file, "is too large", "Is it the right file?")
-    if long_key := _LONG_KEY.search(text):
-        line = text.count("\n", 0, long_key.start()) + 1
-        message = f"a key of more than {_MOST_KEY_PARTS} parts"
-        raise InputError(Problem(message=message, file=file, line=line))
+    check_toml(text, file)
     try:
         return tomllib.loads(text)
     except RecursionError:

@@ -8,11 +8,11 @@ from typing import Any
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
-from starlette.formparsers import MultiPartParser
 
 from wraparc.errors import InputError, MissingExtraError
 from wraparc.version import __version__
 from wraparc.web.errors import PROBLEM_JSON, ApiError, refusal_of, request_problems
+from wraparc.web.packing import Packing
 from wraparc.web.routes import (
     designs,
     drives,
@@ -25,7 +25,7 @@ from wraparc.web.routes import (
     studies,
 )
 from wraparc.web.routes.parts import BEARER, State
-from wraparc.web.security import UPLOAD_LIMIT, Door
+from wraparc.web.security import Door
 from wraparc.web.settings import Settings
 
 _DESCRIPTION = (
@@ -77,14 +77,14 @@ def create_app(settings: Settings) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.wraparc = state
-    MultiPartParser.spool_max_size = UPLOAD_LIMIT  # what is uploaded never touches the disk
     for part in (drives, start, designs, shear_tests, reports, results, studies, events, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)
     for kind in (InputError, ApiError, MissingExtraError, HTTPException, Exception):
         app.add_exception_handler(kind, _refuse)
     app.add_exception_handler(RequestValidationError, _bad_request)
-    app.add_middleware(Door, settings=settings)
+    app.add_middleware(Packing)
+    app.add_middleware(Door, settings=settings)  # the first that a request comes to
     return app
 
 

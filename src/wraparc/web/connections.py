@@ -4,17 +4,21 @@ import asyncio
 from collections import Counter
 from typing import ClassVar
 
+import httptools
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
 #: Most connections that may be without a whole request; one more, and the oldest is closed.
 MOST_SILENT = 200
 #: Seconds for a request to arrive as a whole: its head, and its body.
 HEAD_LIMIT, BODY_LIMIT = 20.0, 300.0
+#: Most bytes of the head of a request: each of its lines is looked at one by one.
+LONGEST_HEAD = 64_000
 
 
 class Connection(HttpToolsProtocol):
     """A connection that has a limited time for a request, and gives way when there are many."""
 
+    _head = 0
     silent: ClassVar[dict["Connection", asyncio.TimerHandle]] = {}  # the oldest first
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
@@ -27,7 +31,23 @@ class Connection(HttpToolsProtocol):
     def on_message_begin(self) -> None:
         """Begin a request."""
         super().on_message_begin()
+        self._head = 0
         self._wait(HEAD_LIMIT)
+
+    def on_url(self, url: bytes) -> None:
+        """Take a piece of the address."""
+        self._count(len(url))
+        super().on_url(url)
+
+    def on_header(self, name: bytes, value: bytes) -> None:
+        """Take a line of the head."""
+        self._count(len(name) + len(value))
+        super().on_header(name, value)
+
+    def _count(self, size: int) -> None:
+        self._head += size + 4
+        if self._head > LONGEST_HEAD:
+            raise httptools.HttpParserError("the head of the request is too long")
 
     def on_headers_complete(self) -> None:
         """Take the head of a request."""

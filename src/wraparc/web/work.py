@@ -21,6 +21,8 @@ from wraparc.web.turns import Turns, busy
 QUICK, WHOLE = "quick", "whole"
 #: Most seconds for a short answer, for a long one, and for one that nobody waits for any more.
 SHORT_LIMIT, LONG_LIMIT, LEFT_LIMIT = 90.0, 600.0, 0.5
+#: Most seconds of a job, which goes on by itself until it is cancelled: a study, a run in time.
+JOB_LIMIT = 4 * 3600.0
 _LONG_TASKS, _MOST_WAITING = 2, 200
 #: Most memory of a long task [bytes]: a file made to fill it all fills no more than this.
 _MEMORY = 6 * 1024**3
@@ -118,7 +120,7 @@ class Workers:
         """
         if not self._count:
             return await asyncio.to_thread(answer, function, *asked)
-        question = pickle.dumps((function, asked))
+        question = await asyncio.to_thread(pickle.dumps, (function, asked))
         task, waiting = self._shared.get(question, (None, []))
         if task is None or task.cancelling():  # what is given up gives nobody an answer
             task, waiting = asyncio.create_task(self._short(client, question, queue)), []
@@ -193,7 +195,8 @@ class Workers:
         try:
             worker = await self._started(warm=False)
             try:
-                question = pickle.dumps((_alone, (folder, function, *asked)))
+                alone = (_alone, (folder, function, *asked))
+                question = await asyncio.to_thread(pickle.dumps, alone)
                 return await self._asked(worker, question, limit, tell)
             finally:
                 worker.end()

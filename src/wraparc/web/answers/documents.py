@@ -1,16 +1,20 @@
 """Documents as they come from a page, to drives and trains."""
 
+import json
 from dataclasses import replace
 from typing import Any
 
 from wraparc.arc import Distributed
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.errors import placed
+from wraparc.errors import InputError, Problem, placed
 from wraparc.files import drive_from_document
-from wraparc.schema.source import Document
+from wraparc.schema.source import Document, decoded, parse
 from wraparc.train import Train
 from wraparc.train.as_drive import nearest_drive
 from wraparc.web.answers.shown import DriveKind
+
+#: Most pulleys times load cases: 20 s of work and 12 MB of answer.
+MOST_ARCS = 200
 
 
 def without_none(value: Any) -> Any:
@@ -41,21 +45,51 @@ def json_like(value: Any) -> Any:
     return str(value)
 
 
+def toml_as_json(content: bytes) -> bytes:
+    """Return the text of a drive file as the request that it stands for."""
+    document = json_like(parse(decoded(content)))
+    return json.dumps({"document": document}, ensure_ascii=False).encode("utf-8", "surrogatepass")
+
+
 def read(document: Document) -> Drive | Train:
     """Return what a document describes; several pulleys on one belt are a train, as for `solve`.
 
     Raises
     ------
     InputError
-        With everything that is wrong; paths of files are refused.
+        With everything that is wrong; paths of files are refused, and more than a page can show.
     """
     document = without_none(document)
     if "train" in document:
         from wraparc.train.file import train_from_document
 
-        return train_from_document(document)
+        train = train_from_document(document)
+        _check_arcs(len(train.pulleys), len(train.cases))
+        return train
     drive = drive_from_document(document)
+    _check_arcs(len(drive.pulleys), len(drive.load_cases))
     return drive if len(drive.pulleys) == 1 else Train.of(drive)
+
+
+def _check_arcs(pulleys: int, cases: int) -> None:
+    """Refuse what takes longer, and is longer, than anybody waits for before a page."""
+    if pulleys * cases <= MOST_ARCS:
+        return
+    several = f" on {pulleys} pulleys" if pulleys > 1 else ""
+    raise InputError(
+        Problem(
+            key="load_case",
+            message=f"{cases:,} load cases{several} are more than the {MOST_ARCS // pulleys} "
+            "that this server takes, the design case and conditions counted",
+            remedy="Leave some out, or solve the file on the command line: wraparc solve FILE.",
+        )
+    )
+
+
+def kind_if_read(document: Document) -> bytes:
+    """Return the kind of a document that can be read."""
+    read(document)
+    return kind_of(document).encode()
 
 
 def divided(train: Train, points: int = 180) -> Drive:

@@ -137,9 +137,10 @@ def _asks(result: DriveResult) -> dict[str, list[Ask]]:
     found: dict[str, list[Ask]] = {case.name: [] for case in result.drive.load_cases}
     if least_tension(result) is None:
         return found
+    sought = list(figures(result))  # of all load cases: once, not once for each of them
     for case in result.drive.load_cases:
         place = Place(result.drive.pulleys[0].name, case.name)
-        told = [f for f in figures(result) if f.place.load_case == case.name]
+        told = [f for f in sought if f.place.load_case == case.name]
         if not any(f.name == "tested_slip" for f in told):  # a larger creep limit brings it
             told.insert(1, Figure("tested_slip", "Largest slip, tested", 0.0, place))
         found[case.name] = [

@@ -1,16 +1,18 @@
 """Saved designs."""
 
+import asyncio
 import getpass
 from typing import Annotated
 
 from fastapi import Header, Path, Query, Request, Response
 
-from wraparc.web.answers.documents import kind_of, read
+from wraparc.web.answers.documents import kind_if_read
 from wraparc.web.answers.shown import Data, DriveKind
 from wraparc.web.asked import DesignRequest, RenameRequest, VersionRequest
 from wraparc.web.database.store import DesignAnswer, Designs, VersionAnswer
-from wraparc.web.routes.parts import refuses, router, state_of
+from wraparc.web.routes.parts import client_of, refuses, router, state_of
 from wraparc.web.settings import Settings
+from wraparc.web.work import QUICK
 
 api = router("/designs", "designs")
 Number = Annotated[int, Path(ge=1, le=2**31 - 1)]
@@ -41,16 +43,20 @@ def listed(
 
 
 @api.post("", status_code=201, responses=refuses(507))
-def create(
+async def create(
     request: Request, response: Response, asked: DesignRequest, key: Key = None
 ) -> VersionAnswer:
     """Save a new design that can be read; its first version."""
-    state = state_of(request)
-    kind, who = _checked(asked.document), _who(asked.who, state.settings)
-    return _located(
-        response,
-        state.store.create(asked.name, kind, asked.document, note=asked.note, who=who, request=key),
-    )
+    kind = await _checked(request, asked.document)
+
+    def save() -> VersionAnswer:
+        state = state_of(request)
+        who = _who(asked.who, state.settings)
+        return state.store.create(
+            asked.name, kind, asked.document, note=asked.note, who=who, request=key
+        )
+
+    return _located(response, await asyncio.to_thread(save))
 
 
 @api.get("/{design}")
@@ -66,25 +72,26 @@ def one_version(request: Request, design: Number, version: Number) -> VersionAns
 
 
 @api.post("/{design}/versions", status_code=201, responses=refuses(409, 507))
-def add(
+async def add(
     request: Request, response: Response, design: Number, asked: VersionRequest, key: Key = None
 ) -> VersionAnswer:
     """Save a new version, made from the newest one; refused if somebody was faster."""
-    state = state_of(request)
-    kind, who = _checked(asked.document), _who(asked.who, state.settings)
-    return _located(
-        response,
-        state.store.add(
+    kind = await _checked(request, asked.document)
+
+    def save() -> VersionAnswer:
+        state = state_of(request)
+        return state.store.add(
             design,
             asked.base,
             kind,
             asked.document,
             note=asked.note,
-            who=who,
+            who=_who(asked.who, state.settings),
             name=asked.name,
             request=key,
-        ),
-    )
+        )
+
+    return _located(response, await asyncio.to_thread(save))
 
 
 @api.patch("/{design}", status_code=204, responses=refuses(507))
@@ -111,10 +118,11 @@ def _located(response: Response, saved: VersionAnswer) -> VersionAnswer:
     return saved
 
 
-def _checked(document: Data) -> DriveKind:
+async def _checked(request: Request, document: Data) -> DriveKind:
     """Return the kind of a document that can be read; what is saved can be opened and solved."""
-    read(document)
-    return kind_of(document)
+    workers = state_of(request).workers
+    kind = await workers.short(client_of(request), kind_if_read, document, queue=QUICK)
+    return "train" if kind == b"train" else "drive"
 
 
 def _who(given: str, settings: Settings) -> str:

@@ -10,6 +10,7 @@ from wraparc.web.jobs import Job
 from wraparc.web.jobs import State as JobState
 from wraparc.web.progress import Tell
 from wraparc.web.routes.parts import client_of, picture_of, refuses, router, state_of
+from wraparc.web.work import JOB_LIMIT
 
 api = router("/events", "events")
 
@@ -45,7 +46,7 @@ async def start(request: Request, response: Response, asked: EventRequest) -> Ru
     named = events.Named.model_validate_json(checked)
 
     async def work(tell: Tell) -> events.EventResult:
-        result = await state.workers.apart(client, events.run, asked, tell=tell)
+        result = await state.workers.apart(client, events.run, asked, limit=JOB_LIMIT, tell=tell)
         return events.EventResult.model_validate_json(result)
 
     job = state.runs.start(client, named.title, events.PARTS, work)

@@ -10,13 +10,14 @@ from typing import Any, get_type_hints
 from fastapi import APIRouter, Request, Response
 from fastapi.routing import APIRoute
 
+from wraparc.version import __version__
 from wraparc.web.answers import rows
 from wraparc.web.database.store import Store
 from wraparc.web.errors import Problems, refused
 from wraparc.web.jobs import Jobs
 from wraparc.web.kept import Kept
 from wraparc.web.processes import Function
-from wraparc.web.routes.bodies import Body
+from wraparc.web.routes.bodies import Body, Readers
 from wraparc.web.sessions import Sessions
 from wraparc.web.settings import Settings
 from wraparc.web.work import QUICK, WHOLE, Workers
@@ -33,6 +34,7 @@ class State:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.workers = Workers(settings.workers)
+        self.readers = Readers(self.workers)
         self.kept = Kept()
         self.sessions = Sessions()
         self.jobs = Jobs()
@@ -69,9 +71,11 @@ class Route(APIRoute):
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """Return what serves a request, whatever the type of its body."""
         serve = super().get_route_handler()
+        model = self.body_field and self.body_field.field_info.annotation
 
         async def handler(request: Request) -> Response:
-            answer = await serve(Body(request))
+            answer = await serve(Body(request, state_of(request).readers, model))
+            answer.headers["wraparc-version"] = __version__  # a page of another one says so
             if request.method == "GET" and answer.status_code == 200:
                 return _tagged(request, answer)
             return answer
@@ -133,7 +137,7 @@ def offer(
         lines = listed and rows.MEDIA in request.headers.get("accept", "")
         question = (rows.csv_of, function, asked) if lines else (function, asked)
         # a slider never asks the same again: quick answers are not kept
-        key = b"" if queue == QUICK else hashlib.sha256(pickle.dumps(question)).digest()
+        key = b"" if queue == QUICK else await asyncio.to_thread(_key_of, question)
         found = kept.find(key)
         if found is None:
             if long(asked):
@@ -155,6 +159,10 @@ def offer(
         response_model=hints["return"],
         responses=media if listed else None,
     )
+
+
+def _key_of(question: tuple[Any, ...]) -> bytes:
+    return hashlib.sha256(pickle.dumps(question)).digest()
 
 
 async def waited(request: Request, work: Awaitable[bytes]) -> bytes:

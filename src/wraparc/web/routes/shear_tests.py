@@ -12,7 +12,6 @@ from wraparc.web.answers.texts import PlanAnswer
 from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
 from wraparc.web.errors import ApiError, told
 from wraparc.web.routes.parts import (
-    State,
     client_of,
     json_answer,
     refuses,
@@ -170,14 +169,16 @@ async def plan(request: Request, session: str, asked: FitRequest) -> Response:
 
 async def _read(request: Request, uploads: list[Upload]) -> FilesAnswer:
     """Read files in a process of their own; if one file ends it, each in its own."""
-    await _read_in(state_of(request), client_of(request), uploads)
+    await _read_in(request, uploads)
     return FilesAnswer(files=[FileAnswer.of(upload) for upload in uploads])
 
 
-async def _read_in(state: State, client: str, uploads: list[Upload]) -> None:
+async def _read_in(request: Request, uploads: list[Upload]) -> None:
+    workers, client = state_of(request).workers, client_of(request)
     files = [upload.file for upload in uploads]
     try:
-        answer = await state.workers.read(client, shear_tests.read_files, files, limit=_READ_LIMIT)
+        work = workers.read(client, shear_tests.read_files, files, limit=_READ_LIMIT)
+        answer = await waited(request, work)
         found = ReadFiles.model_validate_json(answer).files
         for upload, read in zip(uploads, found, strict=True):
             upload.read = read
@@ -186,4 +187,4 @@ async def _read_in(state: State, client: str, uploads: list[Upload]) -> None:
             uploads[0].read = ReadFile(problems=told(error.problems))
             return
         for upload in uploads:
-            await _read_in(state, client, [upload])
+            await _read_in(request, [upload])

@@ -17,6 +17,7 @@ from wraparc.web.routes.parts import (
     router,
     state_of,
 )
+from wraparc.web.work import JOB_LIMIT
 
 api = router("/studies", "studies")
 _FILES = {
@@ -65,7 +66,7 @@ async def start(request: Request, response: Response, asked: StudyRequest) -> Jo
     size = studies.Size.model_validate_json(checked)
 
     async def work(tell: Tell) -> studies.StudyResult:
-        result = await state.workers.apart(client, studies.run, asked, tell=tell)
+        result = await state.workers.apart(client, studies.run, asked, limit=JOB_LIMIT, tell=tell)
         return studies.StudyResult.model_validate_json(result)
 
     job = state.jobs.start(client, size.title, size.rows, work)

@@ -2,7 +2,17 @@
 import { again, brought, keepAddress, keepMine, pageOfAddress } from "./base/address.js";
 import { app, look, redraw, watch } from "./base/design.js";
 import { beginWith, keepDraft, offerDraft, openShown } from "./base/drafts.js";
-import { ask, complain, Refused, told } from "./base/server.js";
+import {
+  ask,
+  cancel,
+  complain,
+  onReturn,
+  part,
+  Refused,
+  told,
+  unanswered,
+  waited,
+} from "./base/server.js";
 import { keepFocus } from "./frame/focus.js";
 import { Header, listen } from "./frame/header.js";
 import { Main, present } from "./frame/pages.js";
@@ -24,9 +34,14 @@ function draw() {
   render(h(Main, {}), box("main"));
   if (box("toast").className !== (told.bad ? "bad" : ""))
     box("toast").className = told.bad ? "bad" : "";
-  render(told.text || null, box("toast"));
+  render(told.text || atWork(), box("toast"));
   keepFocus();
 }
+/** What takes longer than a second, and a way to end it. */
+const atWork = () =>
+  !app.gone && waited() > 0
+    ? [`At work for ${waited()} s `, h("button", { type: "button", onClick: cancel }, "Cancel")]
+    : null;
 /** What a sheet of paper must say of itself. */
 const PrintHead = () => {
   const file = app.design ? `${app.design.name}, version ${app.design.version}` : app.name;
@@ -49,7 +64,7 @@ function changed() {
     }
   });
 }
-const openLink = async () => (await import("./frame/link.js")).openLink();
+const openLink = async () => (await part(() => import("./frame/link.js"))).openLink();
 /** A page of the history, or a link that was put into the address. */
 async function arrive() {
   const page = pageOfAddress();
@@ -110,7 +125,8 @@ skip();
 paper();
 addEventListener("hashchange", arrive);
 begin().catch((x) => {
-  console.error(x);
+  if (unanswered(x)) onReturn(() => location.reload());
+  else console.error(x);
   const denied = x instanceof Refused && x.status === 401;
   const message = denied
     ? "This calculator asks for a token: open it with the link that the server printed " +

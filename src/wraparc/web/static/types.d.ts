@@ -288,6 +288,10 @@ export interface App {
   about: Record<string, any>;
   /** Whether the server does not answer. */
   gone: boolean;
+  /** Whether it is of another version than the page. */
+  newer: boolean;
+  /** Whether a part of the page did not come. */
+  lacks: boolean;
   /** Another one whenever a design is opened. */
   opened: number;
 }

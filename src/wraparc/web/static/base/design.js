@@ -12,6 +12,8 @@ export const app = /** @type {App} */ ({
   origin: null,
   source: null,
   gone: false,
+  newer: false,
+  lacks: false,
   opened: 0,
 });
 /** Problems of the last answer by the place of their field, for the fields to show. */

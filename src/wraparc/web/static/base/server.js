@@ -24,79 +24,154 @@ export const unanswered = (x) => x instanceof Refused && x.status === 0;
 /** @param {unknown} x */
 export const aborted = (x) => x instanceof Error && x.name === "AbortError";
 export const GONE = "The calculator does not answer: is `wraparc serve` still running?";
+/** A server that is as long silent [ms] is asked whether it is there at all. */
+const SILENT = 10_000;
+/** Pauses between questions whether it is there again [ms]: each twice the one before. */
+const FIRST = 1000;
+const LAST = 30_000;
 
 /**
  * @typedef {{method?: string, signal?: AbortSignal}} Asked
- * @param {string} path @param {any} [body] @param {Asked} [how]
+ * What waits for an answer, and since when [ms]; all is given up when the server is gone.
+ * @type {Map<AbortController, number>}
  */
-async function fetched(path, body, { method, signal } = {}) {
+const waiting = new Map();
+const SECOND = 1000;
+/** Seconds that the oldest question waits for its answer. */
+export const waited = () =>
+  Math.floor((performance.now() - Math.min(...waiting.values())) / SECOND) || 0;
+/** Give up what waits: the server ends what it does for it. */
+export function cancel() {
+  for (const one of waiting.keys()) one.abort(CANCELLED);
+}
+const CANCELLED = "Cancelled.";
+/**
+ * Ask the server, and read its answer; no answer, half of one and a server at its end are one.
+ * @template T @param {string} path @param {any} body @param {Asked} how
+ * @param {(response: Response) => Promise<T>} read @returns {Promise<T>}
+ */
+async function answered(path, body, { method, signal }, read) {
   const form = body instanceof FormData;
   const empty = body === undefined;
+  const own = new AbortController();
+  const stop = () => own.abort();
+  signal?.addEventListener("abort", stop);
+  waiting.set(own, performance.now());
+  const told = setInterval(redraw, SECOND);
+  const silent = setInterval(askAgain, SILENT);
   try {
+    signal?.throwIfAborted();
     const response = await fetch(`/api/v1/${path}`, {
       method: method || (empty ? "GET" : "POST"),
       headers: empty || form ? {} : { "Content-Type": "application/json" },
       body: form || empty ? body : JSON.stringify(body),
-      signal,
+      signal: own.signal,
     });
-    if (app.gone) back();
-    return response;
+    const found = await (response.ok ? read(response) : refused(response));
+    back(response);
+    return found;
   } catch (x) {
-    return dropped(x);
+    if (x instanceof Refused || signal?.aborted) throw x;
+    if (own.signal.reason === CANCELLED) throw new Refused([{ path: "", message: CANCELLED }], 499);
+    lost();
+    throw new Refused([{ path: "", message: GONE }], 0);
+  } finally {
+    clearInterval(told);
+    clearInterval(silent);
+    waiting.delete(own);
+    if (!waiting.size) redraw();
+    signal?.removeEventListener("abort", stop);
   }
 }
-/** No answer came, or half of one. @param {unknown} x @returns {never} */
-function dropped(x) {
-  if (aborted(x)) throw x;
-  lost();
-  throw new Refused([{ path: "", message: GONE }], 0);
-}
-/** @param {Response} response */
-async function good(response) {
-  if (response.ok) return response;
-  /** @type {any} */
-  let said = {};
-  try {
-    said = await response.json();
-  } catch (x) {
-    if (response.status === 500) dropped(x); // a server at its end: its own faults are JSON
-  }
-  const message = said.detail || `The server answered ${response.status}.`;
-  throw new Refused(said.problems || [{ path: "", message }], response.status);
+/** What a server refuses is JSON, also its own faults; anything else is no answer.
+ * @param {Response} response @returns {Promise<never>} */
+async function refused(response) {
+  const { detail, problems } = await response.json();
+  const message = detail || `The server answered ${response.status}.`;
+  back(response);
+  throw new Refused(problems || [{ path: "", message }], response.status);
 }
 /**
  * Ask the server; JSON goes and comes.
  * @param {string} path @param {any} [body] @param {Asked} [how] @returns {Promise<any>}
  */
-export async function ask(path, body, how) {
-  const response = await good(await fetched(path, body, how));
-  return response.status === 204 ? null : response.json().catch(dropped);
-}
+export const ask = (path, body, how = {}) =>
+  answered(path, body, how, (r) => (r.status === 204 ? Promise.resolve(null) : r.json()));
 /** Ask for a file. @param {string} path @param {any} [body] @returns {Promise<[Blob, string]>} */
-export async function askFile(path, body) {
-  const response = await good(await fetched(path, body));
-  const said = /filename="?([^";]+)/.exec(response.headers.get("Content-Disposition") || "");
-  return [await response.blob(), said?.[1] || ""];
+export const askFile = (path, body) =>
+  answered(path, body, {}, async (r) => {
+    const said = /filename="?([^";]+)/.exec(r.headers.get("Content-Disposition") || "");
+    return [await r.blob(), said?.[1] || ""];
+  });
+/**
+ * A part of the page that is fetched when it is wanted first. No browser asks anew for a script
+ * that did not come: once the server is there the window begins again, as it is.
+ * @template T @param {() => Promise<T>} load @returns {Promise<T>}
+ */
+export async function part(load) {
+  const silent = setInterval(askAgain, SILENT);
+  try {
+    return await load();
+  } catch {
+    app.lacks = true;
+    askAgain();
+    throw new Refused([{ path: "", message: GONE }], 0);
+  } finally {
+    clearInterval(silent);
+  }
 }
 
 /** @type {Set<() => void>} */
 const returns = new Set();
 /** Be told when the server answers again. @param {() => void} f */
 export const onReturn = (f) => returns.add(f);
-function back() {
+/** @param {Response} response */
+function back({ headers }) {
+  const version = headers.get("wraparc-version") || "";
+  const { gone, newer, about } = app;
+  if (version && about) app.newer = version !== about.version;
   app.gone = false;
-  note("The calculator answers again.");
-  redraw();
-  for (const f of returns) f();
+  if (gone) {
+    clearTimeout(looking);
+    looking = 0;
+    pause = FIRST;
+    if (app.lacks && !app.newer) location.reload();
+    for (const f of returns) f();
+    note("The calculator answers again.");
+  } else if (newer !== app.newer) redraw();
 }
 let looking = 0;
+let pause = FIRST;
+let asking = false;
+/** Whether the server is there. */
+export async function askAgain() {
+  if (asking) return;
+  asking = true;
+  clearTimeout(looking);
+  looking = 0;
+  const stop = new AbortController();
+  const late = setTimeout(() => stop.abort(), SILENT);
+  try {
+    const response = await fetch("/api/v1/about", { signal: stop.signal });
+    await response.json();
+    back(response);
+    if (app.lacks) redraw();
+  } catch {
+    lost();
+  }
+  clearTimeout(late);
+  asking = false;
+}
 function lost() {
+  for (const one of waiting.keys()) one.abort();
+  if (!looking) {
+    looking = setTimeout(askAgain, pause);
+    pause = Math.min(2 * pause, LAST);
+  }
   if (!app.gone) {
     app.gone = true;
     redraw();
   }
-  clearTimeout(looking);
-  looking = setTimeout(() => ask("about").catch(() => {}), 1000);
 }
 
 /** @param {string} name @param {Blob | string} data @param {string} [type] */
@@ -135,7 +210,7 @@ export const act = (f) => async (e) => {
 };
 /** @param {unknown} x */
 export function complain(x) {
-  if (aborted(x)) return;
+  if (aborted(x) || unanswered(x)) return; // the bar on top says it
   note(x instanceof Error ? x.message : String(x), true);
   if (!(x instanceof Refused) && !(x instanceof Advice)) console.error(x);
 }

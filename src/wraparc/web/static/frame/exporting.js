@@ -1,6 +1,6 @@
 // The menu Export: pictures of the page, results, profiles, the calculation note.
 import { app } from "../base/design.js";
-import { Advice, askFile, save } from "../base/server.js";
+import { Advice, askFile, part, save } from "../base/server.js";
 import { h } from "../vendor/preact.js";
 import { fileName } from "./files.js";
 import { item } from "./header.js";
@@ -18,7 +18,7 @@ export const exportMenu = () => [
 const files = () => [item("Results (JSON)", () => file("results/json")), ...reportParts()];
 /** @param {"svg" | "png"} kind */
 async function pictures(kind) {
-  const { png, svg } = await import("./pictures.js");
+  const { png, svg } = await part(() => import("./pictures.js"));
   const found = svg();
   if (!found) throw new Advice("There is no picture on this page yet.");
   const data =

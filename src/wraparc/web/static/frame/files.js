@@ -2,7 +2,7 @@
 import { turnTo } from "../base/address.js";
 import { app, blank, redraw } from "../base/design.js";
 import { open } from "../base/drafts.js";
-import { ask } from "../base/server.js";
+import { ask, part } from "../base/server.js";
 
 export function newDrive() {
   const doc = blank();
@@ -23,4 +23,4 @@ export const fileName = () =>
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, "-")
     .replace(/^-|-$/g, "") || "drive";
-export const download = async () => (await import("./download.js")).download();
+export const download = async () => (await part(() => import("./download.js"))).download();

@@ -2,7 +2,7 @@
 import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { drafts, draftTitle, forgetDrafts, openDraft, otherDrafts } from "../base/drafts.js";
-import { act } from "../base/server.js";
+import { act, part } from "../base/server.js";
 import { oneOf } from "../parts/choose.js";
 import { h } from "../vendor/preact.js";
 import { download, newDrive, openExample } from "./files.js";
@@ -13,6 +13,11 @@ import { PAGES } from "./registry.js";
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
 /** What is behind Export, fetched when that is opened first. */
 let exporting = /** @type {typeof import("./exporting.js") | null} */ (null);
+
+const fetchExporting = act(async () => {
+  exporting ??= await part(() => import("./exporting.js"));
+  redraw();
+});
 
 export const Header = () => [
   h(
@@ -30,10 +35,7 @@ export const Header = () => [
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
     menu("file", "File", fileMenu()),
-    menu("export", "Export", exporting?.exportMenu(), async () => {
-      exporting ??= await import("./exporting.js");
-      redraw();
-    }),
+    menu("export", "Export", exporting?.exportMenu(), fetchExporting),
   ),
 ];
 /** @param {string} name */
@@ -69,7 +71,7 @@ const step = (id, sign, title, f, can) =>
     sign,
   );
 /** @param {string} id @param {string} title @param {Children} items
- * @param {() => any} [onToggle] */
+ * @param {(e: Event) => any} [onToggle] */
 const menu = (id, title, items, onToggle) =>
   h(
     "details",
@@ -105,7 +107,7 @@ function choose() {
     "change",
     act(async () => {
       const file = input.files?.[0];
-      if (file) await (await import("./opening.js")).openFile(file);
+      if (file) await (await part(() => import("./opening.js"))).openFile(file);
     }),
   );
   input.click();
@@ -122,7 +124,9 @@ function fileMenu() {
         redraw();
       }),
     PAGES.saved &&
-      item("Copy a link to this design", async () => (await import("./link.js")).copied()),
+      item("Copy a link to this design", async () =>
+        (await part(() => import("./link.js"))).copied(),
+      ),
     item("Print", () => print()),
     h("p", { class: "help", key: "examples" }, "Examples"),
     app.catalogue.examples.map((x) => item(x.title, () => openExample(x.name))),

@@ -2,7 +2,7 @@
 import { turnTo } from "../base/address.js";
 import { app, change, isDrive, redraw } from "../base/design.js";
 import { open } from "../base/drafts.js";
-import { Advice, ask, note } from "../base/server.js";
+import { Advice, ask, note, part } from "../base/server.js";
 
 const MOST = 2e6;
 /** Kinds of TOML files by a key that only they have. @type {[string, string][]} */
@@ -53,7 +53,7 @@ const OPEN = {
     note(`The lagging ${name} is on the pulley now.`);
   },
   async study(doc, name) {
-    const { openStudy } = await import("../pages/study.js");
+    const { openStudy } = await part(() => import("../pages/study.js"));
     if (!Array.isArray(doc.axis)) throw new Advice(`${name} is a study, but its axis is no list.`);
     openStudy(doc);
     turnTo("study");
@@ -61,7 +61,7 @@ const OPEN = {
     note(`${name} is a study${drive}. Its plan is on this page, for the drive that is open here.`);
   },
   async plan(doc, name) {
-    const { openPlan } = await import("../pages/tests.js");
+    const { openPlan } = await part(() => import("../pages/tests.js"));
     openPlan(doc);
     turnTo("tests");
     note(

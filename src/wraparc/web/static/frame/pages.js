@@ -1,7 +1,7 @@
 // The frame that holds the pages.
 import { app, redraw } from "../base/design.js";
 import { draftTitle, forgetDraft, offered, openDraft } from "../base/drafts.js";
-import { ask, note, onReturn } from "../base/server.js";
+import { askAgain, GONE, part } from "../base/server.js";
 import { Component, h } from "../vendor/preact.js";
 import { PAGES } from "./registry.js";
 
@@ -12,19 +12,13 @@ export function present() {
   if (!page.view && page.load) {
     const { load } = page;
     page.load = undefined;
-    load()
-      .then((view) => {
+    part(load).then(
+      (view) => {
         page.view = view;
         redraw();
-      })
-      .catch(() => {
-        // no browser asks for a script anew that did not come: the window begins again, as it is
-        onReturn(() => location.reload());
-        ask("about").then(
-          () => note("This page did not come: reload the window, what you typed is kept.", true),
-          () => {},
-        );
-      });
+      },
+      () => {},
+    );
   }
   return page.view;
 }
@@ -57,24 +51,28 @@ export function Main() {
     Object.keys(PAGES).map((name) => visited.has(name) && h(Place, { name, key: name })),
   ];
 }
-/** What concerns every page: a server that is gone, a draft from before. */
+/** What concerns every page: a server that is gone or another, a draft from before. */
 function bars() {
-  const gone = h(
+  const bar = app.gone ? GONE_BAR : app.newer ? NEWER : app.lacks && LACKS;
+  return [bar && told(...bar), offered.draft && offer(offered.draft)];
+}
+const KEPT = " The drive, as typed, is kept in this browser.";
+/** @typedef {[string, string, string, () => void]} Bar */
+/** @type {Bar} */
+const GONE_BAR = [GONE, "It is asked again, at least every 30 s.", "Ask now", askAgain];
+const reload = () => location.reload();
+/** @type {Bar} */
+const NEWER = ["The calculator is of another version now.", "", "Reload", reload];
+/** @type {Bar} */
+const LACKS = ["A part of this page did not come.", "", "Reload", reload];
+/** @param {Bar} bar */
+const told = (...[headline, text, name, onClick]) =>
+  h(
     "div",
     { class: "verdict bad gone", role: "alert", key: "gone" },
-    h(
-      "p",
-      { class: "headline" },
-      "The calculator does not answer: is `wraparc serve` still running?",
-    ),
-    h(
-      "p",
-      {},
-      "Nothing is lost: what you type is kept in this browser. It is asked again every second.",
-    ),
+    h("p", { class: "headline" }, headline),
+    h("p", {}, text, KEPT, " ", h("button", { type: "button", onClick }, name)),
   );
-  return [app.gone && gone, offered.draft && offer(offered.draft)];
-}
 /** @param {Draft} draft */
 function offer(draft) {
   const close = () => {

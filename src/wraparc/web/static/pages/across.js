@@ -2,7 +2,7 @@
 import { app, redraw } from "../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
-import { list, refused, table, verdict } from "../parts/answers.js";
+import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { choose } from "../parts/choose.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
@@ -16,6 +16,8 @@ const state = {
   answer: /** @type {any} */ (null),
   of: /** @type {Design | null} */ (null),
   where: "",
+  /** What the answer is of. */
+  now: /** @type {unknown[]} */ ([]),
   problems: /** @type {Problem[]} */ ([]),
   quantity: "frictional_energy",
   waiting: false,
@@ -42,7 +44,7 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
   try {
     const answer = await ask("across", asked, { signal: stop.signal });
     if (doc !== app.doc || where !== state.where) return;
-    Object.assign(state, { answer, problems: [], waiting: false });
+    Object.assign(state, { answer, now: [doc, where], problems: [], waiting: false });
     mark([]);
   } catch (x) {
     if (aborted(x) || app.gone) return;
@@ -53,10 +55,12 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
   redraw();
 });
 
+const now = () =>
+  standing(state.now[0] === app.doc && state.now[1] === state.where, state.problems);
 export const Page = () =>
   h(
     "div",
-    { class: `two${state.waiting ? " waiting" : ""}` },
+    { class: "two" },
     acrossInputs(),
     h(
       "div",
@@ -66,9 +70,9 @@ export const Page = () =>
         { role: "alert", key: "problems" },
         state.problems.length > 0 && refused("", state.problems),
       ),
-      state.answer ? result(state.answer) : h("p", { class: "help", key: "wait" }, "Solving …"),
-      state.answer && questions(),
-      state.answer && tables(state.answer),
+      state.answer
+        ? stands(now(), result(state.answer), questions(), tables(state.answer))
+        : now() === "computing" && h("p", { class: "help", key: "wait" }, "Solving …"),
     ),
   );
 /** @param {any} a */
@@ -76,7 +80,7 @@ function result(a) {
   return h(
     "div",
     { key: "result", id: "across-result", "data-settled": String(!state.waiting) },
-    verdict(a.verdict),
+    verdict(judgedIf(now(), a.verdict)),
     !a.solved && h("p", { class: "verdict bad", key: "failed" }, words(a.status_text)),
     a.even &&
       h(

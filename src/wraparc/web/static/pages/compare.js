@@ -3,7 +3,7 @@ import { app, change, redraw, set } from "../base/design.js";
 import { act, ask, later, note, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
-import { badge, list, refused, scroll } from "../parts/answers.js";
+import { badge, list, refused, scroll, standing, stands } from "../parts/answers.js";
 import { oneOf } from "../parts/choose.js";
 import { place } from "../parts/problems.js";
 import { numberOf } from "../parts/question.js";
@@ -30,6 +30,8 @@ const state = {
   sort: "",
   way: 1,
   busy: false,
+  /** What the answer is of, as `of` says what is asked. */
+  now: /** @type {unknown[]} */ ([]),
 };
 const pinned = new Set();
 
@@ -59,7 +61,7 @@ const load = later(
         currency: currency || undefined,
       });
       if (of !== state.of) return; // something else has been asked since
-      Object.assign(state, { answer: found, problems: [], busy: false });
+      Object.assign(state, { answer: found, now: of, problems: [], busy: false });
     } catch (x) {
       if (of !== state.of) return;
       state.busy = false;
@@ -83,7 +85,9 @@ export const Page = () => [
   bar(),
   h("p", { class: "help", role: "status", key: "said" }, said()),
   state.problems.length > 0 && refused("", state.problems),
-  state.answer && !state.problems.length && result(state.answer),
+  state.answer &&
+    !state.problems.length &&
+    stands(standing(state.now === state.of, state.problems, state.busy), result(state.answer)),
 ];
 function said() {
   const a = state.answer;

@@ -2,7 +2,7 @@
 import { app, redraw } from "../base/design.js";
 import { act, ask, complain, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
-import { list, refused, table, verdict } from "../parts/answers.js";
+import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { choose } from "../parts/choose.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
@@ -96,7 +96,7 @@ export const Page = () =>
         { role: "alert", key: "problems" },
         state.problems.length > 0 && refused("The event cannot be followed.", state.problems),
       ),
-      standing("run", "Following the event"),
+      atWork("run", "Following the event"),
       state.jobs.run?.state === "done" ? result(state.jobs.run) : !state.jobs.run && intro(),
       pictures(),
     ),
@@ -170,7 +170,7 @@ function asking() {
 }
 /** How a job stands while it is at work, and how it ended if not well.
  * @param {What} what @param {string} title */
-function standing(what, title) {
+function atWork(what, title) {
   const job = state.jobs[what];
   if (!job || job.state === "done") return null;
   const cancel = async () => {
@@ -200,17 +200,15 @@ function standing(what, title) {
   );
 }
 /** @param {Job} job */
-const result = (job) => [
-  job.of !== app.doc &&
-    h(
-      "p",
-      { class: "verdict warn", key: "old" },
-      "The design has changed since: follow the event again.",
-    ),
+const result = (job) => stands(now(job), ...told(job));
+/** @param {Job} job */
+const now = (job) => standing(job.of === app.doc, [], false);
+/** @param {Job} job */
+const told = (job) => [
   h("h2", { key: "asked" }, `${job.title}: does it hold?`),
-  h("div", { key: "run" }, verdict(job.run.verdict)),
+  h("div", { key: "run" }, verdict(judgedIf(now(job), job.run.verdict))),
   h("h2", { key: "pulsates" }, "Will it pulsate?"),
-  h("div", { key: "stability" }, verdict(job.stability.verdict)),
+  h("div", { key: "stability" }, verdict(judgedIf(now(job), job.stability.verdict))),
   job.note && h("p", { class: "help", key: "note" }, job.note),
   h(Player, { run: job.played, key: job.id }),
   h(
@@ -253,9 +251,9 @@ function pictures() {
       h("label", {}, "Map over", choose(plan.over, overs, put, "e-over")),
       h("button", draw("map"), "Draw where it pulsates"),
     ),
-    standing("stability", "Looking for vibrations"),
+    atWork("stability", "Looking for vibrations"),
     drawn("stability", "How the pulls and the creep answer to run-out, by frequency"),
-    standing("map", "Looking for vibrations over the map"),
+    atWork("map", "Looking for vibrations over the map"),
     drawn("map", "Where the drives pulsate by themselves"),
   );
 }
@@ -264,12 +262,11 @@ function drawn(what, alt) {
   const job = state.jobs[what];
   if (job?.state !== "done") return null;
   const src = `/api/v1/events/${job.id}/pictures/${job.pictures[0]}`;
-  const old = job.of !== app.doc && h("p", { class: "help" }, "Of the design as it was before.");
   return h(
     "figure",
     { key: `drawn ${what}` },
-    what === "stability" && verdict(job.stability.verdict),
-    old,
+    what === "stability" && verdict(judgedIf(now(job), job.stability.verdict)),
+    now(job) !== "fresh" && h("p", { class: "help" }, "Of the design as it was before."),
     h("img", { src, alt: `${alt}; the tables say it in numbers`, key: job.id, class: "drawn" }),
   );
 }

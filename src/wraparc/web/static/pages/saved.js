@@ -3,7 +3,7 @@
 import { turnTo } from "../base/address.js";
 import { app, look, redraw } from "../base/design.js";
 import { open } from "../base/drafts.js";
-import { Advice, act, ask, complain, later, note } from "../base/server.js";
+import { Advice, act, ask, complain, later, note, onReturn } from "../base/server.js";
 import { timeOf } from "../base/units.js";
 import { scroll } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
@@ -45,6 +45,9 @@ export function update() {
   if (!listed) load();
   listed = true;
 }
+onReturn(() => {
+  listed = false; // it may not have come, or be another by now
+});
 let asked = 0;
 async function load() {
   const turn = ++asked;

@@ -2,7 +2,16 @@
 import { app, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
 import { PAGES } from "../frame/registry.js";
-import { list, refused, scroll, table, verdict } from "../parts/answers.js";
+import {
+  judgedIf,
+  list,
+  refused,
+  scroll,
+  standing,
+  stands,
+  table,
+  verdict,
+} from "../parts/answers.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { chain } from "./train/chain.js";
@@ -13,6 +22,8 @@ import { matchingPlots } from "./train/plots.js";
 
 const state = {
   answer: /** @type {any} */ (null),
+  /** The drive that it is of. */
+  doc: /** @type {Design | null} */ (null),
   of: /** @type {Design | null} */ (null),
   problems: /** @type {Problem[]} */ ([]),
   matched: /** @type {any} */ (null),
@@ -41,7 +52,7 @@ const solve = later(200, async (/** @type {Design} */ doc) => {
   try {
     const answer = await ask("train", asked, { signal: stop.signal });
     if (doc !== app.doc) return;
-    Object.assign(state, { answer, matched: null, problems: [] });
+    Object.assign(state, { answer, doc, matched: null, problems: [] });
     mark([]);
   } catch (x) {
     if (aborted(x) || app.gone) return;
@@ -74,6 +85,7 @@ async function match() {
   redraw();
 }
 
+const now = () => standing(state.doc === app.doc, state.problems);
 export const Page = () =>
   h(
     "div",
@@ -88,12 +100,12 @@ export const Page = () =>
         state.problems.length > 0 && refused("", state.problems),
       ),
       several()
-        ? state.answer && result(state.answer)
+        ? state.answer && stands(now(), result(state.answer))
         : h("p", { class: "verdict", key: "single" }, SINGLE),
       // some hundred solves: for a server
       PAGES.saved ? matchForm() : several() && h("p", { class: "help", key: "trim" }, TRIM),
       state.matching && h("p", { class: "help", role: "status", key: "wait" }, WAIT),
-      state.matched && matching(state.matched),
+      state.matched && stands(now(), matching(state.matched)),
     ),
   );
 const SINGLE =
@@ -158,7 +170,7 @@ const result = (a) =>
   h(
     "div",
     { key: "result" },
-    verdict(a.verdict),
+    verdict(judgedIf(now(), a.verdict)),
     list(a.remarks, "help"),
     h("div", { class: "plots" }, a.load_cases.map(loadCase)),
     h(
@@ -181,7 +193,7 @@ const matching = (m) =>
   h(
     "div",
     { key: "matching" },
-    verdict(m.verdict),
+    verdict(judgedIf(now(), m.verdict)),
     matchingPlots(m),
     h(
       "div",

@@ -32,6 +32,34 @@ export const badge = (level, told) =>
 export const scroll = (label, ...children) =>
   h("div", { class: "scroll", tabIndex: 0, role: "region", "aria-label": label }, ...children);
 
+/**
+ * How an answer stands to what is asked now.
+ * @typedef {"fresh" | "computing" | "stale" | "refused" | "gone"} Standing
+ */
+/** @param {boolean} now whether it is of what is asked now @param {Problem[]} problems
+ * @param {boolean} [busy] whether a newer one is on its way @returns {Standing} */
+export const standing = (now, problems, busy = true) =>
+  now ? "fresh" : problems.length ? "refused" : app.gone ? "gone" : busy ? "computing" : "stale";
+/** A verdict, judged only where it is of what is asked now.
+ * @param {Standing} how @param {Verdict} v @returns {Verdict} */
+export const judgedIf = (how, v) =>
+  how === "fresh" ? v : { ...v, level: /** @type {any} */ ("") };
+/** An answer, or what is left of one that is of before.
+ * @param {Standing} how @param {...Children} children */
+export const stands = (how, ...children) =>
+  h(
+    "div",
+    { "data-stands": how, key: "stands" },
+    how !== "fresh" &&
+      h(
+        "p",
+        { class: "help", role: "status" },
+        how === "computing" && "Solving … ",
+        "Below is the answer before the change.",
+      ),
+    ...children,
+  );
+
 /** @param {Verdict} v @param {Children} [before] @param {Children} [after] what to do about it */
 export const verdict = (v, before, after) =>
   h(

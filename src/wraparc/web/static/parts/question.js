@@ -3,7 +3,7 @@ import { app, redraw } from "../base/design.js";
 import { act, ask, complain, GONE, onReturn, refusal, unanswered } from "../base/server.js";
 import { words } from "../base/units.js";
 import { h } from "../vendor/preact.js";
-import { list, refused, table, verdict } from "./answers.js";
+import { judgedIf, list, refused, standing, stands, table, verdict } from "./answers.js";
 
 /** @import { Children, Problem, Table, Text, Verdict } from "../types.d.ts" */
 
@@ -100,11 +100,10 @@ export class Question {
   /** @param {Sheet} sheet */
   told(sheet) {
     const before = this.of !== JSON.stringify(this.asked());
-    return h(
-      "div",
-      { class: before ? "before" : "", key: "told" },
-      before && h("p", { class: "help" }, "Of the drive or the question before: press Show."),
-      sheet.verdict && verdict(sheet.verdict),
+    const how = standing(!before, this.problems, this.busy);
+    return stands(
+      how,
+      sheet.verdict && verdict(judgedIf(how, sheet.verdict)),
       sheet.tables.map((t) => table(t)),
       list(sheet.remarks, "help"),
       sheet.table_sources.length > 0 &&

@@ -1,6 +1,6 @@
 // What can be asked beside the answer: each question fetched when it is asked first.
 import { redraw } from "../../base/design.js";
-import { Advice, act, GONE } from "../../base/server.js";
+import { act, part } from "../../base/server.js";
 import { seeking } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
 
@@ -17,13 +17,9 @@ const QUESTIONS = {
 };
 /** @type {Question[]} */
 const asked = [];
-/** A part of the page that cannot be fetched. @returns {never} */
-function away() {
-  throw new Advice(GONE);
-}
 /** @param {string} name @param {any} [at] */
 async function ask(name, at) {
-  const found = /** @type {Question} */ (await QUESTIONS[name]().catch(away));
+  const found = /** @type {Question} */ (await part(QUESTIONS[name]));
   if (!asked.includes(found)) asked.push(found);
   await found.open(at);
   redraw();

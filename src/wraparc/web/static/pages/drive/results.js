@@ -3,9 +3,9 @@
 import { app, caseNames, look, painted } from "../../base/design.js";
 import { sentence } from "../../base/server.js";
 import { percent, show, title, words } from "../../base/units.js";
-import { badge, list, table, verdict } from "../../parts/answers.js";
+import { badge, judgedIf, list, standing, table, verdict } from "../../parts/answers.js";
 import { choose } from "../../parts/choose.js";
-import { asked, toFillIn } from "../../parts/problems.js";
+import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { raise, raiseAlone } from "./advice.js";
 import { bars } from "./bars.js";
@@ -87,7 +87,11 @@ export class Results extends Component {
       h("div", { role: "alert" }, refused && whatIsWrong(!foreign && arc !== null)),
       h(
         "div",
-        { class: "answer", hidden: !arc || awaited || (refused && foreign) },
+        {
+          class: "answer",
+          "data-stands": stood(),
+          hidden: !arc || awaited || (refused && foreign),
+        },
         arc && top(arc),
         bars((known() || answer.full)?.bars),
         questions(),
@@ -220,6 +224,22 @@ function whatIsWrong(before) {
   );
 }
 
+const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
+/** The load that the pulleys share, where it is begun and no load case: it is left out of all.
+ * @param {QuickAnswer} arc */
+function unsolved({ load_case: shown }) {
+  const begun = app.doc.pulley.some((p) => TENSIONS.some((key) => p[key] != null));
+  if (app.case || !begun || caseNames(app.doc)[0]?.split(",")[0] !== DESIGN) return null;
+  if (shown.split(",")[0] === DESIGN) return null;
+  return h(
+    "p",
+    { class: "verdict warn", role: "status", key: "unsolved" },
+    badge("NOT CHECKED"),
+    ` Load case ${DESIGN} lacks a tension and is left out. Shown is ${shown}.`,
+  );
+}
+const DESIGN = "design";
+
 /** The governing verdict over all load cases first, the arc that is chosen below it.
  * @param {QuickAnswer} arc */
 function verdicts(arc) {
@@ -236,7 +256,7 @@ function verdicts(arc) {
       {},
       h("strong", {}, chosen),
       " ",
-      ...(!arc.level
+      ...(!arc.level || stood() !== "fresh"
         ? [peek(arc)]
         : [badge(arc.level, arc.verdict.told), " ", words(arc.verdict.headline)]),
       worse && worse.level !== arc.level && [` Pulley ${worse.pulley}: `, badge(worse.level), "."],
@@ -244,24 +264,27 @@ function verdicts(arc) {
       known() && !all && raiseAlone(wholeArc()),
     ),
   );
+  const lost = unsolved(arc);
   if (known() && full)
     return [
-      h("div", { key: "governing" }, verdict(full.verdict, null, raise(all))),
+      lost,
+      h(
+        "div",
+        { key: "governing" },
+        verdict(judgedIf(lost ? "stale" : "fresh", full.verdict), null, raise(all)),
+      ),
       several && own,
       whole() &&
         h("p", { class: "away", role: "status", key: "spoken" }, words(full.verdict.headline)),
     ];
-  if (!several && arc.level) return [h("div", { key: "governing" }, verdict(arc.verdict))];
+  if (!several && arc.level)
+    return [h("div", { key: "governing" }, verdict(judgedIf(stood(), arc.verdict)))];
   if (!full || answer.foreign)
     return [h("p", { class: "help", key: "governing" }, "All load cases are being solved."), own];
   const now = answer.problems.length ? "Before" : "All is being solved anew; before";
   const solving = h("p", { class: "help" }, `${now} the change:`);
   return [
-    h(
-      "div",
-      { key: "governing" },
-      verdict({ ...full.verdict, level: /** @type {any} */ ("") }, solving),
-    ),
+    h("div", { key: "governing" }, verdict(judgedIf("computing", full.verdict), solving)),
     own,
   ];
 }

@@ -2,7 +2,7 @@
 import { app, change, get, redraw, set } from "../../base/design.js";
 import { act, ask } from "../../base/server.js";
 import { dimensionOf, title, trim, unit, viewed, words, written } from "../../base/units.js";
-import { badge, refused } from "../../parts/answers.js";
+import { badge, refused, standing, stands } from "../../parts/answers.js";
 import { choose, valueIn } from "../../parts/choose.js";
 import { spec } from "../../parts/field.js";
 import { Plot } from "../../parts/plot.js";
@@ -192,9 +192,8 @@ function choices() {
 /** @param {Found} f */
 function found(f) {
   const stale = state.of !== JSON.stringify(question());
-  return h(
-    "div",
-    { key: "found", class: stale ? "before" : "" },
+  return stands(
+    standing(!stale, state.problems, state.busy),
     h("p", { role: "status" }, h("strong", {}, words(f.sentence))),
     f.found.map((v) =>
       h(

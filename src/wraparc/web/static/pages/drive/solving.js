@@ -1,6 +1,6 @@
 // Answers: one arc while the hand moves, by the page itself where it can; all once it rests.
 import { app, caseNames, painted, redraw } from "../../base/design.js";
-import { aborted, ask, later, onReturn, refusal } from "../../base/server.js";
+import { aborted, ask, later, onReturn, part, refusal } from "../../base/server.js";
 import { mark } from "../../parts/problems.js";
 
 /** @import { Design, FullAnswer, FullArc, Problem, QuickAnswer } from "../../types.d.ts" */
@@ -75,8 +75,8 @@ let own = null;
 document.addEventListener("complete", async () => {
   if (own) return;
   await painted();
-  own = await import("./judging.js");
-  performance.mark("own");
+  own = await part(() => import("./judging.js")).catch(() => null);
+  if (own) performance.mark("own");
 });
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {

@@ -1,0 +1,293 @@
+"""The network cut under the eyes of a page, in every way, at everything that it fetches.
+
+Expected: one bar says it, what was typed stays, the page is whole once the server answers; nothing
+is asked more often than 1, 2, 4 ... 30 s apart. Time is the page's own: no test waits for it.
+"""
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Route, expect
+
+from web.browser import PAGES, READY, Calculator, Visitor
+from web.calculators import TOKEN, wait_for
+from web.test_static import STATIC
+
+LATE = [name for name in PAGES if name != "drive"]
+
+
+def _offline(route: Route) -> None:
+    route.abort("connectionfailed")
+
+
+def _fault(route: Route) -> None:
+    route.fulfill(status=500, content_type="text/plain", body="Internal Server Error")
+
+
+def _half(route: Route) -> None:
+    script = "/static/" in route.request.url
+    kind = "text/javascript" if script else "application/json"
+    route.fulfill(status=200, content_type=kind, body='export const a = {"b": {' * (1 + script))
+
+
+def _silent(_: Route) -> None:
+    pass
+
+
+CUTS: dict[str, Callable[[Route], None]] = {
+    "offline": _offline,
+    "500": _fault,
+    "half an answer": _half,
+    "silence": _silent,
+}
+
+
+class Cut:
+    """A visitor whose network can be cut."""
+
+    def __init__(self, calculator: Calculator) -> None:
+        self.visitor = Visitor(calculator[0], calculator[1].address, told_long=False)
+        self.page = self.visitor.page
+        self.page.clock.install()
+        self.asked: list[str] = []
+        self.page.on("request", lambda r: self.asked.append(r.url))
+        self.page.on("dialog", lambda d: d.accept())
+        self.visitor.open("drive")
+        wait_for(lambda: self.page.evaluate("1") and any("worker" in url for url in self.asked))
+        self.page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+
+    def cut(self, how: str) -> None:
+        self.visitor.context.route("**/*", CUTS[how])
+
+    def mend(self) -> None:
+        self.visitor.context.unroute_all(behavior="ignoreErrors")
+
+    def gone(self) -> None:
+        """Let time pass until the bar is there; who is silent is asked twice."""
+        bar = self.page.locator(".gone")
+
+        def there() -> bool:
+            self.page.clock.run_for(5000)
+            return bar.count() > 0
+
+        wait_for(there)
+        expect(bar).to_have_count(1)
+        expect(bar).to_contain_text("does not answer")
+
+    def again(self) -> None:
+        """Let time pass until the bar is gone: 30 s is the longest pause."""
+
+        def back() -> bool:
+            self.page.clock.run_for(5000)
+            return self.page.locator(".gone").count() == 0
+
+        wait_for(back)
+
+
+@pytest.fixture
+def cut(calculator: Calculator) -> Iterator[Cut]:
+    found = Cut(calculator)
+    yield found
+    found.visitor.context.close()
+    wrong = [w for w in found.visitor.wrong if "Failed to load resource" not in w]
+    assert [w for w in wrong if "Unexpected" not in w] == []  # of half a script
+
+
+@pytest.mark.parametrize("how", CUTS)
+def test_pages_that_do_not_come_come_with_the_server(cut: Cut, how: str) -> None:
+    page = cut.page
+    page.fill("#f-pulley-0-exit_tension", "77")
+    cut.visitor.solved()
+    cut.cut(how)
+    for name in LATE:
+        page.click(f"#nav-{name}")
+        expect(page.locator(f"#{name}")).to_contain_text("Loading")
+    cut.gone()
+    cut.mend()
+    with page.expect_navigation():  # no browser asks anew for a script that did not come
+        page.clock.run_for(31_000)
+    for name in LATE:
+        page.click(f"#nav-{name}")
+        page.wait_for_selector(READY[name])
+    page.click("#nav-drive")
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+    expect(page.locator(".gone")).to_have_count(0)
+
+
+def _press(name: str) -> Callable[[Cut], None]:
+    def pressed(cut: Cut) -> None:
+        cut.page.get_by_role("button", name=name, exact=True).first.click()
+
+    return pressed
+
+
+def _menu(menu: str, name: str) -> Callable[[Cut], None]:
+    def pressed(cut: Cut) -> None:
+        cut.page.click(f"#{menu} > summary")
+        entry = cut.page.locator(f"#{menu}-menu").get_by_role("button", name=name)
+        if entry.count():
+            entry.first.click()
+
+    return pressed
+
+
+#: Parts of the first page that are fetched when they are wanted.
+PARTS: dict[str, Callable[[Cut], None]] = {
+    "download": _menu("file", "Download the drive file"),
+    "link": _menu("file", "Copy a link"),
+    "exporting": _menu("export", "Pictures of this page (SVG)"),
+    "seek": _press("Which input gives …?"),
+    "what_if": _press("What if … wet, worn, bare?"),
+    "choosing": _press("Which design costs least?"),
+    "site": _press("On site: what to measure, when to alarm"),
+    "measured": _press("A measured drive"),
+}
+
+
+@pytest.mark.parametrize("how", CUTS)
+def test_parts_that_do_not_come_are_one_bar(cut: Cut, how: str) -> None:
+    page = cut.page
+    page.fill("#f-pulley-0-exit_tension", "77")
+    cut.visitor.solved()
+    cut.cut(how)
+    for press in PARTS.values():
+        press(cut)
+        page.keyboard.press("Escape")
+    cut.gone()
+    expect(page.locator("#toast")).to_have_text("")  # the bar is enough
+    for part in PARTS:
+        wait_for(lambda part=part: page.evaluate("1") and any(part in u for u in cut.asked))
+    cut.mend()
+    with page.expect_navigation():
+        page.clock.run_for(31_000)
+    page.wait_for_selector(READY["drive"])
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+    PARTS["seek"](cut)
+    expect(page.locator(".seek, section[aria-label*='gives']").first).to_be_visible()
+
+
+@pytest.mark.parametrize("how", CUTS)
+def test_questions_that_are_not_answered_are_asked_again(cut: Cut, how: str) -> None:
+    page = cut.page
+    for name in PAGES:
+        cut.visitor.open(name)
+    page.click("#nav-drive")
+    cut.cut(how)
+    page.fill("#f-pulley-0-exit_tension", "77")
+    cut.gone()
+    before = len(cut.asked)
+    for name in PAGES:
+        page.click(f"#nav-{name}")
+        for button in page.locator(f"#{name} button.main:not(:disabled)").all():
+            if button.is_visible():
+                button.click()
+        expect(page.locator(".gone")).to_have_count(1)
+    assert len(cut.asked) - before < 60
+    assert cut.visitor.page.locator("#toast").inner_text() == ""
+    page.click("#nav-drive")
+    cut.mend()
+    cut.again()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+    cut.visitor.solved()
+    for name in PAGES:
+        cut.visitor.open(name)
+
+
+def test_the_pauses_double_up_to_half_a_minute(cut: Cut) -> None:
+    page = cut.page
+    cut.cut("offline")
+    failed: list[str] = []
+    page.on("requestfailed", lambda r: failed.append(r.url.rpartition("/")[2]))
+    page.clock.pause_at(page.evaluate("Date.now() / 1000 + 60"))
+    page.fill("#f-pulley-0-exit_tension", "77")
+    page.clock.run_for(300)  # the hand rests
+    expect(page.locator(".gone")).to_have_count(1)
+    wait_for(lambda: page.evaluate("1") and len(failed) >= 2)
+    asked = failed.count("about")
+    page.clock.run_for(1000)
+    for pause in (2000, 4000, 8000, 16_000, 30_000, 30_000):
+        asked += 1
+        wait_for(lambda n=asked: page.evaluate("1") and failed.count("about") == n)
+        page.clock.run_for(pause - 1)
+        page.evaluate("1")
+        assert failed.count("about") == asked
+        page.clock.run_for(1)
+    page.fill("#f-pulley-0-exit_tension", "78")  # what is typed asks by itself, and no more
+    page.get_by_role("button", name="Ask now").click()
+    wait_for(lambda: page.evaluate("1") and failed.count("about") == asked + 2)
+    cut.mend()
+    page.clock.resume()
+    page.get_by_role("button", name="Ask now").click()
+    expect(page.locator(".gone")).to_have_count(0)
+    cut.visitor.solved()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("78")
+
+
+def test_a_server_of_another_version_asks_for_a_reload(cut: Cut) -> None:
+    page = cut.page
+
+    def newer(route: Route) -> None:
+        answer = route.fetch()
+        route.fulfill(response=answer, headers={**answer.headers, "wraparc-version": "99.0"})
+
+    cut.visitor.context.route("**/api/v1/**", newer)
+    page.fill("#f-pulley-0-exit_tension", "77")
+    bar = page.locator(".gone")
+    expect(bar).to_contain_text("another version")
+    cut.mend()
+    with page.expect_navigation():
+        bar.get_by_role("button", name="Reload").click()
+    cut.visitor.solved()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+    expect(bar).to_have_count(0)
+
+
+def test_a_part_that_is_not_there_any_more_asks_for_a_reload(cut: Cut) -> None:
+    page = cut.page  # after an update: the server answers, and has no such file
+    cut.visitor.context.route("**/static/pages/*", lambda r: r.fulfill(status=404, body=""))
+    page.fill("#f-pulley-0-exit_tension", "77")
+    page.click("#nav-study")
+    expect(page.locator(".gone")).to_contain_text("A part of this page did not come")
+    cut.mend()
+    with page.expect_navigation():
+        page.get_by_role("button", name="Reload").click()
+    page.wait_for_selector(READY["study"])
+    page.click("#nav-drive")
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+
+
+@pytest.mark.parametrize("how", CUTS)
+def test_a_page_that_begins_without_a_server_begins_with_it(
+    calculator: Calculator, how: str
+) -> None:
+    visitor = Visitor(calculator[0], calculator[1].address, told_long=False)
+    page = visitor.page
+    page.clock.install()
+    visitor.context.route("**/api/v1/**", CUTS[how])
+    page.goto(f"{visitor.address}?token={TOKEN}")
+
+    def told() -> bool:
+        page.clock.run_for(5000)
+        return "does not answer" in page.inner_text("#main")
+
+    wait_for(told)
+    visitor.context.unroute_all(behavior="ignoreErrors")
+    with page.expect_navigation():
+        page.clock.run_for(31_000)
+    page.wait_for_selector(READY["drive"])
+    visitor.context.close()
+
+
+@pytest.mark.parametrize("path", sorted(STATIC.rglob("*.js")), ids=lambda p: p.name)
+def test_all_that_is_fetched_is_fetched_in_one_place(path: Path) -> None:
+    if {"built", "vendor"} & set(path.relative_to(STATIC).parts) or path.name == "kernel.js":
+        return
+    code = re.sub(r"/\*.*?\*/|//[^\n]*", "", path.read_text("utf-8"), flags=re.DOTALL)
+    if path.name != "server.js":
+        assert not re.search(r"\bfetch\(|XMLHttpRequest|EventSource", code)
+        assert "location.reload" not in code or path.name in ("pages.js", "main.js")
+    tables = path.name in ("registry.js", "questions.js")  # which are handed to part()
+    for found in re.finditer(r"(?<!typeof )\bimport\(", code):
+        assert tables or code[: found.start()].rstrip().endswith("part(() =>"), found
