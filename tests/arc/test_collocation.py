@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from arc.drives import ARC, LAWS
@@ -70,10 +71,10 @@ def test_it_meets_its_own_equations(name: str) -> None:
     done, found = course_of(arc)
     assert done
 
-    def rates(_: float, state: tuple[float, float]) -> tuple[float, float]:
-        u, tension = state
+    def rates(_: float, state: NDArray[np.float64]) -> NDArray[np.float64]:
+        u, tension = (float(value) for value in state)
         stress = traction(law, shear, tension / area, u).stress
-        return found.ratio - arc.compliance * tension, -arc.width * stress
+        return np.array([found.ratio - arc.compliance * tension, -arc.width * stress])
 
     back = solve_ivp(
         rates, (arc.length, 0.0), (found.creep[-1], found.tension[-1]), "LSODA",

@@ -29,7 +29,9 @@ LAW_SETS: dict[str, Sequence[FrictionLaw]] = {
 }
 
 
-def asked(laws: Sequence[FrictionLaw], n: int = 400) -> tuple[Laws, NDArray[np.int64], Array, ...]:
+def asked(
+    laws: Sequence[FrictionLaw], n: int = 400
+) -> tuple[Laws, NDArray[np.int64], Array, Array, Array]:
     """Rows of laws; their places, shear, pressures and creeps, within what shear keeps unique."""
     rng = np.random.default_rng(30)
     row = rng.integers(0, len(laws), n)

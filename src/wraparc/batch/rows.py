@@ -331,7 +331,8 @@ class RowBatch:
         end = block.side * (goal if limit is not None else goal + block.shear * used)
         guess = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
         asked_slip = block.side * slip if limit is None else np.full(len(which), np.nan)
-        ends = Ends(drives * 1.0, ~drives * 1.0, tight, CREEP, end, asked_slip)
+        at_entry = np.where(drives, 1.0, 0.0)
+        ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, end, asked_slip)
 
         def read(met: Met) -> None:
             tension = met.courses.tension

@@ -98,7 +98,7 @@ export class Member {
       par = this.parameters(entry, side);
       z = effort__effort_of(par, RATIO_SCALE * Math.sinh(effort));
     }
-    let shot = compiled__shoot_plainly(this.law, par, z, steps);
+    let shot = member__shoot_plainly(this.law, par, z, steps);
     if (!Number.isFinite(shot.log_tension)) {
       gone = copysign(_BEYOND, effort);
       return new Passage(entry, entry * Math.exp(-gone), effort, 0.01 * gone, gone, gone, false);
@@ -2906,8 +2906,8 @@ export function arc_tables__capacity_rows(c, of, system) {
   return new Table("Capacity", [...rows], undefined, note);
 }
 
-/** March one arc to its exit at an effort, interpreted (or in the page). */
-export function compiled__shoot_plainly(law, par, z, steps) {
+/** March one arc to its exit at an effort, numbers too large or not. */
+export function member__shoot_plainly(law, par, z, steps) {
   return effort__shoot_from(law, par, z, steps, 0, zeros(0))[0];
 }
 

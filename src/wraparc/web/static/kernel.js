@@ -856,6 +856,7 @@ const NEAR_TOP = 0.08;
 const PULL_TOLERANCE = 2e-9;
 const TESTED_SLIP = 4;
 const GROSS_SLIP = 16;
+const PRESSURES = 5;
 const PEAK_STEPS = 12;
 const EDGE = 0.0005;
 const _ROUNDS = 200;
@@ -3067,8 +3068,46 @@ export function gross_slip___piece(law, p) {
   return [segment, segment >= 0 ? min(_PIECE, Math.log(p / law.edges[segment])) : _PIECE];
 }
 
-/** Wrap angle over which ln T falls from -q to -q - span at the plateau of one piece. */
-export function gross_slip___plateau_angle(law, pressure, segment, q, span) {
+/** Friction a law is left with at a pressure, at slips without bound [-]. */
+export function compact__residual_at(law, segment, pressure) {
+  let mu, residual, slope;
+  let kind = law.kind;
+  let edges = law.edges;
+  let slips = law.slips;
+  let last = edges.length - 1;
+  if (kind === KNOTS || kind === PIECES) {
+    const found1 = compact__peak(law, segment, pressure);
+    mu = found1[1];
+    const found2 = compact__tail(law, segment, pressure);
+    slope = found2[0];
+    residual = found2[1];
+    if (slope < 0.0) {
+      mu = min(residual, mu);
+    }
+    if (last >= 0 && segment >= last) {
+      mu *= edges[last] / pressure;
+    }
+    return mu;
+  }
+  if (kind === LIMIT) {
+    return compact__plateau_at(law, segment, pressure);
+  }
+  let cell = slips.length - 1;
+  const found3 = compact__friction_at(law, segment, cell, slips[cell], pressure);
+  mu = found3[0];
+  return mu;
+}
+
+/** Largest friction of a law at a pressure, or what is left of it [-]. */
+export function gross_slip___friction(law, segment, pressure, left) {
+  if (left) {
+    return compact__residual_at(law, segment, pressure);
+  }
+  return compact__plateau_at(law, segment, pressure);
+}
+
+/** Wrap angle over which ln T falls from -q to -q - span in one piece. */
+export function gross_slip___angle(law, pressure, segment, q, span, left) {
   let node, p, weight;
   let total = 0.0;
   for (const each1 of [
@@ -3080,13 +3119,13 @@ export function gross_slip___plateau_angle(law, pressure, segment, q, span) {
   ]) {
     [node, weight] = each1;
     p = pressure * Math.exp(-q - 0.5 * span * (1.0 + node));
-    total += weight / compact__plateau_at(law, segment, p);
+    total += weight / gross_slip___friction(law, segment, p, left);
   }
   return 0.5 * span * total;
 }
 
-/** ln(tight/slack) at gross slip with the largest friction of the law everywhere. */
-export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
+/** ln(tight/slack) at gross slip. */
+export function gross_slip___capacity(law, tight_pressure, wrap_angle, left) {
   let change, f, mu, part, segment, span, taken;
   let q = 0.0;
   let angle = wrap_angle;
@@ -3094,7 +3133,7 @@ export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
     const found2 = gross_slip___piece(law, tight_pressure * Math.exp(-q));
     segment = found2[0];
     span = found2[1];
-    taken = gross_slip___plateau_angle(law, tight_pressure, segment, q, span);
+    taken = gross_slip___angle(law, tight_pressure, segment, q, span, left);
     if (taken < angle) {
       angle -= taken;
       q += span;
@@ -3102,8 +3141,8 @@ export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
     }
     part = (span * angle) / taken;
     for (let each3 = 0, end3 = 50; each3 < end3; each3++) {
-      f = gross_slip___plateau_angle(law, tight_pressure, segment, q, part) - angle;
-      mu = compact__plateau_at(law, segment, tight_pressure * Math.exp(-q - part));
+      f = gross_slip___angle(law, tight_pressure, segment, q, part, left) - angle;
+      mu = gross_slip___friction(law, segment, tight_pressure * Math.exp(-q - part), left);
       change = f * mu;
       part -= change;
       if (Math.abs(change) < 1e-15) {
@@ -3113,6 +3152,11 @@ export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
     return q + part;
   }
   return q;
+}
+
+/** ln(tight/slack) at gross slip with the largest friction of the law everywhere. */
+export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
+  return gross_slip___capacity(law, tight_pressure, wrap_angle, false);
 }
 
 /** Slip at which a law without a jump gives about this friction, its peak if it cannot [m]. */
@@ -5853,6 +5897,65 @@ export function least_slack__least_slack(
   return least_slack___least_bracketed(law, geometry, pull, limit, tight_max, steps);
 }
 
+/** ln(tight/slack) at gross slip with what friction is left with at slips without bound. */
+export function gross_slip__residual_capacity(law, tight_pressure, wrap_angle) {
+  return gross_slip___capacity(law, tight_pressure, wrap_angle, true);
+}
+
+/** Friction beyond the residual over all slips at a pressure, int (mu - mu_residual) dx [m]. */
+export function compact__excess_at(law, segment, pressure) {
+  let cell, hold, mu, place, slip, slip_pk, slope, total, width;
+  let kind = law.kind;
+  let slips = law.slips;
+  if (kind === LIMIT) {
+    return 0.0;
+  }
+  let left = compact__residual_at(law, segment, pressure);
+  if (kind === TABLE) {
+    total = 0.0;
+    for (let each1 = 0, end1 = slips.length - 1; each1 < end1; each1++) {
+      cell = each1;
+      width = slips[cell + 1] - slips[cell];
+      for (const each2 of [0.2113248654051871, 0.7886751345948129]) {
+        place = each2;
+        slip = slips[cell] + place * width;
+        const found3 = compact__friction_at(law, segment, cell, slip, pressure);
+        mu = found3[0];
+        total += 0.5 * width * (mu - left);
+      }
+    }
+    return total;
+  }
+  const found4 = compact__peak(law, segment, pressure);
+  slip_pk = found4[0];
+  const found5 = compact__tail(law, segment, pressure);
+  slope = found5[0];
+  let top = compact__plateau_at(law, segment, pressure);
+  let fall = top - left;
+  total = slip_pk * (0.75 * top - left);
+  if (fall > 0.0) {
+    hold = top / compact__peak(law, segment, pressure)[1];
+    total -= (0.5 * fall * fall) / (slope * hold);
+  }
+  return total;
+}
+
+/** Whether some creep may carry more than the residual friction everywhere. */
+export function gross_slip__outweighs(law, geometry, tight, residual) {
+  let i, p, segment, start;
+  let area = geometry.width * geometry.radius;
+  for (let each1 = 0, end1 = PRESSURES; each1 < end1; each1++) {
+    i = each1;
+    p = (tight / area) * Math.exp((-residual * i) / (PRESSURES - 1));
+    segment = compact__segment_of(law, p);
+    start = Math.abs(geometry.kick + geometry.kick_coefficient * p * Math.sqrt(p));
+    if (compact__excess_at(law, segment, p) + start * compact__residual_at(law, segment, p) > 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /** `table` opened for marches in tension, or none where they do not apply. */
 export function gross_slip___opened(law, par, steps, table) {
   if (!tension_table__applies(law, par)) {
@@ -5999,11 +6102,19 @@ export function gross_slip__largest_ratio(law, geometry, tight, softening, steps
   let radius = geometry.radius;
   let wrap = geometry.wrap_angle;
   let width = geometry.width;
-  let supremum = gross_slip__plateau_capacity(law, tight / (width * radius), wrap);
+  let pressure = tight / (width * radius);
   if (!softening) {
-    return [supremum, Infinity];
+    return [gross_slip__plateau_capacity(law, pressure, wrap), Infinity];
   }
-  return gross_slip___largest_over_effort(law, geometry, tight, supremum, steps);
+  let residual = gross_slip__residual_capacity(law, pressure, wrap);
+  if (!gross_slip__outweighs(law, geometry, tight, residual)) {
+    return [residual, Infinity];
+  }
+  let most = gross_slip__plateau_capacity(law, pressure, wrap);
+  const found1 = gross_slip___largest_over_effort(law, geometry, tight, most, steps);
+  let best = found1[0];
+  let creep = found1[1];
+  return best > residual ? [best, creep] : [residual, Infinity];
 }
 
 /** `find_capacities` where it is known about where they are. */
@@ -6154,7 +6265,7 @@ export function gross_slip___angle_needed(law, tight_pressure, fall) {
     segment = found1[0];
     span = found1[1];
     span = min(span, fall - q);
-    angle += gross_slip___plateau_angle(law, tight_pressure, segment, q, span);
+    angle += gross_slip___angle(law, tight_pressure, segment, q, span, false);
     q += span;
     if (span <= 1e-15 * q) {
       break;
