@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import NormalDist
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.alike import falling
+from wraparc.batch import Setting
 from wraparc.errors import InputError, Problem
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import batches, read_data
@@ -85,7 +86,8 @@ def local_sensitivity(study: Study) -> LocalSensitivity:
                 column.append(value if name == axis.field else median[name])
     values = {name: np.array(column) for name, column in columns.items()}
     size = 1 + 4 * len(fields)
-    solved = study.solve_values(values, size)
+    # by differences of a per cent: what is left of a setting made for large samples would be in them
+    solved = replace(study, setting=Setting.PRECISE).solve_values(values, size)
     count = len(study.cases)
     found: dict[tuple[str, str], dict[str, tuple[Swing, ...]]] = {}
     for place, (load, condition) in enumerate(study.cases):
