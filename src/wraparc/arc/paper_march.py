@@ -12,10 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.arc.kernel.effort import jumps
-from wraparc.arc.kernel.stick import onset_stress
 from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
+from wraparc.arc.traction import traction
 from wraparc.arc.wrap_arc import WrapArc
-from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
 
 nan = math.nan
 
@@ -140,23 +139,14 @@ class _March:
         length, kick = arc.length, arc.entry_overrun
         stiffness, shear = arc.axial_stiffness, arc.shear_compliance
         step = length / self.segments
-        area, tension, x = arc.width * arc.radius, arc.exit_tension, 0.0
-        jump = jumps(self.law)
+        area, tension = arc.width * arc.radius, arc.exit_tension
         rows = []
         for i in range(self.segments + 1):
             remaining = length - i * step
             u = (arc.entry_tension - tension) * remaining / stiffness
             u += arc.side * share * remaining / length + kick
-            sign = 1.0 if u >= 0.0 else -1.0
-            p = tension / area
-            held = (shear + self.onset) * onset_stress(self.law, p)[0] if jump else 0.0
-            if jump and abs(u) <= held:
-                tau = u / (shear + self.onset) if shear + self.onset > 0.0 else 0.0
-                x = abs(u) - shear * abs(tau)
-            else:
-                x, mu = _slip(self.law, shear, p, abs(u), x)
-                tau = sign * mu * p
-            rows.append((remaining, tension, u, sign * x, tau))
+            tau, _, _, x = traction(self.law, shear, tension / area, u)
+            rows.append((remaining, tension, u, x, tau))
             if i < self.segments:
                 tension = max(tension + tau * arc.width * step, 1e-9 * arc.exit_tension)
         return rows
@@ -217,24 +207,3 @@ class _March:
             capacities=Capacities(),
             energy=Energy(frictional_energy=work),
         )
-
-
-def _slip(law: CompactLaw, shear: float, p: float, u: float, guess: float) -> tuple[float, float]:
-    """Slip x in [0, u] with x + (h/G) mu(x, p) p = u, and mu there (Newton, safeguarded)."""
-    segment = segment_of(law, p)
-    low, high = 0.0, u
-    x = guess if 0.0 < guess < u else u
-    for _ in range(100):
-        branch = branch_of(law, segment, x, p)
-        mu, mu_x, _ = friction_at(law, segment, branch, x, p)
-        f = x + shear * mu * p - u
-        if abs(f) <= 1e-13 * u or shear == 0.0:
-            break
-        if f > 0.0:
-            high = x
-        else:
-            low = x
-        x -= f / (1.0 + shear * p * mu_x)
-        if not low < x < high:
-            x = 0.5 * (low + high)
-    return x, mu

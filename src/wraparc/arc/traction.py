@@ -14,7 +14,7 @@ One source runs in the interpreter and translated for the page: plain floats and
 
 from __future__ import annotations
 
-from math import log
+from math import log, sqrt
 from typing import NamedTuple
 
 from wraparc.friction.compact import (
@@ -37,8 +37,10 @@ from wraparc.friction.compact import (
 #: Least slip over peak slip, and least creep [m], at which the slope of a law is taken: that of the
 #: integral-log law grows without bound as the slip vanishes.
 LEAST_SHARE, LEAST_CREEP = 1e-12, 1e-16
-#: Relative accuracy of the slip.
-ACCURACY = 1e-15
+#: Relative accuracy of the slip; the change after which the next is as small as that (Halley's
+#: method triples the digits), and how near to the peak, 1 - r, the parabola there is a better guess.
+ACCURACY, NEAR, NEAR_PEAK = 1e-15, 1e-5, 0.8
+NEWTON = 1e-8  # the same of Newton's method, which doubles them
 
 
 class Traction(NamedTuple):
@@ -119,13 +121,13 @@ def piece_at(law: CompactLaw, segment: int, shear: float, pressure: float, creep
     if law.kind == TABLE:
         return _in_table(law, segment, ease, pressure, creep)
     slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
-    slope, residual, _, _ = tail(law, segment, pressure)
     hold = _hold(law, segment, pressure)
-    mu_pk, slope, residual = hold * mu_pk, hold * slope, hold * residual
+    mu_pk *= hold
     beyond = creep - slip_pk - ease * mu_pk
     if beyond <= 0.0:
         return Piece(slip_pk * _rise(ease * mu_pk / slip_pk, creep / slip_pk), RISE)
-    residual = min(residual, mu_pk)
+    slope, residual, _, _ = tail(law, segment, pressure)
+    slope, residual = hold * slope, min(hold * residual, mu_pk)
     line = beyond / (1.0 + ease * slope)
     if mu_pk + slope * line >= residual:
         return Piece(slip_pk + line, LINE)
@@ -139,18 +141,25 @@ def _hold(law: CompactLaw, segment: int, pressure: float) -> float:
 
 
 def _rise(k: float, w: float) -> float:
-    """Slip over peak slip on the rise of the integral-log law: r + k r (1 - ln r) = w <= 1 + k.
+    """Slip over peak slip r <= 1 on the rise of the integral-log law: r + k r (1 - ln r) = w.
 
-    Newton's method: the left side is concave, so that from the first step on it comes from below.
+    Halley's method, from what the slip would be at the slope for all of it; near the peak from the
+    parabola there.
     """
-    r = w / (1.0 + k * (1.0 - log(min(w, 1.0))))
+    short = 1.0 + k - w
+    near = 2.0 * short / (1.0 + sqrt(1.0 + 2.0 * k * short)) if short > 0.0 else 0.0
+    if near < NEAR_PEAK:
+        r = 1.0 - near
+    else:
+        r = w / (1.0 + k * (1.0 - log(min(w, 1.0))))
     for _ in range(30):
         lr = log(r)
-        change = (r + k * r * (1.0 - lr) - w) / (1.0 - k * lr)
-        r = min(max(r - change, 0.1 * r), 1.0)
-        if abs(change) <= ACCURACY * r:
+        miss, slope = r + k * r * (1.0 - lr) - w, 1.0 - k * lr
+        change = miss / (slope + 0.5 * miss * k / (r * slope))
+        r = min(max(r - change, LEAST_SHARE), 1.0)
+        if abs(change) <= NEAR * r:
             break
-    return max(r, LEAST_SHARE)
+    return r
 
 
 def _under_limit(
@@ -170,28 +179,32 @@ def _in_table(law: CompactLaw, segment: int, ease: float, pressure: float, creep
     """Of a measured table: the cell whose creeps hold it, then Newton's method in a bracket."""
     slips = law.slips
     mu, _, _ = friction_at(law, segment, 0, 0.0, pressure)
-    if creep <= ease * mu:
+    before, cell, last = ease * mu, 0, len(slips) - 1
+    if creep <= before:
         return HELD
-    cell, last = 0, len(slips) - 1
+    after = before
     while cell < last:
         mu, _, _ = friction_at(law, segment, cell + 1, slips[cell + 1], pressure)
-        if creep <= slips[cell + 1] + ease * mu:
+        after = slips[cell + 1] + ease * mu
+        if creep <= after:
             break
+        before = after
         cell += 1
     if cell == last:
         return Piece(creep - ease * friction_at(law, segment, last, slips[last], pressure)[0], last)
-    low, high = slips[cell], min(slips[cell + 1], creep)
-    x = 0.5 * (low + high)
+    low, high = slips[cell], slips[cell + 1]
+    x = low + (high - low) * (creep - before) / (after - before)
     for _ in range(100):
         mu, mu_x, _ = friction_at(law, segment, cell, x, pressure)
         miss = x + ease * mu - creep
         low, high = (low, x) if miss > 0.0 else (x, high)
         slope = 1.0 + ease * mu_x
         new = x - miss / slope if slope > 0.0 else low
-        if not low < new < high:
+        inside = low < new < high
+        if not inside:
             new = 0.5 * (low + high)
         change, x = abs(new - x), new
-        if change <= ACCURACY * x:
+        if change <= (NEWTON if inside else ACCURACY) * x:
             break
     return Piece(x, cell)
 

@@ -12,7 +12,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.traction import LEAST_CREEP, LEAST_SHARE
+from wraparc.arc.traction import LEAST_CREEP, LEAST_SHARE, NEAR_PEAK
 from wraparc.friction.compact import (
     KNOT_STRIDE,
     KNOTS,
@@ -26,8 +26,8 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 #: Steps of Halley's method on the rise of the integral-log law: three leave 1e-11 at most, four
-#: 1e-14; and how near to the peak, 1 - r, the parabola there is the better first guess.
-RISE_STEPS, NEAR_PEAK = 4, 0.8
+#: 1e-14.
+RISE_STEPS = 4
 
 
 class Stress(NamedTuple):

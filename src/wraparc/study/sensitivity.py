@@ -86,7 +86,7 @@ def local_sensitivity(study: Study) -> LocalSensitivity:
                 column.append(value if name == axis.field else median[name])
     values = {name: np.array(column) for name, column in columns.items()}
     size = 1 + 4 * len(fields)
-    # by differences of a per cent: what is left of a setting made for large samples would be in them
+    # by differences of a per cent, in which the misses of a setting for large samples would show
     solved = replace(study, setting=Setting.PRECISE).solve_values(values, size)
     count = len(study.cases)
     found: dict[tuple[str, str], dict[str, tuple[Swing, ...]]] = {}
