@@ -38,7 +38,7 @@ from wraparc.friction.compact import (
 #: integral-log law grows without bound as the slip vanishes.
 LEAST_SHARE, LEAST_CREEP = 1e-12, 1e-16
 #: Relative accuracy of the slip; the change after which the next is as small as that (Halley's
-#: method triples the digits), and how near to the peak, 1 - r, the parabola there is a better guess.
+#: method triples the digits); how near to the peak, 1 - r, the parabola there is a better guess.
 ACCURACY, NEAR, NEAR_PEAK = 1e-15, 1e-5, 0.8
 NEWTON = 1e-8  # the same of Newton's method, which doubles them
 
@@ -148,10 +148,7 @@ def _rise(k: float, w: float) -> float:
     """
     short = 1.0 + k - w
     near = 2.0 * short / (1.0 + sqrt(1.0 + 2.0 * k * short)) if short > 0.0 else 0.0
-    if near < NEAR_PEAK:
-        r = 1.0 - near
-    else:
-        r = w / (1.0 + k * (1.0 - log(min(w, 1.0))))
+    r = 1.0 - near if near < NEAR_PEAK else w / (1.0 + k * (1.0 - log(min(w, 1.0))))
     for _ in range(30):
         lr = log(r)
         miss, slope = r + k * r * (1.0 - lr) - w, 1.0 - k * lr
