@@ -61,8 +61,8 @@ def test_ranking_costs_and_creeps_equal_brute_force(selection: Selection) -> Non
     designs = itertools.product((RUBBER, CERAMIC), (FABRIC, CORD), (0.7, 0.9), (45e3, 60e3))
     for i, (lagging, belt, diameter, slack) in enumerate(designs):
         creep, cost = by_hand(lagging, belt, diameter, slack)
-        assert selection.creep[i] == pytest.approx(creep, rel=1e-9)
-        assert selection.costs.total[i] == pytest.approx(cost, rel=1e-9)
+        assert selection.creep[i] == pytest.approx(creep, rel=1e-6)
+        assert selection.costs.total[i] == pytest.approx(cost, rel=1e-6)
         keeps_creep = creep <= 6.35e-3
         keeps_belt = (slack + 75e3) / 1.2 <= belt.rating  # type: ignore[operator]
         keeps_pulley = belt is FABRIC or diameter >= 0.8

@@ -33,7 +33,7 @@ def test_the_drive_and_the_commands_work(tmp_path: Path, monkeypatch: pytest.Mon
     Path("drive.toml").write_text(drive, "utf-8")
     commands = [line for text in blocks("sh") for line in text.splitlines()]
     commands = [line for line in commands if line.startswith("wraparc ")]
-    assert len(commands) == 16
+    assert len(commands) == 15
     commands = [c for c in commands if not c.startswith("wraparc serve")]  # it would not end
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     for command in commands:

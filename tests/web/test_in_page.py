@@ -52,7 +52,7 @@ def answered(document: Data, case: str | None) -> Data:
     drive = read(document)
     assert isinstance(drive, Drive)
     pulley, load = asked_for(drive, None, case)
-    result = Distributed(POINTS, capacities=False).solve(WrapArc.of(drive, pulley, load))
+    result = Distributed(points=POINTS, capacities=False).solve(WrapArc.of(drive, pulley, load))
     ready = prepared(document, drive, pulley, load)
     return {
         "status": status_of(result),

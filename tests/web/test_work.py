@@ -99,14 +99,13 @@ def test_no_place_is_lost_by_those_who_leave() -> None:
 
 
 def test_a_process_that_cannot_start_leaks_no_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Broken:
-        @classmethod
-        def started(cls, *_: object) -> None:
-            raise OSError("no process can be started")
+    def broken(*_: object) -> None:
+        raise OSError("no process can be started")
 
     async def scenario() -> None:
         async with workers() as found:
-            monkeypatch.setattr(work, "Worker", Broken)
+            monkeypatch.setattr(work.Parent, "worker", broken)
+            monkeypatch.setattr(work.Worker, "started", broken)
             for _ in range(300):  # more than may wait
                 with pytest.raises(OSError, match="no process"):
                     await found.short("a", os.getpid)
@@ -182,7 +181,7 @@ def test_a_process_that_dies_costs_its_own_question_only(tmp_path: Path) -> None
             for worker in [worker for worker in found._all if worker.alive]:
                 process: Any = worker._process
                 os.kill(process.pid, signal.SIGKILL)
-                process.join()
+                await until(partial(lambda one: not one.alive, worker))
             assert unpacked(await found.short("a", os.getpid, queue=work.QUICK))
 
     asyncio.run(scenario())
