@@ -148,7 +148,7 @@ def test_engineering_accuracy(lag: Lagging) -> None:
 @pytest.mark.parametrize("setting", Setting)
 def test_no_cut_changes_a_bit(setting: Setting) -> None:
     """An arc's numbers do not depend on its neighbours, on chunks, or on threads."""
-    n = 200 if setting is Setting.PRECISE else 3_000
+    n = 200 if setting is Setting.PRECISE else 10_000
     table = designs(n, 11)
     table["lagging"] = np.arange(n) % 3  # type: ignore[assignment]
     arcs = arcs_of_table(table, SHIPPED)

@@ -42,8 +42,9 @@ from wraparc.batch.two_point import (
 
 #: Meshes tried one after the other: elements, of which the first is graded to the entry.
 MESHES = (4, 8, 16, 28, 48, 96)
-#: What misfit is let stand, of the accuracy: errors are half of it at most, in the median a 50th.
-MISFIT = 2.0
+#: What misfit is let stand, of the accuracy: errors are a 50th of it in the median, half at most
+#: under friction that rises, two thirds past its peak.
+MISFIT = 1.0
 #: What the creep at the exit may have moved from the mesh before, of the accuracy: friction that
 #: hardly grows with slip makes much creep of a small misfit.
 MOVED = 10.0

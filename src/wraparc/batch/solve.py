@@ -19,8 +19,8 @@ from wraparc.errors import InputError, Problem
 
 Progress = Callable[[int, int], object]
 
-#: rows of a chunk: enough to hide what a call costs, few enough for the cache of a processor
-CHUNK = 1024
+#: rows of a chunk: enough to hide what its calls cost, few enough for threads to share the work
+CHUNK = 8192
 
 
 class Setting(StrEnum):
