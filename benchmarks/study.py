@@ -67,7 +67,6 @@ def one(designs: int, few: bool) -> dict[str, float]:
 
     with tempfile.TemporaryDirectory(dir=ROOT / "build") as folder:
         path = Path(folder) / "a.parquet"
-        study(64, few).solve(0, 64)  # compiled
         start, used = time.perf_counter(), time.process_time()
         run_study(study(designs, few), path, Run(confirmed_rows=designs))
         took, used = time.perf_counter() - start, time.process_time() - used
@@ -84,7 +83,7 @@ def one(designs: int, few: bool) -> dict[str, float]:
 def row(n: int = 16_384) -> float:
     """Least processor time of a row, solving alone: no files, one thread [us]."""
     asked, times = study(n), []
-    for _ in range(4):  # the first compiles
+    for _ in range(4):
         start = time.process_time()
         asked.solve(0, n)
         times.append(time.process_time() - start)

@@ -97,8 +97,6 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], int, dic
             if len(loads) < 5:
                 visitor.context.close()
         page.wait_for_selector(READY["drive"])
-        # compiled code takes over when it is ready
-        wait_for(lambda: json.loads(server.ask("/api/v1/about").body)["compiled"])
         page.wait_for_timeout(2000.0)
         page.evaluate("performance.clearResourceTimings()")
         empty = visitor.context.new_page()

@@ -90,7 +90,6 @@ def main() -> None:
     parser.add_argument("--clients", type=int, default=8)
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--compiling", type=float, default=180.0, help="wait so long at most [s]")
     told = parser.parse_args()
     alone = plain()
     print(f"one solve without a server: {1e3 * alone:.2f} ms CPU, interpreted")
@@ -98,13 +97,6 @@ def main() -> None:
         place = ("--database", f"{folder}/designs.sqlite")
         server = Process(*place, "--workers", str(told.workers))
         try:
-            end = time.monotonic() + told.compiling
-            while time.monotonic() < end:
-                if json.loads(server.ask(f"{API}/about").body)["compiled"]:
-                    break
-                time.sleep(0.5)
-            else:
-                print("not compiled yet: these are the figures of interpreted code")
             for clients in (1, told.clients):
                 load(server.port, clients, 1.0)
                 before = cpu_of(server.process.pid)

@@ -135,7 +135,6 @@ def main() -> None:
     parser.add_argument("--rows", type=int, default=600_000, help="of the workbook")
     parser.add_argument("--minutes", type=float, default=5.0)
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--compiling", type=float, default=180.0, help="wait so long at most [s]")
     told = parser.parse_args()
     counts, found = [0] * told.clients, list[tuple[float, float]]()
     said, peak = Counter[int](), 0.0
@@ -145,9 +144,6 @@ def main() -> None:
         place = ("--database", f"{folder}/designs.sqlite")
         server = Process(*place, "--workers", str(told.workers))
         try:
-            end = time.monotonic() + told.compiling
-            while not server.ask(f"{API}/about").json()["compiled"] and time.monotonic() < end:
-                time.sleep(0.5)
             begin = time.monotonic()
             until = begin + 60.0 * told.minutes
             threads = [
