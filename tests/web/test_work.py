@@ -104,8 +104,8 @@ def test_a_process_that_cannot_start_leaks_no_place(monkeypatch: pytest.MonkeyPa
 
     async def scenario() -> None:
         async with workers() as found:
-            monkeypatch.setattr(work.Parent, "worker", broken)
-            monkeypatch.setattr(work.Worker, "started", broken)
+            monkeypatch.setattr(Parent, "worker", broken)
+            monkeypatch.setattr(Worker, "started", broken)
             for _ in range(300):  # more than may wait
                 with pytest.raises(OSError, match="no process"):
                     await found.short("a", os.getpid)
