@@ -79,8 +79,6 @@ def _of_tables(
 ) -> Iterator[Difference]:
     dot = f"{place}." if place else ""
     for key, value in old.items():
-        if key == "digest" and tolerance:
-            continue  # of bits
         if key == "value" and tolerance and _below(old, new):
             continue
         if key not in new:

@@ -1,4 +1,4 @@
-"""Recording the golden files: every answer of every shipped example, with all its digits.
+"""Recording the golden files: every answer of every shipped example, with the digits compared.
 
     PYTHONPATH=tests python -m golden.record               record what is new
     PYTHONPATH=tests python -m golden.record cli-report    through one door
@@ -23,6 +23,7 @@ from golden.doors import EXAMPLES
 from golden.plain import plain
 
 DATA = Path(__file__).with_name("data")
+KNOWN = 1e-11  # of a number: what is kept of it
 
 
 def record(door: str, examples: Path = EXAMPLES) -> dict[str, Any]:
@@ -40,11 +41,20 @@ def golden(door: str) -> dict[str, Any]:
     return found
 
 
+def known(answer: Any) -> Any:
+    """Return an answer with no more digits than are compared, 1e-10, and two."""
+    if isinstance(answer, dict):
+        return {key: known(value) for key, value in answer.items()}
+    if isinstance(answer, list):
+        return [known(value) for value in answer]
+    return float(f"{answer:.12g}") if isinstance(answer, float) else answer
+
+
 def save(door: str, answers: dict[str, Any]) -> None:
     """Write a golden file, one line an answer."""
     lines = (
         f"{json.dumps(name)}:"
-        f"{json.dumps(answer, allow_nan=False, separators=(',', ':'), sort_keys=True)}"
+        f"{json.dumps(known(answer), allow_nan=False, separators=(',', ':'), sort_keys=True)}"
         for name, answer in answers.items()
     )
     DATA.mkdir(exist_ok=True)
@@ -58,7 +68,7 @@ def main(arguments: list[str]) -> int:
     refused = False
     for door in doors:
         old, new = golden(door), record(door)
-        found = list(differences(old, new)) if old else []
+        found = list(differences(old, known(new), KNOWN)) if old else []
         print("\n".join(f"{door}: {d}" for d in found) or f"{door}: no difference")  # noqa: T201
         changed = any(d.kind in (Kind.NUMBER, Kind.MISSING) for d in found)
         if changed and not meant:
