@@ -1,7 +1,7 @@
 """Kernels of the pages: forked from one process that has imported what most pages import.
 
 A kernel of its own for every page, so that no page sees names of another; started anew, each would
-import IPython, NumPy, Matplotlib and numba for itself, which takes longer than most pages run.
+import IPython, NumPy and Matplotlib for itself, which takes longer than most pages run.
 """
 
 import os
@@ -14,7 +14,7 @@ from sphinx.application import Sphinx
 FORKED = get_context("forkserver")
 IMPORTED = [
     "debugpy.server.api", "ipykernel.ipkernel", "ipykernel.kernelapp",
-    "jupyter_client.provisioning", "matplotlib.figure", "matplotlib_inline.config", "numba",
+    "jupyter_client.provisioning", "matplotlib.figure", "matplotlib_inline.config",
     "psutil", "scipy.optimize", "sphinx.application", "wraparc.batch", "wraparc.cli.solve",
     "wraparc.plot.drive", "wraparc.study",
 ]  # fmt: skip

@@ -201,6 +201,46 @@ def stage_creeps(h: float, ratio: float, c: float, u: float, k: list[float]) -> 
     ]
 
 
+def stage_matrix(
+    hb: _Number, hc: _Number, v: tuple[_Number, ...], w: tuple[_Number, ...]
+) -> tuple[tuple[_Number, ...], tuple[_Number, ...], _Number]:
+    """Slopes of the stage stresses by the stage tensions, d tau_j = w_j dT_j - v_j h C sum A dT.
+
+    Parameters
+    ----------
+    hb, hc
+        h B and h C of an element.
+    v, w
+        Slopes of the stresses by creep and by tension.
+
+    Returns
+    -------
+    The nine slopes J, and the adjugate and the determinant of 1 + h B A J, row by row.
+    """
+    v0, v1, v2 = v
+    w0, w1, w2 = w
+    j00, j01, j02 = w0 - v0 * hc * A00, -v0 * hc * A01, -v0 * hc * A02
+    j10, j11, j12 = -v1 * hc * A10, w1 - v1 * hc * A11, -v1 * hc * A12
+    j20, j21, j22 = -v2 * hc * A20, -v2 * hc * A21, w2 - v2 * hc * A22
+    m00 = 1.0 + hb * (A00 * j00 + A01 * j10 + A02 * j20)
+    m01 = hb * (A00 * j01 + A01 * j11 + A02 * j21)
+    m02 = hb * (A00 * j02 + A01 * j12 + A02 * j22)
+    m10 = hb * (A10 * j00 + A11 * j10 + A12 * j20)
+    m11 = 1.0 + hb * (A10 * j01 + A11 * j11 + A12 * j21)
+    m12 = hb * (A10 * j02 + A11 * j12 + A12 * j22)
+    m20 = hb * (A20 * j00 + A21 * j10 + A22 * j20)
+    m21 = hb * (A20 * j01 + A21 * j11 + A22 * j21)
+    m22 = 1.0 + hb * (A20 * j02 + A21 * j12 + A22 * j22)
+    a00, a01, a02 = m11 * m22 - m12 * m21, m02 * m21 - m01 * m22, m01 * m12 - m02 * m11
+    a10, a11, a12 = m12 * m20 - m10 * m22, m00 * m22 - m02 * m20, m02 * m10 - m00 * m12
+    a20, a21, a22 = m10 * m21 - m11 * m20, m01 * m20 - m00 * m21, m00 * m11 - m01 * m10
+    return (
+        (j00, j01, j02, j10, j11, j12, j20, j21, j22),
+        (a00, a01, a02, a10, a11, a12, a20, a21, a22),
+        m00 * a00 + m01 * a10 + m02 * a20,
+    )
+
+
 def condensed(
     face: Interface, arc: Geometry, h: float, c: float, at: Course, i: int
 ) -> tuple[list[float], list[float]]:
@@ -220,23 +260,9 @@ def condensed(
     f0, v0, w0, _ = traction_at(face, k0 / area, u0)
     f1, v1, w1, _ = traction_at(face, k1 / area, u1)
     f2, v2, w2, _ = traction_at(face, k2 / area, u2)
-    # d tau_j = v_j (du + h c_j dK - hC sum A dT) + w_j dT_j
-    j00, j01, j02 = w0 / area - v0 * hc * A00, -v0 * hc * A01, -v0 * hc * A02
-    j10, j11, j12 = -v1 * hc * A10, w1 / area - v1 * hc * A11, -v1 * hc * A12
-    j20, j21, j22 = -v2 * hc * A20, -v2 * hc * A21, w2 / area - v2 * hc * A22
-    m00 = 1.0 + hb * (A00 * j00 + A01 * j10 + A02 * j20)
-    m01 = hb * (A00 * j01 + A01 * j11 + A02 * j21)
-    m02 = hb * (A00 * j02 + A01 * j12 + A02 * j22)
-    m10 = hb * (A10 * j00 + A11 * j10 + A12 * j20)
-    m11 = 1.0 + hb * (A10 * j01 + A11 * j11 + A12 * j21)
-    m12 = hb * (A10 * j02 + A11 * j12 + A12 * j22)
-    m20 = hb * (A20 * j00 + A21 * j10 + A22 * j20)
-    m21 = hb * (A20 * j01 + A21 * j11 + A22 * j21)
-    m22 = 1.0 + hb * (A20 * j02 + A21 * j12 + A22 * j22)
-    a00, a01, a02 = m11 * m22 - m12 * m21, m02 * m21 - m01 * m22, m01 * m12 - m02 * m11
-    a10, a11, a12 = m12 * m20 - m10 * m22, m00 * m22 - m02 * m20, m02 * m10 - m00 * m12
-    a20, a21, a22 = m10 * m21 - m11 * m20, m01 * m20 - m00 * m21, m00 * m11 - m01 * m10
-    det = m00 * a00 + m01 * a10 + m02 * a20
+    j, a, det = stage_matrix(hb, hc, (v0, v1, v2), (w0 / area, w1 / area, w2 / area))
+    j00, j01, j02, j10, j11, j12, j20, j21, j22 = j
+    a00, a01, a02, a10, a11, a12, a20, a21, a22 = a
     stages, end = [], []
     x0, x1, x2 = v0 * C0, v1 * C1, v2 * C2
     for q0, q1, q2, g0, g1, g2 in (

@@ -7,7 +7,7 @@ The creep u of the belt against the shell is the slip x of the law plus the shea
 where the belt slides. A law that begins with a jump holds the belt while shear alone takes the
 creep up: x = 0, tau = u/c, up to u = c mu(0+, p) p. Traction is odd in creep. It is single-valued
 where c p dmu/dx > -1, which `WrapArc` asks of every arc; without shear (c = 0) a law that jumps is
-set-valued at no creep, see `jump_stress`.
+set-valued at no creep.
 
 One source runs in the interpreter and translated for the page: plain floats and named tuples only.
 """
@@ -30,6 +30,7 @@ from wraparc.friction.compact import (
     limit_at,
     peak,
     plateau_at,
+    residual_at,
     segment_of,
     tail,
 )
@@ -206,21 +207,6 @@ def _in_table(law: CompactLaw, segment: int, ease: float, pressure: float, creep
     return Piece(x, cell)
 
 
-def jump_stress(law: CompactLaw, pressure: float) -> tuple[float, float]:
-    """Traction mu(0+, p) p that a law holds a belt with before it slips [Pa], and its slope by p.
-
-    0 for laws that rise from nothing.
-    """
-    segment = segment_of(law, pressure)
-    if law.kind == LIMIT and law.coefficients[3] == 0.0:
-        mu, mu_p = limit_at(law, segment, pressure)
-    elif law.kind == TABLE:
-        mu, _, mu_p = friction_at(law, segment, 0, 0.0, pressure)
-    else:
-        return 0.0, 0.0
-    return mu * pressure, mu + pressure * mu_p
-
-
 def creep_of_slip(law: CompactLaw, shear: float, pressure: float, slip: float) -> float:
     """Creep u = x + c mu(x, p) p at a magnitude of slip, > 0 [m]."""
     return slip + shear * stress_of_slip(law, pressure, slip)[0]
@@ -241,13 +227,4 @@ def plateau_stress(law: CompactLaw, pressure: float) -> float:
 
 def residual_stress(law: CompactLaw, pressure: float) -> float:
     """Traction of a law at a pressure that is left at slips without bound [Pa]."""
-    segment = segment_of(law, pressure)
-    if law.kind == LIMIT:
-        return limit_at(law, segment, pressure)[0] * pressure
-    if law.kind == TABLE:
-        last = len(law.slips) - 1
-        return friction_at(law, segment, last, law.slips[last], pressure)[0] * pressure
-    _, mu_pk, _, _ = peak(law, segment, pressure)
-    slope, residual, _, _ = tail(law, segment, pressure)
-    left = min(residual, mu_pk) if slope < 0.0 else mu_pk
-    return left * _hold(law, segment, pressure) * pressure
+    return residual_at(law, segment_of(law, pressure), pressure) * pressure

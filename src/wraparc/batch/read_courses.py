@@ -19,7 +19,6 @@ from wraparc.batch.two_point import (
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, REGULA = 45, 9
 FINE, LOOKS = 8, 5  # parts of a neighbourhood in which the largest shear is looked for, how often
-REST = 1e-9  # of the largest slip: a belt at rest
 
 
 def read_courses(

@@ -300,11 +300,7 @@ class RowBatch:
         block = self.block.rows(which)
         creep = 2.0 * block.side * mean_creep(block, entry[which], leaving[which])
         guess = Guess(entry[which], leaving[which], creep)
-
-        def read(met: Met) -> None:
-            self._read(met)
-
-        self.left[self.meet(which, ends, guess, read)] |= row.TENSIONS
+        self.left[self.meet(which, ends, guess, self._read)] |= row.TENSIONS
 
     def _read(self, met: Met) -> None:
         """Write operating points into rows of results."""
@@ -315,13 +311,8 @@ class RowBatch:
         for place, column in columns.items():
             self.found[met.which, place] = column
 
-    def _carried(
-        self, which: Integers, tight: Array, limit: Array | None, found: Array
-    ) -> Integers:
-        """ln(tight/slack) at a creep [m], or at the largest tested slip, into `found`.
-
-        Returns the places in `which` where that fails.
-        """
+    def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
+        """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
         block = self.block.rows(which)
         slip = self.of_input("slip_max")[which]
         goal = slip if limit is None else limit
@@ -335,22 +326,20 @@ class RowBatch:
         at_entry = np.where(drives, 1.0, 0.0)
         ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, end, asked_slip)
 
+        found = np.full(len(self.left), np.nan)
+
         def read(met: Met) -> None:
             tension = met.courses.tension
             found[met.which] = np.abs(np.log(tension[0] / tension[-1]))
 
-        places = np.arange(len(which))
-        inner = RowBatch(self.arcs, self.given, block, self.found, self.left, self.accuracy)
-        return inner.meet(places, ends, guess, read)
+        self.meet(which, ends, guess, read)
+        return found[which]
 
     def _find_carried(self, which: Integers, limit: Array | None, place: int, part: int) -> None:
         """Capacity at the creep limit, or at the largest tested slip."""
-        found = np.full(len(which), np.nan)
-        failed = self._carried(
-            which, self.tight[which], None if limit is None else limit[which], found
-        )
+        found = self._carried(which, self.tight[which], None if limit is None else limit[which])
         self.found[which, place] = found
-        self.left[which[failed]] |= part
+        self.left[which[np.isnan(found)]] |= part
 
     def _find_least(self, live: Integers) -> None:
         """Least slack-side tension, or the largest pull where there is none."""
@@ -385,8 +374,7 @@ class RowBatch:
 
         def pull_within(log_tension: Array, some: Integers, fine: bool) -> tuple[Array, Flags]:
             tension, rows = np.exp(log_tension), rest[some]
-            found = np.full(len(rows), np.nan)
-            self._carried(rows, tension, limit[rows], found)
+            found = self._carried(rows, tension, limit[rows])
             return -tension * np.expm1(-found), np.isfinite(found)
 
         searched = search_least(pull_within, pull[rest], top[rest])
@@ -447,8 +435,7 @@ class RowBatch:
         creeps, ratios = [], []
         for times in CREEPS:
             creeps.append(times * first)
-            ratios.append(np.full(len(which), np.nan))
-            self._carried(which, tight, creeps[-1], ratios[-1])
+            ratios.append(self._carried(which, tight, creeps[-1]))
         best = np.nan_to_num(np.stack(ratios), nan=-np.inf).argmax(axis=0)
         rows = np.arange(len(which))
         inside = (best > 0) & (best < len(CREEPS) - 1)
@@ -457,9 +444,7 @@ class RowBatch:
         y = [np.stack(ratios)[at + k, rows] for k in (-1, 0, 1)]
         for _ in range(NEARER):
             new = _crown(x, y)
-            value = np.full(len(which), np.nan)
-            self._carried(which, tight, np.exp(new), value)
-            x, y = _narrowed(x, y, new, value)
+            x, y = _narrowed(x, y, new, self._carried(which, tight, np.exp(new)))
         y[1] = np.where(np.isfinite(np.stack(ratios)).all(axis=0), y[1], np.nan)
         return np.where(inside, y[1], -np.inf), np.exp(x[1])
 

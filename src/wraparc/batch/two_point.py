@@ -32,9 +32,11 @@ from wraparc.arc.collocation import (
     E0,
     E1,
     E2,
+    GRADING,
     LEAST_LEFT,
     MOST_USED,
     TENSION,
+    stage_matrix,
     weights_at,
 )
 from wraparc.batch.traction import Laws, Stress
@@ -43,7 +45,7 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-GRADING, SPREAD = 2.0, 1.0 / 3.0
+SPREAD = 1.0 / 3.0
 #: First guess of the creep: from [m], in steps of a factor, upwards at most, halved then.
 LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-8, 3.0, 20, 5
 STEPS = 14  # of Newton's method: 4 to 8 are usual
@@ -233,24 +235,10 @@ def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
     k0, k1, k2 = at.stage
     s = block.stress(at.stage, stage_creeps(block, steps, at))
     (f0, f1, f2), (v0, v1, v2) = s.stress, s.by_creep
-    w0, w1, w2 = s.by_pressure / block.area
-    x0, x1, x2 = v0 * hc, v1 * hc, v2 * hc
-    j00, j01, j02 = w0 - x0 * A00, -x0 * A01, -x0 * A02
-    j10, j11, j12 = -x1 * A10, w1 - x1 * A11, -x1 * A12
-    j20, j21, j22 = -x2 * A20, -x2 * A21, w2 - x2 * A22
-    m00 = 1.0 + hb * (A00 * j00 + A01 * j10 + A02 * j20)
-    m01 = hb * (A00 * j01 + A01 * j11 + A02 * j21)
-    m02 = hb * (A00 * j02 + A01 * j12 + A02 * j22)
-    m10 = hb * (A10 * j00 + A11 * j10 + A12 * j20)
-    m11 = 1.0 + hb * (A10 * j01 + A11 * j11 + A12 * j21)
-    m12 = hb * (A10 * j02 + A11 * j12 + A12 * j22)
-    m20 = hb * (A20 * j00 + A21 * j10 + A22 * j20)
-    m21 = hb * (A20 * j01 + A21 * j11 + A22 * j21)
-    m22 = 1.0 + hb * (A20 * j02 + A21 * j12 + A22 * j22)
-    a00, a01, a02 = m11 * m22 - m12 * m21, m02 * m21 - m01 * m22, m01 * m12 - m02 * m11
-    a10, a11, a12 = m12 * m20 - m10 * m22, m00 * m22 - m02 * m20, m02 * m10 - m00 * m12
-    a20, a21, a22 = m10 * m21 - m11 * m20, m01 * m20 - m00 * m21, m00 * m11 - m01 * m10
-    over = 1.0 / (m00 * a00 + m01 * a10 + m02 * a20)
+    j, a, det = stage_matrix(hb, hc, (v0, v1, v2), tuple(s.by_pressure / block.area))
+    j00, j01, j02, j10, j11, j12, j20, j21, j22 = j
+    a00, a01, a02, a10, a11, a12, a20, a21, a22 = a
+    over = 1.0 / det
     h0, h1, h2 = C0 * steps * v0, C1 * steps * v1, C2 * steps * v2
     zero, one = np.zeros(1), np.ones(1)
     right = (
@@ -505,11 +493,3 @@ def on_mesh(block: Block, at: Courses, shares: Array) -> Courses:
     stage = between(block, at, flat)[1].reshape(stages.shape)
     creep[-1], tension[-1] = at.creep[-1], at.tension[-1]
     return Courses(shares, creep, tension, stage, at.ratio)
-
-
-def halved(at: Courses) -> Array:
-    """Ends of elements each cut in two, where a graded mesh has them."""
-    shares = np.repeat(at.shares, 2, axis=0)[:-1]
-    roots = np.sqrt(at.shares)
-    shares[1::2] = (0.5 * (roots[:-1] + roots[1:])) ** 2
-    return shares
