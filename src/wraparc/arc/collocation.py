@@ -18,13 +18,13 @@ One source runs in the interpreter and translated for the page: plain floats, li
 
 from __future__ import annotations
 
-from math import ceil, exp, inf, log, sqrt
+from math import ceil, exp, inf, log, nan, sqrt
 from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.quantities import LEAST_COMPLIANCE, Geometry
+from wraparc.arc.quantities import LEAST_COMPLIANCE, Geometry
 from wraparc.arc.traction import (
     LEAST_CREEP,
     Traction,
@@ -53,16 +53,19 @@ E0, E1, E2 = (5.0 + _Q) / 6.0, -2.0 / 3.0, (5.0 - _Q) / 6.0
 TENSION, CREEP, SLIP = range(3)
 FIRST_ELEMENTS, GRADING = 8, 2.0  # of the first mesh: s = L (i/n)^2, the slip begins at the entry
 MOST_ELEMENTS = 400
-LEAST_PART, MOST_PART, SPARE = 0.25, 8.0, 1.2  # elements for one, as its misfit asks
-NEWTON = 1e-9  # largest change of a tension, of the largest there is, that ends Newton's method
-LEAST_LEFT = 0.2  # of a tension after one step
+LEAST_PART, MOST_PART = 1.0, 8.0  # elements for one, as its misfit asks
+#: Largest change of a tension, of the pull, that ends Newton's method; one that may be rounding; a
+#: pull that is next to none, of the tension.
+NEWTON, ROUNDING, LEAST_PULL = 1e-9, 1e-6, 1e-5
+LEAST_LEFT, MOST_STRETCH = 0.2, 0.5  # of a tension, of a length, after one step
 FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
-SMALL, MOST_KINKS = 1e-9, 60  # creep without a sign, of the largest; kinks of one course
+SMALL, MOST_KINKS = 1e-5, 60  # creep without a sign, of the largest; kinks of one course
+TURN = 1e-3  # of the arc: an element so short needs no grading towards a turn of the creep
 KINK = 1e-4  # of an element: how near to a kink an element has to end
-MESH = 1e-6  # misfit of an element, of the largest change of tension, that is let stand
+MESH = 3e-6  # misfit of an element, of the largest change of tension, that is let stand
 ROUGH, SOFTEST = 1e-3, 5.0
-FIRST_SHARE, LEAST_SHARE = 0.125, 1e-4  # steps of a continuation from the belt at rest
+FIRST_SHARE, LEAST_SHARE, MOST_EASED = 0.125, 1e-3, 30  # steps from the belt at rest
 
 
 class Interface(NamedTuple):
@@ -74,12 +77,20 @@ class Interface(NamedTuple):
         The friction law, and h/G [m/Pa].
     share, spring
         Traction is share tau(u, p) + (1 - share) spring u [-, Pa/m].
+    slides
+        0; or the way (+1, -1) that the belt slides all along under a law that jumps: traction is
+        that of slip, however small.
+    rests
+        Whether it slides behind a rest arc: then creep and K at the start of the slide follow from
+        the tension there (`start_at`), and the length is free instead.
     """
 
     law: CompactLaw
     shear: float
     share: float
     spring: float
+    slides: float
+    rests: bool
 
 
 class Ends(NamedTuple):
@@ -98,6 +109,23 @@ class Ends(NamedTuple):
     tension: float
     kind: int
     goal: float
+
+
+class Slopes(NamedTuple):
+    """How the tensions at the ends answer to the free number Z, K or ln(length), and to the goal.
+
+    Attributes
+    ----------
+    first, last
+        dT(0)/dZ and dT(L)/dZ, the condition at the exit held [N].
+    first_goal, last_goal
+        By the goal at the exit, Z held.
+    """
+
+    first: float
+    last: float
+    first_goal: float
+    last_goal: float
 
 
 class Course(NamedTuple):
@@ -120,6 +148,27 @@ class Course(NamedTuple):
     ratio: float
 
 
+class Solved(NamedTuple):
+    """What Newton's method ended with.
+
+    Attributes
+    ----------
+    done
+        Whether it settled.
+    course
+        The course.
+    slopes
+        How its ends answer, nan where there was no step.
+    """
+
+    done: bool
+    course: Course
+    slopes: Slopes
+
+
+NO_SLOPES = Slopes(nan, nan, nan, nan)
+
+
 def between_tensions(entry: float, leaving: float) -> Ends:
     """Both tensions given [N]: the operating point."""
     return Ends(1.0, 0.0, entry, TENSION, leaving)
@@ -137,11 +186,12 @@ def overrun_at(arc: Geometry, tension: float) -> tuple[float, float]:
     return arc.kick + grown, 1.5 * grown / tension
 
 
-def first_course(face: Interface, arc: Geometry, entry: float, leaving: float) -> Course:
-    """A first guess on a mesh graded to the entry: tension falls evenly, with creep for that."""
-    n, length = FIRST_ELEMENTS, arc.radius * arc.wrap_angle
-    fall = log(entry / leaving)
-    creep, start = 2.0 * mean_creep(face, arc, entry, leaving), overrun_at(arc, entry)[0]
+def first_course(
+    arc: Geometry, length: float, entry: float, leaving: float, end: float
+) -> Course:
+    """A first guess on a mesh graded to the entry: ln T falls evenly, creep grows to `end` [m]."""
+    n, fall = FIRST_ELEMENTS, log(entry / leaving)
+    start = overrun_at(arc, entry)[0]
     shares = [(i / n) ** GRADING for i in range(n + 1)]
     stage = []
     for i in range(n):
@@ -149,27 +199,32 @@ def first_course(face: Interface, arc: Geometry, entry: float, leaving: float) -
         stage += [entry * exp(-fall * (shares[i] + c * h)) for c in (C0, C1, C2)]
     return Course(
         [length * share for share in shares],
-        [start + creep * share for share in shares],
+        [start + (end - start) * share for share in shares],
         [entry * exp(-fall * share) for share in shares],
         stage,
-        creep / length + compliance_of(arc) * 0.5 * (entry + leaving),
+        (end - start) / length + compliance_of(arc) * 0.5 * (entry + leaving),
     )
 
 
-def mean_creep(face: Interface, arc: Geometry, entry: float, leaving: float) -> float:
-    """Creep at which the mean friction of an arc is used at its mean tension [m]."""
+def mean_creep(
+    face: Interface, arc: Geometry, entry: float, leaving: float, used: float = MOST_USED
+) -> float:
+    """Creep at which the mean friction of an arc is used at its mean tension [m].
+
+    At most the share `used` of the largest friction there is.
+    """
     area, fall = arc.width * arc.radius, abs(log(entry / leaving))
     p = sqrt(entry * leaving) / area
-    stress = min(fall / arc.wrap_angle * p, MOST_USED * plateau_stress(face.law, p))
+    stress = min(fall / arc.wrap_angle * p, used * plateau_stress(face.law, p))
     if stress <= 0.0:
         return 0.0
     high = 1e-9
-    while traction_at(face, p, high).stress < stress and high < 1e3:
+    while _size_at(face, p, high) < stress and high < 1e3:
         high *= 4.0
     low = 0.25 * high
     for _ in range(12):
         middle = sqrt(low * high)
-        if traction_at(face, p, middle).stress < stress:
+        if _size_at(face, p, middle) < stress:
             low = middle
         else:
             high = middle
@@ -178,7 +233,10 @@ def mean_creep(face: Interface, arc: Geometry, entry: float, leaving: float) -> 
 
 def traction_at(face: Interface, pressure: float, creep: float) -> Traction:
     """Traction of an interface at a wrap pressure [Pa] and a creep [m]."""
-    found = traction(face.law, face.shear, pressure, creep)
+    if face.slides != 0.0:
+        found = _sliding(face, pressure, creep)
+    else:
+        found = traction(face.law, face.shear, pressure, creep)
     share = face.share
     if share == 1.0:
         return found
@@ -189,6 +247,56 @@ def traction_at(face: Interface, pressure: float, creep: float) -> Traction:
         share * found.by_pressure,
         found.slip,
     )
+
+
+def _size_at(face: Interface, pressure: float, creep: float) -> float:
+    """Magnitude of the traction at a magnitude of creep, before any continuation [Pa]."""
+    return traction(face.law, face.shear, pressure, creep).stress
+
+
+def _sliding(face: Interface, pressure: float, creep: float) -> Traction:
+    """Traction of a belt that slides one way, at a creep that way or at the least that slides."""
+    held, by_pressure = stress_of_slip(face.law, pressure, LEAST_CREEP)
+    if face.slides * creep > face.shear * held + LEAST_CREEP:
+        return traction(face.law, face.shear, pressure, creep)
+    return Traction(face.slides * held, 0.0, face.slides * by_pressure, 0.0)
+
+
+def lag_length(arc: Geometry) -> float:
+    """Shear-lag length l = sqrt(c EA'/B) of a lagging that holds the belt [m]."""
+    return sqrt(arc.shear / (arc.width * compliance_of(arc)))
+
+
+def start_at(face: Interface, arc: Geometry, tension: float) -> tuple[float, float]:
+    """Creep at the start of a course by the tension there [m], and its slope by that [m/N].
+
+    The overrun at the entry; behind a rest arc the creep that a held belt is let go at.
+    """
+    if not face.rests:
+        return overrun_at(arc, tension)
+    area = arc.width * arc.radius
+    held, by_pressure = stress_of_slip(face.law, tension / area, LEAST_CREEP)
+    return face.slides * face.shear * held, face.slides * face.shear * by_pressure / area
+
+
+def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
+    """Entry tension of a rest arc, much longer than l, by that at its end [N].
+
+    Creep u = x_c e^(-s/l) + u_r e^((s - r)/l) over its length r is held by u/c.
+    """
+    if arc.shear == 0.0:
+        return tension
+    end, lag = start_at(face, arc, tension)[0], lag_length(arc)
+    entry = tension
+    for _ in range(4):  # an overrun by formula grows with the entry tension
+        entry = tension + arc.width * lag / arc.shear * (overrun_at(arc, entry)[0] + end)
+    return entry
+
+
+def ratio_behind_rest(face: Interface, arc: Geometry, tension: float) -> float:
+    """K behind a rest arc much longer than l: u' = u_r/l at its end [-]."""
+    growth = start_at(face, arc, tension)[0] / lag_length(arc) if arc.shear > 0.0 else 0.0
+    return compliance_of(arc) * tension + growth
 
 
 def stage_creeps(h: float, ratio: float, c: float, u: float, k: list[float]) -> list[float]:
@@ -249,7 +357,7 @@ def condensed(
     Returns
     -------
     stages
-        Changes of the three stage tensions: constant, and by du, dT at the start and dK; 3 x 4.
+        Changes of the three stage tensions: constant, and by du, dT at the start and dZ; 3 x 4.
     end
         du and dT at the end, the same way; 2 x 4. The constants are what is missing.
     """
@@ -264,7 +372,10 @@ def condensed(
     j00, j01, j02, j10, j11, j12, j20, j21, j22 = j
     a00, a01, a02, a10, a11, a12, a20, a21, a22 = a
     stages, end = [], []
-    x0, x1, x2 = v0 * C0, v1 * C1, v2 * C2
+    shrunk = ratio - c * (B0 * k0 + B1 * k1 + B2 * k2)  # mean growth of creep
+    x0, x1, x2, grown = v0 * C0, v1 * C1, v2 * C2, 0.0
+    if face.rests:  # by ln(length)
+        x0, x1, x2, grown = v0 * (u0 - u) / h, v1 * (u1 - u) / h, v2 * (u2 - u) / h, hb
     for q0, q1, q2, g0, g1, g2 in (
         (
             tension - k0 - hb * (A00 * f0 + A01 * f1 + A02 * f2),
@@ -284,9 +395,9 @@ def condensed(
         ),
         (1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
         (
-            -hb * h * (A00 * x0 + A01 * x1 + A02 * x2),
-            -hb * h * (A10 * x0 + A11 * x1 + A12 * x2),
-            -hb * h * (A20 * x0 + A21 * x1 + A22 * x2),
+            -hb * h * (A00 * x0 + A01 * x1 + A02 * x2) - grown * (A00 * f0 + A01 * f1 + A02 * f2),
+            -hb * h * (A10 * x0 + A11 * x1 + A12 * x2) - grown * (A10 * f0 + A11 * f1 + A12 * f2),
+            -hb * h * (A20 * x0 + A21 * x1 + A22 * x2) - grown * (A20 * f0 + A21 * f1 + A22 * f2),
             h * x0,
             h * x1,
             h * x2,
@@ -305,11 +416,12 @@ def condensed(
                 + B2 * (g2 + j20 * y0 + j21 * y1 + j22 * y2)
             )
         )
-    end[0] += u + h * ratio - hc * (B0 * k0 + B1 * k1 + B2 * k2) - at.creep[i + 1]
+    end[0] += u + h * shrunk - at.creep[i + 1]
     end[1] += tension - at.tension[i + 1]
     end[2] += 1.0
     end[5] += 1.0
-    end[6] += h
+    end[6] += h * shrunk if face.rests else h
+    end[7] -= grown * (B0 * f0 + B1 * f1 + B2 * f2)
     return stages, end
 
 
@@ -328,14 +440,16 @@ def exit_row(face: Interface, arc: Geometry, ends: Ends, at: Course) -> tuple[fl
     return 1.0, -sign * face.shear * by_pressure / area, creep - u
 
 
-def improved(face: Interface, arc: Geometry, ends: Ends, at: Course) -> tuple[Course, float]:
+def improved(
+    face: Interface, arc: Geometry, ends: Ends, at: Course
+) -> tuple[Course, float, Slopes]:
     """One Newton step; the course after it, and the largest change of a tension of the largest.
 
-    Creep is carried from the entry, du = r + d dK - b dT, tension read from the exit: with friction
+    Creep is carried from the entry, du = r + d dZ - b dT, tension read from the exit: with friction
     that rises neither grows, whatever the length of the arc.
     """
     n, c = len(at.place) - 1, compliance_of(arc)
-    overrun, by_tension = overrun_at(arc, at.tension[0])
+    overrun, by_tension = start_at(face, arc, at.tension[0])
     b, r, d = -by_tension, overrun - at.creep[0], 0.0
     elements, back = [], []
     for i in range(n):
@@ -350,60 +464,75 @@ def improved(face: Interface, arc: Geometry, ends: Ends, at: Course) -> tuple[Co
     by_creep, by_exit, missing = exit_row(face, arc, ends, at)
     free = by_exit - by_creep * b
     if free == 0.0:
-        return at, inf
-    last, last_k = (missing - by_creep * r) / free, -by_creep * d / free
-    first, first_k = last, last_k
+        return at, inf, NO_SLOPES
+    last, last_k, last_goal = (missing - by_creep * r) / free, -by_creep * d / free, 1.0 / free
+    first, first_k, first_goal = last, last_k, last_goal
     for _, _, _, rt, kt, over in reversed(back):
-        first, first_k = over * first - rt, over * first_k - kt
+        first, first_k, first_goal = over * first - rt, over * first_k - kt, over * first_goal
+    slopes = Slopes(first_k, last_k, first_goal, last_goal)
     slope = ends.at_entry * first_k + ends.at_exit * last_k
     if slope == 0.0:
-        return at, inf
+        return at, inf, NO_SLOPES
     short = ends.tension - ends.at_entry * at.tension[0] - ends.at_exit * at.tension[n]
-    dk = (short - ends.at_entry * first - ends.at_exit * last) / slope
-    return _moved(at, elements, back, (r, d, b), last + last_k * dk, dk)
+    if face.rests:
+        short -= ends.at_entry * (entry_of_rest(face, arc, at.tension[0]) - at.tension[0])
+    dz = (short - ends.at_entry * first - ends.at_exit * last) / slope
+    new, change = _moved(face, at, elements, back, (r, d, b), last + last_k * dz, dz)
+    if face.rests:
+        stretch = 1.0 + max(min(dz, MOST_STRETCH), -MOST_STRETCH)
+        new = new._replace(
+            place=[stretch * place for place in at.place],
+            ratio=ratio_behind_rest(face, arc, new.tension[0]),
+        )
+        change = max(change, abs(dz))
+    return new, change, slopes
 
 
 def _moved(
+    face: Interface,
     at: Course,
     elements: list[list[float]],
     back: list[tuple[float, float, float, float, float, float]],
     end: tuple[float, float, float],
     dt: float,
-    dk: float,
+    dz: float,
 ) -> tuple[Course, float]:
-    """Apply a Newton step, from the exit to the entry; `end` ties du at the exit to dT and dK."""
+    """Apply a Newton step, from the exit to the entry; `end` ties du at the exit to dT and dZ."""
     n = len(elements)
     creep, tension, stage = at.creep[:], at.tension[:], at.stage[:]
-    largest, scale = abs(dt), max(at.tension[0], at.tension[n])
-    creep[n] += end[0] + end[1] * dk - end[2] * dt
+    largest, top = abs(dt), max(at.tension[0], at.tension[n])
+    scale = max(abs(at.tension[0] - at.tension[n]), LEAST_PULL * top)
+    creep[n] += end[0] + end[1] * dz - end[2] * dt
     tension[n] = max(tension[n] + dt, LEAST_LEFT * tension[n])
     for i in range(n - 1, -1, -1):
         r, d, b, rt, kt, over = back[i]
-        dt = over * dt - rt - kt * dk
-        du = r + d * dk - b * dt
+        dt = over * dt - rt - kt * dz
+        du = r + d * dz - b * dt
         y = elements[i]
         for j in range(3):
-            change = y[j] + y[3 + j] * du + y[6 + j] * dt + y[9 + j] * dk
+            change = y[j] + y[3 + j] * du + y[6 + j] * dt + y[9 + j] * dz
             k = stage[3 * i + j]
             stage[3 * i + j] = max(k + change, LEAST_LEFT * k)
             largest = max(largest, abs(change))
         creep[i] += du
         tension[i] = max(tension[i] + dt, LEAST_LEFT * tension[i])
         largest = max(largest, abs(dt))
-    return Course(at.place, creep, tension, stage, at.ratio + dk), largest / scale
+    ratio = at.ratio if face.rests else at.ratio + dz
+    return Course(at.place, creep, tension, stage, ratio), largest / scale
 
 
-def converged(
-    face: Interface, arc: Geometry, ends: Ends, at: Course, most: int
-) -> tuple[bool, Course]:
+def converged(face: Interface, arc: Geometry, ends: Ends, at: Course, most: int) -> Solved:
     """Newton's method on one mesh."""
+    slopes, before = NO_SLOPES, inf
     for _ in range(most):
-        at, change = improved(face, arc, ends, at)
+        at, change, slopes = improved(face, arc, ends, at)
         if not change < 1e4:
-            return False, at
-        if change < NEWTON:
-            return True, at
-    return False, at
+            return Solved(False, at, slopes)
+        # what no longer shrinks, where steps shrink as squares, is rounding
+        if change < NEWTON or (change < ROUNDING and change > 0.5 * before):
+            return Solved(True, at, slopes)
+        before = change
+    return Solved(False, at, slopes)
 
 
 def weights_at(c: _Number) -> tuple[_Number, _Number, _Number]:
@@ -516,7 +645,7 @@ def meshed(face: Interface, arc: Geometry, at: Course, tol: float) -> tuple[bool
     True where a finer mesh is needed; else the course is returned as it was.
     """
     places, n = at.place, len(at.place) - 1
-    size = 1e-6 * at.tension[0]
+    size = 1e-7 * at.tension[0]
     for tension in at.tension:
         size = max(size, abs(tension - at.tension[0]))
     needed = [(misfit(face, arc, at, i) / size / tol) ** 0.25 for i in range(n)]
@@ -544,7 +673,7 @@ def _misses(places: list[float], where: float) -> bool:
 def _spread(places: list[float], parts: list[float]) -> list[float]:
     """Ends of elements of which each has the same share of the parts that were asked for."""
     total = sum(parts)
-    n = min(max(ceil(SPARE * total), FIRST_ELEMENTS), MOST_ELEMENTS)
+    n = min(max(ceil(total), FIRST_ELEMENTS), MOST_ELEMENTS)
     new, i, done = [0.0], 0, 0.0
     for j in range(1, n):
         goal = total * j / n
@@ -569,7 +698,7 @@ def _end_at(places: list[float], where: float, turns: bool) -> None:
     else:
         i += 1
         places.insert(i, where)
-    for _ in range(4 if turns else 0):
+    for _ in range(4 if turns and h > TURN * places[-1] else 0):
         # the slope of a law that rises like a logarithm is infinite there
         places.insert(i, where - (where - places[i - 1]) * 0.25)
         i += 1
@@ -596,9 +725,7 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
     return Course(places, creep, tension, stage, at.ratio)
 
 
-def eased(
-    face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float
-) -> tuple[bool, Course]:
+def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) -> Solved:
     """Continuation in the law: from traction that grows evenly with creep, in steps that adapt."""
     share, step = 0.0, FIRST_SHARE
     size = max(abs(at.creep[-1]), abs(at.creep[0]))
@@ -607,47 +734,47 @@ def eased(
     softest = (SOFTEST / length) ** 2 / (compliance_of(arc) * arc.width)
     spring = max(pull, 1e-3 * at.tension[0]) / (arc.width * length * max(size, 1e-9))
     face = face._replace(spring=min(spring, softest), share=0.0)
-    done, at = converged(face, arc, ends, at, FIRST_STEPS)
-    if not done:
-        return False, at
-    at = meshed(face, arc, at, ROUGH)[1]
-    while step > LEAST_SHARE:
+    found = converged(face, arc, ends, at, FIRST_STEPS)
+    if not found.done:
+        return found
+    at = meshed(face, arc, found.course, ROUGH)[1]
+    for _ in range(MOST_EASED):
+        if step < LEAST_SHARE:
+            break
         now = min(share + step, 1.0)
-        done, new = converged(face._replace(share=now), arc, ends, at, FIRST_STEPS)
-        if not done:
+        found = converged(face._replace(share=now), arc, ends, at, FIRST_STEPS)
+        if not found.done:
             step *= 0.4
             continue
         share, step = now, 1.6 * step
         face = face._replace(share=now)
-        at = meshed(face, arc, new, max(ROUGH, tol))[1]
+        at = meshed(face, arc, found.course, max(ROUGH, tol))[1]
         if share == 1.0:
             return converged(face, arc, ends, at, LATER_STEPS)
-    return False, at
+    return Solved(False, at, NO_SLOPES)
 
 
 def solved(
     face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH
-) -> tuple[bool, Course]:
+) -> Solved:
     """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
-    done, at = converged(face, arc, ends, start, FIRST_STEPS)
+    found = converged(face, arc, ends, start, FIRST_STEPS)
     for _ in range(MOST_ROUNDS):
-        if not done:
-            return False, at
-        finer, new = meshed(face, arc, at, tol)
+        if not found.done:
+            return found
+        finer, new = meshed(face, arc, found.course, tol)
         if not finer:
-            return True, at
-        done, at = converged(face, arc, ends, new, LATER_STEPS)
-    return done, at
+            return found
+        found = converged(face, arc, ends, new, LATER_STEPS)
+    return found
 
 
-def operating_course(
-    law: CompactLaw, arc: Geometry, entry: float, leaving: float, tol: float = MESH
-) -> tuple[bool, Course]:
-    """Course of an arc between two tensions [N]."""
-    ends, face = between_tensions(entry, leaving), Interface(law, arc.shear, 1.0, 0.0)
-    first = first_course(face, arc, entry, leaving)
-    done, at = solved(face, arc, ends, first, tol)
-    if done:
-        return done, at
-    done, at = eased(face, arc, ends, first, tol)
-    return solved(face, arc, ends, at, tol) if done else (False, at)
+def solved_or_eased(
+    face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH
+) -> Solved:
+    """`solved`, by continuation in the law where Newton's method alone does not get there."""
+    found = solved(face, arc, ends, start, tol)
+    if found.done:
+        return found
+    found = eased(face, arc, ends, start, tol)
+    return solved(face, arc, ends, found.course, tol) if found.done else found

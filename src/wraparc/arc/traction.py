@@ -220,6 +220,13 @@ def stress_of_slip(law: CompactLaw, pressure: float, slip: float) -> tuple[float
     return mu * pressure, mu + pressure * mu_p
 
 
+def held_stress(law: CompactLaw, pressure: float) -> float:
+    """Largest traction that a law holds without slip [Pa]; 0 of a law that rises from nothing."""
+    segment = segment_of(law, pressure)
+    branch = PLASTIC if law.kind == LIMIT else 0
+    return friction_at(law, segment, branch, 0.0, pressure)[0] * pressure
+
+
 def plateau_stress(law: CompactLaw, pressure: float) -> float:
     """Largest traction of a law at a pressure, at any slip [Pa]."""
     return plateau_at(law, segment_of(law, pressure), pressure) * pressure

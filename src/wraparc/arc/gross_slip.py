@@ -1,0 +1,201 @@
+"""Gross slip in closed form: one friction of a law everywhere, by quadrature.
+
+The tight side is held (T1 driving, T2 braking) and the slack side falls.
+"""
+
+from __future__ import annotations
+
+from math import exp, inf, log, sqrt
+from typing import NamedTuple
+
+from wraparc.arc.quantities import Geometry
+from wraparc.friction.compact import CompactLaw, excess_at, plateau_at, residual_at, segment_of
+
+_NO_SLACK = 50.0  # miss of a place where the slack side has no tension left
+_PIECE = 0.25  # of ln T: where friction is smooth, 5 points are exact to rounding
+PRESSURES = 5  # of an arc, at which a falling law is looked at
+_ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-9, 2.0
+
+
+def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
+    """ln(tight/slack) at gross slip with the largest friction of the law everywhere."""
+    return _capacity(law, tight_pressure, wrap_angle, False)
+
+
+def residual_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
+    """ln(tight/slack) at gross slip with what friction is left with at slips without bound."""
+    return _capacity(law, tight_pressure, wrap_angle, True)
+
+
+def _friction(law: CompactLaw, segment: int, pressure: float, left: bool) -> float:
+    """Largest friction of a law at a pressure, or what is left of it [-]."""
+    if left:
+        return residual_at(law, segment, pressure)
+    return plateau_at(law, segment, pressure)
+
+
+def _capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float, left: bool) -> float:
+    """ln(tight/slack) at gross slip.
+
+    d ln T / d theta = -mu(p), integrated in ln p from the tight side: exact to rounding,
+    piece by piece (Gauss-Legendre, 5 points, with the last piece closed by Newton's method).
+    """
+    q, angle = 0.0, wrap_angle
+    for _ in range(4 * len(law.edges) + 400):
+        segment, span = _piece(law, tight_pressure * exp(-q))
+        taken = _angle(law, tight_pressure, segment, q, span, left)
+        if taken < angle:
+            angle -= taken
+            q += span
+            continue
+        part = span * angle / taken
+        for _ in range(50):
+            f = _angle(law, tight_pressure, segment, q, part, left) - angle
+            mu = _friction(law, segment, tight_pressure * exp(-q - part), left)
+            change = f * mu
+            part -= change
+            if abs(change) < 1e-15:
+                break
+        return q + part
+    return q
+
+
+def _piece(law: CompactLaw, p: float) -> tuple[int, float]:
+    """Segment below a pressure [Pa], and how far ln p may fall in it in one piece."""
+    segment = segment_of(law, p * (1.0 - 1e-12))
+    return segment, min(_PIECE, log(p / law.edges[segment])) if segment >= 0 else _PIECE
+
+
+def _angle(
+    law: CompactLaw, pressure: float, segment: int, q: float, span: float, left: bool
+) -> float:
+    """Wrap angle over which ln T falls from -q to -q - span in one piece."""
+    total = 0.0
+    for node, weight in (
+        (0.0, 128.0 / 225.0),
+        (-0.5384693101056831, 0.47862867049936647),
+        (0.5384693101056831, 0.47862867049936647),
+        (-0.906179845938664, 0.23692688505618908),
+        (0.906179845938664, 0.23692688505618908),
+    ):
+        p = pressure * exp(-q - 0.5 * span * (1.0 + node))
+        total += weight / _friction(law, segment, p, left)
+    return 0.5 * span * total
+
+
+class Grip(NamedTuple):
+    """What friction can carry on an arc, but for its law.
+
+    Attributes
+    ----------
+    wrap_angle
+        phi [rad].
+    area
+        B R, tension over wrap pressure [m2].
+    offset
+        ln(tight/slack) that it carries beyond that of the plateau, < 0 where friction falls past
+        its peak [-].
+    """
+
+    wrap_angle: float
+    area: float
+    offset: float
+
+
+class Line(NamedTuple):
+    """Tensions of an arc along a line: those at k = 1, and how they grow with k [N]."""
+
+    tight: float
+    slack: float
+    tight_rise: float
+    slack_rise: float
+
+
+def carried_log(law: CompactLaw, grip: Grip, tight: float) -> float:
+    """Largest ln(tight/slack) that friction carries with the tight side at a tension [N]."""
+    q = plateau_capacity(law, tight / grip.area, grip.wrap_angle) + grip.offset
+    return max(q, 0.0)
+
+
+def _angle_needed(law: CompactLaw, tight_pressure: float, fall: float) -> float:
+    """Wrap angle over which ln T falls so far from the tight side at the plateau [rad]."""
+    q, angle = 0.0, 0.0
+    while q < fall:
+        segment, span = _piece(law, tight_pressure * exp(-q))
+        span = min(span, fall - q)
+        angle += _angle(law, tight_pressure, segment, q, span, False)
+        q += span
+        if span <= 1e-15 * q:
+            break
+    return angle
+
+
+def _missing(law: CompactLaw, grip: Grip, line: Line, k: float) -> tuple[float, float]:
+    """Wrap angle that the tensions at a place of a line need less that of the arc, and its slope.
+
+    d angle = d ln T_tight / mu(p_tight) - d ln T_slack / mu(p_slack) at the plateau.
+    """
+    tight = line.tight + (k - 1.0) * line.tight_rise
+    slack = line.slack + (k - 1.0) * line.slack_rise
+    if tight <= 0.0 or slack <= 0.0:
+        return _NO_SLACK, 0.0
+    if tight <= slack:
+        return -grip.wrap_angle, 0.0
+    top, fall = tight / grip.area, log(tight / slack) - grip.offset
+    end = top * exp(-fall)
+    at_top = plateau_at(law, segment_of(law, top), top)
+    at_end = plateau_at(law, segment_of(law, end), end)
+    slope = line.tight_rise / (tight * at_top) - line.slack_rise / (slack * at_end)
+    return _angle_needed(law, top, fall) - grip.wrap_angle, slope
+
+
+def slip_place(law: CompactLaw, grip: Grip, line: Line, way: float, low: float) -> float:
+    """Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards.
+
+    Newton's method on the wrap angle that the tensions need, within what brackets the place; inf
+    if there is none up to 1e4 times `low`, or 1e4.
+    """
+    step = max(low, 1.0)
+    a, b, most = low, inf, 1e4 * step
+    if way > 0.0 and line.slack_rise < 0.0:
+        b = 1.0 - line.slack / line.slack_rise  # no tension is left there
+    k = a + step
+    if k >= b:
+        k = 0.5 * (a + b)
+    for _ in range(_ROUNDS):
+        f, slope = _missing(law, grip, line, k)
+        f, slope = way * f, way * slope
+        if f < 0.0:
+            a = k
+            if k >= most:
+                return inf
+        else:
+            b = k
+        new = k - f / slope if slope > 0.0 else inf
+        if abs(new - k) <= _TOLERANCE * k:
+            return new
+        new = min(new, most)
+        if not a < new < b:
+            new = 0.5 * (a + b) if b < inf else min(a + step, most)
+            step *= _GROWTH
+        if abs(new - k) <= 1e-15 * k:
+            return k
+        k = new
+    return k
+
+
+def outweighs(law: CompactLaw, geometry: Geometry, tight: float, residual: float) -> bool:
+    """Whether some creep may carry more than the residual friction everywhere.
+
+    Only if what friction has over its residual past the rise outweighs what it lacks on it,
+    int (mu - mu_residual) dx > 0 from the overrun on at some pressure of the arc: with more creep
+    the belt passes the rise sooner, and where the belt is tight.
+    """
+    area = geometry.width * geometry.radius
+    for i in range(PRESSURES):
+        p = tight / area * exp(-residual * i / (PRESSURES - 1))
+        segment = segment_of(law, p)
+        start = abs(geometry.kick + geometry.kick_coefficient * p * sqrt(p))
+        if excess_at(law, segment, p) + start * residual_at(law, segment, p) > 0.0:
+            return True
+    return False
