@@ -14,6 +14,7 @@ from wraparc.arc.collocation import (
     CREEP,
     MESH,
     NO_SLOPES,
+    ROUGH,
     TENSION,
     Course,
     Ends,
@@ -93,7 +94,7 @@ class Guess(NamedTuple):
 
 
 def meet(
-    law: CompactLaw, arc: Geometry, ends: Ends, guess: Guess, near: Course | None = None
+    law: CompactLaw, arc: Geometry, ends: Ends, guess: Guess, near: Course | None, tol: float
 ) -> Met:
     """Meet end conditions.
 
@@ -107,20 +108,22 @@ def meet(
         Where to begin.
     near
         The course of an arc nearly the same, to begin with instead.
+    tol
+        Misfit of an element, of the change of tension, that is let stand [-].
     """
     face, length = interface(law, arc), arc.radius * arc.wrap_angle
     if jumps(law) and STIFF * lag_length(arc) < length:
         behind = face._replace(slides=arc.side, rests=True)
         held = _at_rest(behind, arc, ends, guess) if arc.shear > 0.0 else None
-        found = _behind_rest(behind, arc, ends, guess) if held is None else held
+        found = _behind_rest(behind, arc, ends, guess, tol) if held is None else held
         if found.done:
             return found
     if near is not None:
-        again = solved(face, arc, ends, near)
+        again = solved(face, arc, ends, near, tol)
         if again.done:
             return _all_sliding(face, again)
     first = first_course(arc, length, *guess)
-    return _all_sliding(face, solved_or_eased(face, arc, ends, first, MESH))
+    return _all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
 
 
 def _all_sliding(face: Interface, found: Solved) -> Met:
@@ -147,14 +150,16 @@ def _at_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess) -> Met | 
     return Met(True, course, NO_SLOPES, length, entry, face)
 
 
-def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess) -> Met:
+def _behind_rest(
+    face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float
+) -> Met:
     """`meet` with a rest arc at the entry; not done where it is not much longer than l."""
     length = arc.radius * arc.wrap_angle
     first = first_course(arc, length, *guess)
     for share in FIRST_SLIDES:
         first = first_course(arc, share * length, *guess)
-        first = first._replace(ratio=ratio_behind_rest(face, arc, guess.entry))
-        done, course, slopes = solved(face, arc, ends, first)
+        first = first._replace(ratio=ratio_behind_rest(face, arc, guess.entry)[0])
+        done, course, slopes = solved(face, arc, ends, first, tol)
         if done:
             rest = length - course.place[-1]
             long = rest >= HELD * lag_length(arc)
@@ -190,7 +195,7 @@ def operating_point(law: CompactLaw, arc: Geometry, entry: float, leaving: float
     if goal >= plateau_capacity(law, top, arc.wrap_angle):
         first = first_course(arc, arc.radius * arc.wrap_angle, *guess)
         return Answer(BREAKAWAY, _unmet(face, first))
-    met = meet(law, arc, between_tensions(entry, leaving), guess)
+    met = meet(law, arc, between_tensions(entry, leaving), guess, None, MESH)
     if not (met.done and _rises(arc, met)):
         met = _by_creep(law, arc, guess)
     if not met.done:
@@ -225,7 +230,7 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     for _ in range(CREEPS):
         ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep)
         guess = goal._replace(creep=arc.side * creep)
-        met = meet(law, arc, ends, guess, near)
+        met = meet(law, arc, ends, guess, near, ROUGH)
         if met.done:
             near = met.course
             carried = abs(log(met.entry / near.tension[-1]))
@@ -237,7 +242,8 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
         creep = 3.0 * low if high == inf else sqrt(low * high) if low > 0.0 else 0.3 * high
     if not met.done:
         return met
-    return meet(law, arc, between_tensions(goal.entry, goal.leaving), goal, met.course)
+    ends = between_tensions(goal.entry, goal.leaving)
+    return meet(law, arc, ends, goal, met.course, MESH)
 
 
 def _still(face: Interface, arc: Geometry, tension: float) -> Met:

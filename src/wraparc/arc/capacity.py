@@ -27,9 +27,11 @@ from wraparc.arc.quantities import Geometry, Load
 from wraparc.arc.traction import plateau_stress
 from wraparc.friction.compact import CompactLaw
 
+MISFIT = 1e-5  # that is let stand: tensions are a hundred times as good
 LARGEST_FALL = 6.0  # of ln T, of a first guess
 HIGHEST = 1e3  # times the tight side, where no largest pressure is given
 LEAST_OVER = 1e-4  # of ln tight-side tension above the pull, where slack-side tension ends
+DEEPEST = 3.0  # of ln tension below the largest one that the largest pull is looked for at least
 ROUNDS, NEAR, NEAR_TOP = 60, 1e-9, 1e-4  # of searches along the tension, in its logarithm
 #: Creeps among which the largest ratio of falling friction is looked for: from a part of the one at
 #: which a share of the peak is reached, in steps of a factor, so many; and how near it is found.
@@ -71,7 +73,7 @@ def carry(
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
     at_entry = 1.0 if arc.side > 0.0 else 0.0
     ends = Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most)
-    return meet(law, arc, ends, _guess_at(law, arc, tight, limit), near)
+    return meet(law, arc, ends, _guess_at(law, arc, tight, limit), near, MISFIT)
 
 
 def log_ratio(met: Met) -> float:
@@ -95,7 +97,7 @@ class Least(NamedTuple):
 
 
 def least_slack(
-    law: CompactLaw, arc: Geometry, pull: float, limit: Limit, tight: float, top: float
+    law: CompactLaw, arc: Geometry, pull: float, limit: Limit, at_tight: Met, top: float
 ) -> Least:
     """Least slack-side tension that carries a pull within a limit at the exit.
 
@@ -105,10 +107,11 @@ def least_slack(
         |T1 - T2| to be carried [N].
     limit
         Of creep or slip.
-    tight, top
-        A tight-side tension to begin with, and the largest one to consider [N].
+    at_tight
+        The arc at the limit with some tension of the tight side, to begin with.
+    top
+        The largest tension of the tight side to consider [N].
     """
-    at_tight = carry(law, arc, tight, limit)
     if at_tight.done:
         carried = -expm1(-log_ratio(at_tight))
         first = max(min(pull / carried, top), 1.02 * pull)
@@ -116,7 +119,8 @@ def least_slack(
         guess = Guess(first, slack, end) if arc.side > 0.0 else Guess(slack, first, end)
         goal = arc.side * limit.most
         ends = Ends(arc.side, -arc.side, pull, limit.kind, goal)
-        met = meet(law, arc, ends, guess)
+        near = _near(at_tight)
+        met = meet(law, arc, ends, guess, near, MISFIT)
         if met.done and _pull_rises(arc, met):
             found = max(met.entry, met.course.tension[-1])
             if found <= top:
@@ -138,13 +142,14 @@ def _pull_slope(arc: Geometry, slopes: Slopes) -> float:
 
 def _least_sought(law: CompactLaw, arc: Geometry, pull: float, limit: Limit, top: float) -> Least:
     """`least_slack` along the tension: the pull at the limit grows with it, up to a largest one."""
-    low, high = log(pull) + LEAST_OVER, log(top)
+    high = log(top)
+    low = min(log(pull) + LEAST_OVER, high - DEEPEST)
     met = carry(law, arc, top, limit)
-    if not met.done or low >= high:
+    if not met.done:
         return Least(nan, nan)
-    best, most, near = high, _pull(met, top), met.course
+    best, most, near = high, _pull(met, top), _near(met)
     if _pull_slope(arc, met.slopes) < 0.0:  # the largest pull lies below
-        best, most, near = _largest_pull(law, arc, limit, (low, high), met.course, pull)
+        best, most, near = _largest_pull(law, arc, limit, (low, high), near, pull)
     if not most >= pull:
         return Least(nan, most)
     t = high = best
@@ -153,7 +158,7 @@ def _least_sought(law: CompactLaw, arc: Geometry, pull: float, limit: Limit, top
         met = carry(law, arc, exp(t), limit, near)
         if not met.done:
             break
-        near, carried = met.course, _pull(met, exp(t))
+        near, carried = _near(met), _pull(met, exp(t))
         miss = log(carried / pull)
         low, high = (low, t) if miss > 0.0 else (t, high)
         if abs(miss) < NEAR:
@@ -170,9 +175,9 @@ def _pull(met: Met, tight: float) -> float:
 
 
 def _largest_pull(
-    law: CompactLaw, arc: Geometry, limit: Limit, within: tuple[float, float], near: Course,
-    enough: float,
-) -> tuple[float, float, Course]:  # fmt: skip
+    law: CompactLaw, arc: Geometry, limit: Limit, within: tuple[float, float],
+    near: Course | None, enough: float,
+) -> tuple[float, float, Course | None]:  # fmt: skip
     """ln tight-side tension of the largest pull at a limit, that pull [N], and its course.
 
     Where its slope ends between two tensions; one that carries `enough` will do.
@@ -186,7 +191,7 @@ def _largest_pull(
             break
         pull = _pull(met, exp(t))
         if pull > most:
-            best, most, at = t, pull, met.course
+            best, most, at = t, pull, _near(met)
         if most >= enough or high - low < NEAR_TOP:
             break
         if _pull_slope(arc, met.slopes) > 0.0:
@@ -224,27 +229,27 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
     slack = tight * exp(-10.0)
     peak = mean_creep(interface(law, arc), arc, tight, slack, ON_THE_RISE)
     creep = FIRST_PART * abs(peak)
-    at, near, before = None, None, 0.0
+    at, near, before, found = None, None, 0.0, False
     for _ in range(LOOKS):
         met = carry(law, arc, tight, Limit(CREEP, creep), near)
         if met.done:
-            near, grows = met.course, _growth(arc, met.slopes)
+            near, grows = _near(met), _growth(arc, met.slopes)
             if log_ratio(met) > best and (grows > 0.0 or before > 0.0):
                 best = log_ratio(met)
-                at = met.course
+                at, found = _near(met), True
                 low, high = (creep, 0.0) if grows > 0.0 else (before, creep)
             if grows <= 0.0 and high == 0.0:
                 high = creep
             before = creep
         creep *= WIDER
-    if at is None or high == 0.0:
+    if not found or high == 0.0:
         return -inf, inf
     while high - low > NEAR_PEAK * high:
         creep = 0.5 * (low + high)
         met = carry(law, arc, tight, Limit(CREEP, creep), at)
         if not met.done:
             break
-        at, best = met.course, log_ratio(met)
+        at, best = _near(met), log_ratio(met)
         if _growth(arc, met.slopes) > 0.0:
             low = creep
         else:
@@ -257,6 +262,11 @@ def _growth(arc: Geometry, slopes: Slopes) -> float:
     if arc.side > 0.0:  # T(0) held
         return -(slopes.last_goal - slopes.last * slopes.first_goal / slopes.first)
     return slopes.first_goal - slopes.first * slopes.last_goal / slopes.last
+
+
+def _near(met: Met) -> Course | None:
+    """A course to begin another question with."""
+    return met.course if met.rest == 0.0 else None
 
 
 class Carried(NamedTuple):
@@ -275,15 +285,16 @@ def find_capacities(law: CompactLaw, arc: Geometry, load: Load, parts: int) -> C
     tight = max(load.entry_tension, load.exit_tension)
     pull = abs(load.entry_tension - load.exit_tension)
     by_creep = by_slip = gross = gross_creep = least = most = nan
-    if parts & CREEP_LIMIT:
-        met = carry(law, arc, tight, Limit(CREEP, load.creep_limit))
+    limit, near = Limit(CREEP, load.creep_limit), None
+    if parts & (CREEP_LIMIT + LEAST):
+        met = carry(law, arc, tight, limit)
         if met.done:
-            by_creep = log_ratio(met)
-    if parts & LEAST and pull > 1e-6 * tight:
-        top = highest_tight(load.pressure_max, arc.width * arc.radius, tight)
-        least, most = least_slack(law, arc, pull, Limit(CREEP, load.creep_limit), tight, top)
+            by_creep, near = log_ratio(met), _near(met)
+        if parts & LEAST and pull > 1e-6 * tight:
+            top = highest_tight(load.pressure_max, arc.width * arc.radius, tight)
+            least, most = least_slack(law, arc, pull, limit, met, top)
     if parts & TESTED_SLIP and load.slip_max == load.slip_max:
-        met = carry(law, arc, tight, Limit(SLIP, load.slip_max))
+        met = carry(law, arc, tight, Limit(SLIP, load.slip_max), near)
         if met.done:
             by_slip = log_ratio(met)
     if parts & GROSS_SLIP:

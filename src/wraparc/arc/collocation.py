@@ -293,10 +293,13 @@ def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
     return entry
 
 
-def ratio_behind_rest(face: Interface, arc: Geometry, tension: float) -> float:
-    """K behind a rest arc much longer than l: u' = u_r/l at its end [-]."""
-    growth = start_at(face, arc, tension)[0] / lag_length(arc) if arc.shear > 0.0 else 0.0
-    return compliance_of(arc) * tension + growth
+def ratio_behind_rest(face: Interface, arc: Geometry, tension: float) -> tuple[float, float]:
+    """K behind a rest arc much longer than l, u' = u_r/l at its end [-], and its slope [1/N]."""
+    creep, by_tension = start_at(face, arc, tension)
+    c, lag = compliance_of(arc), lag_length(arc)
+    if lag == 0.0:
+        return c * tension, c
+    return c * tension + creep / lag, c + by_tension / lag
 
 
 def stage_creeps(h: float, ratio: float, c: float, u: float, k: list[float]) -> list[float]:
@@ -358,6 +361,7 @@ def condensed(
     -------
     stages
         Changes of the three stage tensions: constant, and by du, dT at the start and dZ; 3 x 4.
+        Behind a rest arc also by dK.
     end
         du and dT at the end, the same way; 2 x 4. The constants are what is missing.
     """
@@ -376,7 +380,7 @@ def condensed(
     x0, x1, x2, grown = v0 * C0, v1 * C1, v2 * C2, 0.0
     if face.rests:  # by ln(length)
         x0, x1, x2, grown = v0 * (u0 - u) / h, v1 * (u1 - u) / h, v2 * (u2 - u) / h, hb
-    for q0, q1, q2, g0, g1, g2 in (
+    columns = [
         (
             tension - k0 - hb * (A00 * f0 + A01 * f1 + A02 * f2),
             tension - k1 - hb * (A10 * f0 + A11 * f1 + A12 * f2),
@@ -402,7 +406,20 @@ def condensed(
             h * x1,
             h * x2,
         ),
-    ):
+    ]
+    if face.rests:  # and by K
+        x0, x1, x2 = h * v0 * C0, h * v1 * C1, h * v2 * C2
+        columns.append(
+            (
+                -hb * (A00 * x0 + A01 * x1 + A02 * x2),
+                -hb * (A10 * x0 + A11 * x1 + A12 * x2),
+                -hb * (A20 * x0 + A21 * x1 + A22 * x2),
+                x0,
+                x1,
+                x2,
+            )
+        )
+    for q0, q1, q2, g0, g1, g2 in columns:
         y0 = (a00 * q0 + a01 * q1 + a02 * q2) / det
         y1 = (a10 * q0 + a11 * q1 + a12 * q2) / det
         y2 = (a20 * q0 + a21 * q1 + a22 * q2) / det
@@ -422,6 +439,8 @@ def condensed(
     end[5] += 1.0
     end[6] += h * shrunk if face.rests else h
     end[7] -= grown * (B0 * f0 + B1 * f1 + B2 * f2)
+    if face.rests:
+        end[8] += h
     return stages, end
 
 
@@ -449,76 +468,89 @@ def improved(
     that rises neither grows, whatever the length of the arc.
     """
     n, c = len(at.place) - 1, compliance_of(arc)
-    overrun, by_tension = start_at(face, arc, at.tension[0])
-    b, r, d = -by_tension, overrun - at.creep[0], 0.0
+    start, by_tension = start_at(face, arc, at.tension[0])
+    b, r, d, dk = -by_tension, start - at.creep[0], 0.0, 0.0
     elements, back = [], []
     for i in range(n):
         stages, end = condensed(face, arc, at.place[i + 1] - at.place[i], c, at, i)
-        s0, z0, s1, z1, s2, z2, s3, z3 = end
+        s0, z0, s1, z1, s2, z2, s3, z3 = end[:8]
         pt = z2 - z1 * b
-        rt, kt = z0 + z1 * r, z3 + z1 * d
+        rt, zt = (z0 + z1 * r) / pt, (z3 + z1 * d) / pt
+        kt = (end[9] + z1 * dk) / pt if face.rests else 0.0
         elements.append(stages)
-        back.append((r, d, b, rt / pt, kt / pt, 1.0 / pt))
-        turn = (s2 - s1 * b) / pt
-        b, r, d = -turn, s0 + s1 * r - turn * rt, s3 + s1 * d - turn * kt
+        back.append((r, d, b, rt, zt, 1.0 / pt, dk, kt))
+        turn = s2 - s1 * b
+        if face.rests:
+            dk = end[8] + s1 * dk - turn * kt
+        b, r, d = -turn / pt, s0 + s1 * r - turn * rt, s3 + s1 * d - turn * zt
     by_creep, by_exit, missing = exit_row(face, arc, ends, at)
     free = by_exit - by_creep * b
     if free == 0.0:
         return at, inf, NO_SLOPES
-    last, last_k, last_goal = (missing - by_creep * r) / free, -by_creep * d / free, 1.0 / free
-    first, first_k, first_goal = last, last_k, last_goal
-    for _, _, _, rt, kt, over in reversed(back):
-        first, first_k, first_goal = over * first - rt, over * first_k - kt, over * first_goal
-    slopes = Slopes(first_k, last_k, first_goal, last_goal)
-    slope = ends.at_entry * first_k + ends.at_exit * last_k
+    last, last_z, last_goal = (missing - by_creep * r) / free, -by_creep * d / free, 1.0 / free
+    first, first_z, first_goal = last, last_z, last_goal
+    last_k = first_k = -by_creep * dk / free
+    for _, _, _, rt, zt, over, _, kt in reversed(back):
+        first, first_z, first_goal = over * first - rt, over * first_z - zt, over * first_goal
+        first_k = over * first_k - kt
+    tied, tied_z, tied_goal, drop = 0.0, 0.0, 0.0, 0.0
+    if face.rests:  # K follows from the tension at the start
+        wanted, steep = ratio_behind_rest(face, arc, at.tension[0])
+        part = 1.0 - steep * first_k
+        tied = (wanted - at.ratio + steep * first) / part
+        tied_z, tied_goal = steep * first_z / part, steep * first_goal / part
+        first, last = first + first_k * tied, last + last_k * tied
+        first_z, last_z = first_z + first_k * tied_z, last_z + last_k * tied_z
+        first_goal += first_k * tied_goal
+        last_goal += last_k * tied_goal
+        drop = entry_of_rest(face, arc, at.tension[0]) - at.tension[0]
+    slope = ends.at_entry * first_z + ends.at_exit * last_z
     if slope == 0.0:
         return at, inf, NO_SLOPES
-    short = ends.tension - ends.at_entry * at.tension[0] - ends.at_exit * at.tension[n]
-    if face.rests:
-        short -= ends.at_entry * (entry_of_rest(face, arc, at.tension[0]) - at.tension[0])
+    short = ends.tension - ends.at_entry * (at.tension[0] + drop) - ends.at_exit * at.tension[n]
     dz = (short - ends.at_entry * first - ends.at_exit * last) / slope
-    new, change = _moved(face, at, elements, back, (r, d, b), last + last_k * dz, dz)
+    k = tied + tied_z * dz
+    end_row = (r + dk * k, d, b)
+    new, change = _moved(face, at, elements, back, end_row, last + last_z * dz, (dz, k))
     if face.rests:
         stretch = 1.0 + max(min(dz, MOST_STRETCH), -MOST_STRETCH)
-        new = new._replace(
-            place=[stretch * place for place in at.place],
-            ratio=ratio_behind_rest(face, arc, new.tension[0]),
-        )
+        new = new._replace(place=[stretch * place for place in at.place])
         change = max(change, abs(dz))
-    return new, change, slopes
+    return new, change, Slopes(first_z, last_z, first_goal, last_goal)
 
 
 def _moved(
     face: Interface,
     at: Course,
     elements: list[list[float]],
-    back: list[tuple[float, float, float, float, float, float]],
+    back: list[tuple[float, ...]],
     end: tuple[float, float, float],
     dt: float,
-    dz: float,
+    free: tuple[float, float],
 ) -> tuple[Course, float]:
     """Apply a Newton step, from the exit to the entry; `end` ties du at the exit to dT and dZ."""
-    n = len(elements)
+    n, (dz, dk) = len(elements), free
     creep, tension, stage = at.creep[:], at.tension[:], at.stage[:]
     largest, top = abs(dt), max(at.tension[0], at.tension[n])
     scale = max(abs(at.tension[0] - at.tension[n]), LEAST_PULL * top)
     creep[n] += end[0] + end[1] * dz - end[2] * dt
     tension[n] = max(tension[n] + dt, LEAST_LEFT * tension[n])
     for i in range(n - 1, -1, -1):
-        r, d, b, rt, kt, over = back[i]
-        dt = over * dt - rt - kt * dz
-        du = r + d * dz - b * dt
+        r, d, b, rt, zt, over, rk, kt = back[i]
+        dt = over * dt - rt - zt * dz - kt * dk
+        du = r + d * dz + rk * dk - b * dt
         y = elements[i]
         for j in range(3):
             change = y[j] + y[3 + j] * du + y[6 + j] * dt + y[9 + j] * dz
+            if face.rests:
+                change += y[12 + j] * dk
             k = stage[3 * i + j]
             stage[3 * i + j] = max(k + change, LEAST_LEFT * k)
             largest = max(largest, abs(change))
         creep[i] += du
         tension[i] = max(tension[i] + dt, LEAST_LEFT * tension[i])
         largest = max(largest, abs(dt))
-    ratio = at.ratio if face.rests else at.ratio + dz
-    return Course(at.place, creep, tension, stage, ratio), largest / scale
+    return Course(at.place, creep, tension, stage, at.ratio + (dk if face.rests else dz)), largest / scale
 
 
 def converged(face: Interface, arc: Geometry, ends: Ends, at: Course, most: int) -> Solved:
@@ -639,16 +671,24 @@ def _change(
     return high, turns
 
 
-def meshed(face: Interface, arc: Geometry, at: Course, tol: float) -> tuple[bool, Course]:
+def meshed(
+    face: Interface, arc: Geometry, at: Course, kind: int, tol: float
+) -> tuple[bool, Course]:
     """The course on a mesh that spreads the misfit evenly and ends elements at kinks.
 
-    True where a finer mesh is needed; else the course is returned as it was.
+    True where a finer mesh is needed; else the course is returned as it was. Misfits are relative
+    to the change of tension where both are given, of its logarithm where one of them is found.
     """
     places, n = at.place, len(at.place) - 1
     size = 1e-7 * at.tension[0]
     for tension in at.tension:
         size = max(size, abs(tension - at.tension[0]))
-    needed = [(misfit(face, arc, at, i) / size / tol) ** 0.25 for i in range(n)]
+    sizes, fall = [size] * n, abs(log(at.tension[0] / at.tension[n]))
+    if kind != TENSION:
+        sizes = [
+            max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)
+        ]
+    needed = [(misfit(face, arc, at, i) / sizes[i] / tol) ** 0.25 for i in range(n)]
     ends = kinks(face, arc, at)
     far = False
     for where, _ in ends:
@@ -737,7 +777,7 @@ def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) ->
     found = converged(face, arc, ends, at, FIRST_STEPS)
     if not found.done:
         return found
-    at = meshed(face, arc, found.course, ROUGH)[1]
+    at = meshed(face, arc, found.course, ends.kind, ROUGH)[1]
     for _ in range(MOST_EASED):
         if step < LEAST_SHARE:
             break
@@ -748,7 +788,7 @@ def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) ->
             continue
         share, step = now, 1.6 * step
         face = face._replace(share=now)
-        at = meshed(face, arc, found.course, max(ROUGH, tol))[1]
+        at = meshed(face, arc, found.course, ends.kind, max(ROUGH, tol))[1]
         if share == 1.0:
             return converged(face, arc, ends, at, LATER_STEPS)
     return Solved(False, at, NO_SLOPES)
@@ -762,7 +802,7 @@ def solved(
     for _ in range(MOST_ROUNDS):
         if not found.done:
             return found
-        finer, new = meshed(face, arc, found.course, tol)
+        finer, new = meshed(face, arc, found.course, ends.kind, tol)
         if not finer:
             return found
         found = converged(face, arc, ends, new, LATER_STEPS)
