@@ -14,8 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from javascript.translate import Module, translated
-from wraparc.arc import profile
-from wraparc.arc.kernel import answer
+from wraparc.arc import answer, capacity, profile
 from wraparc.checks import numbers
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression
@@ -53,13 +52,10 @@ ENTRIES: tuple[Callable[..., object], ...] = (
     numbers.margin_of,
     numbers.times_of,
     numbers.order_of,
-    answer.answer,
-    answer.profile_of,
-    answer.profile_size,
-    answer.find_capacities,
-    profile.peak_stress,
-    profile.active_length,
-    profile.share_outside,
+    answer.operating_point,
+    capacity.find_capacities,
+    profile.read,
+    profile.records,
 )
 #: The same of the train page, which is in the file of one page alone.
 TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"

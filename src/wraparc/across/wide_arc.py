@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from wraparc.across.spans import TransitionSpan
 from wraparc.arc import WrapArc
-from wraparc.arc.kernel.effort import jumps
+from wraparc.arc.quantities import jumps
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem
 from wraparc.provenance import Provenance

@@ -43,8 +43,8 @@ from wraparc.arc.quantities import (
 from wraparc.arc.traction import held_stress
 from wraparc.friction.compact import CompactLaw
 
-#: Lengths l of shear lag in an arc from which on one that holds the belt may have a rest arc, and in
-#: a rest arc, of which the layers at both ends then do not feel one another.
+#: Shear-lag lengths l in an arc from which on one that holds the belt may have a rest arc; and in a
+#: rest arc, of which the layers at both ends then do not feel one another.
 STIFF, HELD = 40.0, 20.0
 FIRST_SLIDES = (0.5, 0.1, 0.01, 1e-3)  # first guesses of a slide behind a rest arc, of the wrap
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
@@ -150,9 +150,7 @@ def _at_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess) -> Met | 
     return Met(True, course, NO_SLOPES, length, entry, face)
 
 
-def _behind_rest(
-    face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float
-) -> Met:
+def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
     """`meet` with a rest arc at the entry; not done where it is not much longer than l."""
     length = arc.radius * arc.wrap_angle
     first = first_course(arc, length, *guess)

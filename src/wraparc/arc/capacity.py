@@ -43,7 +43,7 @@ CAPACITIES = CREEP_LIMIT + TESTED_SLIP + LEAST + GROSS_SLIP
 
 
 class Limit(NamedTuple):
-    """A limit at the exit: its kind, CREEP or SLIP, and its magnitude towards the slack side [m]."""
+    """A limit at the exit: its kind, CREEP or SLIP, and its size towards the slack side [m]."""
 
     kind: int
     most: float
@@ -178,7 +178,7 @@ def _largest_pull(
     law: CompactLaw, arc: Geometry, limit: Limit, within: tuple[float, float],
     near: Course | None, enough: float,
 ) -> tuple[float, float, Course | None]:  # fmt: skip
-    """ln tight-side tension of the largest pull at a limit, that pull [N], and its course.
+    """Ln tight-side tension of the largest pull at a limit, that pull [N], and its course.
 
     Where its slope ends between two tensions; one that carries `enough` will do.
     """

@@ -186,9 +186,7 @@ def overrun_at(arc: Geometry, tension: float) -> tuple[float, float]:
     return arc.kick + grown, 1.5 * grown / tension
 
 
-def first_course(
-    arc: Geometry, length: float, entry: float, leaving: float, end: float
-) -> Course:
+def first_course(arc: Geometry, length: float, entry: float, leaving: float, end: float) -> Course:
     """A first guess on a mesh graded to the entry: ln T falls evenly, creep grows to `end` [m]."""
     n, fall = FIRST_ELEMENTS, log(entry / leaving)
     start = overrun_at(arc, entry)[0]
@@ -550,7 +548,9 @@ def _moved(
         creep[i] += du
         tension[i] = max(tension[i] + dt, LEAST_LEFT * tension[i])
         largest = max(largest, abs(dt))
-    return Course(at.place, creep, tension, stage, at.ratio + (dk if face.rests else dz)), largest / scale
+    return Course(
+        at.place, creep, tension, stage, at.ratio + (dk if face.rests else dz)
+    ), largest / scale
 
 
 def converged(face: Interface, arc: Geometry, ends: Ends, at: Course, most: int) -> Solved:
@@ -685,9 +685,7 @@ def meshed(
         size = max(size, abs(tension - at.tension[0]))
     sizes, fall = [size] * n, abs(log(at.tension[0] / at.tension[n]))
     if kind != TENSION:
-        sizes = [
-            max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)
-        ]
+        sizes = [max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)]
     needed = [(misfit(face, arc, at, i) / sizes[i] / tol) ** 0.25 for i in range(n)]
     ends = kinks(face, arc, at)
     far = False
@@ -794,9 +792,7 @@ def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) ->
     return Solved(False, at, NO_SLOPES)
 
 
-def solved(
-    face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH
-) -> Solved:
+def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH) -> Solved:
     """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
     found = converged(face, arc, ends, start, FIRST_STEPS)
     for _ in range(MOST_ROUNDS):

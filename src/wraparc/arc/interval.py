@@ -8,8 +8,8 @@ from bisect import bisect
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.answer import answer
-from wraparc.arc.kernel.quantities import SOLVED
+from wraparc.arc.answer import operating_point
+from wraparc.arc.quantities import SOLVED
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.drive import knots_of, with_peaks
 from wraparc.friction import PressureKnots
@@ -21,7 +21,7 @@ nan = math.nan
 _STEP = 0.5
 
 
-def creep_interval(arc: WrapArc, steps: int = 24) -> tuple[float, float]:
+def creep_interval(arc: WrapArc) -> tuple[float, float]:
     """Return the 95 % interval of the creep at the exit [m], the tensions as they are.
 
     The slopes of the creep over the logarithms of the law's peaks, with their covariance, tell in
@@ -33,8 +33,6 @@ def creep_interval(arc: WrapArc, steps: int = 24) -> tuple[float, float]:
     ----------
     arc
         A solved arc.
-    steps
-        Mesh steps.
 
     Returns
     -------
@@ -46,13 +44,15 @@ def creep_interval(arc: WrapArc, steps: int = 24) -> tuple[float, float]:
         return nan, nan
     if not all(0 <= place < len(knots.pressure) for place, _ in fit.knots):
         return nan, nan
-    geometry, load = arc.geometry(), arc.load()
+    geometry = arc.geometry()
     peaks = np.array([getattr(knots, quantity)[place] for place, quantity in fit.knots])
 
     def creep_at(logs: Array) -> float:
         moved = with_peaks(law, dict(zip(fit.knots, (peaks * np.exp(logs)).tolist(), strict=True)))
-        found = answer(moved.compact(), geometry, load, steps)
-        return found.shot.creep if found.outcome == SOLVED else math.copysign(math.inf, arc.side)
+        found = operating_point(moved.compact(), geometry, arc.entry_tension, arc.exit_tension)
+        if found.outcome != SOLVED:
+            return math.copysign(math.inf, arc.side)
+        return found.met.course.creep[-1]
 
     creep = creep_at(np.zeros(len(peaks)))
     if math.isinf(creep):

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wraparc.arc.kernel.effort import jumps
+from wraparc.arc.quantities import jumps
 from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
 from wraparc.arc.traction import traction
 from wraparc.arc.wrap_arc import WrapArc

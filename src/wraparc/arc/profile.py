@@ -1,198 +1,375 @@
-"""Numbers read off a marched profile: order, peak stress, active arc, slip, share outside tests.
+"""Numbers read off a course: points, largest shear stress, active arc, share outside tests.
 
-Plain numbers and buffers only, like the march: compiled for batches. A profile is `count` records
-of (s, q, slip, creep, shear stress, friction work), see :mod:`wraparc.arc.kernel.march`.
+Everywhere by the polynomials of the solver; in front of the course by the closed form of a rest
+arc. Records are five numbers a point: s [m], ln(T/T1), slip [m], creep [m], shear stress [Pa].
 """
 
 from __future__ import annotations
 
-from math import exp, expm1, nan, sqrt
+from math import exp, log, nan
+from typing import NamedTuple
 
-from wraparc.arc.kernel.layer_march import friction_of_creep
-from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters
-from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
+from wraparc.arc.answer import Met, ratio_of
+from wraparc.arc.collocation import (
+    C0,
+    C1,
+    C2,
+    compliance_of,
+    kinks,
+    lag_length,
+    overrun_at,
+    state_at,
+    traction_at,
+)
+from wraparc.arc.quantities import Buffer, Geometry, jumps, zeros
+from wraparc.arc.traction import Traction
 
-GOLDEN = 0.6180339887498949
-PEAK_TOLERANCE = 1e-6  # relative, of a cubic's vertex
+RECORD = 5
+#: Places between the ends of an element, and weights, of Lobatto's rule of four points.
+LOBATTO, AT_ENDS, INSIDE = 0.27639320225002106, 1.0 / 12.0, 5.0 / 12.0
+ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
+HALVINGS, NEAR = 45, 1e-9  # of a place between two points; how near to an end a slope is looked at
+ALIKE = 1e-12  # of the arc: places that are one
 
 
-def sort(out: Buffer, count: int) -> None:
-    """Put records in order of s (insertion sort: they are nearly in order)."""
-    for i in range(1, count):
-        j = i
-        while j > 0 and out[RECORD * j] < out[RECORD * (j - 1)]:
-            a, b = RECORD * j, RECORD * (j - 1)
-            for k in range(RECORD):
-                out[a + k], out[b + k] = out[b + k], out[a + k]
-            j -= 1
+class Point(NamedTuple):
+    """A place on an arc.
+
+    Attributes
+    ----------
+    place
+        s from the entry [m].
+    tension, creep, slip, stress
+        T [N], u [m], x [m], tau [Pa].
+    """
+
+    place: float
+    tension: float
+    creep: float
+    slip: float
+    stress: float
 
 
-def peak_stress(
-    law: CompactLaw, par: Parameters, g: float, out: Buffer, count: int
-) -> tuple[float, float]:
+def point_of(arc: Geometry, met: Met, i: int, c: float) -> Point:
+    """Point at a fraction c of element i of the course."""
+    at = met.course
+    u, tension = state_at(arc, at, i, c)
+    if i == 0 and c == 0.0:
+        u, tension = at.creep[0], at.tension[0]
+    felt = traction_of(arc, met, tension, u)
+    place = met.rest + at.place[i] + c * (at.place[i + 1] - at.place[i])
+    return Point(place, tension, u, felt.slip, felt.stress)
+
+
+def traction_of(arc: Geometry, met: Met, tension: float, creep: float) -> Traction:
+    """Traction at a tension [N] and a creep [m] of a course."""
+    return traction_at(met.face, tension / (arc.width * arc.radius), creep)
+
+
+def point_at_rest(arc: Geometry, met: Met, s: float) -> Point:
+    """Point of a rest arc: held by the shear of the lagging alone, or by nothing that gives way."""
+    at = met.course
+    if arc.shear == 0.0:
+        return Point(s, met.entry, 0.0, 0.0, 0.0)
+    lag, overrun = lag_length(arc), overrun_at(arc, met.entry)[0]
+    early, late = exp(-s / lag), exp((s - met.rest) / lag)
+    creep = overrun * early + at.creep[0] * late
+    taken = arc.width * lag / arc.shear * (overrun * (1.0 - early) + at.creep[0] * late)
+    return Point(s, met.entry - taken, creep, 0.0, creep / arc.shear)
+
+
+def point_at(arc: Geometry, met: Met, s: float) -> Point:
+    """Point at a place [m]."""
+    if s < met.rest or met.course.place[-1] == 0.0:
+        return point_at_rest(arc, met, s)
+    places, low, high = met.course.place, 0, len(met.course.place) - 2
+    while low < high:
+        middle = (low + high + 1) // 2
+        if places[middle] <= s - met.rest:
+            low = middle
+        else:
+            high = middle - 1
+    c = (s - met.rest - places[low]) / (places[low + 1] - places[low])
+    return point_of(arc, met, low, min(max(c, 0.0), 1.0))
+
+
+def samples(arc: Geometry, met: Met) -> list[Point]:
+    """Points at the ends and the stages of all elements, and at the entry of a rest arc."""
+    found = [] if met.rest == 0.0 else [point_at_rest(arc, met, 0.0)]
+    at, length = met.course, arc.radius * arc.wrap_angle
+    if at.place[-1] == 0.0:
+        found.append(point_at_rest(arc, met, length))
+        return found
+    for i in range(len(at.place) - 1):
+        for c in (0.0, C0, C1, C2):
+            found.append(point_of(arc, met, i, c))
+    found.append(point_of(arc, met, len(at.place) - 2, 1.0))
+    return found
+
+
+def records(arc: Geometry, met: Met, points: int) -> tuple[Buffer, int]:
+    """Profile at equal parts of the wrap and at kinks of the law; records, and their number."""
+    length, places = arc.radius * arc.wrap_angle, kink_places(arc, met)
+    out, count, k = zeros(RECORD * (points + 2 * len(places) + 3)), 0, 0
+    for j in range(points + 1):
+        s = length * j / points
+        while k < len(places) and places[k] < s - ALIKE * length:
+            count = _record(met, out, count, point_at(arc, met, places[k]))
+            k += 1
+        while k < len(places) and places[k] < s + ALIKE * length:
+            k += 1
+        if met.rest > 0.0 and met.course.place[-1] > 0.0 and s > met.rest:
+            if count > 0 and out[RECORD * (count - 1)] < met.rest:
+                # held up to there; where nothing gives way the stress sets in at once
+                before = point_at_rest(arc, met, met.rest)
+                count = _record(met, out, count, before)
+                if arc.shear == 0.0:
+                    count = _record(met, out, count, point_of(arc, met, 0, 0.0))
+        count = _record(met, out, count, point_at(arc, met, s))
+    return out, count
+
+
+def _record(met: Met, out: Buffer, count: int, at: Point) -> int:
+    o = RECORD * count
+    out[o], out[o + 1], out[o + 2] = at.place, log(at.tension / met.entry), at.slip
+    out[o + 3], out[o + 4] = at.creep, at.stress
+    return count + 1
+
+
+def kink_places(arc: Geometry, met: Met) -> list[float]:
+    """Where the course passes into another piece of the law, or turns [m]."""
+    if met.course.place[-1] == 0.0:
+        return []
+    return [met.rest + where for where, _ in kinks(met.face, arc, met.course)]
+
+
+def stuck_length(arc: Geometry, met: Met, along: list[Point]) -> float:
+    """Length of the entry part of the arc over which the belt does not slip [m]."""
+    if met.rest > 0.0 or not jumps(met.face.law) or along[0].slip != 0.0:
+        return met.rest
+    i = 0
+    while i + 1 < len(along) and along[i + 1].slip == 0.0:
+        i += 1
+    if i + 1 == len(along):
+        return along[i].place
+    low, high = along[i].place, along[i + 1].place
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if point_at(arc, met, middle).slip == 0.0:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def loss_along(arc: Geometry, met: Met, along: list[Point]) -> float:
+    """Int tau du along the arc by Lobatto's rule: of the course, at places of its own [J/m2]."""
+    at, c, total = met.course, compliance_of(arc), 0.0
+    for i in range(len(at.place) - 1):
+        h = at.place[i + 1] - at.place[i]
+        if h == 0.0:
+            continue
+        ends = (point_of(arc, met, i, 0.0), point_of(arc, met, i, 1.0))
+        inner = (point_of(arc, met, i, LOBATTO), point_of(arc, met, i, 1.0 - LOBATTO))
+        for weight, pair in ((AT_ENDS, ends), (INSIDE, inner)):
+            for p in pair:
+                total += weight * h * p.stress * (at.ratio - c * p.tension)
+    if met.rest > 0.0 and arc.shear > 0.0:  # of the layers of a rest arc, in closed form
+        end = at.creep[0]
+        total += 0.5 / arc.shear * (end * end - along[0].creep * along[0].creep)
+    return total
+
+
+def peak_stress(arc: Geometry, met: Met, along: list[Point]) -> tuple[float, float]:
     """Largest magnitude of shear stress [Pa] and where it is, s [m].
 
-    Between the largest record and its neighbours, where stress rises and falls again; kinks of the
-    law are records themselves.
+    The largest of the points; or, where the stress rises and falls again beside it, where its slope
+    ends.
     """
     best = 0
-    for i in range(1, count):
-        if abs(out[RECORD * i + 4]) > abs(out[RECORD * best + 4]):
+    for i in range(1, len(along)):
+        if abs(along[i].stress) > abs(along[best].stress):
             best = i
-    most, where = abs(out[RECORD * best + 4]), out[RECORD * best]
+    most, where = abs(along[best].stress), along[best].place
     for i in (best - 1, best):
-        if i < 0 or i + 1 >= count:
+        if i < 0 or i + 1 >= len(along) or along[i].place < met.rest:
             continue
-        a, b = RECORD * i, RECORD * (i + 1)
-        f, there = _peak_between(law, par, g, out, a, b)
-        if there > most:
-            most, where = there, out[a] + f * (out[b] - out[a])
+        low, high = along[i].place, along[i + 1].place
+        edge = NEAR * (high - low)
+        f_low, f_high = _slope_at(arc, met, low + edge), _slope_at(arc, met, high - edge)
+        if not (f_low > 0.0 > f_high):
+            continue
+        for _ in range(HALVINGS):
+            share = min(max(f_low / (f_low - f_high), 0.05), 0.95)
+            s = low + (high - low) * share
+            f = _slope_at(arc, met, s)
+            if f > 0.0:
+                low, f_low, f_high = s, f, 0.5 * f_high
+            else:
+                high, f_high, f_low = s, f, 0.5 * f_low
+            if high - low < edge:
+                break
+        at = point_at(arc, met, 0.5 * (low + high))
+        if abs(at.stress) > most:
+            most, where = abs(at.stress), at.place
     return most, where
 
 
-def _peak_between(
-    law: CompactLaw, par: Parameters, g: float, out: Buffer, a: int, b: int
-) -> tuple[float, float]:
-    """Fraction of the way between two records at which stress is largest, and the stress [Pa].
-
-    The vertex of the cubic with the slopes at both ends, if the stress there is that of the cubic;
-    else, in a steep cell of a table, golden section.
-    """
-    h, sign = out[b] - out[a], 1.0 if out[a + 4] + out[b + 4] > 0.0 else -1.0
-    if h <= 0.0 or sign * out[a + 4] <= 0.0 or sign * out[b + 4] <= 0.0:
-        return 0.0, 0.0
-    start = h * sign * _stress_slope(law, par, g, out, a, b, a)
-    end = h * sign * _stress_slope(law, par, g, out, a, b, b)
-    if not start > 0.0 or not end < 0.0:
-        return 0.0, 0.0
-    # slope start + m f + k f^2 at the fraction f of the way
-    rise = sign * (out[b + 4] - out[a + 4])
-    m, k = 6.0 * rise - 4.0 * start - 2.0 * end, 3.0 * (start + end) - 6.0 * rise
-    f = 2.0 * start / (-m + sqrt(max(m * m - 4.0 * k * start, 0.0)))
-    vertex = sign * out[a + 4] + f * (start + f * (0.5 * m + f * k / 3.0))
-    there = _stress_between(law, par, g, out, a, b, f)
-    if abs(there - vertex) <= PEAK_TOLERANCE * vertex:
-        return f, there
-    low, high = 0.0, 1.0
-    c, d = 1.0 - GOLDEN, GOLDEN
-    at_c = _stress_between(law, par, g, out, a, b, c)
-    at_d = _stress_between(law, par, g, out, a, b, d)
-    for _ in range(40):
-        if at_c >= at_d:
-            high, d, at_d = d, c, at_c
-            c = high - GOLDEN * (high - low)
-            at_c = _stress_between(law, par, g, out, a, b, c)
-        else:
-            low, c, at_c = c, d, at_d
-            d = low + GOLDEN * (high - low)
-            at_d = _stress_between(law, par, g, out, a, b, d)
-    return (c, at_c) if at_c >= at_d else (d, at_d)
+def _slope_at(arc: Geometry, met: Met, s: float) -> float:
+    """Slope of the magnitude of shear stress along the arc [Pa/m]."""
+    at = point_at(arc, met, s)
+    felt = traction_of(arc, met, at.tension, at.creep)
+    growth = met.course.ratio - compliance_of(arc) * at.tension
+    loss = felt.by_pressure * felt.stress / arc.radius
+    return (1.0 if felt.stress >= 0.0 else -1.0) * (felt.by_creep * growth - loss)
 
 
-def _stress_between(
-    law: CompactLaw, par: Parameters, g: float, out: Buffer, a: int, b: int, f: float
-) -> float:
-    """Magnitude of shear stress at a fraction of the way between two records [Pa].
-
-    Of the creep and the tension there, which are smooth whatever the law is: cubics with slopes.
-    """
-    e, h = 1.0 - f, out[b] - out[a]
-    near, far = e * e * (1.0 + 2.0 * f), f * f * (3.0 - 2.0 * f)
-    to_a, to_b = e * e * f * h, -f * f * e * h
-    q, u = near * out[a + 1] + far * out[b + 1], near * out[a + 3] + far * out[b + 3]
-    for at, part in ((a, to_a), (b, to_b)):
-        tension = par.entry_tension * exp(out[at + 1])
-        q -= part * out[at + 4] * par.width / tension
-        u += part * (g + (par.entry_tension - tension) * par.compliance)
-    tau, _ = friction_of_creep(law, par, par.entry_tension * exp(q), u)
-    return abs(tau)
-
-
-def _stress_slope(
-    law: CompactLaw, par: Parameters, g: float, out: Buffer, a: int, b: int, at: int
-) -> float:
-    """D tau/ds [Pa/m] at one end of the way between two records, in the piece of law between."""
-    q, tau, slip = out[at + 1], out[at + 4], 0.5 * (out[a + 2] + out[b + 2])
-    w = g + par.entry_tension * -expm1(q) * par.compliance
-    if slip == 0.0:
-        return w / par.shear if par.shear > 0.0 else 0.0
-    sign = 1.0 if slip > 0.0 else -1.0
-    between = par.entry_pressure * exp(0.5 * (out[a + 1] + out[b + 1]))
-    segment = segment_of(law, between)
-    branch = branch_of(law, segment, sign * slip, between)
-    p = par.entry_pressure * exp(q)
-    mu, mu_x, mu_p = friction_at(law, segment, branch, sign * out[at + 2], p)
-    # tau = mu(x, p) p with x = u - c tau and p' = -tau/R
-    turn = -sign * (mu + p * mu_p) * tau / par.radius
-    return (p * mu_x * w + turn) / (1.0 + par.shear * p * mu_x)
-
-
-def active_length(out: Buffer, count: int) -> float:
+def active_length(arc: Geometry, met: Met, along: list[Point]) -> float:
     """Length of the exit part of the arc that takes 99 % of the tension change [m]."""
-    end = RECORD * (count - 1)
-    change = -expm1(out[end + 1])
+    end = along[-1]
+    change = met.entry - end.tension
     if change == 0.0:
         return 0.0
-    i = count - 1
-    while i > 0 and -expm1(out[RECORD * i + 1]) / change > 0.01:
+    i = len(along) - 1
+    while i > 0 and (met.entry - along[i].tension) / change > ACTIVE_SHARE:
         i -= 1
-    if i == count - 1:
+    if i == len(along) - 1:
         return 0.0
-    a = -expm1(out[RECORD * i + 1]) / change
-    b = -expm1(out[RECORD * (i + 1) + 1]) / change
-    w = (0.01 - a) / (b - a) if b != a else 1.0
-    s = out[RECORD * i] + w * (out[RECORD * (i + 1)] - out[RECORD * i])
-    return out[end] - s
+    low, high = along[i].place, along[i + 1].place
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if (met.entry - point_at(arc, met, middle).tension) / change > ACTIVE_SHARE:
+            high = middle
+        else:
+            low = middle
+    return end.place - low
 
 
-def largest_slip(out: Buffer, count: int) -> float:
-    """Largest magnitude of slip along the arc [m]."""
-    most = 0.0
-    for i in range(count):
-        most = max(most, abs(out[RECORD * i + 2]))
-    return most
+class Range(NamedTuple):
+    """A tested range: wrap pressures [Pa] and largest slip [m]."""
+
+    pressure_min: float
+    pressure_max: float
+    slip_max: float
 
 
-def steepest_slip(out: Buffer, count: int, length: float) -> float:
-    """Largest change of slip along the arc per length [-]; times the belt speed, the slip speed."""
-    most = nan
-    for i in range(count - 1):
-        a, b = RECORD * i, RECORD * (i + 1)
-        step = out[b] - out[a]
-        if step > 1e-9 * length:  # records of a kink may coincide
-            change = abs(out[b + 2] - out[a + 2]) / step
-            most = change if most != most else max(most, change)
-    return most
-
-
-def share_outside(
-    par: Parameters,
-    out: Buffer,
-    count: int,
-    pressure_min: float,
-    pressure_max: float,
-    slip_max: float,
-) -> float:
-    """Fraction of the arc where pressure or slip lies outside the tested range.
-
-    Crossings are interpolated linearly between records.
-    """
+def share_outside(arc: Geometry, met: Met, along: list[Point], tested: Range) -> float:
+    """Fraction of the arc where pressure or slip lies outside the tested range."""
     outside = 0.0
-    for i in range(count - 1):
-        a, b = RECORD * i, RECORD * (i + 1)
-        low, high = 0.0, 1.0
-        p0, p1 = par.entry_pressure * exp(out[a + 1]), par.entry_pressure * exp(out[b + 1])
-        x0, x1 = abs(out[a + 2]), abs(out[b + 2])
-        for f0, f1 in (
-            (pressure_min - p0, pressure_min - p1),
-            (p0 - pressure_max, p1 - pressure_max),
-            (x0 - slip_max, x1 - slip_max),
-        ):
-            if f0 > 0.0 and f1 > 0.0:
-                high = -1.0
-            elif f0 > 0.0:
-                low = max(low, f0 / (f0 - f1))
-            elif f1 > 0.0:
-                high = min(high, f0 / (f0 - f1))
-        outside += (out[b] - out[a]) * (1.0 - max(high - low, 0.0))
-    return outside / (out[RECORD * (count - 1)] - out[0])
+    for i in range(len(along) - 1):
+        a, b = along[i], along[i + 1]
+        low, high = a.place, b.place
+        for kind in range(3):
+            f_a, f_b = _beyond(arc, a, tested, kind), _beyond(arc, b, tested, kind)
+            if f_a > 0.0 and f_b > 0.0:
+                high = low - 1.0
+            elif f_a > 0.0:
+                low = max(low, _crossing(arc, met, a, b, tested, kind))
+            elif f_b > 0.0:
+                high = min(high, _crossing(arc, met, a, b, tested, kind))
+        outside += b.place - a.place - max(high - low, 0.0)
+    return outside / (along[-1].place - along[0].place)
+
+
+def _beyond(arc: Geometry, at: Point, tested: Range, kind: int) -> float:
+    """How far a point lies beyond one of the limits of a tested range, > 0 outside."""
+    pressure = at.tension / (arc.width * arc.radius)
+    if kind == 0:
+        return tested.pressure_min - pressure
+    if kind == 1:
+        return pressure - tested.pressure_max
+    return abs(at.slip) - tested.slip_max
+
+
+def _crossing(arc: Geometry, met: Met, a: Point, b: Point, tested: Range, kind: int) -> float:
+    """Where between two points a limit is crossed [m]."""
+    low, high, outside = a.place, b.place, _beyond(arc, a, tested, kind) > 0.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if (_beyond(arc, point_at(arc, met, middle), tested, kind) > 0.0) == outside:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
+
+
+class Read(NamedTuple):
+    """What an arc says; see `Summary` and the row of a batch.
+
+    Attributes
+    ----------
+    creep, slip, stress
+        At the exit [m, m, Pa].
+    entry_stress, creep_ratio
+        tau and g at the entry [Pa, -].
+    loss, miss
+        int tau du [J/m2], by the balance of energy, and how far that along the course misses it.
+    stuck, active
+        Lengths of the rest arc and of the active arc [m].
+    peak, peak_at
+        Largest shear stress [Pa], and where [m].
+    outside
+        Share of the arc outside the tested range, nan without one [-].
+    """
+
+    creep: float
+    slip: float
+    stress: float
+    entry_stress: float
+    creep_ratio: float
+    loss: float
+    miss: float
+    stuck: float
+    active: float
+    peak: float
+    peak_at: float
+    outside: float
+
+
+def read(arc: Geometry, met: Met, tested: Range) -> Read:
+    """Read an arc that is solved; `tested` is of nan without a tested range."""
+    along = samples(arc, met)
+    end, g, c = along[-1], entry_ratio(arc, met), compliance_of(arc)
+    pull = met.entry - end.tension
+    loss = pull * (g + 0.5 * pull * c) / arc.width
+    peak, where = peak_stress(arc, met, along)
+    outside = nan
+    if tested.slip_max == tested.slip_max:
+        outside = share_outside(arc, met, along, tested)
+    return Read(
+        met.course.creep[-1],
+        end.slip,
+        end.stress,
+        along[0].stress,
+        g,
+        loss,
+        abs(loss_along(arc, met, along) - loss),
+        stuck_length(arc, met, along),
+        active_length(arc, met, along),
+        peak,
+        where,
+        outside,
+    )
+
+
+def along_slip(arc: Geometry, met: Met) -> tuple[float, float]:
+    """Largest magnitude of slip along the arc [m], and of its growth per length [-]."""
+    most = steepest = 0.0
+    for at in samples(arc, met):
+        most = max(most, abs(at.slip))
+        if at.slip != 0.0:
+            felt = traction_of(arc, met, at.tension, at.creep)
+            growth = met.course.ratio - compliance_of(arc) * at.tension
+            loss = felt.by_pressure * felt.stress / arc.radius
+            steepest = max(steepest, abs(growth - arc.shear * (felt.by_creep * growth - loss)))
+    return most, steepest
+
+
+def entry_ratio(arc: Geometry, met: Met) -> float:
+    """Entry creep ratio g [-]."""
+    if met.rest == 0.0:
+        return ratio_of(met.course, arc)
+    if arc.shear == 0.0:
+        return 0.0
+    lag, overrun = lag_length(arc), overrun_at(arc, met.entry)[0]
+    return (met.course.creep[0] * exp(-met.rest / lag) - overrun) / lag

@@ -7,10 +7,12 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from wraparc.arc.kernel.answer import CAPACITIES, Answer, Carried, find_capacities
-from wraparc.arc.kernel.quantities import BREAKAWAY, RECORD, SOLVED, Buffer
+from wraparc.arc.answer import Answer
+from wraparc.arc.capacity import CAPACITIES, Carried, find_capacities
+from wraparc.arc.profile import RECORD
+from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer
 from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
-from wraparc.arc.summary import NEXT_SLIP, Summary, capacity_numbers, operating_point, summary_of
+from wraparc.arc.summary import NEXT_SLIP, Summary, capacity_numbers, solved_arc, summary_of
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan
@@ -21,20 +23,16 @@ _ENERGY = tuple(f.name for f in fields(Energy))
 
 @dataclass(frozen=True)
 class Distributed:
-    """Creep distributed along the arc, slip as the state, one root in the entry creep ratio.
+    """Creep distributed along the arc: a two-point problem, by collocation to 1e-7 of the creep.
 
     Attributes
     ----------
-    steps
-        Mesh steps over the arc; 24 keep exit creep, slip and peak shear within 1e-5.
     points
-        Equal parts of the wrap at which the profile is given, besides kinks and, where a kick is
-        used up, the mesh nodes in front of the point of no slip.
+        Equal parts of the wrap at which the profile is given, besides kinks of the law.
     capacities
         Whether the three capacities are found too.
     """
 
-    steps: int = 24
     points: int = 180
     capacities: bool = True
 
@@ -52,10 +50,10 @@ class Distributed:
             If the law is unfit for the arc, see `WrapArc`.
         """
         law, geometry, load = arc.law.compact(), arc.geometry(), arc.load()
-        found, out, count = operating_point(law, geometry, load, self.steps, self.points)
+        found, out, count = solved_arc(law, geometry, load, self.points)
         capacities = Capacities()
         if self.capacities:
-            carried = find_capacities(law, geometry, load, CAPACITIES, self.steps)
+            carried = find_capacities(law, geometry, load, CAPACITIES)
             capacities = capacities_of(arc, carried)
         return result_of(self.name, arc, found, out, count, capacities)
 
@@ -78,8 +76,8 @@ def result_of(
     if found.outcome != SOLVED:
         status = Status.BREAKAWAY if found.outcome == BREAKAWAY else Status.UNSOLVED
         return ArcResult.without_state(status, method, arc, capacities)
-    told = summary_of(arc.law.compact(), arc.described(), arc.law.tested, found, out, count)
-    profile = _profile(arc, found.par.entry_tension, out, count, found.shot.stuck_length)
+    told = summary_of(arc.geometry(), arc.described(), arc.law.tested, found)
+    profile = _profile(arc, out, count, found.met.rest)
     return solved_result(method, arc, told, profile, capacities)
 
 
@@ -102,13 +100,13 @@ def solved_result(
     )
 
 
-def _profile(arc: WrapArc, entry_tension: float, out: Buffer, count: int, zone: float) -> Profile:
+def _profile(arc: WrapArc, out: Buffer, count: int, rest: float) -> Profile:
     rows: Array = np.array(out[: RECORD * count]).reshape(count, RECORD)
     s, q, slip, creep, tau = rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3], rows[:, 4]
-    tension = entry_tension * np.exp(q)
+    tension = arc.entry_tension * np.exp(q)
     pressure = 2.0 * tension / (arc.width * arc.diameter)
     # a stuck belt has the friction of vanishing slip available
-    sliding = ((s > zone) | (zone == 0.0)) & ((slip != 0.0) | (tau == 0.0))
+    sliding = ((s > rest) | (rest == 0.0)) & ((slip != 0.0) | (tau == 0.0))
     tiny = np.copysign(NEXT_SLIP, np.where(tau == 0.0, arc.side, tau))
     friction = arc.law.friction(np.where(sliding, slip, tiny), pressure)
     return Profile(

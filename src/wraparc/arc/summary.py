@@ -12,17 +12,12 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.answer import (
-    Answer,
-    Carried,
-    answer,
-    profile_of,
-    profile_size,
-)
-from wraparc.arc.kernel.effort import jumps
-from wraparc.arc.kernel.quantities import RECORD, SOLVED, Buffer, Geometry, Load, zeros
-from wraparc.arc.kernel.stick import onset_stress
-from wraparc.arc.profile import active_length, peak_stress, share_outside
+from wraparc.arc.answer import Answer, operating_point
+from wraparc.arc.capacity import Carried
+from wraparc.arc.collocation import overrun_at
+from wraparc.arc.profile import RECORD, Range, read, records
+from wraparc.arc.quantities import SOLVED, Buffer, Geometry, Load, jumps, zeros
+from wraparc.arc.traction import held_stress
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
 
@@ -102,7 +97,7 @@ def too_steep(arc: Description, fall: float) -> bool:
 
 def held_creep(law: CompactLaw, shear: float, pressure: float) -> float:
     """Creep up to which a law that jumps holds the belt without slip at a pressure [m]."""
-    return (shear + law.onset_compliance) * onset_stress(law, pressure)[0]
+    return (shear + law.onset_compliance) * held_stress(law, pressure)
 
 
 def kicked_loose(law: CompactLaw, geometry: Geometry, pressure: float) -> bool:
@@ -113,16 +108,22 @@ def kicked_loose(law: CompactLaw, geometry: Geometry, pressure: float) -> bool:
     return kick > 0.0 and kick > held_creep(law, geometry.shear, pressure)
 
 
-def operating_point(
-    law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int
+def solved_arc(
+    law: CompactLaw, geometry: Geometry, load: Load, points: int
 ) -> tuple[Answer, Buffer, int]:
     """Solution of an arc with its profile and the number of records; none where it has none."""
-    found = answer(law, geometry, load, steps)
+    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
     if found.outcome != SOLVED:
         return found, zeros(0), 0
-    out = zeros(profile_size(law, found, points))
-    shot, count = profile_of(law, found, load.exit_tension, points, out)
-    return found._replace(shot=shot), out, count
+    out, count = records(geometry, found.met, points)
+    return found, out, count
+
+
+def range_of(tested: TestedRange | None) -> Range:
+    """A tested range as numbers, nan without one."""
+    if tested is None:
+        return Range(nan, nan, nan)
+    return Range(tested.pressure_min, tested.pressure_max, tested.slip_max)
 
 
 class Summary(NamedTuple):
@@ -163,70 +164,60 @@ def spring_rate(axial_stiffness: float, length: float) -> float:
 
 
 def summary_of(
-    law: CompactLaw,
-    arc: Description,
-    tested: TestedRange | None,
-    found: Answer,
-    out: Buffer,
-    count: int,
+    geometry: Geometry, arc: Description, tested: TestedRange | None, found: Answer
 ) -> Summary:
-    """Reported numbers of an arc that is solved and traced; nan where there is none.
+    """Reported numbers of an arc that is solved; nan where there is none.
 
     An arc that is not solved has the tensions asked for, and no number of a state.
     """
     if found.outcome != SOLVED:
         return _asked_alone(arc)
-    par, shot = found.par, found.shot
-    radius, entry, exit_tension = par.radius, par.entry_tension, arc.exit_tension
-    q, g, work = shot.log_tension, shot.creep_ratio, shot.work
-    pull = entry - entry * exp(q)
-    peak, where = peak_stress(law, par, g, out, count)
-    active = active_length(out, count)
-    outside = nan
-    if tested is not None:
-        outside = share_outside(
-            par, out, count, tested.pressure_min, tested.pressure_max, tested.slip_max
-        )
+    entry, exit_tension, radius = arc.entry_tension, arc.exit_tension, geometry.radius
+    told = read(geometry, found.met, range_of(tested))
+    pull, g, length = entry - exit_tension, told.creep_ratio, radius * arc.wrap_angle
     kappa = recovery_compliance(arc)
     compliance = 1.0 / arc.axial_stiffness + kappa
     recovery = kappa / compliance if compliance > 0.0 else 0.0
-    distributed = shot.creep - par.kick - g * (radius * arc.wrap_angle)
+    overrun = overrun_at(geometry, entry)[0]
+    distributed = told.creep - overrun - g * length
     shear = arc.thickness / arc.shear_modulus
-    kept = 0.5 * shear * (shot.stress * shot.stress - out[4] * out[4])
-    exact = pull * (g + 0.5 * pull * compliance)
-    lost = work + kept
+    kept = 0.5 * shear * (told.stress * told.stress - told.entry_stress * told.entry_stress)
+    work = told.loss - kept
+    if abs(work) < 1e-12 * (abs(told.loss) + abs(kept)):
+        work = 0.0  # rounding: the belt is held all along
     speed = arc.belt_speed / (1.0 - g) if g < 1.0 else nan
-    part = arc.width * lost / abs(pull) if abs(pull) > 1e-6 * arc.entry_tension else nan
+    part = arc.width * told.loss / abs(pull) if abs(pull) > 1e-6 * entry else nan
     efficiency = 1.0 - part if pull > 0.0 else 1.0 / (1.0 + part)
     return Summary(
         entry_tension=entry,
         exit_tension=exit_tension,
-        effective_tension=entry - exit_tension,
+        effective_tension=pull,
         tension_ratio=entry / exit_tension,
-        exit_creep=shot.creep,
+        exit_creep=told.creep,
         creep_shrinkage=(1.0 - recovery) * distributed,
-        creep_compression=recovery * distributed + par.kick,
-        creep_global=g * (radius * arc.wrap_angle),
-        exit_slip=shot.slip,
+        creep_compression=recovery * distributed + overrun,
+        creep_global=g * length,
+        exit_slip=told.slip,
         entry_creep_ratio=g,
         exit_creep_ratio=g + pull * compliance,
-        peak_shear_stress=peak,
-        peak_shear_angle=atan(peak / arc.shear_modulus),
-        peak_shear_position=where / radius,
-        mean_friction=abs(q) / arc.wrap_angle,
-        active_arc=active / radius,
-        k_factor=spring_rate(arc.axial_stiffness, radius * (active / radius)),
-        outside_tested_share=outside,
-        stuck_arc=shot.stuck_length / radius,
+        peak_shear_stress=told.peak,
+        peak_shear_angle=atan(told.peak / arc.shear_modulus),
+        peak_shear_position=told.peak_at / radius,
+        mean_friction=abs(log(entry / exit_tension)) / arc.wrap_angle,
+        active_arc=told.active / radius,
+        k_factor=spring_rate(arc.axial_stiffness, radius * (told.active / radius)),
+        outside_tested_share=told.outside,
+        stuck_arc=told.stuck / radius,
         transmitted_power=speed * pull,
         sliding_power=speed * arc.width * work,
         shear_loss=speed * arc.width * kept,
-        power_loss=speed * arc.width * lost,
+        power_loss=speed * arc.width * told.loss,
         efficiency=efficiency,
         frictional_energy=work,
         wear_rate=1e6 * arc.wear_coefficient * work,
-        identity_error=abs(arc.width * lost - exact)
-        / max(abs(exact), 1e-6 * arc.entry_tension * abs(g), 1e-300),
+        identity_error=arc.width
+        * told.miss
+        / max(abs(arc.width * told.loss), 1e-6 * entry * abs(g), 1e-300),
     )
 
 
@@ -289,24 +280,22 @@ class Columns(NamedTuple):
     sliding: Buffer
 
 
-def columns_of(
-    law: CompactLaw, arc: Description, found: Answer, out: Buffer, count: int
-) -> Columns:
-    """Profile of an arc that is solved and traced, record by record."""
+def columns_of(law: CompactLaw, arc: Description, rest: float, out: Buffer, count: int) -> Columns:
+    """Profile of an arc with a rest arc [m], record by record."""
     columns = Columns(
         zeros(count), zeros(count), zeros(count), zeros(count), zeros(count),
         zeros(count), zeros(count), zeros(count), zeros(count), zeros(count),
     )  # fmt: skip
-    zone, side = found.shot.stuck_length, found.par.side
+    side = 1.0 if arc.entry_tension >= arc.exit_tension else -1.0
     for i in range(count):
         o = RECORD * i
         s, slip, tau = out[o], out[o + 2], out[o + 4]
-        tension = found.par.entry_tension * exp(out[o + 1])
+        tension = arc.entry_tension * exp(out[o + 1])
         pressure = 2.0 * tension / (arc.width * arc.diameter)
         # a stuck belt has the friction of vanishing slip available
-        slides = (s > zone or zone == 0.0) and (slip != 0.0 or tau == 0.0)
+        slides = (s > rest or rest == 0.0) and (slip != 0.0 or tau == 0.0)
         felt = slip if slides else copysign(NEXT_SLIP, side if tau == 0.0 else tau)
-        columns.position[i] = s / found.par.radius
+        columns.position[i] = s / (0.5 * arc.diameter)
         columns.tension[i] = tension
         columns.wrap_pressure[i] = pressure
         columns.friction[i] = available(law, felt, pressure)

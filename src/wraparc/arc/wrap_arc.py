@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from wraparc.arc.kernel.quantities import Geometry, Load
+from wraparc.arc.quantities import Geometry, Load
 from wraparc.arc.summary import (
     Description,
     geometry_of,

@@ -17,7 +17,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED
+from wraparc.arc.quantities import BREAKAWAY, SOLVED
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, Array
 from wraparc.batch.laws import LawBank

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from wraparc.arc.kernel.answer import CAPACITIES
+from wraparc.arc.capacity import CAPACITIES
 from wraparc.batch.arcs import Arcs, Array, Integers
 from wraparc.batch.row import FOUND_NUMBERS, capacities_of_row, tensions_of_row
-
-STEPS, POINTS = 24, 180  # as `wraparc.arc.Distributed` has them
 
 
 def solve_precisely(arcs: Arcs, parts: int | Integers) -> Array:
@@ -26,8 +24,8 @@ def solve_precisely(arcs: Arcs, parts: int | Integers) -> Array:
     found = np.empty((n, FOUND_NUMBERS))
     for i, numbers in enumerate(given.tolist()):
         row, law = [0.0] * FOUND_NUMBERS, arcs.laws.compact(int(arcs.law[i]))
-        tensions_of_row(law, numbers, wanted[i], STEPS, POINTS, row)
+        tensions_of_row(law, numbers, wanted[i], row)
         if wanted[i] & CAPACITIES:
-            capacities_of_row(law, numbers, wanted[i], STEPS, row)
+            capacities_of_row(law, numbers, wanted[i], row)
         found[i] = row
     return found

@@ -6,7 +6,7 @@ from math import inf, log
 
 import numpy as np
 
-from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
+from wraparc.arc.gross_slip import Grip, Line, plateau_capacity, slip_place
 from wraparc.batch.arcs import Arcs, Array
 from wraparc.batch.gross_slip import ratio_at_gross_slip
 from wraparc.batch.traction import Laws

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import Status
-from wraparc.arc.kernel.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
+from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.errors import library

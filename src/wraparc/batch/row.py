@@ -1,44 +1,21 @@
-"""One arc of a batch by the scalar kernel: numbers in, numbers out.
-
-Rows of numbers around :mod:`wraparc.arc.kernel.answer`, in functions of plain numbers and buffers
-only, so that the same source runs in the interpreter and compiled.
-"""
+"""One arc of a batch by the solver of one arc: numbers in, numbers out."""
 
 from __future__ import annotations
 
-from math import nan
+from math import log, nan
 
-from wraparc.arc.kernel.answer import (
+from wraparc.arc.answer import operating_point
+from wraparc.arc.capacity import (
     CAPACITIES,
     CREEP_LIMIT,
     GROSS_SLIP,
     LEAST,
     TESTED_SLIP,
-    answer,
     find_capacities,
-    profile_of,
-    profile_size,
 )
-from wraparc.arc.kernel.effort import jumps
-from wraparc.arc.kernel.quantities import (
-    REFUSED,
-    SOLVED,
-    Buffer,
-    Geometry,
-    Load,
-    Parameters,
-    Shot,
-    parameters_at,
-    zeros,
-)
-from wraparc.arc.kernel.stick import onset_stress
-from wraparc.arc.profile import (
-    active_length,
-    largest_slip,
-    peak_stress,
-    share_outside,
-    steepest_slip,
-)
+from wraparc.arc.profile import Range, along_slip, read
+from wraparc.arc.quantities import REFUSED, SOLVED, Buffer, Geometry, Load
+from wraparc.arc.summary import kicked_loose
 from wraparc.friction.compact import CompactLaw
 
 #: what is wanted of an arc, to be added up with the capacities
@@ -96,9 +73,7 @@ def load_of(given: Buffer) -> Load:
     return Load(g[9], g[10], g[11], g[12], g[13], g[14], g[15])
 
 
-def tensions_of_row(
-    law: CompactLaw, given: Buffer, parts: int, steps: int, points: int, found: Buffer
-) -> None:
+def tensions_of_row(law: CompactLaw, given: Buffer, parts: int, found: Buffer) -> None:
     """Begin the row of an arc, and find its operating point if that is wanted.
 
     Parameters
@@ -109,8 +84,6 @@ def tensions_of_row(
         Its numbers, in the order of `INPUTS`.
     parts
         Which results are wanted; the others become nan.
-    steps, points
-        Mesh steps, and equal parts of the wrap at which its profile is looked at.
     found
         A row of results.
     """
@@ -121,16 +94,14 @@ def tensions_of_row(
     if refused(law, geometry, load):
         found[OUTCOME] = REFUSED
     elif parts & TENSIONS:
-        find_tensions(law, geometry, load, steps, points, found)
+        find_tensions(law, geometry, load, found)
 
 
-def capacities_of_row(
-    law: CompactLaw, given: Buffer, parts: int, steps: int, found: Buffer
-) -> None:
+def capacities_of_row(law: CompactLaw, given: Buffer, parts: int, found: Buffer) -> None:
     """Find the capacities that are wanted of an arc whose row is begun."""
     if not parts & CAPACITIES or found[OUTCOME] == REFUSED:
         return
-    carried = find_capacities(law, geometry_of(given), load_of(given), parts, steps)
+    carried = find_capacities(law, geometry_of(given), load_of(given), parts)
     found[CREEP_CAPACITY], found[SLIP_CAPACITY] = carried.creep_limit, carried.tested_slip
     found[GROSS_CAPACITY], found[GROSS_CREEP] = carried.gross_slip, carried.gross_creep
     found[LEAST_SLACK], found[MOST_PULL] = carried.least_slack, carried.most_pull
@@ -141,44 +112,22 @@ def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
     top = max(load.entry_tension, load.exit_tension) / (geometry.width * geometry.radius)
     if geometry.shear * top * load.steepest_fall <= -1.0:
         return True
-    par = parameters_at(load.entry_tension, geometry)
-    if par.kick != 0.0 and jumps(law):
-        return abs(par.kick) > (par.shear + par.onset) * onset_stress(law, par.entry_pressure)[0]
-    return False
+    return kicked_loose(law, geometry, load.entry_tension / (geometry.width * geometry.radius))
 
 
-def find_tensions(
-    law: CompactLaw, geometry: Geometry, load: Load, steps: int, points: int, found: Buffer
-) -> None:
-    """Solve for the tensions and read the profile."""
-    par = parameters_at(load.entry_tension, geometry)
-    solved = answer(law, geometry, load, steps)
+def find_tensions(law: CompactLaw, geometry: Geometry, load: Load, found: Buffer) -> None:
+    """Solve for the tensions and read the course."""
+    solved = operating_point(law, geometry, load.entry_tension, load.exit_tension)
     found[OUTCOME] = solved.outcome
     if solved.outcome != SOLVED:
         return
-    out = zeros(profile_size(law, solved, points))
-    shot, count = profile_of(law, solved, load.exit_tension, points, out)
-    read_profile(law, par, load, shot, out, count, found)
-
-
-def read_profile(
-    law: CompactLaw,
-    par: Parameters,
-    load: Load,
-    shot: Shot,
-    out: Buffer,
-    count: int,
-    found: Buffer,
-) -> None:
-    """Write what an arc at its exit and its profile say into a row of results."""
-    found[LOG_RATIO], found[EXIT_SLIP], found[EXIT_CREEP] = shot.log_tension, shot.slip, shot.creep
-    found[EXIT_STRESS], found[WORK], found[CREEP_RATIO] = shot.stress, shot.work, shot.creep_ratio
-    found[STUCK_LENGTH], found[ENTRY_STRESS] = shot.stuck_length, out[4]
-    found[PEAK_STRESS], found[PEAK_AT] = peak_stress(law, par, shot.creep_ratio, out, count)
-    found[ACTIVE] = active_length(out, count)
-    found[LARGEST_SLIP] = largest_slip(out, count)
-    found[STEEPEST_SLIP] = steepest_slip(out, count, par.length)
-    if load.pressure_min == load.pressure_min:
-        found[OUTSIDE] = share_outside(
-            par, out, count, load.pressure_min, load.pressure_max, load.slip_max
-        )
+    met = solved.met
+    told = read(geometry, met, Range(load.pressure_min, load.pressure_max, load.slip_max))
+    shear = geometry.shear
+    found[LOG_RATIO] = log(load.exit_tension / load.entry_tension)
+    found[EXIT_SLIP], found[EXIT_CREEP], found[EXIT_STRESS] = told.slip, told.creep, told.stress
+    found[WORK] = told.loss - 0.5 * shear * (told.stress**2 - told.entry_stress**2)
+    found[CREEP_RATIO], found[ENTRY_STRESS] = told.creep_ratio, told.entry_stress
+    found[STUCK_LENGTH], found[ACTIVE] = told.stuck, told.active
+    found[PEAK_STRESS], found[PEAK_AT], found[OUTSIDE] = told.peak, told.peak_at, told.outside
+    found[LARGEST_SLIP], found[STEEPEST_SLIP] = along_slip(geometry, met)

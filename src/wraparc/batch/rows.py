@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from wraparc.arc import capacity
+from wraparc.arc.capacity import HIGHEST
 from wraparc.arc.collocation import CREEP, TENSION
-from wraparc.arc.kernel import answer
-from wraparc.arc.kernel.gross_slip import PRESSURES
-from wraparc.arc.kernel.least_slack import HIGHEST
-from wraparc.arc.kernel.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
+from wraparc.arc.gross_slip import PRESSURES
+from wraparc.arc.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.constant import solve_constant
@@ -197,13 +197,13 @@ class RowBatch:
         live = live[~rigid[live]]
         if parts & row.TENSIONS:
             self._find_tensions(live)
-        if parts & (answer.CREEP_LIMIT + answer.LEAST):
+        if parts & (capacity.CREEP_LIMIT + capacity.LEAST):
             limit = self.of_input("creep_limit")
-            self._find_carried(live, limit, row.CREEP_CAPACITY, answer.CREEP_LIMIT)
-        if parts & answer.TESTED_SLIP:
+            self._find_carried(live, limit, row.CREEP_CAPACITY, capacity.CREEP_LIMIT)
+        if parts & capacity.TESTED_SLIP:
             tested = live[np.isfinite(self.of_input("slip_max")[live])]
-            self._find_carried(tested, None, row.SLIP_CAPACITY, answer.TESTED_SLIP)
-        if parts & answer.LEAST:
+            self._find_carried(tested, None, row.SLIP_CAPACITY, capacity.TESTED_SLIP)
+        if parts & capacity.LEAST:
             self._find_least(live)
         self._cap_by_gross(parts)
 
@@ -347,7 +347,7 @@ class RowBatch:
         top = self.of_input("pressure_max") * self.block.area
         top = np.where(np.isnan(top), HIGHEST * self.tight, top)
         known = np.isfinite(self.found[:, row.CREEP_CAPACITY])
-        self.left[live[~known[live]]] |= answer.LEAST
+        self.left[live[~known[live]]] |= capacity.LEAST
         which = live[(pull > 1e-6 * self.tight)[live] & known[live]]
         carried = -np.expm1(-self.found[which, row.CREEP_CAPACITY])
         tight = np.minimum(pull[which] / carried, top[which])
@@ -380,7 +380,7 @@ class RowBatch:
         searched = search_least(pull_within, pull[rest], top[rest])
         self.found[rest, row.LEAST_SLACK] = searched.least - pull[rest]
         self.found[rest, row.MOST_PULL] = searched.most
-        self.left[rest[~searched.good]] |= answer.LEAST
+        self.left[rest[~searched.good]] |= capacity.LEAST
 
     def _find_gross(self, live: Integers, parts: int) -> None:
         """Gross slip, and the breakaways that follow from it."""
@@ -388,7 +388,7 @@ class RowBatch:
         top, wrap = self.tight[live] / block.area, block.length / block.radius
         falls = self.of_input("steepest_fall")[live] < 0.0
         ratio = self.log_ratio[live]
-        if not parts & answer.CAPACITIES:
+        if not parts & capacity.CAPACITIES:
             beyond = wrap_needed(block.laws, top, ratio, block.laws.plateau) >= wrap
             self.found[live[beyond], row.OUTCOME] = BREAKAWAY
             return
@@ -399,7 +399,7 @@ class RowBatch:
         if len(softening):
             most[softening], creep[softening] = self._largest(live[softening])
         self.found[live, row.GROSS_CAPACITY], self.found[live, row.GROSS_CREEP] = most, creep
-        self.left[live[~np.isfinite(most)]] |= answer.GROSS_SLIP
+        self.left[live[~np.isfinite(most)]] |= capacity.GROSS_SLIP
 
     def _largest(self, which: Integers) -> tuple[Array, Array]:
         """Largest ratio of laws that fall past their peak, and the creep there: inf without one.
@@ -452,8 +452,8 @@ class RowBatch:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
         creep = self.found[:, row.GROSS_CREEP]
         for limit, place, part in (
-            ("creep_limit", row.CREEP_CAPACITY, answer.CREEP_LIMIT),
-            ("slip_max", row.SLIP_CAPACITY, answer.TESTED_SLIP),
+            ("creep_limit", row.CREEP_CAPACITY, capacity.CREEP_LIMIT),
+            ("slip_max", row.SLIP_CAPACITY, capacity.TESTED_SLIP),
         ):
             capped = creep <= self.of_input(limit)  # False where either is nan
             if parts & part:

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.arc.kernel import gross_slip as kernel
+from wraparc.arc import gross_slip as kernel
+from wraparc.arc.capacity import largest_ratio
 from wraparc.checks.least_numbers import tight_at_slip
 from wraparc.checks.numbers import rise_among
 from wraparc.drive import TakeUp
@@ -19,7 +20,6 @@ from wraparc.drive import TakeUp
 Array = NDArray[np.float64]
 
 nan, inf = math.nan, math.inf
-_STEPS = 24  # of the march, as `wraparc.arc.Distributed` has them
 
 
 class Grip:
@@ -49,7 +49,7 @@ class Grip:
             return 0.0
         known = self._known
         if math.isnan(known):
-            known = kernel.largest_ratio(self.law, self._arc.geometry(), self._at, True, _STEPS)[0]
+            known = largest_ratio(self.law, self._arc.geometry(), self._at, True)[0]
         pressure = self._at / (self._arc.width * self._arc.radius)
         return known - kernel.plateau_capacity(self.law, pressure, self._arc.wrap_angle)
 

@@ -10,7 +10,7 @@ from weakref import WeakKeyDictionary
 
 from wraparc.alike import largest, least
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.arc.kernel.least_slack import highest_tight
+from wraparc.arc.capacity import highest_tight
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import grip_of, rises

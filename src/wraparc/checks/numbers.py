@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from math import floor, inf, isfinite, isnan, nan, pi
 from typing import NamedTuple
 
-from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
-from wraparc.arc.kernel.quantities import Buffer
+from wraparc.arc.gross_slip import Grip, Line, plateau_capacity, slip_place
+from wraparc.arc.quantities import Buffer
 from wraparc.friction.compact import CompactLaw
 
 #: Pull over tension that counts as none [-].

@@ -19,8 +19,7 @@ from math import nan
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.kernel.effort import jumps
-from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED
+from wraparc.arc.quantities import BREAKAWAY, SOLVED, jumps
 from wraparc.batch import Setting, row
 from wraparc.batch.scaled import solve_scaled
 from wraparc.train.rows import Followers, TrainRows

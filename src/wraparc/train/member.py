@@ -10,21 +10,15 @@ Both are continuous where the pulley changes from driving to braking.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import asinh, copysign, cosh, exp, isfinite, log1p, sinh
+from math import asinh, copysign, cosh, exp, isfinite, log1p, nan, sinh
 
 from wraparc.arc import WrapArc
-from wraparc.arc.kernel.answer import solve_tension
-from wraparc.arc.kernel.effort import effort_of, jumps, largest_effort, shoot_from
-from wraparc.arc.kernel.quantities import (
-    NO_SHOT,
-    SOLVED,
-    STUCK,
-    Geometry,
-    Parameters,
-    Shot,
-    parameters_at,
-    zeros,
-)
+from wraparc.arc.answer import operating_point
+from wraparc.arc.kernel.effort import CREEP_SCALE, effort_of, largest_effort, shoot_from
+from wraparc.arc.kernel.quantities import NO_SHOT, Parameters, Shot, parameters_at
+from wraparc.arc.kernel.stick import zone_end
+from wraparc.arc.profile import Range, Read, read
+from wraparc.arc.quantities import SOLVED, Geometry, zeros
 from wraparc.friction import CompactLaw
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
@@ -166,26 +160,31 @@ class Member:
             shot.stuck_length > 0.0,
         )
 
-    def between(self, entry: float, exit_: float, steps: int = FINE) -> Passage | None:
+    def between(self, entry: float, exit_: float) -> Passage | None:
         """Send the belt over the pulley between two tensions; None if friction cannot."""
         side = 1.0 if entry >= exit_ else -1.0
-        par = self.parameters(entry, side)
-        found = solve_tension(self.law, par, exit_, steps)
-        if (
-            found.outcome == STUCK and found.z < -1.0
-        ):  # an overrun may turn the creep of a light load around
-            side = -side
-            par = self.parameters(entry, side)
-            found = solve_tension(self.law, par, exit_, steps)
-        z, shot = found.z, found.shot
-        if found.outcome not in (SOLVED, STUCK):
+        geometry = self.geometry._replace(side=side)
+        found = operating_point(self.law, geometry, entry, exit_)
+        if found.outcome != SOLVED:
             return None
+        told = read(geometry, found.met, Range(nan, nan, nan))
+        effort = self.effort_at(told.creep_ratio)
         if self.holds:
-            effort = side * max(z + (0.0 if self.rests else 1.0), 0.0)
-        else:
-            effort = self.effort_at(shot.creep_ratio)
-        held = shot.stuck_length > 0.0
-        return Passage(entry, exit_, effort, shot.creep_ratio, shot.creep, shot.slip, held)
+            effort = self._effort_of(self.parameters(entry, side), told)
+        held = told.stuck > 0.0
+        return Passage(entry, exit_, effort, told.creep_ratio, told.creep, told.slip, held)
+
+    def _effort_of(self, par: Parameters, told: Read) -> float:
+        """Effort of a law that holds the belt, by its rest arc; see `effort.shoot_from`."""
+        length, zone = par.length, told.stuck
+        if self.rests:
+            slide = par.side * told.creep_ratio * length / CREEP_SCALE
+            return par.side * (1.0 - zone / length if zone > 0.0 else 1.0 + max(slide, 0.0))
+        end = zone_end(self.law, par, length)[1]
+        if zone >= length:
+            return par.side * told.creep / end  # an overrun may turn the creep of a light load
+        zone = zone if zone > 0.0 else min(end / told.creep_ratio, length)
+        return par.side * length / zone
 
     def slopes(self, at: Passage, steps: int = FINE) -> Slopes:
         """Slopes of a passage, by differences."""

@@ -9,11 +9,10 @@ from __future__ import annotations
 from math import inf, nan
 from typing import NamedTuple
 
+from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.constant_friction import wrap_factor
-from wraparc.arc.kernel.answer import CAPACITIES, find_capacities
-from wraparc.arc.kernel.gross_slip import Grip, Line
-from wraparc.arc.kernel.least_slack import highest_tight
-from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED, Buffer, Load
+from wraparc.arc.gross_slip import Grip, Line
+from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
     CapacityNumbers,
     Columns,
@@ -23,7 +22,7 @@ from wraparc.arc.summary import (
     columns_of,
     geometry_of,
     kicked_loose,
-    operating_point,
+    solved_arc,
     stretches_outside,
     summary_of,
     too_steep,
@@ -55,8 +54,6 @@ from wraparc.drive.load_case import (
 )
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
-
-STEPS = 24
 
 
 class Given(NamedTuple):
@@ -170,12 +167,12 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
         return None
     geometry = geometry_of(arc, law.onset_compliance)
     load = load_of(given, arc, None)
-    found, out, count = operating_point(law, geometry, load, STEPS, points)
+    found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
-    profile = columns_of(law, arc, found, out, count)
+    profile = columns_of(law, arc, found.met.rest, out, count)
     outside, stretches = stretches_outside(tested, profile, count)
-    summary = summary_of(law, arc, tested, found, out, count)
+    summary = summary_of(geometry, arc, tested, found)
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)
 
 
@@ -234,12 +231,12 @@ def judged(
     if not (usual_tension(entry, arc.width) and usual_tension(leaving, arc.width)):
         return None
     geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
-    found, out, count = operating_point(law, geometry, load, STEPS, points)
+    found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
-    profile = columns_of(law, arc, found, out, count)
-    summary = summary_of(law, arc, tested, found, out, count)
-    carried = find_capacities(law, geometry, load, CAPACITIES, STEPS)
+    profile = columns_of(law, arc, found.met.rest, out, count)
+    summary = summary_of(geometry, arc, tested, found)
+    carried = find_capacities(law, geometry, load, CAPACITIES)
     solved = found.outcome == SOLVED
     grip = grip_of(law, given, arc, carried.gross_slip)
     limits = limits_of(given, arc, tested, criteria)

@@ -10,10 +10,9 @@ stuck zone above that; where that vanishes (no shear of the lagging), the entry 
 from __future__ import annotations
 
 from math import asinh, exp, log, sinh, sqrt
-from typing import NamedTuple
 
 from wraparc.arc.kernel.march import stress_and_creep, sweep
-from wraparc.arc.kernel.quantities import Buffer, Parameters, Shot, State
+from wraparc.arc.kernel.quantities import Parameters, Shot, State
 from wraparc.arc.kernel.stick import (
     onset_stress,
     stick_slip,
@@ -21,15 +20,13 @@ from wraparc.arc.kernel.stick import (
     zone_end,
     zone_point,
 )
+from wraparc.arc.quantities import Buffer, jumps
 from wraparc.friction.compact import (
-    KNOTS,
     LIMIT,
-    PIECES,
     TABLE,
     CompactLaw,
     friction_at,
     peak,
-    plateau_at,
     segment_of,
 )
 
@@ -49,20 +46,6 @@ LAGS_PER_MESH = 2.0  # shear-lag lengths that the given number of mesh steps res
 #: creep over the arc that a unit of effort stands for once a rest arc has vanished [m]; the creep
 #: limit of the paper, decides speed only
 CREEP_SCALE = 6.35e-3
-
-
-class Aim(NamedTuple):
-    """What a search is to meet: TENSION, CREEP or SLIP, and its value."""
-
-    of: int
-    value: float
-
-
-def jumps(law: CompactLaw) -> bool:
-    """Whether a law holds the belt without slip."""
-    return (law.kind == LIMIT and law.coefficients[3] == 0.0) or (
-        law.kind == TABLE and law.coefficients[0] > 0.0
-    )
 
 
 def ratio_of(par: Parameters, z: float) -> float:
@@ -91,15 +74,6 @@ def largest_effort(law: CompactLaw, par: Parameters) -> float:
     return max(par.length / u, 10.0)
 
 
-def lowest_effort(law: CompactLaw, par: Parameters) -> float:
-    """Effort below which nothing is sought: creep well beyond the kick towards the tight side."""
-    if jumps(law):
-        return -3.0
-    if par.kick != 0.0:
-        return effort_of(par, -par.side * 1e3 * abs(par.kick) / par.length)
-    return -60.0
-
-
 def mesh_steps(law: CompactLaw, par: Parameters, steps: int) -> int:
     """Mesh steps for an arc: more where the belt hands over its tension in a short exit part."""
     return int(steps * max(1.0, min(lags(law, par), MOST_LAGS) / LAGS_PER_MESH))
@@ -125,70 +99,6 @@ def lags(law: CompactLaw, par: Parameters) -> float:
         slip, mu = 0.18 * slip_pk, mu_pk
     lag = sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance))
     return par.length / lag
-
-
-def is_far(law: CompactLaw, par: Parameters) -> bool:
-    """Whether no march from the entry tells what happens at the exit, and layers do."""
-    return not jumps(law) and lags(law, par) > FAR
-
-
-def value_of(par: Parameters, shot: Shot, of: int) -> float:
-    """Value of a shot that a target is compared with; it grows with effort."""
-    if of == TENSION:
-        return -par.side * shot.log_tension
-    if of == CREEP:
-        return par.side * shot.creep
-    return par.side * shot.slip
-
-
-def first_guess(law: CompactLaw, par: Parameters, aim: Aim) -> float:
-    """Effort from the creep that a rigid belt of uniform pressure would need."""
-    if jumps(law):
-        tau, _ = onset_stress(law, par.entry_pressure)
-        share = min(aim.value * par.radius * par.entry_pressure / (tau * par.length), 0.98)
-        if aim.of != TENSION:
-            # creep grows with the square of the way that the belt slips
-            spare = max(aim.value - (par.shear * tau if aim.of == CREEP else 0.0), 0.05 * aim.value)
-            way = sqrt(2.0 * spare / (par.compliance * par.width * tau))
-            share = min(way / par.length, 0.9)
-        return share if par.shear + par.onset == 0.0 else share / (1.0 - share)
-    length = par.length
-    if aim.of == TENSION:
-        pressure = par.entry_pressure * exp(-0.5 * par.side * aim.value)
-        mean = aim.value * par.radius / length
-        slip = _slip_for(law, pressure, 1.6 * mean)
-        creep = slip + par.shear * 1.4 * mean * pressure
-        pull = par.entry_tension * abs(1.0 - exp(-par.side * aim.value))
-    else:
-        creep = aim.value
-        pull = 0.5 * par.entry_tension
-    shrinkage = 0.35 * par.compliance * pull * length
-    spare = creep - shrinkage - par.side * par.kick
-    spare = max(spare, 0.05 * creep if par.kick == 0.0 else -0.25 * abs(par.kick))
-    return effort_of(par, par.side * spare / length)
-
-
-def _slip_for(law: CompactLaw, pressure: float, friction: float) -> float:
-    """Slip at which a law without a jump gives about this friction, its peak if it cannot [m]."""
-    segment = segment_of(law, pressure)
-    if law.kind in (KNOTS, PIECES):
-        slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
-        m = friction / mu_pk
-        if m >= 0.95:
-            return slip_pk
-        if m < 1e-6:
-            return 0.05 * m * slip_pk
-        r = 0.3 * m
-        for _ in range(4):  # r (1 - ln r) = m
-            r = min(max(r + (m - r * (1.0 - log(r))) / -log(r), 0.3 * r), 0.9)
-        return r * slip_pk
-    if law.kind == LIMIT:
-        return law.coefficients[3] * pressure * min(friction, plateau_at(law, segment, pressure))
-    for i in range(1, len(law.slips)):
-        mu, _, _ = friction_at(law, segment, i, law.slips[i], pressure)
-        if mu >= friction:
-            return law.slips[i]
-    return law.slips[len(law.slips) - 1]
 
 
 def shoot_from(

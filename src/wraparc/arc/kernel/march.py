@@ -25,8 +25,9 @@ from wraparc.arc.kernel.cut import (
     first_crossing,
     within,
 )
-from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, State, zeros
+from wraparc.arc.kernel.quantities import RECORD, Parameters, State
 from wraparc.arc.kernel.step import LARGEST_LOG, MESH_POWER, pressure_at, rates, step
+from wraparc.arc.quantities import Buffer, zeros
 from wraparc.friction.compact import (
     KNOTS,
     LIMIT,

@@ -5,74 +5,16 @@ One source runs in the interpreter and compiled: nothing here is more than a tup
 
 from __future__ import annotations
 
-from collections.abc import MutableSequence
 from math import nan, sqrt
 from typing import NamedTuple
 
-Buffer = MutableSequence[float]
-
-#: Outcomes. The first four are answers. STUCK: solved, the belt sticks over the whole wrap. LOST:
-#: the march in tension does not apply, another must be tried.
-SOLVED, BREAKAWAY, UNSOLVED, REFUSED, STUCK, LOST = range(6)
+from wraparc.arc.quantities import (
+    LEAST_COMPLIANCE,
+    Geometry,
+)
 
 #: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work
 RECORD = 6
-
-LEAST_COMPLIANCE = 1e-16  # of belt and lagging [1/N]: a rigid belt has a strain of 1e-10 at 1 MN
-
-
-class Geometry(NamedTuple):
-    """What of an arc does not depend on its tensions.
-
-    Attributes
-    ----------
-    side
-        +1 driving (T1 >= T2), -1 braking.
-    radius, wrap_angle, width
-        R [m], phi [rad], B [m].
-    compliance
-        1/EA' [1/N].
-    shear
-        h/G [m/Pa].
-    kick, kick_coefficient
-        The overrun is kick + kick_coefficient p1^1.5, negative towards travel [m, m/Pa^1.5].
-    onset
-        Slip per shear stress before the limit of an elastic-plastic law [m/Pa].
-    """
-
-    side: float
-    radius: float
-    wrap_angle: float
-    width: float
-    compliance: float
-    shear: float
-    kick: float
-    kick_coefficient: float
-    onset: float
-
-
-class Load(NamedTuple):
-    """What an arc is asked: tensions, and the limits that capacities are held against.
-
-    Attributes
-    ----------
-    entry_tension, exit_tension
-        T1 and T2 [N].
-    creep_limit
-        Creep that is accepted at the exit [m].
-    pressure_min, pressure_max, slip_max
-        Tested range of the law, nan without one [Pa, Pa, m].
-    steepest_fall
-        Steepest fall of friction with slip, <= 0 [1/m].
-    """
-
-    entry_tension: float
-    exit_tension: float
-    creep_limit: float
-    pressure_min: float
-    pressure_max: float
-    slip_max: float
-    steepest_fall: float
 
 
 class Parameters(NamedTuple):
@@ -114,11 +56,6 @@ class Shot(NamedTuple):
 
 
 NO_SHOT = Shot(nan, nan, nan, nan, nan, nan, nan)
-
-
-def zeros(size: int) -> Buffer:
-    """A buffer of zeros. Compiled code replaces it by an array."""
-    return [0.0] * size
 
 
 def parameters_at(entry_tension: float, geometry: Geometry) -> Parameters:

@@ -18,7 +18,8 @@ from __future__ import annotations
 from math import exp, expm1, log, sqrt, tanh
 
 from wraparc.arc.kernel.march import carry_to_exit, record
-from wraparc.arc.kernel.quantities import RECORD, Buffer, Parameters, State
+from wraparc.arc.kernel.quantities import RECORD, Parameters, State
+from wraparc.arc.quantities import Buffer
 from wraparc.friction.compact import (
     LIMIT,
     PLASTIC,
