@@ -521,7 +521,7 @@ def _moved(
     face: Interface,
     at: Course,
     elements: list[list[float]],
-    back: list[tuple[float, ...]],
+    back: list[tuple[float, float, float, float, float, float, float, float]],
     end: tuple[float, float, float],
     dt: float,
     free: tuple[float, float],

@@ -101,8 +101,7 @@ def samples(arc: Geometry, met: Met) -> list[Point]:
         found.append(point_at_rest(arc, met, length))
         return found
     for i in range(len(at.place) - 1):
-        for c in (0.0, C0, C1, C2):
-            found.append(point_of(arc, met, i, c))
+        found += [point_of(arc, met, i, c) for c in (0.0, C0, C1, C2)]
     found.append(point_of(arc, met, len(at.place) - 2, 1.0))
     return found
 
@@ -111,6 +110,7 @@ def records(arc: Geometry, met: Met, points: int) -> tuple[Buffer, int]:
     """Profile at equal parts of the wrap and at kinks of the law; records, and their number."""
     length, places = arc.radius * arc.wrap_angle, kink_places(arc, met)
     out, count, k = zeros(RECORD * (points + 2 * len(places) + 3)), 0, 0
+    slides = met.rest > 0.0 and met.course.place[-1] > 0.0
     for j in range(points + 1):
         s = length * j / points
         while k < len(places) and places[k] < s - ALIKE * length:
@@ -118,13 +118,11 @@ def records(arc: Geometry, met: Met, points: int) -> tuple[Buffer, int]:
             k += 1
         while k < len(places) and places[k] < s + ALIKE * length:
             k += 1
-        if met.rest > 0.0 and met.course.place[-1] > 0.0 and s > met.rest:
-            if count > 0 and out[RECORD * (count - 1)] < met.rest:
-                # held up to there; where nothing gives way the stress sets in at once
-                before = point_at_rest(arc, met, met.rest)
-                count = _record(met, out, count, before)
-                if arc.shear == 0.0:
-                    count = _record(met, out, count, point_of(arc, met, 0, 0.0))
+        if slides and s > met.rest and out[RECORD * (count - 1)] < met.rest:
+            # held up to there; where nothing gives way the stress sets in at once
+            count = _record(met, out, count, point_at_rest(arc, met, met.rest))
+            if arc.shear == 0.0:
+                count = _record(met, out, count, point_of(arc, met, 0, 0.0))
         count = _record(met, out, count, point_at(arc, met, s))
     return out, count
 

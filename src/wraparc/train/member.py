@@ -18,7 +18,7 @@ from wraparc.arc.kernel.effort import CREEP_SCALE, effort_of, largest_effort, sh
 from wraparc.arc.kernel.quantities import NO_SHOT, Parameters, Shot, parameters_at
 from wraparc.arc.kernel.stick import zone_end
 from wraparc.arc.profile import Range, Read, read
-from wraparc.arc.quantities import SOLVED, Geometry, zeros
+from wraparc.arc.quantities import SOLVED, Geometry, jumps, zeros
 from wraparc.friction import CompactLaw
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
