@@ -495,6 +495,8 @@ def improved(
     if face.rests:  # K follows from the tension at the start
         wanted, steep = ratio_behind_rest(face, arc, at.tension[0])
         part = 1.0 - steep * first_k
+        if part == 0.0:
+            return at, inf, NO_SLOPES
         tied = (wanted - at.ratio + steep * first) / part
         tied_z, tied_goal = steep * first_z / part, steep * first_goal / part
         first, last = first + first_k * tied, last + last_k * tied
