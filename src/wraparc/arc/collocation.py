@@ -56,7 +56,7 @@ MOST_ELEMENTS = 400
 LEAST_PART, MOST_PART = 1.0, 8.0  # elements for one, as its misfit asks
 #: Largest change of a tension, of the pull, that ends Newton's method; one that may be rounding; a
 #: pull that is next to none, of the tension.
-NEWTON, ROUNDING, LEAST_PULL = 1e-9, 1e-6, 1e-5
+NEWTON, ROUNDING, LEAST_PULL = 1e-9, 1e-5, 1e-5
 LEAST_LEFT, MOST_STRETCH = 0.2, 0.5  # of a tension, of a length, after one step
 FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
