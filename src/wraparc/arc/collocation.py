@@ -488,7 +488,8 @@ def improved(
     last, last_z, last_goal = (missing - by_creep * r) / free, -by_creep * d / free, 1.0 / free
     first, first_z, first_goal = last, last_z, last_goal
     last_k = first_k = -by_creep * dk / free
-    for _, _, _, rt, zt, over, _, kt in reversed(back):
+    for i in range(n - 1, -1, -1):
+        _, _, _, rt, zt, over, _, kt = back[i]
         first, first_z, first_goal = over * first - rt, over * first_z - zt, over * first_goal
         first_k = over * first_k - kt
     tied, tied_z, tied_goal, drop = 0.0, 0.0, 0.0, 0.0
@@ -635,7 +636,7 @@ def _differ(one: tuple[int, int, int], other: tuple[int, int, int]) -> bool:
 def kinks(face: Interface, arc: Geometry, at: Course) -> list[tuple[float, bool]]:
     """Places where the course passes into another piece of the law [m], and whether creep turns."""
     found: list[tuple[float, bool]] = []
-    least = SMALL * max(*at.creep, -min(at.creep))
+    least = SMALL * max(max(at.creep), -min(at.creep))
     code = piece_code(face, arc, state_at(arc, at, 0, C0), least)
     for i in range(len(at.place) - 1):
         low = 0.0 if i > 0 else C0
@@ -761,7 +762,8 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
                 stage.append(t)
         creep.append(u)
         tension.append(t)
-    creep[-1], tension[-1] = at.creep[-1], at.tension[-1]
+    last = len(places) - 1
+    creep[last], tension[last] = at.creep[-1], at.tension[-1]
     return Course(places, creep, tension, stage, at.ratio)
 
 
