@@ -830,6 +830,7 @@ const MESH = 3e-6;
 const STIFF = 40.0;
 const FIRST_SLIDES = [0.5, 0.1, 0.01, 0.001];
 const FIRST_STEPS = 15;
+const COARSELY = 0.0001;
 const A00 = 0.1388888888888889;
 const A01 = -0.03597666752493894;
 const A02 = 0.009789444015308318;
@@ -851,8 +852,12 @@ const E0 = 1.478830557701236;
 const E1 = -0.6666666666666666;
 const E2 = 0.1878361089654305;
 const SMALL = 1e-5;
-const _S = 2.32379000772445;
 const KINK = 0.0001;
+const _S = 2.32379000772445;
+const D = -0.049999999999999996;
+const D0 = 0.033810499613777495;
+const D1 = -0.07500000000000001;
+const D2 = 0.2661895003862225;
 const MOST_KINKS = 60;
 const LEAST_PART = 1.0;
 const MOST_PART = 8.0;
@@ -2203,8 +2208,8 @@ export function collocation__improved(face, arc, ends, at) {
   return [new_, change, new Slopes(first_z, last_z, first_goal, last_goal)];
 }
 
-/** Newton's method on one mesh. */
-export function collocation__converged(face, arc, ends, at, most) {
+/** Newton's method on one mesh, until a step changes no tension by `near` of the pull. */
+export function collocation__converged(face, arc, ends, at, most, near) {
   let change;
   let slopes = NO_SLOPES;
   let before = Infinity;
@@ -2216,7 +2221,7 @@ export function collocation__converged(face, arc, ends, at, most) {
     if (!(change < 10000.0)) {
       return new Solved(false, at, slopes);
     }
-    if (change < 1e-9 || (change < 1e-5 && change > 0.5 * before)) {
+    if (change < near || (change < 1e-5 && change > 0.5 * before)) {
       return new Solved(true, at, slopes);
     }
     before = change;
@@ -2245,6 +2250,42 @@ export function collocation__misfit(face, arc, at, i) {
   return h * arc.width * max(first, Math.abs(E2 * f0 + E1 * f1 + E0 * f2 - right));
 }
 
+/** Branch of a law at a magnitude of creep, > 0 [m]; -1 where the belt is held. */
+export function traction__branch_at(law, segment, shear, pressure, creep) {
+  let mu_pk, residual, slip_pk, slope;
+  if (law.kind === LIMIT || law.kind === TABLE) {
+    return traction__piece_at(law, segment, shear, pressure, creep).branch;
+  }
+  const found1 = compact__peak(law, segment, pressure);
+  slip_pk = found1[0];
+  mu_pk = found1[1];
+  let hold = traction___hold(law, segment, pressure);
+  let ease = shear * pressure;
+  let beyond = creep - slip_pk - ease * hold * mu_pk;
+  if (beyond <= 0.0) {
+    return RISE;
+  }
+  const found2 = compact__tail(law, segment, pressure);
+  slope = found2[0];
+  residual = found2[1];
+  let line = beyond / (1.0 + ease * hold * slope);
+  return mu_pk + slope * line >= min(residual, mu_pk) ? LINE : RESIDUAL;
+}
+
+/** The piece of a law that holds at a place: sign of the creep, segment, branch. */
+export function collocation__piece_code(face, arc, state, least) {
+  let [u, tension] = state;
+  let p = tension / (arc.width * arc.radius);
+  let segment = compact__segment_of(face.law, p);
+  let branch = traction__branch_at(face.law, segment, face.shear, p, max(Math.abs(u), LEAST_CREEP));
+  return [Math.abs(u) < least ? 0 : u > 0.0 ? 1 : -1, segment, branch];
+}
+
+/** Whether two places lie in different pieces of the law, or creep turns between them. */
+export function collocation___differ(one, other) {
+  return one[0] * other[0] < 0 || one[1] !== other[1] || one[2] !== other[2];
+}
+
 /** Integrals from 0 to c of the parabolas that are 1 at one stage of an element each. */
 export function collocation__weights_at(c) {
   let x = 2.0 * c - 1.0;
@@ -2259,7 +2300,6 @@ export function collocation__weights_at(c) {
 
 /** Creep [m] and tension [N] at a fraction c of element i, by its polynomials. */
 export function collocation__state_at(arc, at, i, c) {
-  let j, m, part;
   let h = at.place[i + 1] - at.place[i];
   let k = at.stage;
   const found1 = collocation__weights_at(c);
@@ -2268,41 +2308,13 @@ export function collocation__state_at(arc, at, i, c) {
   let w2 = found1[2];
   let mean = w0 * k[3 * i] + w1 * k[3 * i + 1] + w2 * k[3 * i + 2];
   let u = at.creep[i] + h * (c * at.ratio - collocation__compliance_of(arc) * mean);
-  let t = 0.0;
-  let nodes = [0.0, C0, C1, C2];
-  let values = [at.tension[i], k[3 * i], k[3 * i + 1], k[3 * i + 2]];
-  for (let each2 = 0, end2 = 4; each2 < end2; each2++) {
-    j = each2;
-    part = values[j];
-    for (let each3 = 0, end3 = 4; each3 < end3; each3++) {
-      m = each3;
-      if (m !== j) {
-        part *= (c - nodes[m]) / (nodes[j] - nodes[m]);
-      }
-    }
-    t += part;
-  }
+  let c0 = c - C0;
+  let c1 = c - C1;
+  let c2 = c - C2;
+  let t =
+    (at.tension[i] * c0 * c1 * c2) / D +
+    c * ((k[3 * i] * c1 * c2) / D0 + (k[3 * i + 1] * c0 * c2) / D1 + (k[3 * i + 2] * c0 * c1) / D2);
   return [u, t];
-}
-
-/** The piece of a law that holds at a place: sign of the creep, segment, branch. */
-export function collocation__piece_code(face, arc, state, least) {
-  let [u, tension] = state;
-  let p = tension / (arc.width * arc.radius);
-  let segment = compact__segment_of(face.law, p);
-  let branch = traction__piece_at(
-    face.law,
-    segment,
-    face.shear,
-    p,
-    max(Math.abs(u), LEAST_CREEP),
-  ).branch;
-  return [Math.abs(u) < least ? 0 : u > 0.0 ? 1 : -1, segment, branch];
-}
-
-/** Whether two places lie in different pieces of the law, or creep turns between them. */
-export function collocation___differ(one, other) {
-  return one[0] * other[0] < 0 || one[1] !== other[1] || one[2] !== other[2];
 }
 
 /** Fraction of an element at which a piece of the law ends, and whether creep turns there. */
@@ -2325,24 +2337,43 @@ export function collocation___change(face, arc, at, i, within, code) {
 
 /** Places where the course passes into another piece of the law [m], and whether creep turns. */
 export function collocation__kinks(face, arc, at) {
-  let h, high, i, low, now, share, turns;
+  let h, high, i, low, now, share, states, t, turns, u, u0, u1, u2;
   let found = [];
-  let least = SMALL * max($maxOf(at.creep), -$minOf(at.creep));
-  let code = collocation__piece_code(face, arc, collocation__state_at(arc, at, 0, C0), least);
-  for (let each1 = 0, end1 = at.place.length - 1; each1 < end1; each1++) {
+  let largest = $maxOf(at.creep);
+  let lowest = $minOf(at.creep);
+  let least = SMALL * max(largest, -lowest);
+  let c = collocation__compliance_of(arc);
+  let n = at.place.length - 1;
+  let k = at.stage;
+  let code = [0, 0, 0];
+  for (let each1 = 0, end1 = n; each1 < end1; each1++) {
     i = each1;
-    low = i > 0 ? 0.0 : C0;
-    for (const each2 of [C0, C1, C2, 1.0]) {
-      high = each2;
-      if (high <= low || (high === 1.0 && i + 2 === at.place.length)) {
-        continue;
-      }
-      now = collocation__piece_code(face, arc, collocation__state_at(arc, at, i, high), least);
-      if (collocation___differ(now, code)) {
+    h = at.place[i + 1] - at.place[i];
+    [u0, u1, u2] = collocation__stage_creeps(
+      h,
+      at.ratio,
+      c,
+      at.creep[i],
+      k.slice(3 * i, 3 * i + 3),
+    );
+    states = [
+      [C0, u0, k[3 * i]],
+      [C1, u1, k[3 * i + 1]],
+      [C2, u2, k[3 * i + 2]],
+    ];
+    if (i + 1 < n) {
+      states.push([1.0, at.creep[i + 1], at.tension[i + 1]]);
+    }
+    low = 0.0;
+    for (const each2 of states) {
+      [high, u, t] = each2;
+      now = collocation__piece_code(face, arc, [u, t], least);
+      if (i === 0 && high === C0) {
+        code = now;
+      } else if (collocation___differ(now, code)) {
         const found3 = collocation___change(face, arc, at, i, [low, high], code);
         share = found3[0];
         turns = found3[1];
-        h = at.place[i + 1] - at.place[i];
         found.push([at.place[i] + share * h, turns]);
       }
       code = now[0] !== 0 ? now : [code[0], now[1], now[2]];
@@ -2480,7 +2511,7 @@ export function collocation__meshed(face, arc, at, kind, tol) {
 /** Meet the end conditions from a first guess, on meshes that adapt until nothing misses. */
 export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
   let finer, new_;
-  let found = collocation__converged(face, arc, ends, start, FIRST_STEPS);
+  let found = collocation__converged(face, arc, ends, start, FIRST_STEPS, COARSELY);
   for (let each1 = 0, end1 = MOST_ROUNDS; each1 < end1; each1++) {
     if (!found.done) {
       return found;
@@ -2489,11 +2520,11 @@ export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
     finer = found2[0];
     new_ = found2[1];
     if (!finer) {
-      return found;
+      break;
     }
-    found = collocation__converged(face, arc, ends, new_, LATER_STEPS);
+    found = collocation__converged(face, arc, ends, new_, LATER_STEPS, COARSELY);
   }
-  return found;
+  return collocation__converged(face, arc, ends, found.course, LATER_STEPS, 1e-9);
 }
 
 /** `meet` with a rest arc at the entry; not done where it is not much longer than l. */
@@ -2540,7 +2571,7 @@ export function collocation__eased(face, arc, ends, at, tol) {
     spring: min(spring, softest),
     share: 0.0,
   });
-  let found = collocation__converged(face, arc, ends, at, FIRST_STEPS);
+  let found = collocation__converged(face, arc, ends, at, FIRST_STEPS, COARSELY);
   if (!found.done) {
     return found;
   }
@@ -2556,6 +2587,7 @@ export function collocation__eased(face, arc, ends, at, tol) {
       ends,
       at,
       FIRST_STEPS,
+      COARSELY,
     );
     if (!found.done) {
       step *= 0.4;
@@ -2565,7 +2597,7 @@ export function collocation__eased(face, arc, ends, at, tol) {
     face = Object.assign(Object.create(Object.getPrototypeOf(face)), face, { share: now });
     at = collocation__meshed(face, arc, found.course, ends.kind, max(ROUGH, tol))[1];
     if (share === 1.0) {
-      return collocation__converged(face, arc, ends, at, LATER_STEPS);
+      return collocation__converged(face, arc, ends, at, LATER_STEPS, COARSELY);
     }
   }
   return new Solved(false, at, NO_SLOPES);
