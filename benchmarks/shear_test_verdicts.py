@@ -144,9 +144,12 @@ def laboratory(law: IntegralLog, design: str, seed: int, **rig: Any) -> Laborato
                 dropped=(), notes=(), header=(), digest=name,
             )  # fmt: skip
             place = f"test[{len(tests) + 1}]"
-            tests.append(PlannedTest(file=name, place=place, pressure=float(pressure)))
+            order = _order(k, r, len(pressures), repeats)
+            test = PlannedTest(file=name, place=place, pressure=float(pressure), order=order)
+            tests.append(test)
     plan = TestPlan(
         name="virtual",
+        surface="rubber",
         rig=Rig(area=of.area * (1.0 + 0.01 * area)),
         tests=tuple(tests),
         thickness=THICKNESS,
@@ -154,6 +157,13 @@ def laboratory(law: IntegralLog, design: str, seed: int, **rig: Any) -> Laborato
         uncertainty=Uncertainty(),
     )
     return Laboratory(plan, records)
+
+
+def _order(level: int, repeat: int, levels: int, repeats: int) -> int:
+    """Pressures upwards and the repeats downwards; without repeats every second one, and back."""
+    if repeats == 1:
+        return 1 + (level // 2 if level % 2 == 0 else levels - 1 - level // 2)
+    return 1 + repeat * levels + (level if repeat % 2 == 0 else levels - 1 - level)
 
 
 def _half_friction(lab: Laboratory, seed: int) -> None:
@@ -197,6 +207,84 @@ def _waves(lab: Laboratory, seed: int) -> None:
         lab.records[name] = replace(record, force=record.force * wave)
 
 
+def _edit(lab: Laboratory, name: str, rows: Any) -> None:
+    """Take rows of a record, in the order given."""
+    record = lab.records[name]
+    assert record.time is not None
+    assert record.normal_force is not None
+    lab.records[name] = replace(
+        record, travel=record.travel[rows], force=record.force[rows], time=record.time[rows],
+        normal_force=record.normal_force[rows], lines=np.arange(1, len(rows) + 1), rows=len(rows),
+    )  # fmt: skip
+
+
+def _clipped(lab: Laboratory, seed: int) -> None:
+    """The load cell of one test ends at 85 % of the largest force."""
+    name = _any(lab, seed)
+    record = lab.records[name]
+    end = 0.85 * float(np.quantile(record.force, 0.98))
+    lab.records[name] = replace(record, force=np.minimum(record.force, end))
+
+
+def _travel_ends(lab: Laboratory, seed: int) -> None:
+    """The travel of one test ends at 60 % of it, the pull goes on."""
+    name = _any(lab, seed)
+    record = lab.records[name]
+    travel = np.minimum(record.travel, 0.6 * float(record.travel.max()))
+    lab.records[name] = replace(record, travel=travel)
+
+
+def _rows_lost(lab: Laboratory, seed: int) -> None:
+    """A tenth of the readings of one test was not written, somewhere in the middle."""
+    name = _any(lab, seed)
+    count = len(lab.records[name].force)
+    first = count // 5 + seed * 37 % (count // 2)
+    _edit(lab, name, np.r_[0:first, first + count // 10 : count])
+
+
+def _rows_twice(lab: Laboratory, seed: int) -> None:
+    """A tenth of the readings of one test was written twice."""
+    name = _any(lab, seed)
+    count = len(lab.records[name].force)
+    first = count // 5 + seed * 37 % (count // 2)
+    _edit(lab, name, np.r_[0 : first + count // 10, first:count])
+
+
+def _wears(lab: Laboratory) -> None:
+    """Friction of each test is 5 % below that of the test before it."""
+    for test in lab.plan.tests:
+        record = lab.records[test.file]
+        factor = 0.95 ** ((test.order or 1) - 1)
+        lab.records[test.file] = replace(record, force=factor * record.force)
+
+
+def _wears_in_order(lab: Laboratory, seed: int) -> None:
+    """The same, the pressures one after the other."""
+    tests = [replace(test, order=k) for k, test in enumerate(lab.plan.tests, start=1)]
+    lab.plan = replace(lab.plan, tests=tuple(tests))
+    _wears(lab)
+
+
+def _wears_in_mixed_order(lab: Laboratory, seed: int) -> None:
+    _wears(lab)
+
+
+def _stick_slip(lab: Laboratory, seed: int) -> None:
+    """Every curve is a sawtooth of 10 % of its friction, of 1 mm and a quarter more or less."""
+    rng = np.random.default_rng(seed)
+    for name, record in lab.records.items():
+        ends = np.cumsum(1e-3 * rng.uniform(0.75, 1.25, 200))
+        k = np.searchsorted(ends, record.travel)
+        way = ends[k] - record.travel
+        tooth = 0.5 - way / np.diff(ends, prepend=0.0)[k]
+        lab.records[name] = replace(record, force=record.force * (1.0 + 0.1 * tooth))
+
+
+def _one_face_for_two(lab: Laboratory, seed: int) -> None:
+    """The plan says 1 face, two slid."""
+    lab.plan = replace(lab.plan, rig=replace(lab.plan.rig, faces=1))
+
+
 def _any(lab: Laboratory, seed: int) -> str:
     return lab.plan.tests[seed % len(lab.plan.tests)].file
 
@@ -209,6 +297,14 @@ FAULTS: dict[str, Callable[[Laboratory, int], None]] = {
     "two speeds, 12 % apart": _speeds,
     "half of the force stands before the slip": _standing_force,
     "waves of 6 % in every curve": _waves,
+    "one load cell at its end": _clipped,
+    "one travel sensor at its end": _travel_ends,
+    "a tenth of the readings of one test lost": _rows_lost,
+    "a tenth of the readings of one test written twice": _rows_twice,
+    "5 % less friction a test, pressures upwards": _wears_in_order,
+    "5 % less friction a test, mixed order": _wears_in_mixed_order,
+    "stick-slip of 10 % in every curve": _stick_slip,
+    "1 face in the plan, 2 slid": _one_face_for_two,
 }
 
 COVERAGE: dict[str, tuple[str, dict[str, Any]]] = {

@@ -1,9 +1,12 @@
 """What a test report states beside its numbers: title box, circumstances, digests, signatures."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
 
 from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
+from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.plan import PlannedTest
 from wraparc.units import Dimension, System, display
 
@@ -69,6 +72,7 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
         ("Belt cover it slides on", _texts(tests, lambda t: t.belt_cover)),
         ("Conditioning", _texts(tests, lambda t: t.conditioning)),
         ("Date of the tests", _dates(tests)),
+        ("Order of the tests", _order(tests)),
         ("Operator", _texts(tests, lambda t: t.operator or rig.operator)),
         ("Temperature", _span([t.temperature for t in tests], "temperature", system)),
         ("Humidity", _percents([t.humidity for t in tests])),
@@ -127,6 +131,16 @@ def _dates(tests: Iterable[PlannedTest]) -> str:
     values = [test.date for test in tests]
     dates = sorted({value for value in values if value})
     return _stated(values, " to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
+
+
+def _order(tests: Sequence[PlannedTest]) -> str:
+    """The first tests as they followed each other, and the last."""
+    order = order_of(tests)
+    if order is None:
+        return ""
+    following = [tests[k] for k in np.argsort(order, kind="stable")]
+    named = [test.file for test in following[:3]]
+    return ", ".join(named) + (f", ... {following[-1].file}" if len(following) > 3 else "")
 
 
 def _ends(values: list[float | None], shown: Callable[[float], str]) -> str:

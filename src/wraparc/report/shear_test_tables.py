@@ -116,11 +116,19 @@ def _remainders(result: PlanResult) -> str:
     tests = [test for condition in result.conditions for test in condition.tests]
     share = max(test.fit.remainder / _top(test) for test in tests)
     levels = max(noise_levels(test.fit, test.curve) for test in tests)
-    scatters = [c.fit.scatter[1, 1] ** 0.5 for c in result.conditions if c.fit is not None]
-    between = f"; samples scatter by {100 * max(scatters, default=0.0):.2g} % in peak friction"
+    scatters = [s for c in result.conditions if (s := c.found.scatter_of_repeats) is not None]
+    between = f"; repeats scatter by {100 * max(scatters, default=0.0):.2g} % in peak friction"
+    swings = [test.curve.swing for test in tests if test.curve.swing is not None]
+    largest = max(swings, default=None)
+    stick_slip = (
+        f" Stick-slip swings friction by up to {100 * largest.size:.0f} %, every "
+        f"{largest.period * 1e3:.2g} mm."
+        if largest
+        else ""
+    )
     return (
         f"No single curve is off its law by more than {100 * share:.1f} % of its friction "
-        f"({levels:.1f} noise levels){between if scatters else ''}."
+        f"({levels:.1f} noise levels){between if scatters else ''}.{stick_slip}"
     )
 
 

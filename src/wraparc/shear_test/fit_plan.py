@@ -12,7 +12,13 @@ from wraparc.errors import InputError, Problem
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.misfit import OTHER_PRESSURE, Sentence, judged_fit, with_misfit
+from wraparc.shear_test.misfit import (
+    OTHER_PRESSURE,
+    Sentence,
+    judged_fit,
+    stick_slip,
+    with_misfit,
+)
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
@@ -124,6 +130,7 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         normal_force=_set_force(plan, test),
         friction=(plan.rig.least_friction, plan.rig.most_friction),
         stroke=test.stroke,
+        stick_slip=test.stick_slip,
     )
     with np.errstate(all="ignore"):  # what is not finite in the end is left out below
         result = _fitted(plan, test, record, reduce_record(record, sample), known)
@@ -147,6 +154,8 @@ def _fitted(
         bending, other = other, bending
     _refuse_long_lash(plan, test, float(curve.travel[-1]))
     judged = judged_fit(curve, plan.rig.largest_lash, bending, plan.held)
+    if curve.swing is not None and not test.stick_slip:
+        judged = with_misfit(judged, stick_slip(curve.swing))
     for sentence in _set_and_measured(plan, test, curve.pressure):
         judged = with_misfit(judged, sentence)
     second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None

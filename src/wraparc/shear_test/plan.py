@@ -85,8 +85,13 @@ class PlannedTest:
         Of the crosshead [m/s], or None.
     date
         When it was done.
+    order
+        Its place in the order in which the tests were done, counted from 1, or None.
     sample, lot
         Which sample, and of which lot.
+    stroke, stick_slip
+        Which pull of a record, and which part of stick-slip, is fitted; empty for the middle of
+        its swings, and stick-slip asked about.
     belt_cover, conditioning
         What it slid on, and how sample and belt were kept and prepared before.
     operator
@@ -106,8 +111,10 @@ class PlannedTest:
     humidity: float | None = None
     speed: float | None = None
     date: str = ""
+    order: int | None = None
     sample: str = ""
     stroke: str = "first"
+    stick_slip: str = ""
     lot: str = ""
     belt_cover: str = ""
     conditioning: str = ""

@@ -143,6 +143,6 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
     if "normal_force_column" in said:
         choices["normal_force"] = said["normal_force_column"]
     units = {**common.get("units", {}), **record.get("units", {})}
-    stroke = said.get("stroke", "first")
+    pull = {"stroke": said.get("stroke", "first"), "stick_slip": said.get("stick_slip", "")}
     own = Choices(units=units, **choices)
-    return TEST.built(record, report, place=place, choices=own, stroke=stroke)
+    return TEST.built(record, report, place=place, choices=own, **pull)

@@ -23,6 +23,7 @@ from wraparc.shear_test import DELIMITER_NAMES, PlannedTest, PressureOptions, Ri
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
 from wraparc.shear_test.curve_held import Held
+from wraparc.shear_test.record_faults import STICK_SLIP
 from wraparc.shear_test.reduce import STROKES
 
 _MOST_TESTS = 1000
@@ -83,6 +84,11 @@ _FILE_ENTRIES = (
         "Which pull of a record of several: first if left out, last after run-in cycles, the "
         "readings of all, or their mean at each travel.",
         Choice(STROKES),
+    ),
+    Entry(
+        "stick_slip",
+        "Which part of stick-slip is fitted: the mean of its swings, or their upper or lower ends.",
+        Choice(STICK_SLIP),
     ),
 )
 COLUMNS = Table("What holds for all files", *_FILE_ENTRIES)
@@ -211,6 +217,7 @@ TEST = Table(
     Entry("condition", "dry, wet, dirty ...; dry if left out.", Name()),
     Entry("repeat", "Tests with the same word here are repeats.", Name()),
     Entry("sample", "Which sample.", Text()),
+    Entry("order", "Place in the order in which the tests were done, from 1.", Count(1, 100_000)),
     Entry("use", "false leaves the test out; say why in reason.", Flag()),
     Entry("reason", "Why the test is left out.", Text(500)),
     *_CIRCUMSTANCES,
