@@ -156,10 +156,20 @@ def _fitted(
     judged = judged_fit(curve, plan.rig.largest_lash, bending, plan.held)
     if curve.swing is not None and not test.stick_slip:
         judged = with_misfit(judged, stick_slip(curve.swing))
+    if record.unread:
+        judged = with_misfit(judged, _unread(record.unread))
     for sentence in _set_and_measured(plan, test, curve.pressure):
         judged = with_misfit(judged, sentence)
     second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None
     return TestResult(test=test, record=record, curve=curve, judged=judged, other=second)
+
+
+def _unread(count: int) -> Sentence:
+    text = (
+        f"{count} further tables of its file have the same columns and do not run on from it: they "
+        "were not read. Name the one that is meant (table = 1), and give each a test of its own"
+    )
+    return Sentence("other tables", text)
 
 
 def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:

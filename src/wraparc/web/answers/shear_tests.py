@@ -24,6 +24,7 @@ from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
 from wraparc.shear_test.plan_file import plan_from_document
 from wraparc.shear_test.plan_keys import PLAN
+from wraparc.shear_test.reader import table_columns
 from wraparc.web.answers.shown import (
     Answer,
     Data,
@@ -168,7 +169,8 @@ def _read_file(file: MachineFile) -> ReadFile:
         test = _one_test(file)
         record = read_machine_bytes(file.data, file.name, test.choices)
     except InputError as error:
-        return ReadFile(problems=told(error.problems), pressure_guess=guess)
+        columns = _columns_of(file)
+        return ReadFile(problems=told(error.problems), pressure_guess=guess, columns=columns)
     shown = record_sheet(record)
     step = max(1, len(record.travel) // _PREVIEW)
     return ReadFile(
@@ -180,6 +182,15 @@ def _read_file(file: MachineFile) -> ReadFile:
         preview=Preview(travel=rounded(record.travel[::step]), force=rounded(record.force[::step])),
         pressure_guess=guess,
     )
+
+
+def _columns_of(file: MachineFile) -> list[FileColumn]:
+    """Columns of a file that was not understood, so that their units can be given."""
+    try:
+        found = table_columns(file.data, file.name, _one_test(file).choices)
+    except InputError:
+        return []
+    return [FileColumn(name=c.label, unit=c.unit, role="") for c in found]
 
 
 def _one_test(file: MachineFile) -> PlannedTest:
