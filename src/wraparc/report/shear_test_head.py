@@ -63,6 +63,12 @@ def circumstances_table(result: PlanResult, system: System) -> Table:
 
 def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
     plan, rig = result.plan, result.plan.rig
+    if plan.digitised is not None:
+        return (
+            ("Specimen", plan.title or plan.name),
+            ("Curves", plan.provenance.source),
+            ("Error of a point", plan.provenance.note),
+        )
     tests = [test.test for condition in result.conditions for test in condition.tests]
     thickness = plan.thickness
     per_force = f"{rig.compliance * 1e6:.3g} mm/kN" if rig.compliance else ""

@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.errors import InputError, Problem
+from wraparc.machine_tables import read_bytes
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.curve_fit import fit_curve
+from wraparc.shear_test.digitised import as_drawn, with_curves
 from wraparc.shear_test.misfit import (
     OTHER_PRESSURE,
     Sentence,
@@ -62,6 +64,9 @@ def fit_plan(
     InputError
         If no test can be used, with the reasons of all.
     """
+    if plan.digitised is not None and read is None:
+        plan, curves = with_curves(plan, lambda test: _bytes(plan, test))
+        read = lambda test: curves[test.file]  # noqa: E731 - as short as it says
     reader = read or (lambda test: _from_disk(plan, test))
     results: list[TestResult] = []
     problems: list[Problem] = []
@@ -92,6 +97,10 @@ def fit_plan(
 
 def _from_disk(plan: TestPlan, test: PlannedTest) -> MachineRecord:
     return read_machine_file(Path(plan.folder) / test.file, test.choices)
+
+
+def _bytes(plan: TestPlan, test: PlannedTest) -> bytes:
+    return read_bytes(Path(plan.folder) / test.file)
 
 
 def _refuse_duplicate(record: MachineRecord, test: PlannedTest, seen: dict[str, str]) -> None:
@@ -131,9 +140,13 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         friction=(plan.rig.least_friction, plan.rig.most_friction),
         stroke=test.stroke,
         stick_slip=test.stick_slip,
+        recorded=plan.digitised is None,
     )
     with np.errstate(all="ignore"):  # what is not finite in the end is left out below
-        result = _fitted(plan, test, record, reduce_record(record, sample), known)
+        curve = reduce_record(record, sample)
+        if plan.digitised is not None:
+            curve = as_drawn(curve, float(record.travel.min()))
+        result = _fitted(plan, test, record, curve, known)
     if not _is_finite(result):
         raise ArithmeticError("its result is not finite")
     return result

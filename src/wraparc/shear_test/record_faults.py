@@ -110,7 +110,7 @@ def saturated(values: Array, travel: Array) -> int:
         return 0
     resolution = float(np.diff(np.unique(values)).min())
     noise = noise_level(values[:first]) if first >= 2 * _EQUAL else noise_level(values[~at])
-    if noise > max(resolution, _NOISE * top):
+    if noise > max(2.0 * resolution, _NOISE * top):
         return count
     end = float(travel[first])
     before = float(np.interp(0.9 * end, travel[: first + 1], values[: first + 1]))

@@ -67,6 +67,8 @@ class Sample:
         Which pull of a record of several: one of `STROKES`.
     stick_slip
         Which part of stick-slip is kept: one of `STICK_SLIP`; empty keeps all readings.
+    recorded
+        Whether sensors recorded it; a curve read off a figure has no end of a load cell.
     """
 
     area: float
@@ -77,6 +79,7 @@ class Sample:
     friction: tuple[float, float] = (0.0, np.inf)
     stroke: str = "first"
     stick_slip: str = ""
+    recorded: bool = True
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -170,7 +173,8 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         faults += travel_faults(record, stroke.rows, stroke.direction)
     travel, pull, normal = _pulled(record, sample, used)
     sign = 1.0 if np.median(pull[len(pull) // 5 :]) >= 0 else -1.0
-    _refuse_saturated(record, travel, {"force": sign * pull, "normal force": normal})
+    if sample.recorded:
+        _refuse_saturated(record, travel, {"force": sign * pull, "normal force": normal})
     friction = sign * pull / (sample.faces * normal)
     onset, zero = _start(travel, friction)
     keep = despiked(friction)

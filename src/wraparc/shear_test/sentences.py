@@ -40,6 +40,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         misfit += _predictions(found.left_out) + _wide(tests, law, found)
         by_order, order_remarks = order_sentences(tests, law, found.points, found.flagged)
         misfit += by_order
+        order_remarks = [] if plan.digitised else order_remarks
     peaks = np.array([test.fit.parameters.peak_friction for test in tests])
     misfit += surface_questions(plan.surface, found.condition, peaks, plan.rig.faces)
     remarks = [
