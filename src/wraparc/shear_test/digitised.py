@@ -205,6 +205,7 @@ def as_drawn(curve: FrictionCurve, first: float) -> FrictionCurve:
         curve,
         travel=curve.travel + first,
         binned_travel=curve.binned_travel + first,
+        first_friction=float(curve.friction[0]),  # of so few points, not the median of five
         onset=0.0,
         zero=None,
         zero_unknown=0.0,
