@@ -11,8 +11,8 @@ import pytest
 
 from shear_test.virtual import fitted, laboratory, verdicts
 from wraparc.checks import Level
-from wraparc.report.shear_test_tables import verdict
-from wraparc.shear_test import MachineRecord, Sample, reduce_record
+from wraparc.report.shear_test_tables import plan_sheet, verdict
+from wraparc.shear_test import Choices, MachineRecord, Sample, reduce_record
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.load_slips import surface_questions
 from wraparc.shear_test.record_faults import saturated
@@ -126,8 +126,9 @@ def test_scatter_is_what_the_repeats_show() -> None:
     plan, records = laboratory(seed=2, repeats=2, points=250)
     for name in [name for name in records if name.endswith("r1")]:
         records[name] = replace(records[name], force=1.04 * records[name].force)
-    told = fitted(plan, records).conditions[0].found.scatter_of_repeats
-    assert told == pytest.approx(0.04 / np.sqrt(2.0), rel=0.2)
+    condition = fitted(plan, records).conditions[0]
+    assert condition.found.scatter_of_repeats == pytest.approx(0.04 / np.sqrt(2.0), rel=0.2)
+    assert any(text.startswith("repeats scatter by 2.8 %") for text in condition.remarks)
 
 
 def test_a_low_zero_is_no_contradiction() -> None:
@@ -145,3 +146,19 @@ def test_friction_outside_the_band_of_its_surface_is_asked_about() -> None:
     (text,) = surface_questions("rubber", "dry", np.array([1.6, 1.5]), 1)
     assert text.startswith("its mean peak friction, 1.55, is outside the 0.35 to 1.35 that rubber")
     assert surface_questions("rubber", "dry", np.array([0.3]), 2)
+
+
+def test_sheets_of_one_workbook_are_named_by_their_sheets() -> None:
+    test = laboratory(repeats=1, points=20)[0].tests[0]
+    named = replace(test, file="all.xlsx", choices=Choices(sheet="34 kPa"))
+    assert named.label == "all.xlsx, sheet 34 kPa"
+    assert test.label == test.file
+
+
+def test_the_report_says_what_slip_includes_and_the_order() -> None:
+    lab = verdicts().laboratory(verdicts().smooth(), "3 x 2", 1)
+    rows = {r.title: r.values for t in plan_sheet(lab.fit()).tables for r in t.rows}
+    assert rows["Slip includes"] == (
+        "the shear of the belt cover in the rig, the rig's own travel",
+    )
+    assert rows["Order of the tests"] == ("p0r0, p1r0, p2r0, ... p0r1",)

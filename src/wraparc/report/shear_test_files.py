@@ -29,7 +29,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         warm = planned.temperature
         rows.append(
             Row(
-                title=planned.file,
+                title=planned.label,
                 values=(
                     str(record.rows),
                     str(len(record.travel)),
@@ -81,7 +81,7 @@ def remarks_table(condition: ConditionResult, name: str) -> Table | None:
     about: dict[str, list[str]] = {}
     for test in condition.tests:
         for text in _remarks(test):
-            about.setdefault(text, []).append(test.test.file)
+            about.setdefault(text, []).append(test.test.label)
     if not about:
         return None
     lines = tuple(Row(f"{_listed(files)}: {text}.", ()) for text, files in about.items())

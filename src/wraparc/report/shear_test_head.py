@@ -7,7 +7,7 @@ import numpy as np
 from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
 from wraparc.shear_test.campaign import order_of
-from wraparc.shear_test.plan import PlannedTest
+from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.units import Dimension, System, display
 
 NOT_STATED = "not stated"
@@ -89,6 +89,7 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
             "Thickness that shears",
             "" if thickness is None else display(thickness, "length", system),
         ),
+        ("Slip includes", _slip_includes(plan)),
         ("Rig", rig.name),
         ("Testing machine", rig.machine),
         ("Compliance of the rig", per_force),
@@ -96,6 +97,16 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
         ("Calibration, pull", rig.force_cell.calibration),
         *_normal_force(result),
     )
+
+
+def _slip_includes(plan: TestPlan) -> str:
+    """What the slip of the law holds besides the sliding: a drive must not count it twice."""
+    parts = ["the shear of the belt cover in the rig"]
+    if not plan.removes_shear:
+        parts.append("the sample's own shear")
+    if not plan.rig.compliance:
+        parts.append("the rig's own travel")
+    return ", ".join(parts)
 
 
 def _normal_force(result: PlanResult) -> list[tuple[str, str]]:

@@ -173,7 +173,7 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
     )
     rows = tuple(
         Row(
-            title=test.test.file,
+            title=test.test.label,
             values=_curve_values(test, system, size),
             note="outlier"
             if condition.found.flagged[k]
@@ -244,7 +244,7 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
         check = derivative_check(fit)
         rows.append(
             Row(
-                title=test.test.file,
+                title=test.test.label,
                 values=(
                     with_error(a, spread * by_a),
                     with_error(b, spread * by_b),
@@ -361,7 +361,7 @@ def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
         both = sorted((test.fit, test.other), key=lambda fit: -fit.bending)
         rows.append(
             Row(
-                title=test.test.file,
+                title=test.test.label,
                 values=(
                     f"{test.curve.bending * _top(test) / size:.3f}",
                     *(number(fit.parameters.peak_slip / size) for fit in both),

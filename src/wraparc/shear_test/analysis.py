@@ -89,7 +89,7 @@ class TestResult:
     @property
     def name(self) -> str:
         """What to call it in messages."""
-        return f"{self.test.place} ({self.test.file})"
+        return f"{self.test.place} ({self.test.label})"
 
 
 @dataclass(frozen=True, kw_only=True)

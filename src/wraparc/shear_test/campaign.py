@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import TestResult
+from wraparc.shear_test.consistency import USUAL, USUAL_WEIGHT
 from wraparc.shear_test.plan import PlannedTest
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.pressure_form import ln_peaks
@@ -91,17 +92,18 @@ def _trend(
     value, jacobian = ln_peaks(law.form, law.theta, law.ends, points.pressure)
     by_order = (order - order.mean()) / max(float(np.ptp(order)), 1.0)
     design = np.column_stack([jacobian[:, 1, np.abs(jacobian[:, 1]).max(0) > 0.0], by_order])
-    variance = points.covariance[:, 1, 1] + law.scatter[1, 1]
-    root = np.sqrt(weights / variance)
+    root = np.sqrt(weights)
     rows, target = design * root[:, None], (points.value - value)[:, 1] * root
     found, _, rank, _ = np.linalg.lstsq(rows, target, rcond=1e-9)
     freedom = len(target) - int(rank)
     if freedom < _LEAST_FREEDOM or rank < design.shape[1]:
         return [], ["too few tests to see whether friction goes with their order"]
-    left = float(((rows @ found - target) ** 2).sum()) / freedom
-    error = float(np.sqrt(left * np.linalg.inv(rows.T @ rows)[-1, -1]))
+    left = float(((rows @ found - target) ** 2).sum())
+    # Of few degrees of freedom, it is drawn towards a usual scatter.
+    variance = (left + USUAL_WEIGHT * USUAL**2) / (freedom + USUAL_WEIGHT)
+    error = float(np.sqrt(variance * np.linalg.inv(rows.T @ rows)[-1, -1]))
     change = float(found[-1])
-    if abs(change) > max(_MATTERS, two_sided(freedom, _LEVEL) * error):
+    if abs(change) > max(_MATTERS, two_sided(freedom + USUAL_WEIGHT - 1.0, _LEVEL) * error):
         return [
             f"friction changes by {100 * np.expm1(change):+.0f} % from the first test to the last, "
             f"what pressure does taken off (standard error {100 * error:.1f} %): the sample wears, "

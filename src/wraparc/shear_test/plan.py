@@ -165,6 +165,13 @@ class PlannedTest:
     use: bool = True
     reason: str = ""
 
+    @property
+    def label(self) -> str:
+        """What to call it beside others of the same file: the file, and sheet, table or block."""
+        of = self.choices
+        said = (("sheet", of.sheet), ("table", of.table), ("block", of.block))
+        return ", ".join([self.file, *(f"{what} {value}" for what, value in said if value)])
+
 
 @dataclass(frozen=True, kw_only=True)
 class TestPlan:

@@ -76,16 +76,13 @@ def without_repeats(record: MachineRecord) -> tuple[MachineRecord, list[Fault]]:
         "they replaced is missing"
     )
     keep = ~again
-    optional = {
-        name: None if values is None else values[keep]
-        for name, values in (("normal_force", record.normal_force), ("time", record.time))
-    }
     one = replace(
         record,
         travel=record.travel[keep],
         force=record.force[keep],
         lines=record.lines[keep],
-        **optional,
+        normal_force=None if record.normal_force is None else record.normal_force[keep],
+        time=None if record.time is None else record.time[keep],
     )
     return one, [Fault("repeated rows", text)]
 

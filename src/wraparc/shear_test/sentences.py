@@ -49,6 +49,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         *_unused(plan),
         *_held(plan),
         *order_remarks,
+        *_scatter(found),
         *speed_remarks,
         *found.separated.remarks,
         *_compliance(plan, tests),
@@ -73,6 +74,18 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "slip the law is an extrapolation"
         )
     return tuple(misfit), tuple(remarks)
+
+
+def _scatter(found: Findings) -> list[str]:
+    """What the scatter of repeats means for a further sample."""
+    scatter = found.scatter_of_repeats
+    if scatter is None:
+        return []
+    return [
+        f"repeats scatter by {100 * scatter:.2g} % in peak friction (standard deviation between "
+        f"tests of one pressure): of 20 further samples about one is off by more than "
+        f"{200 * scatter:.2g} %"
+    ]
 
 
 def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> list[str]:
