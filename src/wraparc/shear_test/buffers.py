@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from wraparc.errors import InputError
-from wraparc.machine_tables import Array, NumeralStyle, RawTable
+from wraparc.machine_tables import Array, Cells, NumeralStyle, RawTable
 from wraparc.shear_test.roles import Role, is_known, suitability
 
 # Steps of time or travel that may lie between two pieces, in steps inside them. Ours.
@@ -39,7 +39,7 @@ def one_run(tables: Sequence[RawTable], best: RawTable) -> list[RawTable]:
 
 def joined(pieces: Sequence[RawTable]) -> RawTable:
     """Return the pieces of a run as one table."""
-    columns = []
+    columns: list[Cells] = []
     for cells in zip(*(piece.columns for piece in pieces), strict=True):
         if all(isinstance(part, np.ndarray) for part in cells):
             columns.append(np.concatenate(cells))
