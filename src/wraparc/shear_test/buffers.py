@@ -7,6 +7,7 @@ import numpy as np
 
 from wraparc.errors import InputError
 from wraparc.machine_tables import Array, Cells, NumeralStyle, RawTable
+from wraparc.shear_test.reduce import LEAST_POINTS
 from wraparc.shear_test.roles import Role, is_known, suitability
 
 # Steps of time or travel that may lie between two pieces, in steps inside them. Ours.
@@ -18,6 +19,15 @@ def alike(table: RawTable, other: RawTable) -> bool:
     (own, _), (others, _) = table.named(is_known), other.named(is_known)
     known = all(any(suitability(c.name, r) > 0 for c in own) for r in (Role.TRAVEL, Role.FORCE))
     return known and table.rows > 1 and own == others
+
+
+def further_tests(tables: Sequence[RawTable], read: Sequence[RawTable]) -> int:
+    """How many tables of a file look like tests of their own beside those read, not like results.
+
+    They have the same columns, and rows enough for a pull.
+    """
+    others = [table for table in tables if table not in read and table.rows >= LEAST_POINTS]
+    return sum(alike(table, read[0]) for table in others)
 
 
 def one_run(tables: Sequence[RawTable], best: RawTable) -> list[RawTable]:

@@ -178,9 +178,10 @@ def _fitted(
 
 
 def _unread(count: int) -> Sentence:
+    have = "1 further table of its file has" if count == 1 else f"{count} further tables have"
     text = (
-        f"{count} further tables of its file have the same columns and do not run on from it: they "
-        "were not read. Name the one that is meant (table = 1), and give each a test of its own"
+        f"{have} the same columns and do not run on from it: not read. Name the table that is "
+        "meant (table = 1), and give each a test of its own"
     )
     return Sentence("other tables", text)
 

@@ -133,7 +133,8 @@ def _digitised(record: Any, report: Report) -> Digitised | None:
                 more[key] = unit_factor(record[key].strip(), dimension)
             except InputError as error:
                 report.take(error, (*record.place, key))
-    return DIGITISED.built(record, report, **more)
+    figure: Digitised | None = DIGITISED.built(record, report, **more)
+    return figure
 
 
 def _compliance(record: Record, report: Report) -> float:

@@ -17,7 +17,7 @@ from wraparc.machine_tables import (
     find_tables,
     read_bytes,
 )
-from wraparc.shear_test.buffers import alike, joined, one_run
+from wraparc.shear_test.buffers import further_tests, joined, one_run
 from wraparc.shear_test.choose import Chosen, choose_columns
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
@@ -231,8 +231,7 @@ def _pick_table(
     if len(pieces) > 1:
         whole = joined(pieces)
         note = f"the run was written in {len(pieces)} pieces, {whole.place}, and read as one"
-        rest = [table for table in tables if table not in pieces]
-        return whole, (note,), sum(alike(table, best) for table in rest)
+        return whole, (note,), further_tests(tables, pieces)
     others = [f"{t.place} ({t.rows} rows)" for t in tables if t is not best and t.rows > 1]
     if not others:
         return best, (), 0
@@ -242,7 +241,7 @@ def _pick_table(
         f"the file has {len(tables)} tables; number {number}, {best.place}, was read; "
         f"the others are {listed}"
     )
-    return best, (note,), sum(alike(t, best) for t in tables if t is not best and t.rows > 1)
+    return best, (note,), further_tests(tables, [best])
 
 
 def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
