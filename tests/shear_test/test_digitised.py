@@ -28,10 +28,10 @@ def curve(k: int, points: int = 30, end: float = 12.0) -> list[list[float]]:
     x = np.linspace(0.1, end, points)
     r = np.minimum(x / SLIP[k], 1.0)
     y = FRICTION[k] * r * (1.0 - np.log(r))
-    points: list[list[float]] = np.stack(
+    drawn: list[list[float]] = np.stack(
         [np.round(x / 12 * 800) / 800 * 12, np.round(y / 1.4 * 500) / 500 * 1.4]
     ).T.tolist()
-    return points
+    return drawn
 
 
 def names(unit: str = "kPa") -> list[str]:
