@@ -93,9 +93,10 @@ def test_slip_before_the_record_that_no_rig_has_is_no_result() -> None:
     assert not loaded.misfit
 
 
-def test_friction_that_swings_is_said_without_a_question() -> None:
+def test_friction_that_swings_without_a_period_is_said_without_a_question() -> None:
     of = record(noise=0.002)
-    swing = 1.0 + 0.06 * np.sin(2.0 * np.pi * of.travel / 0.3e-3)
+    share = of.travel / of.travel[-1]
+    swing = 1.0 + 0.06 * np.sin(2.0 * np.pi * 80.0 * share**3)
     remarks = judged(replace(of, force=of.force * swing)).remarks
     (said,) = (text for text in remarks if "swings" in text)
     assert said.endswith("slower than the noise of the readings: it may be stick-slip")

@@ -1,7 +1,12 @@
 """Virtual laboratories that several tests share."""
 
+import importlib.util
+import sys
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -87,6 +92,19 @@ def laboratory(
         roughness=0.3e-3,
     )
     return plan, records
+
+
+@cache
+def verdicts() -> ModuleType:
+    """benchmarks/shear_test_verdicts.py, whose laboratories are fitted here in small numbers."""
+    path = Path(__file__).parents[2] / "benchmarks" / "shear_test_verdicts.py"
+    spec = importlib.util.spec_from_file_location("shear_test_verdicts", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
 
 
 def fitted(plan: TestPlan, records: dict[str, MachineRecord]) -> PlanResult:

@@ -231,6 +231,8 @@ def test_files_are_described_and_taken_away(api: TestClient) -> None:
     said = {"pressure": "207 kPa", "choices": choices}
     told = api.put(f"{place}/files/{first['id']}", json=said).json()
     assert "unit" in told["problems"][0]["message"]
+    # A field for the unit of each column, though the file is not understood yet.
+    assert [(c["name"], c["unit"]) for c in told["columns"]] == [("way", ""), ("load", "")]
     choices |= {"units": {"way": "mm", "load": "N"}}
     told = api.put(f"{place}/files/{first['id']}", json=said).json()
     assert told["read"], told["problems"]

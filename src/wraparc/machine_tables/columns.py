@@ -20,6 +20,14 @@ _SPELLINGS: dict[str, tuple[str, float]] = {
     **dict.fromkeys(("in", "in.", "inch", "inches", '"', "''", "zoll", "pouce"), ("in", 1.0)),
     **dict.fromkeys(("millimeter", "millimeters", "millimetre", "millimetres"), ("mm", 1.0)),
     **dict.fromkeys(("mil", "mils"), ("thou", 1.0)),
+    **dict.fromkeys(("MM", "Mm"), ("mm", 1.0)),
+    **dict.fromkeys(("CM",), ("cm", 1.0)),
+    **dict.fromkeys(("S", "SEC"), ("s", 1.0)),
+    **dict.fromkeys(("MS",), ("ms", 1.0)),
+    **dict.fromkeys(("KN", "kn", "Kn"), ("kN", 1.0)),
+    **dict.fromkeys(("mpa", "MPA", "Mpa"), ("MPa", 1.0)),
+    **dict.fromkeys(("kpa", "KPA", "Kpa"), ("kPa", 1.0)),
+    **dict.fromkeys(("PSI", "Psi"), ("psi", 1.0)),
     **dict.fromkeys(("lbf", "lbs", "lb", "lbs.", "lb.", "pound-force", "pounds"), ("lbf", 1.0)),
 }
 # As the unit of a force column these can only be meant as the weight of the mass.
@@ -30,7 +38,13 @@ _OTHER_UNITS = re.compile(
     r"(?:N|kN|MPa|mm|in|lbf|mm2)(?:/|\*|·)\w+|MPa|GPa|kPa|Pa|psi|N/mm.?|mm.|deg|°|rad|J|Nm|N·m"
 )
 _BRACKETED = re.compile(r"^(?P<name>.*?)\s*[\[(<]\s*(?P<unit>[^\[\]()<>]*?)\s*[\])>]\s*$")
-_SLASHED = re.compile(r"^(?P<name>.+?)(?:\s*/\s*|\s+in\s+|\s*,\s*|\s+|_)(?P<unit>[^\s/_,]+)$")
+_SLASHED = re.compile(
+    r"^(?P<name>.+?)(?:\s*/\s*|\s+in\s+|\s*,\s*|(?P<blank>\s+)|_)(?P<unit>[^\s/_,]+)$"
+)
+# Names of columns that rows often leave empty, the delimiter before them too.
+_COMMENT = re.compile(
+    r"(comment|komment|koment|coment|comment|note|remark|bemerk|poznam|uwag|osserv|event|marker)"
+)
 
 
 @dataclass(frozen=True)
@@ -56,7 +70,7 @@ class ColumnUnit:
 
 
 def read_unit(text: str, dimension: Dimension | None = None) -> ColumnUnit | None:
-    """Return what the unit `text` is, or None if it is no unit of length, force or time.
+    """Return what the unit `text` is, or None if it is none of length, force, time or pressure.
 
     Of a column that measures a force, the unit of a mass can only be meant as its weight.
     """
@@ -74,7 +88,7 @@ def read_unit(text: str, dimension: Dimension | None = None) -> ColumnUnit | Non
             assert measured is not None  # noqa: S101 - own table
             return ColumnUnit(plain, measured, count * unit_factor(unit, measured))
     measured = dimension_of(plain)
-    if measured in {"length", "force", "time"}:
+    if measured in {"length", "force", "time", "pressure"}:
         return ColumnUnit(plain, measured, unit_factor(plain, measured))
     return None
 
@@ -95,7 +109,9 @@ def split_name(cell: str) -> tuple[str, str]:
     if match and is_unit_text(match["unit"]):
         return match["name"].strip(" ,;_-/"), match["unit"].strip()
     match = _SLASHED.match(text)
-    if match and read_unit(match["unit"]):
+    unit = read_unit(match["unit"]) if match else None
+    # Behind a blank, a bar or a Pa may as well be a word.
+    if match and unit and (unit.dimension != "pressure" or match["blank"] is None):
         return match["name"].strip(" ,;_-/[("), match["unit"]
     return text, ""
 
@@ -160,7 +176,7 @@ def name_columns(
             continue
         if not any(units) and _is_unit_row(cells):
             units = [cell.strip("[]()<> ") for cell in cells]
-        elif (any(map(_is_text, cells)) or are_numbers_of_columns(cells)) and not names:
+        elif not names and _may_be_names(cells):
             names = cells
             if any(units) or any(split_name(cell)[1] for cell in cells):
                 break
@@ -173,14 +189,22 @@ def name_columns(
     ], ""
 
 
+def _may_be_names(cells: Sequence[str]) -> bool:
+    """Whether cells can be names: words, more than a title; or the numbers of the columns."""
+    words = any(map(_is_text, cells)) and (len(cells) < 2 or _filled(cells) > 1)
+    return words or are_numbers_of_columns(cells)
+
+
 def _fitted(row: Sequence[str], width: int, last_empty: bool) -> list[str] | None:
     """Fit a header line to the columns, or refuse it.
 
     One name too few is what decimal commas between delimiting commas look like: names must
-    be as many as columns, empty ones at the end apart.
+    be as many as columns, empty ones at the end and one of comments that no row has apart.
     """
     cells = [cell.strip() for cell in row]
     while len(cells) > width and not cells[-1]:
+        cells.pop()
+    if len(cells) == width + 1 and _COMMENT.match(plain_name(cells[-1])):
         cells.pop()
     if len(cells) == width - 1 and last_empty:
         cells.append("")
@@ -213,9 +237,10 @@ def find_column(named: Sequence[NamedColumn], wanted: str | int) -> NamedColumn 
     for column in named:
         if wanted == column.label:
             return column
-    alike = [
-        c for c in named if isinstance(wanted, str) and plain_name(c.label) == plain_name(wanted)
-    ]
+    plain = plain_name(wanted) if isinstance(wanted, str) else ""
+    alike = [c for c in named if plain and plain_name(c.label) == plain]
+    # As the file writes it, with its unit.
+    alike = alike or [c for c in named if plain and plain_name(f"{c.label} {c.unit}") == plain]
     if len(alike) == 1:
         return alike[0]
     text = str(wanted)

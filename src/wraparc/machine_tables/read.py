@@ -6,9 +6,9 @@ from pathlib import Path
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.machine_tables.limits import LARGEST_FILE
-from wraparc.machine_tables.lines import DELIMITER_NAMES
+from wraparc.machine_tables.lines import DELIMITER_NAMES, split_all
 from wraparc.machine_tables.sniff import decode, is_workbook
-from wraparc.machine_tables.tables import RawTable
+from wraparc.machine_tables.tables import RawTable, refuse_units_in_cells
 from wraparc.machine_tables.text import tables_in_text
 from wraparc.machine_tables.workbook import tables_in_workbook
 
@@ -85,6 +85,11 @@ def find_tables(
     decoded = decode(data, file, encoding)
     sign = None if delimiter is None else _delimiter(delimiter, file)
     tables = tables_in_text(decoded.text, delimiter=sign, ended=decoded.ended, file=file)
+    if not tables:
+        lines = decoded.text.splitlines()[:200]
+        signs = [sign] if sign else [s for s in DELIMITER_NAMES if s != " "]
+        for each in signs:
+            refuse_units_in_cells(split_all(lines, each), file)
     return TableFile(tables, decoded.encoding, decoded.notes)
 
 

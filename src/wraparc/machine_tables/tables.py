@@ -13,7 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.machine_tables.columns import NamedColumn, are_numbers_of_columns, name_columns
+from wraparc.errors import InputError, Problem, shown
+from wraparc.machine_tables.columns import (
+    NamedColumn,
+    are_numbers_of_columns,
+    is_unit_text,
+    name_columns,
+)
 from wraparc.machine_tables.limits import MOST_TABLES, beyond
 from wraparc.machine_tables.lines import split_all, splitter
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
@@ -24,7 +30,7 @@ _NO_WORDS = {"nan", "inf", "na", "n/a", "null", "none", "error", "err", "over", 
 _HEADER_KEPT, _MOST_SETTINGS = 40, 100
 _ALL_NUMERIC = re.compile(r'(?=.*[0-9])[-+\u22120-9eE.,;|\t "]*')
 EMPTY = ' ;,|\t"'
-_LONG_NAMES = 5000
+_LONG_NAMES, _LOOKED_AT = 5000, 200
 _RAGGED = (
     f"the rows have changing numbers of cells, {MOST_TABLES} times and more: they are no table "
     "(decimal commas between delimiting commas do this)"
@@ -145,6 +151,8 @@ def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str, file: str = "")
     widths = np.array([_mixed_width(row) for row in rows], dtype=np.int64)
     texts = _Texts(rows)
     runs = _runs(texts, widths, file, ())
+    if not runs:
+        refuse_units_in_cells([texts[k] for k in range(min(len(rows), _LOOKED_AT))], file)
     tables = []
     for run, start in _with_starts(runs, texts):
         above = [row for row in map(texts.__getitem__, range(start, run.first)) if any(row)]
@@ -160,6 +168,33 @@ def tables_in_rows(rows: Sequence[Sequence[object]], sheet: str, file: str = "")
             )
         )
     return tables
+
+
+def refuse_units_in_cells(rows: Sequence[Sequence[str]], file: str) -> None:
+    """Refuse rows whose numbers have their units behind them: such cells are text.
+
+    Raises
+    ------
+    InputError
+        Where five rows have two such cells or more.
+    """
+    found = [[cell for cell in row if _with_unit(cell)] for row in rows]
+    found = [cells for cells in found if len(cells) > 1]
+    if len(found) < _RISING:
+        return
+    raise InputError(
+        Problem(
+            message=f"its cells hold numbers with their units, such as {shown(found[0][0])}: they "
+            "are text, not numbers",
+            remedy="Write the unit into the heading, Travel [mm], and numbers alone below it.",
+            file=file,
+        )
+    )
+
+
+def _with_unit(cell: str) -> bool:
+    number, _, unit = cell.strip().rpartition(" ")
+    return looks_numeric(number) and is_unit_text(unit)
 
 
 class _Texts(Sequence[list[str]]):
@@ -342,7 +377,7 @@ def _with_starts(
             and following is not None
             and following.width == run.width
             and following.first - run.last - 1 in (1, 2)
-            and are_numbers_of_columns(cells[run.first])
+            and _is_header(cells[run.first], [cells[k] for k in following.rows[:5]])
         ):
             continue  # above a line of units
         first = cells[run.first]

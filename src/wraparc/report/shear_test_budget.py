@@ -64,6 +64,8 @@ def _origin(part: str, common: Common | None) -> str:
         return _FROM[part]
     of = common.limits
     stated = "as stated" if of.stated else "assumed: the plan says nothing"
+    if part.endswith("off the figure"):
+        return "error of a point, a share of full scale"
     if part == "zero of the force":
         return f"at most {of.zero:.3g} N, {stated}"
     if part == "compliance of the rig":

@@ -29,7 +29,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         warm = planned.temperature
         rows.append(
             Row(
-                title=planned.file,
+                title=planned.label,
                 values=(
                     str(record.rows),
                     str(len(record.travel)),
@@ -40,6 +40,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
                     NONE if planned.speed is None else f"{planned.speed * 60e3:.4g}",
                     NONE if planned.humidity is None else f"{100.0 * planned.humidity:.3g}",
                     planned.date or NONE,
+                    NONE if planned.order is None else str(planned.order),
                     planned.sample or NONE,
                     planned.lot or NONE,
                     planned.operator or NONE,
@@ -56,6 +57,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "mm/min",
         "humidity [%]",
         "date",
+        "order",
         "sample",
         "lot",
         "operator",
@@ -79,7 +81,7 @@ def remarks_table(condition: ConditionResult, name: str) -> Table | None:
     about: dict[str, list[str]] = {}
     for test in condition.tests:
         for text in _remarks(test):
-            about.setdefault(text, []).append(test.test.file)
+            about.setdefault(text, []).append(test.test.label)
     if not about:
         return None
     lines = tuple(Row(f"{_listed(files)}: {text}.", ()) for text, files in about.items())

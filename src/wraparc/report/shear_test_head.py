@@ -1,10 +1,13 @@
 """What a test report states beside its numbers: title box, circumstances, digests, signatures."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
 
 from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
-from wraparc.shear_test.plan import PlannedTest
+from wraparc.shear_test.campaign import order_of
+from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.units import Dimension, System, display
 
 NOT_STATED = "not stated"
@@ -60,6 +63,12 @@ def circumstances_table(result: PlanResult, system: System) -> Table:
 
 def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
     plan, rig = result.plan, result.plan.rig
+    if plan.digitised is not None:
+        return (
+            ("Specimen", plan.title or plan.name),
+            ("Curves", plan.provenance.source),
+            ("Error of a point", plan.provenance.note),
+        )
     tests = [test.test for condition in result.conditions for test in condition.tests]
     thickness = plan.thickness
     per_force = f"{rig.compliance * 1e6:.3g} mm/kN" if rig.compliance else ""
@@ -69,6 +78,7 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
         ("Belt cover it slides on", _texts(tests, lambda t: t.belt_cover)),
         ("Conditioning", _texts(tests, lambda t: t.conditioning)),
         ("Date of the tests", _dates(tests)),
+        ("Order of the tests", _order(tests)),
         ("Operator", _texts(tests, lambda t: t.operator or rig.operator)),
         ("Temperature", _span([t.temperature for t in tests], "temperature", system)),
         ("Humidity", _percents([t.humidity for t in tests])),
@@ -79,6 +89,7 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
             "Thickness that shears",
             "" if thickness is None else display(thickness, "length", system),
         ),
+        ("Slip includes", _slip_includes(plan)),
         ("Rig", rig.name),
         ("Testing machine", rig.machine),
         ("Compliance of the rig", per_force),
@@ -86,6 +97,16 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
         ("Calibration, pull", rig.force_cell.calibration),
         *_normal_force(result),
     )
+
+
+def _slip_includes(plan: TestPlan) -> str:
+    """What the slip of the law holds besides the sliding: a drive must not count it twice."""
+    parts = ["the shear of the belt cover in the rig"]
+    if not plan.removes_shear:
+        parts.append("the sample's own shear")
+    if not plan.rig.compliance:
+        parts.append("the rig's own travel")
+    return ", ".join(parts)
 
 
 def _normal_force(result: PlanResult) -> list[tuple[str, str]]:
@@ -127,6 +148,16 @@ def _dates(tests: Iterable[PlannedTest]) -> str:
     values = [test.date for test in tests]
     dates = sorted({value for value in values if value})
     return _stated(values, " to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
+
+
+def _order(tests: Sequence[PlannedTest]) -> str:
+    """The first tests as they followed each other, and the last."""
+    order = order_of(tests)
+    if order is None:
+        return ""
+    following = [tests[k] for k in np.argsort(order, kind="stable")]
+    named = [test.file for test in following[:3]]
+    return ", ".join(named) + (f", ... {following[-1].file}" if len(following) > 3 else "")
 
 
 def _ends(values: list[float | None], shown: Callable[[float], str]) -> str:

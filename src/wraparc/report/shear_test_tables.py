@@ -116,11 +116,19 @@ def _remainders(result: PlanResult) -> str:
     tests = [test for condition in result.conditions for test in condition.tests]
     share = max(test.fit.remainder / _top(test) for test in tests)
     levels = max(noise_levels(test.fit, test.curve) for test in tests)
-    scatters = [c.fit.scatter[1, 1] ** 0.5 for c in result.conditions if c.fit is not None]
-    between = f"; samples scatter by {100 * max(scatters, default=0.0):.2g} % in peak friction"
+    scatters = [s for c in result.conditions if (s := c.found.scatter_of_repeats) is not None]
+    between = f"; repeats scatter by {100 * max(scatters, default=0.0):.2g} % in peak friction"
+    swings = [test.curve.swing for test in tests if test.curve.swing is not None]
+    largest = max(swings, default=None)
+    stick_slip = (
+        f" Stick-slip swings friction by up to {100 * largest.size:.0f} %, every "
+        f"{largest.period * 1e3:.2g} mm."
+        if largest
+        else ""
+    )
     return (
         f"No single curve is off its law by more than {100 * share:.1f} % of its friction "
-        f"({levels:.1f} noise levels){between if scatters else ''}."
+        f"({levels:.1f} noise levels){between if scatters else ''}.{stick_slip}"
     )
 
 
@@ -165,7 +173,7 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
     )
     rows = tuple(
         Row(
-            title=test.test.file,
+            title=test.test.label,
             values=_curve_values(test, system, size),
             note="outlier"
             if condition.found.flagged[k]
@@ -236,7 +244,7 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
         check = derivative_check(fit)
         rows.append(
             Row(
-                title=test.test.file,
+                title=test.test.label,
                 values=(
                     with_error(a, spread * by_a),
                     with_error(b, spread * by_b),
@@ -353,7 +361,7 @@ def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
         both = sorted((test.fit, test.other), key=lambda fit: -fit.bending)
         rows.append(
             Row(
-                title=test.test.file,
+                title=test.test.label,
                 values=(
                     f"{test.curve.bending * _top(test) / size:.3f}",
                     *(number(fit.parameters.peak_slip / size) for fit in both),

@@ -89,7 +89,7 @@ class TestResult:
     @property
     def name(self) -> str:
         """What to call it in messages."""
-        return f"{self.test.place} ({self.test.file})"
+        return f"{self.test.place} ({self.test.label})"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -229,6 +229,20 @@ class Findings:
     left_out: tuple[LeftOut, ...]
     common: Common | None = None
     separated: Separated = field(default_factory=Separated)
+
+    @property
+    def scatter_of_repeats(self) -> float | None:
+        """Standard deviation of ln mu_pk between tests of one pressure [-]; None without repeats.
+
+        Tests that disagree with their repeats are not counted.
+        """
+        squares, freedom = 0.0, 0
+        for k in np.unique(self.levels):
+            own = self.points.value[(self.levels == k) & ~self.flagged, 1]
+            if len(own) > 1:
+                squares += float(((own - own.mean()) ** 2).sum())
+                freedom += len(own) - 1
+        return float(np.sqrt(squares / freedom)) if freedom else None
 
     def level_pressures(self) -> Array:
         """Mean pressure of each level [Pa]."""

@@ -25,6 +25,52 @@ _STEP = 0.02  # of ln p, for slopes over pressure
 
 
 @dataclass(frozen=True, kw_only=True)
+class ReadOff:
+    """Largest errors of what was read off a figure, common to its curves.
+
+    Parameters
+    ----------
+    slip
+        [m].
+    friction
+        [-].
+    a, b
+        Of the coefficients of mu = A x ln x - b x [1/unit].
+    unit
+        SI value of the unit of x [m].
+    """
+
+    slip: float = 0.0
+    friction: float = 0.0
+    a: float = 0.0
+    b: float = 0.0
+    unit: float = 1e-3
+
+    def effects(self, peaks: Array) -> dict[str, Array]:
+        """Changes of (ln x_pk, ln mu_pk) by each, shape (n, 2) [-].
+
+        Of the coefficients by x_pk = exp(b/A - 1), mu_pk = -A x_pk.
+
+        Parameters
+        ----------
+        peaks
+            (ln x_pk, ln mu_pk), shape (n, 2).
+        """
+        slip, friction = np.exp(peaks).T
+        zero = np.zeros_like(slip)
+        a = -friction * self.unit / slip
+        b_over_a = 1.0 + np.log(slip / self.unit)
+        by_a = -self.a * b_over_a / a
+        found = {
+            "slip off the figure": np.stack([self.slip / slip, zero], axis=-1),
+            "friction off the figure": np.stack([zero, self.friction / friction], axis=-1),
+            "A off the figure": np.stack([by_a, by_a + self.a / a], axis=-1),
+            "b off the figure": np.stack([self.b / a, self.b / a], axis=-1),
+        }
+        return {name: effect for name, effect in found.items() if effect.any()}
+
+
+@dataclass(frozen=True, kw_only=True)
 class Uncertainty:
     """Largest errors of what the tests were measured with; each anywhere within its limits.
 
@@ -46,6 +92,8 @@ class Uncertainty:
         What the temperature of the tests may change in the friction [-].
     stated
         Whether the plan says them, or they are those of a usual rig.
+    read_off
+        Of curves read off a figure, or None.
     """
 
     force: float = 0.01
@@ -56,6 +104,7 @@ class Uncertainty:
     compliance: float | None = None
     temperature: float = 0.0
     stated: bool = False
+    read_off: ReadOff | None = None
 
     def compliance_error(self, compliance: float) -> float:
         """Return the largest error of a rig's compliance [m/N], 0 where that is not known."""
@@ -127,6 +176,8 @@ class Common:
             "compliance of the rig": self.compliance * pull[:, None] * over_slip,
             "temperature": of.temperature * friction,
         }
+        if of.read_off is not None:
+            found |= of.read_off.effects(at)
         return {name: effect / math.sqrt(3.0) for name, effect in found.items()}
 
     def covariance(self, peaks: Callable[[Array], Array], pressure: Array) -> Array:

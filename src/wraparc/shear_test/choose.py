@@ -8,8 +8,16 @@ import numpy as np
 from wraparc.errors import InputError, Problem, shown
 from wraparc.machine_tables import Array, ColumnUnit, NamedColumn, find_column, listed, read_unit
 from wraparc.shear_test.record import Choices
-from wraparc.shear_test.roles import ROLE_DIMENSION, Role, is_known, is_stress, suitability
-from wraparc.units import DIMENSION_TEXT, dimension_of, unit_factor
+from wraparc.shear_test.roles import (
+    ROLE_DIMENSION,
+    Role,
+    is_across,
+    is_demand,
+    is_known,
+    is_stress,
+    suitability,
+)
+from wraparc.units import DIMENSION_TEXT
 
 _NEEDED = (Role.TRAVEL, Role.FORCE)
 _EXAMPLE = {"length": "mm", "force": "N", "time": "s"}
@@ -24,12 +32,18 @@ class Chosen:
 
 
 def choose_columns(
-    named: Sequence[NamedColumn], data: Mapping[int, Array], choices: Choices, file: str
+    named: Sequence[NamedColumn],
+    data: Mapping[int, Array],
+    choices: Choices,
+    file: str,
+    above: Sequence[str] = (),
 ) -> Chosen:
     """Choose the columns of a table.
 
     What the user names is taken; else the column whose name and unit fit best. A column
-    whose numbers never change, or that is mostly no number, is not chosen by itself.
+    whose numbers never change, or that is mostly no number, is not chosen by itself. One whose
+    name says nothing is chosen by its unit only where it is the only one of its kind, and no
+    demand stands in the file: `above` holds the texts above the table.
 
     Raises
     ------
@@ -40,6 +54,7 @@ def choose_columns(
     given = _given_units(named, choices, file, problems)
     columns: dict[Role, tuple[NamedColumn, ColumnUnit]] = {}
     notes: list[str] = []
+    demanded = any(is_demand(text) for text in (*above, *(column.name for column in named)))
     for role in Role:
         wanted = getattr(choices, role.value)
         if wanted is not None:
@@ -48,8 +63,8 @@ def choose_columns(
                 problems.append(_unknown_column(named, role.value, wanted, file))
                 continue
         else:
-            candidates = _candidates(named, data, role, given, columns)
-            candidates = candidates or _given_stress(named, role, choices)
+            candidates = _candidates(named, data, role, given, columns, guess=not demanded)
+            candidates = candidates or _given_stress(named, role, choices, given)
             if not candidates:
                 if role in _NEEDED:
                     problems.append(_no_column(named, role, file))
@@ -104,8 +119,13 @@ def _candidates(
     role: Role,
     given: Mapping[int, str],
     taken: Mapping[Role, tuple[NamedColumn, ColumnUnit]],
+    *,
+    guess: bool,
 ) -> list[NamedColumn]:
     """Columns that may be meant, the best first."""
+    kinds = [read_unit(given.get(c.index, c.unit), ROLE_DIMENSION[role]) for c in named]
+    alone = sum(k is not None and k.dimension == ROLE_DIMENSION[role] for k in kinds) == 1
+    guess = guess and alone and role in _NEEDED
     used = {column.index for column, _ in taken.values()}
     scored: list[tuple[float, int, NamedColumn]] = []
     for column in named:
@@ -119,7 +139,8 @@ def _candidates(
         if unit is None and stated:
             continue
         score = suitability(column.name, role)
-        if score == 0.0 and unit is not None and role in _NEEDED and not is_known(column.name):
+        unknown = guess and unit is not None and not is_known(column.name)
+        if score == 0.0 and unknown and not is_across(column.name):
             score = 0.5
         if score > 0.0:
             scored.append((-(score + (unit is not None)), column.index, column))
@@ -144,13 +165,13 @@ def _unit_of(
 ) -> ColumnUnit | None:
     dimension = ROLE_DIMENSION[role]
     text = given.get(column.index, column.unit)
-    if role is Role.FORCE and dimension_of(text.strip()) == "pressure":
+    stress = read_unit(text) if role is Role.FORCE else None
+    if stress is not None and stress.dimension == "pressure":
         if stress_area is None:
             problems.append(_no_area(column, text, file))
             return None
         note = f"the force is {column.label!r} [{text}] times {stress_area * 1e4:.6g} cm2"
-        factor = unit_factor(text.strip(), "pressure") * stress_area
-        return ColumnUnit(text, "force", factor, note)
+        return ColumnUnit(text, "force", stress.factor * stress_area, note)
     unit = read_unit(text, dimension)
     stated = read_unit(column.unit, dimension)
     if unit is not None and unit.dimension == dimension:
@@ -174,14 +195,23 @@ def _unit_of(
     return None
 
 
-def stresses(named: Sequence[NamedColumn]) -> list[NamedColumn]:
+def stresses(named: Sequence[NamedColumn], given: Mapping[int, str]) -> list[NamedColumn]:
     """Columns that hold a stress by name and unit."""
-    return [c for c in named if dimension_of(c.unit.strip()) == "pressure" and is_stress(c.name)]
+    units = {c.index: read_unit(given.get(c.index, c.unit)) for c in named}
+    return [
+        c
+        for c in named
+        if (unit := units[c.index]) is not None
+        and unit.dimension == "pressure"
+        and is_stress(c.name)
+    ]
 
 
-def _given_stress(named: Sequence[NamedColumn], role: Role, choices: Choices) -> list[NamedColumn]:
+def _given_stress(
+    named: Sequence[NamedColumn], role: Role, choices: Choices, given: Mapping[int, str]
+) -> list[NamedColumn]:
     """The column of a stress, where its area is given and there is no force."""
-    return stresses(named) if role is Role.FORCE and choices.stress_area is not None else []
+    return stresses(named, given) if role is Role.FORCE and choices.stress_area is not None else []
 
 
 def _no_area(column: NamedColumn, text: str, file: str) -> Problem:
@@ -216,7 +246,7 @@ def _unknown_column(
 
 
 def _no_column(named: Sequence[NamedColumn], role: Role, file: str) -> Problem:
-    stress = stresses(named) if role is Role.FORCE else []
+    stress = [c for c in named if role is Role.FORCE and is_stress(c.name)]
     hint = (
         f" If {stress[0].label!r} is the force over an area, say over which: --stress-area, "
         "stress_area in a plan."

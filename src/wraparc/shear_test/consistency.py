@@ -12,8 +12,8 @@ FAR = 4.5
 _FALSE_ALARM = 0.002
 _MOST = 0.25
 _OTHERS = 5
-# Scatter of samples about a trend, in ln x_pk and ln mu_pk, and the degrees of freedom it counts.
-_USUAL, _USUAL_WEIGHT = 0.03, 4.0
+#: Scatter of samples about a trend, in ln x_pk and ln mu_pk, and the degrees of freedom it counts.
+USUAL, USUAL_WEIGHT = 0.03, 4.0
 
 
 def repeat_distances(points: CurvePoints, flagged: NDArray[np.bool_]) -> Array:
@@ -61,11 +61,11 @@ def towards_usual(
     scatter, freedom
         Shape (2, 2); degrees of freedom of a Hotelling distance with it.
     """
-    usual, found, freedom = _USUAL**2 * np.eye(2), scatter_within(points), float(_freedom(points))
+    usual, found, freedom = USUAL**2 * np.eye(2), scatter_within(points), float(_freedom(points))
     if found is None:
         found, freedom = otherwise or (usual, 0.0)
-    weighted = (freedom * found + _USUAL_WEIGHT * usual) / (freedom + _USUAL_WEIGHT)
-    return weighted, freedom + _USUAL_WEIGHT - 1.0
+    weighted = (freedom * found + USUAL_WEIGHT * usual) / (freedom + USUAL_WEIGHT)
+    return weighted, freedom + USUAL_WEIGHT - 1.0
 
 
 def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:
@@ -104,7 +104,7 @@ def _far_off(points: CurvePoints, flagged: NDArray[np.bool_], own: int) -> float
     """
     others = ~flagged
     others[own] = False
-    m = _freedom(points.only(others)) + _USUAL_WEIGHT - 1.0
+    m = _freedom(points.only(others)) + USUAL_WEIGHT - 1.0
     quantile = 0.5 * m * (_FALSE_ALARM ** (-2.0 / m) - 1.0)
     return float(np.sqrt(2.0 * (m + 1) / m * quantile))
 
@@ -133,7 +133,7 @@ def lone_distances(points: CurvePoints) -> Array:
         trend = inverse @ design.T @ means[others]
         squares = ((means[others] - design @ trend) ** 2).sum(0)
         freedom = len(x) - 3
-        variance = (squares + _USUAL_WEIGHT * _USUAL**2) / (freedom + _USUAL_WEIGHT)
+        variance = (squares + USUAL_WEIGHT * USUAL**2) / (freedom + USUAL_WEIGHT)
         own = np.diag(points.covariance[k])
         off = np.abs(points.value[k] - trend[0])
         distances[k] = float((off / np.sqrt(variance * (1.0 + inverse[0, 0]) + own)).max())

@@ -18,7 +18,14 @@ from wraparc.shear_test.curve_model import (
 )
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
-from wraparc.shear_test.robust import Readings, Robust, alike, fit_robust, sandwich
+from wraparc.shear_test.robust import (
+    Readings,
+    Robust,
+    alike,
+    fit_robust,
+    inverse_curvature,
+    sandwich,
+)
 
 BASE = ("ln_peak_slip", "ln_peak_friction", "lash")
 TAILS: tuple[tuple[str, ...], ...] = (
@@ -52,6 +59,8 @@ class CurveFit:
         not show, shape (k, k).
     by_zero
         Part of that zero in the parameters, one standard deviation, shape (k,).
+    flatness
+        Inverse curvature of the loss in ln x_pk, ln mu_pk, all bins independent, shape (2, 2).
     bending
         Travel taken off for the shear of sample and rig, per unit of friction [m].
     slip
@@ -78,6 +87,7 @@ class CurveFit:
     free: tuple[str, ...]
     covariance: Array
     by_zero: Array
+    flatness: Array
     bending: float
     slip: Array
     friction: Array
@@ -321,6 +331,7 @@ class _Task:
             free=run.free,
             covariance=covariance + np.outer(by_zero, by_zero),
             by_zero=by_zero,
+            flatness=inverse_curvature(solution, self._scales(run.free))[:2, :2],
             bending=self.bending,
             slip=self.travel - q.lash - self.bending * (self.friction - q.zero),
             friction=self.friction - q.zero,

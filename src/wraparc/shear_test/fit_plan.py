@@ -9,10 +9,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.errors import InputError, Problem
+from wraparc.machine_tables import read_bytes
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.misfit import OTHER_PRESSURE, Sentence, judged_fit, with_misfit
+from wraparc.shear_test.digitised import as_drawn, with_curves
+from wraparc.shear_test.misfit import (
+    OTHER_PRESSURE,
+    Sentence,
+    judged_fit,
+    stick_slip,
+    with_misfit,
+)
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
@@ -56,6 +64,9 @@ def fit_plan(
     InputError
         If no test can be used, with the reasons of all.
     """
+    if plan.digitised is not None and read is None:
+        plan, curves = with_curves(plan, lambda test: _bytes(plan, test))
+        read = lambda test: curves[test.file]  # noqa: E731 - as short as it says
     reader = read or (lambda test: _from_disk(plan, test))
     results: list[TestResult] = []
     problems: list[Problem] = []
@@ -86,6 +97,10 @@ def fit_plan(
 
 def _from_disk(plan: TestPlan, test: PlannedTest) -> MachineRecord:
     return read_machine_file(Path(plan.folder) / test.file, test.choices)
+
+
+def _bytes(plan: TestPlan, test: PlannedTest) -> bytes:
+    return read_bytes(Path(plan.folder) / test.file)
 
 
 def _refuse_duplicate(record: MachineRecord, test: PlannedTest, seen: dict[str, str]) -> None:
@@ -124,9 +139,14 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         normal_force=_set_force(plan, test),
         friction=(plan.rig.least_friction, plan.rig.most_friction),
         stroke=test.stroke,
+        stick_slip=test.stick_slip,
+        recorded=plan.digitised is None,
     )
     with np.errstate(all="ignore"):  # what is not finite in the end is left out below
-        result = _fitted(plan, test, record, reduce_record(record, sample), known)
+        curve = reduce_record(record, sample)
+        if plan.digitised is not None:
+            curve = as_drawn(curve, float(record.travel.min()))
+        result = _fitted(plan, test, record, curve, known)
     if not _is_finite(result):
         raise ArithmeticError("its result is not finite")
     return result
@@ -147,10 +167,23 @@ def _fitted(
         bending, other = other, bending
     _refuse_long_lash(plan, test, float(curve.travel[-1]))
     judged = judged_fit(curve, plan.rig.largest_lash, bending, plan.held)
+    if curve.swing is not None and not test.stick_slip:
+        judged = with_misfit(judged, stick_slip(curve.swing))
+    if record.unread:
+        judged = with_misfit(judged, _unread(record.unread))
     for sentence in _set_and_measured(plan, test, curve.pressure):
         judged = with_misfit(judged, sentence)
     second = fit_curve(curve, bending=other, start=judged.fit) if known > 0.0 else None
     return TestResult(test=test, record=record, curve=curve, judged=judged, other=second)
+
+
+def _unread(count: int) -> Sentence:
+    have = "1 further table of its file has" if count == 1 else f"{count} further tables have"
+    text = (
+        f"{have} the same columns and do not run on from it: not read. Name the table that is "
+        "meant (table = 1), and give each a test of its own"
+    )
+    return Sentence("other tables", text)
 
 
 def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:

@@ -30,17 +30,27 @@ def curve_points(
     fits: Sequence[CurveFit],
     levels: NDArray[np.int64],
 ) -> CurvePoints:
-    """Curves as points over pressure."""
+    """Curves as points over pressure.
+
+    An unknown zero of the force is no noise of theirs: where it differs between tests, their
+    scatter shows it, and what is common to them is added to the law (`with_unknown_zero`).
+    """
     return CurvePoints(
         pressure=np.array([curve.pressure for curve in curves]),
         value=np.array([_peak(fit) for fit in fits]),
-        covariance=np.array([fit.covariance[:2, :2] for fit in fits]),
+        covariance=np.array([_of_readings(fit) for fit in fits]),
         level=levels,
     )
 
 
 def _peak(fit: CurveFit) -> Array:
     return np.array([fit.parameters.ln_peak_slip, fit.parameters.ln_peak_friction])
+
+
+def _of_readings(fit: CurveFit) -> Array:
+    """Covariance of the peak by the scatter of the readings alone."""
+    by_zero = fit.by_zero[:2]
+    return np.asarray(fit.covariance[:2, :2] - np.outer(by_zero, by_zero))
 
 
 def refine(
@@ -92,15 +102,13 @@ def _informed(
 ) -> tuple[Array, Array]:
     """Point and covariance of a curve's likelihood near its solution under the law.
 
-    With the prior N(m, Psi) the solution f obeys S^-1 (y - f) = Psi^-1 (f - m): the data
-    alone, seen from f, say y = f + S Psi^-1 (f - m).
+    With the prior N(m, P) the solution f is where H (y - f) = P^-1 (f - m), H the curvature of the
+    loss that was minimised: the data alone, seen from f, say y = f + H^-1 P^-1 (f - m). With the
+    covariance of y in the place of H^-1, larger by the memory of the noise, y would overshoot its
+    own curve, and the law drift off all of them.
     """
     # Correlated readings tell less than the weights of the curve's fit assume.
-    repeats = bins_alike(curve, own)
-    fit = fit_curve(
-        curve, bending=own.bending, start=own, prior=Prior(mean=mean, covariance=scatter / repeats)
-    )
-    found, covariance = _peak(fit), fit.covariance[:2, :2]
-    # The zero of the force is no noise: the data pull as if it were known.
-    data = covariance - np.outer(fit.by_zero[:2], fit.by_zero[:2])
-    return found + data @ np.linalg.solve(scatter, found - mean), covariance
+    prior = scatter / bins_alike(curve, own)
+    fit = fit_curve(curve, bending=own.bending, start=own, prior=Prior(mean=mean, covariance=prior))
+    found = _peak(fit)
+    return found + fit.flatness @ np.linalg.solve(prior, found - mean), _of_readings(fit)

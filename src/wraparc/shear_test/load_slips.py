@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.catalogue import design_friction
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import Array
@@ -18,6 +19,8 @@ from wraparc.shear_test.record import Array
 _OFF, _FITS = 0.3, 0.12
 # Powers of the pressure that friction may follow outside the other tests' pressures. Ours.
 _STEEPEST, _FLATTEST = -0.85, 0.1
+# A peak of friction over the design value of its surface. Ours; of 1.35 for rubber.
+_MOST_OVER_DESIGN = 3.0
 _PSI, _LBF, _KGF = 6.894757, 4.448222, 9.80665
 _LOAD_FACTORS = (10.0, 1000.0, _PSI, _LBF, _KGF)
 _PULL_FACTORS = (10.0, 1000.0, _LBF, _KGF, 2.0)
@@ -47,6 +50,39 @@ def load_questions(
         if text:
             found.append(f"{test.name}: {text}")
     return found
+
+
+def surface_questions(surface: str, condition: str, peaks: Array, faces: int) -> list[str]:
+    """Ask about friction that the surface usually has not: faces or area may be wrong in the plan.
+
+    The published design values of the surface (CEMA, DIN 22101, practice: the catalogue's) are what
+    a running drive may rely on; a peak lies above them, by three times at most. A factor of two
+    inside that band is not seen.
+
+    Parameters
+    ----------
+    surface, condition
+        As in the plan.
+    peaks
+        Peak friction at the tested pressures [-].
+    faces
+        Faces that slide, as in the plan.
+    """
+    of = [item for item in design_friction() if item.surface == surface]
+    if not of:
+        return []
+    same = [item for item in of if item.condition in {"", condition}] or of
+    low = min(item.friction[0] for item in same)
+    high = _MOST_OVER_DESIGN * max(item.friction[1] for item in of)
+    mean = float(np.exp(np.log(peaks).mean()))
+    if low <= mean <= high:
+        return []
+    return [
+        f"its mean peak friction, {mean:.3g}, is outside the {low:.3g} to {high:.3g} that "
+        f"{surface} usually has (from the design values of CEMA and DIN 22101 to "
+        f"{_MOST_OVER_DESIGN:g} times the highest): do {faces} of its faces slide, "
+        "and is sample_area that of one face?"
+    ]
 
 
 def _question(others: CurvePoints, pressure: float, ln_friction: float) -> str:

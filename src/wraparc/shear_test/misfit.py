@@ -12,7 +12,8 @@ import numpy as np
 from wraparc.shear_test.curve_fit import CurveFit, fit_curve
 from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.curve_model import friction_and_jacobian
-from wraparc.shear_test.reduce import MOST_ZERO, UNKNOWN_ZERO, FrictionCurve
+from wraparc.shear_test.record_faults import Swing
+from wraparc.shear_test.reduce import MOST_ZERO, FrictionCurve
 
 _LATE = 0.5
 _STRETCHES = 30
@@ -74,10 +75,11 @@ def judged_fit(
         As in `fit_curve`.
     """
     free = fit_curve(curve, bending=bending, held=held)
-    top = float(np.quantile(curve.binned_friction, 0.98))
+    top = curve.top
     if _zero_carried_off(free, curve, top):
         free = fit_curve(curve, bending=bending, hold_zero=True, held=held)
     fit, misfit = _lash_held(curve, free, largest_lash, bending, top)
+    misfit += [Sentence(*fault) for fault in curve.faults]
     if curve.first_friction > _LATE * top:
         share = 100 * curve.first_friction / top
         text = (
@@ -99,7 +101,7 @@ def judged_fit(
 
 def _not_a_zero(curve: FrictionCurve, top: float) -> list[Sentence]:
     """Force before the slip starts that is too much to be taken off as an error of its zero."""
-    if curve.zero_unknown <= 1.01 * UNKNOWN_ZERO * top:
+    if curve.zero_unknown < 0.5 * MOST_ZERO * top:
         return []
     text = (
         f"before the slip starts the force is {200 * curve.zero_unknown / top:.0f} % of its "
@@ -206,7 +208,7 @@ def _in_levels(levels: float) -> str:
 
 def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]:
     remarks: list[str] = []
-    if 0.0 < curve.zero_unknown <= 1.01 * UNKNOWN_ZERO * top:
+    if 0.0 < curve.zero_unknown < 0.5 * MOST_ZERO * top:
         remarks.append(
             "the record has no flat part before the slip starts, or a short one, so the zero of "
             f"the force cannot be verified: it is taken to be good to "
@@ -226,7 +228,7 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
     if curve.noise > _NOISY * top:
         remarks.append(f"the readings scatter by {100 * curve.noise / top:.0f} % of the friction")
     swings = fit.noise > _SWINGS * curve.noise and fit.noise > 0.5 * _NOISY * top
-    if swings and fit.remainder < _REMAINDER * top:
+    if swings and curve.swing is None and fit.remainder < _REMAINDER * top:
         remarks.append(
             f"the friction swings about the curve by {100 * fit.noise / top:.0f} %, slower than "
             "the noise of the readings: it may be stick-slip"
@@ -236,6 +238,16 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
             "friction still falls at the end of the test: its residual level was not reached"
         )
     return tuple(remarks)
+
+
+def stick_slip(swing: Swing) -> Sentence:
+    """Say how much of the friction is stick-slip."""
+    text = (
+        f"stick-slip: friction swings by {100 * swing.size:.0f} % from its largest to its "
+        f"smallest, every {swing.period * 1e3:.2g} mm; the law is that of its middle. Say which "
+        'is meant: stick_slip = "mean", "upper" or "lower"'
+    )
+    return Sentence("stick-slip", text)
 
 
 def with_misfit(judged: JudgedFit, sentence: Sentence) -> JudgedFit:

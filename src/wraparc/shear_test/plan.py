@@ -17,6 +17,10 @@ LARGEST_LASH = 3e-3
 #: Friction that a test may reach, where the plan does not say [-]; beyond, a unit or a column is
 #: more likely wrong than the lagging odd. Ours.
 LEAST_FRICTION, MOST_FRICTION = 0.02, 3.0
+#: What curves of a figure show: mu over slip, or A and b over pressure.
+QUANTITIES = ("friction", "coefficients")
+#: Share of full scale by which a point read off a figure may be wrong, where the plan does not say.
+USUAL_ERROR = 0.01
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,6 +61,42 @@ class Rig:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Digitised:
+    """The figure that the curves of a plan were read off.
+
+    Parameters
+    ----------
+    source, figure
+        Who published it, and which figures.
+    quantity
+        ``"friction"``, mu over slip, or ``"coefficients"``, A and b over pressure.
+    slip_unit
+        SI value of the unit of slip; A and b are per this unit [m].
+    pressure_unit
+        SI value of the unit of pressure, of A and b [Pa].
+    error
+        Largest error of a point, as a share of full scale [-].
+    slip_max
+        Slip up to which A and b hold [m]; None for the peak.
+    """
+
+    source: str
+    figure: str = ""
+    quantity: str = "friction"
+    slip_unit: float = 1e-3
+    pressure_unit: float = 1e3
+    error: float = USUAL_ERROR
+    slip_max: float | None = None
+
+    def provenance(self, given: Provenance | None) -> Provenance:
+        """Where the numbers come from; the kind is that of the plan, else published."""
+        where = ", ".join(part for part in (self.source, self.figure) if part)
+        note = f"read off to {100 * self.error:.2g} % of full scale"
+        kind = Kind.PUBLISHED if given is None else given.kind
+        return Provenance(kind, source=f"digitised from {where}", note=note)
+
+
+@dataclass(frozen=True, kw_only=True)
 class PlannedTest:
     """One test.
 
@@ -85,8 +125,15 @@ class PlannedTest:
         Of the crosshead [m/s], or None.
     date
         When it was done.
+    order
+        Its place in the order in which the tests were done, counted from 1, or None.
+    curve
+        Which curve of a digitised file; empty for all.
     sample, lot
         Which sample, and of which lot.
+    stroke, stick_slip
+        Which pull of a record, and which part of stick-slip, is fitted; empty for the middle of
+        its swings, and stick-slip asked about.
     belt_cover, conditioning
         What it slid on, and how sample and belt were kept and prepared before.
     operator
@@ -106,14 +153,24 @@ class PlannedTest:
     humidity: float | None = None
     speed: float | None = None
     date: str = ""
+    order: int | None = None
+    curve: str = ""
     sample: str = ""
     stroke: str = "first"
+    stick_slip: str = ""
     lot: str = ""
     belt_cover: str = ""
     conditioning: str = ""
     operator: str = ""
     use: bool = True
     reason: str = ""
+
+    @property
+    def label(self) -> str:
+        """What to call it beside others of the same file: the file, and sheet, table or block."""
+        of = self.choices
+        said = (("sheet", of.sheet), ("table", of.table), ("block", of.block))
+        return ", ".join([self.file, *(f"{what} {value}" for what, value in said if value)])
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,6 +204,8 @@ class TestPlan:
         Title block and signatures of the report.
     uncertainty
         Largest errors of what was measured with, common to all tests; None adds none.
+    digitised
+        The figure that the curves were read off, instead of tests.
     file, folder
         Name of the plan's file, and the folder its files are relative to.
     """
@@ -170,6 +229,7 @@ class TestPlan:
     provenance: Provenance = field(default_factory=lambda: Provenance(Kind.MEASURED))
     head: ReportHead = field(default_factory=ReportHead)
     uncertainty: Uncertainty | None = None
+    digitised: Digitised | None = None
     file: str = ""
     folder: str = ""
 

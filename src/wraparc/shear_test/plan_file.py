@@ -15,7 +15,9 @@ from wraparc.shear_test import Choices, PressureOptions, TestPlan
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
 from wraparc.shear_test.curve_held import FREE
+from wraparc.shear_test.plan import Digitised
 from wraparc.shear_test.plan_keys import (
+    DIGITISED,
     FIT_OPTIONS,
     FIXED,
     LOAD_CELL,
@@ -25,12 +27,17 @@ from wraparc.shear_test.plan_keys import (
     TEST,
     UNCERTAINTY,
 )
-from wraparc.units import parse_quantity, unit_factor
+from wraparc.units import Dimension, parse_quantity, unit_factor
 
 _CHOICES = (
     "travel", "force", "time", "decimal", "delimiter", "encoding", "sheet", "table", "block",
     "stress_area",
 )  # fmt: skip
+
+
+# A figure has no rig: what was pressed and pulled is a friction already.
+_NO_RIG = {"sample_area": "1 m2", "faces": 1}
+_FIGURE_UNITS: dict[str, Dimension] = {"slip_unit": "length", "pressure_unit": "pressure"}
 
 
 def load_plan(path: str | os.PathLike[str]) -> TestPlan:
@@ -51,6 +58,8 @@ def plan_from_text(text: str, *, file: str = "") -> TestPlan:
 
 def plan_from_document(document: Document, *, file: str = "", folder: str = "") -> TestPlan:
     """Return the test plan of a document that is already parsed."""
+    if "digitised" in document and "rig" not in document:
+        document = {**document, "rig": _NO_RIG}
     record, report = read_tables(PLAN, document, file)
     rig = _rig(record.get("rig"), report)
     provenance = own_provenance(record, report)
@@ -62,6 +71,7 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         if isinstance(item, Record)
     ]
     uncertainty = _uncertainty(record.get("uncertainty"), report)
+    digitised = _digitised(record.get("digitised"), report)
     report.raise_all()
     fit = record.get("fit", {})
     return TestPlan(
@@ -70,7 +80,10 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         options=FIT_OPTIONS.built(fit, report) or PressureOptions(),
         remove_shear=fit.get("remove_shear"),
         held=FIXED.built(fit.get("fixed"), report) or FREE,
-        provenance=_sourced(provenance or Provenance(Kind.MEASURED), head),
+        provenance=digitised.provenance(provenance)
+        if digitised
+        else _sourced(provenance or Provenance(Kind.MEASURED), head),
+        digitised=digitised,
         head=head,
         uncertainty=uncertainty,
         file=file,
@@ -109,6 +122,21 @@ def _uncertainty(record: Any, report: Report) -> Uncertainty:
     return UNCERTAINTY.built(record, report, stated=True, **more) or Uncertainty()
 
 
+def _digitised(record: Any, report: Report) -> Digitised | None:
+    """The figure that curves were read off, its units as SI values."""
+    if not isinstance(record, Record):
+        return None
+    more: dict[str, Any] = {}
+    for key, dimension in _FIGURE_UNITS.items():
+        if key in record:
+            try:
+                more[key] = unit_factor(record[key].strip(), dimension)
+            except InputError as error:
+                report.take(error, (*record.place, key))
+    figure: Digitised | None = DIGITISED.built(record, report, **more)
+    return figure
+
+
 def _compliance(record: Record, report: Report) -> float:
     """Return a length over a force, ``0.02 mm/kN``, in metres per newton."""
     text = record["compliance"]
@@ -143,6 +171,6 @@ def _test(record: Record, position: int, common: Any, report: Report) -> Any:
     if "normal_force_column" in said:
         choices["normal_force"] = said["normal_force_column"]
     units = {**common.get("units", {}), **record.get("units", {})}
-    stroke = said.get("stroke", "first")
+    pull = {"stroke": said.get("stroke", "first"), "stick_slip": said.get("stick_slip", "")}
     own = Choices(units=units, **choices)
-    return TEST.built(record, report, place=place, choices=own, stroke=stroke)
+    return TEST.built(record, report, place=place, choices=own, **pull)

@@ -23,6 +23,8 @@ from wraparc.shear_test import DELIMITER_NAMES, PlannedTest, PressureOptions, Ri
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
 from wraparc.shear_test.curve_held import Held
+from wraparc.shear_test.plan import QUANTITIES, Digitised
+from wraparc.shear_test.record_faults import STICK_SLIP
 from wraparc.shear_test.reduce import STROKES
 
 _MOST_TESTS = 1000
@@ -83,6 +85,11 @@ _FILE_ENTRIES = (
         "Which pull of a record of several: first if left out, last after run-in cycles, the "
         "readings of all, or their mean at each travel.",
         Choice(STROKES),
+    ),
+    Entry(
+        "stick_slip",
+        "Which part of stick-slip is fitted: the mean of its swings, or their upper or lower ends.",
+        Choice(STICK_SLIP),
     ),
 )
 COLUMNS = Table("What holds for all files", *_FILE_ENTRIES)
@@ -164,6 +171,22 @@ UNCERTAINTY = Table(
     of=Uncertainty,
 )
 
+DIGITISED = Table(
+    "Curves read off a figure",
+    need("source", "Who published it: author, title, year.", Text(), example='source = "..."'),
+    Entry("figure", "Which figures.", Text(200)),
+    Entry(
+        "quantity",
+        "What the curves are: friction over slip (left out), or A and b over pressure.",
+        Choice(QUANTITIES),
+    ),
+    Entry("slip_unit", "Unit of x, mm if left out; A and b are per this unit.", Text(20)),
+    Entry("pressure_unit", "Unit of pressure under A and b, kPa if left out.", Text(20)),
+    Entry("error", "Of a point, as a share of full scale; 1 % if left out.", _PART),
+    Entry("slip_max", "Slip up to which A and b hold, their peak if left out.", _LENGTH),
+    of=Digitised,
+)
+
 FIXED = Table(
     "Held parameters of the curves",
     Entry("peak_slip", "Slip at the peak.", _LENGTH),
@@ -211,6 +234,8 @@ TEST = Table(
     Entry("condition", "dry, wet, dirty ...; dry if left out.", Name()),
     Entry("repeat", "Tests with the same word here are repeats.", Name()),
     Entry("sample", "Which sample.", Text()),
+    Entry("order", "Place in the order in which the tests were done, from 1.", Count(1, 100_000)),
+    Entry("curve", "Which curve of a digitised file, by its name; all if left out.", Name(200)),
     Entry("use", "false leaves the test out; say why in reason.", Flag()),
     Entry("reason", "Why the test is left out.", Text(500)),
     *_CIRCUMSTANCES,
@@ -237,6 +262,7 @@ PLAN = Table(
     Entry("all_tests", "What holds for all tests; a [[test]] overrules it.", ALL_TESTS),
     Entry("report", "Title block and signatures of the report.", REPORT),
     Entry("uncertainty", "How wrong the measured may be.", UNCERTAINTY),
+    Entry("digitised", "Curves of a figure in the place of tests.", DIGITISED),
     Entry("fit", kind=FIT_OPTIONS),
     Entry("provenance", "Who tested, when; measured if left out.", PROVENANCE),
     need("test", kind=Rows(TEST, 1, _MOST_TESTS), example="a [[test]] table a test"),

@@ -17,6 +17,7 @@ from wraparc.machine_tables import (
     find_tables,
     read_bytes,
 )
+from wraparc.shear_test.buffers import further_tests, joined, one_run
 from wraparc.shear_test.choose import Chosen, choose_columns
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
@@ -78,11 +79,25 @@ def read_machine_tests(path: str | Path, choices: Choices | None = None) -> list
     return _records(read_bytes(path, _EXPORT), str(path), chosen, every=True)
 
 
+def table_columns(data: bytes, file: str, choices: Choices) -> list[NamedColumn]:
+    """Return names and units of the columns of the table that would be read.
+
+    Raises
+    ------
+    InputError
+        If there is no table, or it cannot be told which is meant.
+    """
+    found = find_tables(
+        data, file, encoding=choices.encoding, delimiter=choices.delimiter, sheet=choices.sheet
+    )
+    return _pick_table(found.tables, choices, file)[0].named(is_known)[0]
+
+
 def _records(data: bytes, file: str, chosen: Choices, *, every: bool) -> list[MachineRecord]:
     found = find_tables(
         data, file, encoding=chosen.encoding, delimiter=chosen.delimiter, sheet=chosen.sheet
     )
-    table, said = _pick_table(found.tables, chosen, file)
+    table, said, unread = _pick_table(found.tables, chosen, file)
     source = _Source(file, found.encoding, hashlib.sha256(data).hexdigest())
     named = _named(table, chosen, file)
     blocks = side_by_side(named)
@@ -90,14 +105,34 @@ def _records(data: bytes, file: str, chosen: Choices, *, every: bool) -> list[Ma
         blocks = [named]
     wanted = _wanted_blocks(blocks, chosen, file, every=every)
     data_of = _numbers(table, named, chosen, file)
-    return [
-        replace(
-            _record(table, blocks[k], data_of, chosen, source, (*found.notes, *said)),
-            block=k + 1,
-            blocks=len(blocks),
+    notes = (*found.notes, *said)
+    records = []
+    for k in wanted:
+        own, numbers = (
+            _to_its_end(table, blocks[k], data_of) if len(blocks) > 1 else (table, data_of)
         )
-        for k in wanted
+        record = _record(own, blocks[k], numbers, chosen, source, notes)
+        records.append(replace(record, block=k + 1, blocks=len(blocks), unread=unread))
+    return records
+
+
+def _to_its_end(
+    table: RawTable, block: Sequence[NamedColumn], read: "_Numbers"
+) -> tuple[RawTable, "_Numbers"]:
+    """A test side by side with longer ones ends with its own last reading."""
+    own = [
+        read.values[c.index]
+        for c in block
+        if any(suitability(c.name, role) > 0.0 for role in (Role.TRAVEL, Role.FORCE))
     ]
+    there = np.any([np.isfinite(values) for values in own], axis=0)
+    end = len(there) - int(np.argmax(there[::-1]))
+    values = {index: column[:end] for index, column in read.values.items()}
+    columns = tuple(column[:end] for column in table.columns)
+    cut = replace(
+        table, lines=table.lines[:end], columns=columns, cut=table.cut and end == len(there)
+    )
+    return cut, replace(read, values=values)
 
 
 def _wanted_blocks(
@@ -165,7 +200,8 @@ class _Source:
 
 def _pick_table(
     tables: Sequence[RawTable], choices: Choices, file: str
-) -> tuple[RawTable, tuple[str, ...]]:
+) -> tuple[RawTable, tuple[str, ...], int]:
+    """The table to read, notes on the others, and how many of them look like further tests."""
     if not tables:
         raise InputError(
             Problem(
@@ -185,22 +221,27 @@ def _pick_table(
                     value=str(choices.table),
                 )
             )
-        return tables[choices.table - 1], ()
+        return tables[choices.table - 1], (), 0
     readings = [table for table in tables if not table.is_settings]
     if not readings:
         raise _only_settings(tables, file)
     best = max(readings, key=_merit)
     _refuse_ragged(tables, best, file)
+    pieces = one_run(readings, best)
+    if len(pieces) > 1:
+        whole = joined(pieces)
+        note = f"the run was written in {len(pieces)} pieces, {whole.place}, and read as one"
+        return whole, (note,), further_tests(tables, pieces)
     others = [f"{t.place} ({t.rows} rows)" for t in tables if t is not best and t.rows > 1]
     if not others:
-        return best, ()
+        return best, (), 0
     number = tables.index(best) + 1
     listed = ", ".join(others[:5]) + (f" and {len(others) - 5} more" if len(others) > 5 else "")
     note = (
         f"the file has {len(tables)} tables; number {number}, {best.place}, was read; "
         f"the others are {listed}"
     )
-    return best, (note,)
+    return best, (note,), further_tests(tables, [best])
 
 
 def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
@@ -288,7 +329,8 @@ def _record(
     notes: tuple[str, ...],
 ) -> MachineRecord:
     data, style, texts = read.values, read.style, read.notes
-    chosen = choose_columns(named, data, choices, source.file)
+    above = [cell for row in table.header for cell in row]
+    chosen = choose_columns(named, data, choices, source.file, above)
     keep, dropped = _kept_rows(table, data, chosen)
     picked = {role: data[c.index][keep] * u.factor for role, (c, u) in chosen.columns.items()}
     if not keep.any():

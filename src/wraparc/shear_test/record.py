@@ -116,6 +116,8 @@ class MachineRecord:
         SHA-256 of the file, by which duplicates are recognised.
     block, blocks
         Which test of those side by side in the table this is, and how many there are.
+    unread
+        Further tables of the file with the same columns that were not read.
     """
 
     file: str
@@ -136,3 +138,4 @@ class MachineRecord:
     digest: str
     block: int = 1
     blocks: int = 1
+    unread: int = 0

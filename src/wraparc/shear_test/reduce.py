@@ -12,6 +12,15 @@ from numpy.typing import NDArray
 from wraparc.errors import InputError, Problem
 from wraparc.shear_test.noise import despiked, noise_level
 from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.record_faults import (
+    Fault,
+    Swing,
+    envelope,
+    saturated,
+    swing,
+    travel_faults,
+    without_repeats,
+)
 from wraparc.shear_test.strokes import Stroke, find_strokes
 
 LEAST_POINTS = 10
@@ -56,6 +65,10 @@ class Sample:
         Least and most friction that a test may reach [-].
     stroke
         Which pull of a record of several: one of `STROKES`.
+    stick_slip
+        Which part of stick-slip is kept: one of `STICK_SLIP`; empty keeps all readings.
+    recorded
+        Whether sensors recorded it; a curve read off a figure has no end of a load cell.
     """
 
     area: float
@@ -65,6 +78,8 @@ class Sample:
     normal_force: float | None = None
     friction: tuple[float, float] = (0.0, np.inf)
     stroke: str = "first"
+    stick_slip: str = ""
+    recorded: bool = True
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -95,10 +110,16 @@ class FrictionCurve:
         Standard deviation of a zero that the record does not show [-]; 0 where it shows one.
     first_friction
         Friction of the first readings [-].
+    top
+        Largest friction, but for a few readings [-].
     onset
         Travel where the friction has started to rise, a first guess of the lash [m].
     notes
         What was taken off or found, as sentences.
+    faults
+        What the record shows of its own recording.
+    swing
+        Its stick-slip, if there is any.
     """
 
     travel: Array
@@ -114,8 +135,11 @@ class FrictionCurve:
     zero_error: float
     zero_unknown: float
     first_friction: float
+    top: float
     onset: float
     notes: tuple[str, ...]
+    faults: tuple[Fault, ...] = ()
+    swing: Swing | None = None
 
 
 def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
@@ -135,6 +159,7 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         force is zero throughout, there is no normal force, or friction is beyond what the sample
         may have.
     """
+    record, faults = without_repeats(record)
     found = find_strokes(record.travel, record.force)
     if not found:
         raise _refused(
@@ -145,17 +170,25 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     used = {"first": found[:1], "last": found[-1:]}.get(sample.stroke, found)
     for stroke in used:
         _check(record, stroke.rows)
+        faults += travel_faults(record, stroke.rows, stroke.direction)
     travel, pull, normal = _pulled(record, sample, used)
     sign = 1.0 if np.median(pull[len(pull) // 5 :]) >= 0 else -1.0
+    if sample.recorded:
+        _refuse_saturated(record, travel, {"force": sign * pull, "normal force": normal})
     friction = sign * pull / (sample.faces * normal)
     onset, zero = _start(travel, friction)
     keep = despiked(friction)
     travel, friction, normal = (a[keep] for a in (travel, friction, normal))
+    top = float(np.quantile(np.abs(friction), 0.98))
     _refuse_odd_friction(record, friction, sample.friction)
+    swings = swing(travel, friction, top)
+    if swings is not None and sample.stick_slip in {"upper", "lower"}:
+        ends = envelope(friction, swings.readings, sample.stick_slip)
+        travel, friction = travel[ends], friction[ends]
     notes = _notes(record, found, used, sample.stroke, int((~keep).sum()))
     mean_normal = float(normal.mean())
     pressure = mean_normal / sample.area
-    if zero and abs(zero[0]) > MOST_ZERO * float(np.quantile(friction, 0.98)):
+    if zero and abs(zero[0]) > MOST_ZERO * top:
         zero = None
     bins = _binned(travel, friction, onset)
     return FrictionCurve(
@@ -170,10 +203,13 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
         noise=noise_level(friction),
         zero=zero[0] if zero else None,
         zero_error=zero[1] if zero else 0.0,
-        zero_unknown=_zero_unknown(friction, friction[travel < 0.75 * onset], zero is None),
+        zero_unknown=_zero_unknown(friction, friction[travel < 0.75 * onset], zero is None, top),
         first_friction=float(np.median(friction[:5])),
+        top=top,
         onset=onset,
         notes=notes,
+        faults=tuple(faults),
+        swing=swings,
     )
 
 
@@ -227,6 +263,20 @@ def _refuse_odd_friction(
     )
 
 
+def _refuse_saturated(record: MachineRecord, travel: Array, forces: dict[str, Array]) -> None:
+    """Refuse a force that its transducer did not follow to its top."""
+    for name, values in forces.items():
+        count = saturated(values, travel)
+        if count:
+            raise _refused(
+                record,
+                f"{count} of {len(values)} readings of the {name} equal the largest, "
+                f"{values.max():.5g} N, to the digit: its load cell, or its amplifier, was at its "
+                "end, and the force above is not known",
+                "Repeat the test with a larger range, or leave it out of the plan.",
+            )
+
+
 def _normal_force(record: MachineRecord, sample: Sample) -> Array:
     if record.normal_force is not None:
         measured = np.abs(record.normal_force)
@@ -273,7 +323,7 @@ def _start(travel: Array, friction: Array) -> tuple[float, tuple[float, float] |
     return onset, (float(np.median(flat)), error)
 
 
-def _zero_unknown(friction: Array, before: Array, missing: bool) -> float:
+def _zero_unknown(friction: Array, before: Array, missing: bool, top: float) -> float:
     """Standard deviation of a zero that was not taken from the record [-].
 
     The readings before the slip starts bound it, even where they are too few to be taken off;
@@ -281,7 +331,6 @@ def _zero_unknown(friction: Array, before: Array, missing: bool) -> float:
     """
     if not missing:
         return 0.0
-    top = float(np.quantile(np.abs(friction), 0.98))
     if len(before) < _LEAST_BEFORE:
         return UNKNOWN_ZERO * top
     standing = abs(float(np.median(before)))

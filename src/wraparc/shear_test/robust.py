@@ -203,6 +203,19 @@ def sandwich(fit: Robust, readings: Readings, scales: Array) -> Array:
     return np.asarray(0.5 * (covariance + covariance.T))
 
 
+def inverse_curvature(fit: Robust, scales: Array) -> Array:
+    """Inverse of the loss's second derivative at its minimum, shape (k, k).
+
+    Parameters
+    ----------
+    fit, scales
+        As in `sandwich`.
+    """
+    rows = fit.jacobian * ((1.0 + (fit.rows / fit.scale) ** 2) ** -0.75)[:, None] * scales
+    ridge = np.eye(len(scales)) / _UNKNOWN**2
+    return np.asarray(np.linalg.inv(rows.T @ rows + ridge) * np.outer(scales, scales))
+
+
 def _local_level(residual: Array) -> Array:
     """Standard deviation of the readings, each from the tenth of the record around it."""
     width = max(20, len(residual) // 10)

@@ -95,6 +95,10 @@ def _for_plain_names(pattern: str) -> re.Pattern[str]:
 
 _DEMAND, _STRESS = _for_plain_names(_DEMANDED), _for_plain_names(_STRESSES)
 _OTHER = _for_plain_names(f"{_MEASURES_OTHER}|{_DEMANDED}")
+_ACROSS = re.compile(
+    r"^[yz]\b|\b[yz]$|depth|height|wear|thick|\bgap\b|tiefe|hohe|dicke|spalt|verschleiss"
+    r"|epaisseur|profond|hauteur|usure|espesor|altura|grosor|desgaste|grubosc|zuzycie"
+)
 # Words of a travel column that also stand in names of others: Machine_Load.
 _WEAK = {"machine", "maschine", "position"}
 # Of several travel columns the one that starts near 0 is meant, not the absolute place.
@@ -120,6 +124,16 @@ def suitability(name: str, role: Role) -> float:
     if role is Role.TRAVEL and _ABSOLUTE.search(plain):
         score -= 1.5
     return score
+
+
+def is_demand(text: str) -> bool:
+    """Whether a text names what was asked for: a set-point."""
+    return bool(_DEMAND.search(plain_name(text)))
+
+
+def is_across(name: str) -> bool:
+    """Whether `name` names a length across the sliding: Z of a tribometer, wear, a depth."""
+    return bool(_ACROSS.search(plain_name(name)))
 
 
 def is_stress(name: str) -> bool:

@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE
+from wraparc.shear_test.campaign import order_sentences
 from wraparc.shear_test.consistency import FAR
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.load_slips import load_questions
+from wraparc.shear_test.load_slips import load_questions, surface_questions
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
@@ -31,16 +32,24 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     by_speed, speed_remarks = speed_sentences(
         tests, found.points, told=found.separated.by_slip_speed is not None
     )
+    order_remarks: list[str] = []
     misfit = _of_curves(tests) + _repeats(tests, found) + by_speed
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found)
         misfit += _predictions(found.left_out) + _wide(tests, law, found)
+        by_order, order_remarks = order_sentences(tests, law, found.points, found.flagged)
+        misfit += by_order
+        order_remarks = [] if plan.digitised else order_remarks
+    peaks = np.array([test.fit.parameters.peak_friction for test in tests])
+    misfit += surface_questions(plan.surface, found.condition, peaks, plan.rig.faces)
     remarks = [
         _shear_sentence(plan),
         _tests_sentence(tests, found.levels),
         *_unused(plan),
         *_held(plan),
+        *order_remarks,
+        *_scatter(found),
         *speed_remarks,
         *found.separated.remarks,
         *_compliance(plan, tests),
@@ -65,6 +74,18 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "slip the law is an extrapolation"
         )
     return tuple(misfit), tuple(remarks)
+
+
+def _scatter(found: Findings) -> list[str]:
+    """What the scatter of repeats means for a further sample."""
+    scatter = found.scatter_of_repeats
+    if scatter is None:
+        return []
+    return [
+        f"repeats scatter by {100 * scatter:.2g} % in peak friction (standard deviation between "
+        f"tests of one pressure): of 20 further samples about one is off by more than "
+        f"{200 * scatter:.2g} %"
+    ]
 
 
 def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> list[str]:

@@ -341,6 +341,7 @@ class FileChoices(Request):
     block: int | None = None
     stress_area: Short | None = None
     stroke: Short | None = None
+    stick_slip: Short | None = None
 
 
 class TestFileRequest(Request):

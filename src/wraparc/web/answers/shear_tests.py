@@ -1,6 +1,5 @@
 """Machine files read and fitted; runs in a process of its own for every file."""
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -22,8 +21,10 @@ from wraparc.shear_test import (
 )
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
+from wraparc.shear_test.digitised import guessed_pressure
 from wraparc.shear_test.plan_file import plan_from_document
 from wraparc.shear_test.plan_keys import PLAN
+from wraparc.shear_test.reader import table_columns
 from wraparc.web.answers.shown import (
     Answer,
     Data,
@@ -40,8 +41,6 @@ from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
 from wraparc.web.errors import ToldProblem, told
 
 _PREVIEW, _CURVE, _PRESSURES = 240, 200, 60
-_PRESSURE = re.compile(r"(?<![\d.])0*(\d{1,5}(?:[.]\d{1,3})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE)
-_UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
 _TEST_KEYS = ("pressure", "normal_force", "condition", "repeat", "sample")
 
 
@@ -168,7 +167,8 @@ def _read_file(file: MachineFile) -> ReadFile:
         test = _one_test(file)
         record = read_machine_bytes(file.data, file.name, test.choices)
     except InputError as error:
-        return ReadFile(problems=told(error.problems), pressure_guess=guess)
+        columns = _columns_of(file)
+        return ReadFile(problems=told(error.problems), pressure_guess=guess, columns=columns)
     shown = record_sheet(record)
     step = max(1, len(record.travel) // _PREVIEW)
     return ReadFile(
@@ -180,6 +180,15 @@ def _read_file(file: MachineFile) -> ReadFile:
         preview=Preview(travel=rounded(record.travel[::step]), force=rounded(record.force[::step])),
         pressure_guess=guess,
     )
+
+
+def _columns_of(file: MachineFile) -> list[FileColumn]:
+    """Columns of a file that was not understood, so that their units can be given."""
+    try:
+        found = table_columns(file.data, file.name, _one_test(file).choices)
+    except InputError:
+        return []
+    return [FileColumn(name=c.label, unit=c.unit, role="") for c in found]
 
 
 def _one_test(file: MachineFile) -> PlannedTest:
@@ -200,12 +209,6 @@ def _test_table(file: str, said: TestFileRequest) -> Document:
     if not said.use:
         given |= {"use": False, "reason": said.reason}
     return {"file": file, **{k: v for k, v in given.items() if v not in (None, "", {})}}
-
-
-def guessed_pressure(name: str) -> str | None:
-    """Return the pressure that a file name tells, as ``207kPa-1.csv`` does, or None."""
-    found = _PRESSURE.search(name)
-    return f"{found[1]} {_UNITS[found[2].lower()]}" if found else None
 
 
 def plan_file(asked: FitRequest, uploads: list[MachineFile]) -> PlanAnswer:

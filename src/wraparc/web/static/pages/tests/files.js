@@ -78,7 +78,7 @@ const CHOICES = [
   "delimiter",
   "encoding",
   "sheet",
-].concat(["table", "block", "stress_area", "stroke"]);
+].concat(["table", "block", "stress_area", "stroke", "stick_slip"]);
 /** Say of a file what the plan says; false where it does not name it. @param {TestFile} f */
 function told(f) {
   const plan = expected.get(f.name);

@@ -1,0 +1,112 @@
+"""The order of the tests: what wears, warms or drifts over a campaign goes with it.
+
+Where pressures rise with the order, what is the sample's wear cannot be told from what pressure
+does, however good the fit: so the order is asked for, and tested for a trend where it is known.
+"""
+
+from collections.abc import Sequence
+from datetime import datetime
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.shear_test.analysis import TestResult
+from wraparc.shear_test.consistency import USUAL, USUAL_WEIGHT
+from wraparc.shear_test.plan import PlannedTest
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
+from wraparc.shear_test.pressure_form import ln_peaks
+from wraparc.shear_test.record import Array
+from wraparc.shear_test.student import two_sided
+
+# Correlation of order and ln p from which they cannot be told apart. Ours.
+_CONFOUNDED = 0.9
+# How sure a trend must be, and how much of friction it must take from the first test to the last.
+_LEVEL, _MATTERS = 0.98, 0.02
+_LEAST_FREEDOM = 2
+
+
+def order_of(tests: Sequence[PlannedTest]) -> Array | None:
+    """Place of each test in time, equal dates alike; None where the plan does not tell.
+
+    The order of the plan counts where every test has one, else dates as 2026-03-05 or with a time.
+    """
+    said: list[float] = [float(test.order) for test in tests if test.order is not None]
+    if len(said) < len(tests):
+        try:
+            said = [datetime.fromisoformat(test.date.strip()).timestamp() for test in tests]
+        except (ValueError, OverflowError, OSError):
+            return None
+    _, place = np.unique(said, return_inverse=True)
+    return place.astype(float) if place.max() > 0 else None
+
+
+def order_sentences(
+    tests: Sequence[TestResult],
+    law: PressureFit,
+    points: CurvePoints,
+    flagged: NDArray[np.bool_],
+) -> tuple[list[str], list[str]]:
+    """Sentences on the order of the tests against the law, and remarks on it.
+
+    Parameters
+    ----------
+    tests
+        Of one condition.
+    law, points
+        Their law, and the curves as it has used them.
+    flagged
+        Tests that disagree with their repeats: they show no trend.
+    """
+    planned = [test.test for test in tests]
+    order = order_of(planned)
+    names = [test.sample for test in planned if test.sample]
+    fresh = len(set(names)) == len(planned)
+    if order is None:
+        most = max((names.count(name) for name in set(names)), default=0)
+        text = (
+            "the order of the tests is not stated (order or date in each [[test]]): a sample that "
+            "wears, or a rig that drifts, over the campaign would not be noticed"
+        )
+        if most > 2:
+            return [f"one sample served for {most} tests, and {text}"], []
+        return [], [text]
+    ln_pressure = np.log(points.pressure)
+    several = len(points.level_pressures) > 2
+    together = float(np.corrcoef(order, ln_pressure)[0, 1]) if np.ptp(ln_pressure) > 0.0 else 0.0
+    if several and abs(together) > _CONFOUNDED:
+        way = "upwards" if together > 0.0 else "downwards"
+        text = (
+            f"the pressures were tested in their order, {way}: what the sample has worn meanwhile "
+            "cannot be told from what pressure does"
+        )
+        if fresh:
+            return [], [f"{text}; each test had a sample of its own, so the rig's drift is left"]
+        return [f"{text}; repeat the first pressure at the end, or test in mixed order"], []
+    return _trend(order[~flagged], law, points.only(~flagged), law.weights[~flagged])
+
+
+def _trend(
+    order: Array, law: PressureFit, points: CurvePoints, weights: Array
+) -> tuple[list[str], list[str]]:
+    """Whether ln mu_pk, what pressure does taken off, goes with the order."""
+    value, jacobian = ln_peaks(law.form, law.theta, law.ends, points.pressure)
+    by_order = (order - order.mean()) / max(float(np.ptp(order)), 1.0)
+    design = np.column_stack([jacobian[:, 1, np.abs(jacobian[:, 1]).max(0) > 0.0], by_order])
+    root = np.sqrt(weights)
+    rows, target = design * root[:, None], (points.value - value)[:, 1] * root
+    found, _, rank, _ = np.linalg.lstsq(rows, target, rcond=1e-9)
+    freedom = len(target) - int(rank)
+    if freedom < _LEAST_FREEDOM or rank < design.shape[1]:
+        return [], ["too few tests to see whether friction goes with their order"]
+    left = float(((rows @ found - target) ** 2).sum())
+    # Of few degrees of freedom, it is drawn towards a usual scatter.
+    variance = (left + USUAL_WEIGHT * USUAL**2) / (freedom + USUAL_WEIGHT)
+    error = float(np.sqrt(variance * np.linalg.inv(rows.T @ rows)[-1, -1]))
+    change = float(found[-1])
+    if abs(change) > max(_MATTERS, two_sided(freedom + USUAL_WEIGHT - 1.0, _LEVEL) * error):
+        return [
+            f"friction changes by {100 * np.expm1(change):+.0f} % from the first test to the last, "
+            f"what pressure does taken off (standard error {100 * error:.1f} %): the sample wears, "
+            "or the rig drifts; repeat the first test, or take a new sample for each"
+        ], []
+    return [], ["friction shows no trend with the order of the tests"]

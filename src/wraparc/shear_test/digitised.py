@@ -1,0 +1,302 @@
+"""Curves read off published figures: friction over slip, or A and b over pressure.
+
+A digitiser (WebPlotDigitizer, Engauge, StarryDigitizer ...) writes points as CSV or JSON. They
+become curves that are fitted as tests are: no lash, no unknown zero, no rig, but an error of the
+reading, a share of full scale, common to all curves of a figure.
+"""
+
+import json
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from typing import Any
+
+import numpy as np
+
+from wraparc.errors import InputError, Problem, shown
+from wraparc.friction import peak_from_ab
+from wraparc.machine_tables import find_tables
+from wraparc.shear_test.budget import ReadOff, Uncertainty
+from wraparc.shear_test.plan import Digitised, PlannedTest, TestPlan
+from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.reduce import FrictionCurve
+from wraparc.units import parse_quantity
+
+#: Points of a curve; a plain CSV or JSON of more than this many curves is no figure.
+LEAST_POINTS, _MOST_CURVES, _DEEPEST = 10, 200, 12
+_STEPS = 60
+_PRESSURE = re.compile(r"(?<![\d.])0*(\d{1,5}(?:[.]\d{1,3})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE)
+_UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Points of one curve as digitised, ascending in x."""
+
+    name: str
+    x: Array
+    y: Array
+
+
+def guessed_pressure(name: str) -> str | None:
+    """Return the pressure that a name tells, as ``207kPa-1.csv`` does, or None."""
+    found = _PRESSURE.search(name)
+    return f"{found[1]} {_UNITS[found[2].lower()]}" if found else None
+
+
+def read_points(data: bytes, file: str) -> list[Points]:
+    """Read the curves of a digitiser's file.
+
+    JSON: every list of points, ``{"value": [x, y]}``, ``[x, y]`` or ``{"x": .., "y": ..}``, with
+    the name that stands beside it. CSV: two columns; pairs of columns under names; or one x and
+    several y.
+
+    Raises
+    ------
+    InputError
+        If there is no curve in it.
+    """
+    if data.lstrip()[:1] in (b"{", b"["):
+        try:
+            found = list(_in_json(json.loads(data), "", 0))
+        except (ValueError, RecursionError):
+            raise _refused(file, "it begins as JSON and is none", "Export it again.") from None
+    else:
+        found = _in_table(data, file)
+    if len(found) > _MOST_CURVES:
+        raise _refused(file, f"it holds {len(found)} curves", f"At most {_MOST_CURVES} are read.")
+    curves = [
+        Points(name, *np.array(sorted(points), dtype=float).T)
+        for name, points in found
+        if len(points) > 1
+    ]
+    if not curves:
+        raise _refused(
+            file,
+            "there is no digitised curve in it",
+            "Export x and y of the points as CSV, or the JSON of the digitiser.",
+        )
+    return curves
+
+
+def _refused(file: str, message: str, remedy: str, key: str = "") -> InputError:
+    return InputError(Problem(message=message, remedy=remedy, file=file, key=key))
+
+
+def _in_json(node: Any, name: str, depth: int) -> Iterator[tuple[str, list[tuple[float, float]]]]:
+    """Lists of points anywhere in a document, with the nearest name."""
+    if depth > _DEEPEST:
+        return
+    if isinstance(node, list):
+        points = [point for item in node if (point := _point(item)) is not None]
+        if len(points) > 1 and len(points) == len(node):
+            yield name, points
+            return
+        for item in node:
+            yield from _in_json(item, name, depth + 1)
+    elif isinstance(node, dict):
+        own = node.get("name")
+        for value in node.values():
+            if isinstance(value, list | dict):
+                yield from _in_json(value, own if isinstance(own, str) else name, depth + 1)
+
+
+def _point(item: Any) -> tuple[float, float] | None:
+    """Values of a point; its place in the image counts only where there is nothing else."""
+    if isinstance(item, dict):
+        item = item.get("value") or [item.get("x"), item.get("y")]
+    if not isinstance(item, list) or len(item) < 2:
+        return None
+    numbers = [v for v in item[:2] if isinstance(v, int | float) and not isinstance(v, bool)]
+    if len(numbers) < 2 or not all(np.isfinite(numbers)):
+        return None
+    return float(numbers[0]), float(numbers[1])
+
+
+def _in_table(data: bytes, file: str) -> list[tuple[str, list[tuple[float, float]]]]:
+    tables = [table for table in find_tables(data, file).tables if table.rows > 1]
+    if not tables:
+        return []
+    table = max(tables, key=lambda t: t.rows)
+    style = table.found_style(file)
+    values = [table.numbers(k, style) for k in range(len(table.columns))]
+    rows = [[cell.strip() for cell in row] for row in table.header if len(row) == len(values)]
+    heads = [next((row[k] for row in reversed(rows) if row[k]), "") for k in range(len(values))]
+    titles = next((row for row in rows if sum(map(bool, row)) > 0), [""] * len(values))
+    pairs = (
+        len(values) > 2 and len(values) % 2 == 0 and heads[0::2] == [heads[0]] * (len(values) // 2)
+    )
+    if pairs:
+        of = [(titles[k] or titles[k + 1], k, k + 1) for k in range(0, len(values), 2)]
+    else:
+        of = [(heads[k], 0, k) for k in range(1, len(values))]
+    found = []
+    for name, x, y in of:
+        both = np.isfinite(values[x]) & np.isfinite(values[y])
+        points = zip(values[x][both].tolist(), values[y][both].tolist(), strict=True)
+        found.append((name, list(points)))
+    return found
+
+
+def with_curves(
+    plan: TestPlan, data_of: Callable[[PlannedTest], bytes]
+) -> tuple[TestPlan, dict[str, MachineRecord]]:
+    """Return the plan with a test for each digitised curve, and the record of each by its file.
+
+    Parameters
+    ----------
+    plan
+        A plan whose `digitised` says what its files are.
+    data_of
+        The bytes of a test's file.
+
+    Raises
+    ------
+    InputError
+        With all that is wrong in the files.
+    """
+    of = plan.digitised
+    assert of is not None  # noqa: S101 - asked only of such a plan
+    problems: list[Problem] = []
+    taken: list[tuple[PlannedTest, Points]] = []
+    for test in plan.used_tests:
+        try:
+            taken += [
+                (test, curve) for curve in _wanted(read_points(data_of(test), test.file), test)
+            ]
+        except InputError as error:
+            problems += error.problems
+    if problems:
+        raise InputError(problems)
+    curves = _coefficient_curves(of, taken) if of.quantity == "coefficients" else taken
+    tests: list[PlannedTest] = []
+    records: dict[str, MachineRecord] = {}
+    for test, curve in curves:
+        pressure = test.pressure
+        said = guessed_pressure(curve.name) or guessed_pressure(test.file)
+        if pressure is None and said:
+            pressure = parse_quantity(said, "pressure")
+        label = f"{test.file}: {curve.name}" if curve.name else test.file
+        try:
+            records[label] = _record(label, curve, pressure, of, plan)
+        except InputError as error:
+            problems += error.problems
+            continue
+        tests.append(replace(test, file=label, pressure=pressure, normal_force=None))
+    if problems:
+        raise InputError(problems)
+    # Nothing else is known of how the paper measured, and nothing is invented.
+    limits = Uncertainty(
+        force=0.0, normal_force=0.0, area=0.0, travel=0.0, compliance=0.0, stated=True,
+        read_off=_errors(of, taken),
+    )  # fmt: skip
+    held = plan.held if plan.held.lash is not None else replace(plan.held, lash=0.0)
+    read = replace(plan, tests=(*tests, *plan.unused_tests), uncertainty=limits, held=held)
+    return read, records
+
+
+def as_drawn(curve: FrictionCurve, first: float) -> FrictionCurve:
+    """Return the curve of a figure: its slip is counted from 0, not from its first point [m].
+
+    It has no unknown zero, and nothing recorded it.
+    """
+    return replace(
+        curve,
+        travel=curve.travel + first,
+        binned_travel=curve.binned_travel + first,
+        first_friction=float(curve.friction[0]),  # of so few points, not the median of five
+        onset=0.0,
+        zero=None,
+        zero_unknown=0.0,
+        faults=(),
+        swing=None,
+    )
+
+
+def _errors(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> ReadOff:
+    """Largest errors: the share of the largest slip and friction, or of the largest A and b."""
+    if of.quantity == "friction":
+        slip, friction = (max(float(getattr(c, axis).max()) for _, c in taken) for axis in "xy")
+        return ReadOff(slip=of.error * slip * of.slip_unit, friction=of.error * friction)
+    tops = {_letter(test, curve): float(np.abs(curve.y).max()) for test, curve in taken}
+    return ReadOff(a=of.error * tops["a"], b=of.error * tops["b"], unit=of.slip_unit)
+
+
+def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
+    """All curves of the file, or the one that the test names."""
+    if not test.curve:
+        return curves
+    if len(curves) == 1:
+        return [replace(curves[0], name=test.curve)]
+    chosen = [curve for curve in curves if curve.name.strip() == test.curve.strip()]
+    if not chosen:
+        listed = ", ".join(shown(curve.name) for curve in curves[:10])
+        raise InputError(
+            Problem(
+                message="there is no such curve",
+                remedy=f"The file has {listed}.",
+                file=test.file,
+                key="curve",
+                value=shown(test.curve),
+            )
+        )
+    return chosen
+
+
+def _letter(test: PlannedTest, curve: Points) -> str:
+    return (test.curve or curve.name).strip().casefold()
+
+
+def _coefficient_curves(
+    of: Digitised, taken: list[tuple[PlannedTest, Points]]
+) -> list[tuple[PlannedTest, Points]]:
+    """A and b over pressure as friction over slip: a curve at each pressure of A."""
+    by = {_letter(test, curve): (test, curve) for test, curve in taken}
+    if not {"a", "b"} <= by.keys():
+        listed = ", ".join(shown(curve.name) for _, curve in taken[:10])
+        remedy = 'Name them in the file, or say curve = "A" and curve = "b" in a [[test]] for each.'
+        raise _refused(taken[0][0].file, f"A and b are not both in it, but {listed}", remedy)
+    (test, a), (_, b) = by["a"], by["b"]
+    inside = (a.x >= b.x.min()) & (a.x <= b.x.max())
+    curves = []
+    for p, first, second in zip(
+        a.x[inside], a.y[inside], np.interp(a.x[inside], b.x, b.y), strict=True
+    ):
+        if not first < 0.0 or abs(second / first) > 10.0:
+            raise _refused(
+                test.file,
+                f"A = {first:.4g} and b = {second:.4g} at {p:.4g} make no peak of friction",
+                "A is below 0 in mu = A x ln x - b x; see the axes and the unit of x.",
+            )
+        _, peak = peak_from_ab(float(first), float(second))
+        end = (of.slip_max or peak * of.slip_unit) / of.slip_unit
+        x = np.linspace(0.0, end, _STEPS)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            y = np.where(x > 0.0, first * x * np.log(x) - second * x, 0.0)
+        x, y = x[: int(np.argmax(y)) + 1], y[: int(np.argmax(y)) + 1]  # no law beyond its peak
+        pressure = p * of.pressure_unit
+        own = replace(test, pressure=pressure, curve="")
+        curves.append((own, Points(f"{pressure / 1e3:.4g} kPa", x, y)))
+    return curves
+
+
+def _record(
+    label: str, curve: Points, pressure: float | None, of: Digitised, plan: TestPlan
+) -> MachineRecord:
+    """The record of a test that would have given the curve."""
+    count = len(curve.x)
+    if pressure is None:
+        remedy = 'Give pressure in its [[test]], or name the curve "207 kPa" in the digitiser.'
+        raise _refused(label, "the pressure of this curve is not known", remedy)
+    if count < LEAST_POINTS:
+        remedy = f"Click {LEAST_POINTS} points or more along it, most where it bends."
+        raise _refused(label, f"the curve has {count} points only", remedy)
+    force = curve.y * pressure * plan.rig.area * plan.rig.faces
+    return MachineRecord(
+        file=label, place=f"{count} points", encoding="", delimiter="", decimal=".", columns=(),
+        travel=curve.x * of.slip_unit, force=force, normal_force=None, time=None,
+        lines=np.arange(1, count + 1), rows=count, dropped=(),
+        notes=(of.provenance(None).source,), header=(),
+        digest=sha256(curve.x.tobytes() + curve.y.tobytes()).hexdigest(),
+    )  # fmt: skip

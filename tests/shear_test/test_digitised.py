@@ -1,0 +1,198 @@
+"""Curves read off a figure. Expected values: the known law behind the points."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from wraparc.errors import InputError
+from wraparc.files import load_lagging
+from wraparc.files.write import lagging_text
+from wraparc.friction import ab_from_peak
+from wraparc.provenance import Kind
+from wraparc.report.shear_test_budget import budget_table
+from wraparc.report.shear_test_tables import plan_sheet, verdict
+from wraparc.shear_test import fit_plan
+from wraparc.shear_test.digitised import read_points
+from wraparc.shear_test.plan_file import load_plan
+
+PRESSURES = np.array([34.0, 69.0, 138.0, 276.0, 414.0, 690.0])  # kPa
+SLIP = 9.0 * (PRESSURES / 34.0) ** 0.15  # mm
+FRICTION = 1.25 * (PRESSURES / 34.0) ** -0.3
+
+
+def curve(k: int, points: int = 30, end: float = 12.0) -> list[list[float]]:
+    """Points of a curve in whole pixels: 800 for 12 mm and 500 for 1.4."""
+    x = np.linspace(0.1, end, points)
+    r = np.minimum(x / SLIP[k], 1.0)
+    y = FRICTION[k] * r * (1.0 - np.log(r))
+    drawn: list[list[float]] = np.stack(
+        [np.round(x / 12 * 800) / 800 * 12, np.round(y / 1.4 * 500) / 500 * 1.4]
+    ).T.tolist()
+    return drawn
+
+
+def names(unit: str = "kPa") -> list[str]:
+    return [f"{p:g} {unit}" for p in PRESSURES]
+
+
+def project() -> str:
+    """As the project of a digitiser: values beside places in the image."""
+    sets = [
+        {"name": name, "axesName": "XY", "metadataKeys": [],
+         "data": [{"x": 7.0, "y": 9.0, "dataPointIndex": 1, "value": v} for v in curve(k)]}
+        for k, name in enumerate(names())
+    ]  # fmt: skip
+    return json.dumps({"version": [4, 2], "axesColl": [{"name": "XY"}], "datasetColl": sets})
+
+
+def series() -> str:
+    """Another kind: lists of pairs."""
+    return json.dumps(
+        {"wpd": {"dataSeries": [{"name": n, "data": curve(k)} for k, n in enumerate(names())]}}
+    )
+
+
+def in_pairs() -> str:
+    """Two columns a curve under its name."""
+    rows = [",".join(f"{n}," for n in names()), ",".join(["X", "Y"] * 6)]
+    sets = zip(*(curve(k, 30 + k) for k in range(6)), strict=False)
+    rows += [",".join(f"{x:.5f},{y:.5f}" for x, y in points) for points in sets]
+    return "\n".join(rows)
+
+
+def one_x() -> str:
+    """One x, a column a curve."""
+    rows = ["x," + ",".join(names())]
+    for points in zip(*(curve(k) for k in range(6)), strict=True):
+        rows += [f"{points[0][0]:.5f}," + ",".join(f"{y:.5f}" for _, y in points)]
+    return "\n".join(rows)
+
+
+HEAD = """format = 1
+[lagging]
+name = "figured"
+surface = "rubber"
+[digitised]
+source = "A. Author, A paper, 2020"
+figure = "Figures 3 to 5"
+"""
+
+
+def fitted(folder: Path, text: str, file: str = "figure.json", head: str = HEAD) -> Any:
+    (folder / file).write_text(text)
+    (folder / "plan.toml").write_text(f'{head}[[test]]\nfile = "{file}"\n')
+    return fit_plan(load_plan(folder / "plan.toml"))
+
+
+@pytest.mark.parametrize("text", [project, series, in_pairs, one_x])
+def test_friction_comes_back_within_two_percent(tmp_path: Path, text: Any) -> None:
+    result = fitted(tmp_path, text())
+    law = result.laggings[0].law
+    for k, p in enumerate(PRESSURES):
+        r = np.array([0.2, 0.5, 0.9])
+        slip = r * min(SLIP[k], 12.0) * 1e-3
+        true = FRICTION[k] * (ratio := slip * 1e3 / SLIP[k]) * (1.0 - np.log(ratio))
+        found = [float(law.friction(x, p * 1e3)) for x in slip]
+        np.testing.assert_allclose(found, true, rtol=0.02)
+    assert verdict(result).level.name == "OK"
+
+
+def test_the_figure_is_the_source_wherever_the_law_shows(tmp_path: Path) -> None:
+    result = fitted(tmp_path, project())
+    said = "digitised from A. Author, A paper, 2020, Figures 3 to 5"
+    assert result.laggings[0].provenance.source == said
+    assert result.laggings[0].provenance.kind is Kind.PUBLISHED
+    (tmp_path / "figured.toml").write_text(lagging_text(result.laggings))
+    assert load_lagging(tmp_path / "figured.toml").provenance.source == said
+    sheet = plan_sheet(result)
+    assert any(said in source for source in sheet.sources)
+    rows = {row.title: row.values for table in sheet.tables for row in table.rows}
+    assert rows["Curves"] == (said,)
+    assert rows["Error of a point"] == ("read off to 1 % of full scale",)
+
+
+@pytest.mark.parametrize(("said", "share"), [("", 0.01), ('error = "3 %"\n', 0.03)])
+def test_the_error_of_a_point_is_in_the_budget(tmp_path: Path, said: str, share: float) -> None:
+    """A share of the largest friction, over the peak, over the root of 3."""
+    result = fitted(tmp_path, project(), head=HEAD + said)
+    condition = result.conditions[0]
+    budget = condition.fit.budget(condition.found.points)
+    largest = max(y for k in range(6) for _, y in curve(k))
+    peaks = np.exp(condition.fit.peaks(PRESSURES * 1e3))[:, 1]
+    np.testing.assert_allclose(
+        budget.parts["friction off the figure"][:, 1], share * largest / peaks / np.sqrt(3.0)
+    )
+    table = budget_table(condition, "si", "")
+    assert table is not None
+    assert "friction off the figure" in {row.title for row in table.rows}
+
+
+def coefficients() -> str:
+    ab = [ab_from_peak(m, x) for m, x in zip(FRICTION, SLIP, strict=True)]
+    return "p,A,b\n" + "\n".join(
+        f"{p},{a:.5f},{b:.5f}" for p, (a, b) in zip(PRESSURES, ab, strict=True)
+    )
+
+
+def test_a_and_b_over_pressure_give_their_peaks(tmp_path: Path) -> None:
+    head = HEAD + 'quantity = "coefficients"\n'
+    result = fitted(tmp_path, coefficients(), "ab.csv", head)
+    condition = result.conditions[0]
+    slip, friction, _ = condition.peaks_at(PRESSURES * 1e3)
+    np.testing.assert_allclose(friction, FRICTION, rtol=0.02)
+    np.testing.assert_allclose(slip, 1e-3 * SLIP, rtol=0.02)
+    budget = condition.fit.budget(condition.found.points)
+    assert budget.parts["A off the figure"].all()
+    # b alone: d ln mu_pk = d ln x_pk = db/A, by x_pk = exp(b/A - 1), mu_pk = -A x_pk
+    a, _ = np.array([ab_from_peak(m, x) for m, x in zip(friction, slip * 1e3, strict=True)]).T
+    told = budget.parts["b off the figure"]
+    largest = max(abs(ab_from_peak(m, x)[1]) for m, x in zip(FRICTION, SLIP, strict=True))
+    np.testing.assert_allclose(told[:, 0], 0.01 * largest / np.abs(a) / np.sqrt(3.0), rtol=1e-4)
+    np.testing.assert_allclose(told[:, 0], told[:, 1])
+
+
+def test_another_unit_of_x_is_taken(tmp_path: Path) -> None:
+    inches = json.dumps([
+        {"name": n, "data": [[x / 25.4, y] for x, y in curve(k)]} for k, n in enumerate(names())
+    ])  # fmt: skip
+    result = fitted(tmp_path, inches, head=HEAD + 'slip_unit = "in"\n')
+    slip = result.conditions[0].peaks_at(np.array([138e3]))[0]
+    assert slip[0] == pytest.approx(1e-3 * SLIP[2], rel=0.03)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("{", "it begins as JSON and is none"),
+        ('{"version": 4}', "there is no digitised curve in it"),
+        (json.dumps([{"name": "no pressure", "data": curve(0)}]), "pressure of this curve is not"),
+        (json.dumps([{"name": "34 kPa", "data": curve(0, 5)}]), "the curve has 5 points only"),
+    ],
+)
+def test_what_is_no_figure_is_told(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        fitted(tmp_path, text)
+
+
+def test_a_curve_is_chosen_by_its_name(tmp_path: Path) -> None:
+    (tmp_path / "f.json").write_text(project())
+    tests = "".join(f'[[test]]\nfile = "f.json"\ncurve = "{n}"\n' for n in names()[:3])
+    (tmp_path / "plan.toml").write_text(HEAD + tests)
+    assert len(fit_plan(load_plan(tmp_path / "plan.toml")).conditions[0].tests) == 3
+    (tmp_path / "plan.toml").write_text(HEAD + '[[test]]\nfile = "f.json"\ncurve = "9 kPa"\n')
+    with pytest.raises(InputError, match="there is no such curve"):
+        fit_plan(load_plan(tmp_path / "plan.toml"))
+
+
+def test_coefficients_without_b_are_told(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="A and b are not both in it"):
+        fitted(tmp_path, "p,A\n1,-1\n2,-1\n3,-1\n", "ab.csv", HEAD + 'quantity = "coefficients"\n')
+
+
+def test_places_in_the_image_are_no_values() -> None:
+    (first, *_) = read_points(project().encode(), "x")
+    assert first.name == "34 kPa"
+    np.testing.assert_allclose(np.stack([first.x, first.y]).T, curve(0))

@@ -1,0 +1,164 @@
+"""Faults of recording and of the campaign: known ones, put into sound virtual laboratories.
+
+Each fault passed as OK before it was looked for.
+"""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from shear_test.virtual import fitted, laboratory, verdicts
+from wraparc.checks import Level
+from wraparc.report.shear_test_tables import plan_sheet, verdict
+from wraparc.shear_test import Choices, MachineRecord, Sample, reduce_record
+from wraparc.shear_test.campaign import order_of
+from wraparc.shear_test.load_slips import surface_questions
+from wraparc.shear_test.record_faults import saturated
+
+SAID = {
+    "one load cell at its end": "readings of the force equal the largest",
+    "one travel sensor at its end": "the travel stands at its largest value",
+    "a tenth of the readings of one test lost": "readings are missing at 1 place",
+    "a tenth of the readings of one test written twice": "rows repeat those before them",
+    "5 % less friction a test, pressures upwards": "the pressures were tested in their order",
+    "5 % less friction a test, mixed order": "from the first test to the last",
+    "stick-slip of 10 % in every curve": "stick-slip: friction swings by 1",
+    "1 face in the plan, 2 slid": "do 1 of its faces slide",
+}
+
+
+def faulty(fault: str, seed: int) -> Any:
+    lab = verdicts().laboratory(verdicts().smooth(), "4 x 2", seed)
+    verdicts().FAULTS[fault](lab, seed)
+    return lab.fit()
+
+
+@pytest.mark.parametrize("fault", SAID)
+def test_a_fault_is_named_in_the_verdict(fault: str) -> None:
+    result = faulty(fault, 3)
+    told = " ".join([*map(str, result.left_out), *result.misfit])
+    assert SAID[fault] in told
+    assert verdict(result).level is Level.ATTENTION
+
+
+def one(**rig: Any) -> MachineRecord:
+    options: Any = {"points": 250, "seed": 5, "repeats": 1, "pressures": np.array([103e3])} | rig
+    return laboratory(**options)[1]["p0r0"]
+
+
+def reduced(record: MachineRecord, **sample: Any) -> Any:
+    return reduce_record(record, Sample(area=0.04, **sample))
+
+
+def test_a_measured_normal_force_can_be_at_its_end_too() -> None:
+    record = one()
+    assert record.normal_force is not None
+    noisy = record.normal_force * (1.0 + np.random.default_rng(1).normal(0.0, 0.005, 250))
+    held = np.minimum(noisy, np.quantile(noisy, 0.3))
+    with pytest.raises(Exception, match="readings of the normal force equal the largest"):
+        reduced(replace(record, normal_force=held))
+
+
+@pytest.mark.parametrize("resolution", [1e-9, 2.0, 100.0])
+def test_a_flat_peak_is_no_end_of_a_load_cell(resolution: float) -> None:
+    """Without noise friction past a flat peak is one number; the curve comes to it flat."""
+    x = np.linspace(0.0, 15e-3, 400)
+    r = np.clip(x / 8e-3, 1e-9, 1.0)
+    force = np.round(5000.0 * r * (1.0 - np.log(r)) / resolution) * resolution
+    assert not saturated(force, x)
+    clipped = np.minimum(force, np.floor(4200.0 / resolution) * resolution)
+    assert bool(saturated(clipped, x)) is (resolution < 50.0)
+
+
+def test_a_hold_in_which_the_force_relaxes_is_no_fault() -> None:
+    record = one()
+    hold = 40
+    force = record.force[-1] * (0.9 + 0.1 * np.exp(-np.arange(hold) / 8.0))
+    held = replace(
+        record,
+        travel=np.append(record.travel, np.full(hold, record.travel.max())),
+        force=np.append(record.force, force), normal_force=None, time=None,
+        lines=np.arange(len(record.lines) + hold), rows=len(record.lines) + hold,
+    )  # fmt: skip
+    assert not reduced(held, normal_force=103e3 * 0.04).faults
+
+
+def test_a_travel_that_stands_at_the_start_is_told() -> None:
+    record = one()
+    travel = np.maximum(record.travel, 1.5e-3)
+    (fault,) = reduced(replace(record, travel=travel)).faults
+    assert "stands at its first value" in fault.text
+
+
+@pytest.mark.parametrize(("which", "least", "most"), [("upper", 1.02, 1.07), ("lower", 0.93, 0.98)])
+def test_the_plan_says_which_part_of_stick_slip_is_fitted(
+    which: str, least: float, most: float
+) -> None:
+    """A sawtooth of 10 %: its ends are 5 % above and below its middle."""
+    module = verdicts()
+    peaks = []
+    for part in ("mean", which):
+        lab = module.laboratory(module.smooth(), "3 x 2", 2)
+        module.FAULTS["stick-slip of 10 % in every curve"](lab, 2)
+        tests = [replace(test, stick_slip=part) for test in lab.plan.tests]
+        lab.plan = replace(lab.plan, tests=tuple(tests))
+        result = lab.fit()
+        assert not any("stick-slip" in text for text in result.misfit)
+        peaks.append(result.conditions[0].peaks_at(np.array([138e3]))[1][0])
+    assert least < peaks[1] / peaks[0] < most
+
+
+def test_the_order_of_tests_is_asked_for_and_read_from_dates() -> None:
+    plan, records = laboratory(seed=2, repeats=2, points=250)
+    remarks = fitted(plan, records).conditions[0].remarks
+    assert any("the order of the tests is not stated" in text for text in remarks)
+    dated = [replace(plan.tests[k], date=f"2026-03-0{3 - k}") for k in range(3)]
+    assert order_of(dated).tolist() == [2, 1, 0]  # type: ignore[union-attr]
+    assert order_of([replace(dated[0], date="in March"), *dated[1:]]) is None
+    worn = replace(plan, tests=tuple(replace(test, sample="A") for test in plan.tests))
+    assert any("one sample served for 16 tests" in text for text in fitted(worn, records).misfit)
+
+
+def test_scatter_is_what_the_repeats_show() -> None:
+    """ln mu of two tests of a pressure 4 % apart has a standard deviation of 0.04 / sqrt 2."""
+    plan, records = laboratory(seed=2, repeats=2, points=250)
+    for name in [name for name in records if name.endswith("r1")]:
+        records[name] = replace(records[name], force=1.04 * records[name].force)
+    condition = fitted(plan, records).conditions[0]
+    assert condition.found.scatter_of_repeats == pytest.approx(0.04 / np.sqrt(2.0), rel=0.2)
+    assert any(text.startswith("repeats scatter by 2.8 %") for text in condition.remarks)
+
+
+def test_a_low_zero_is_no_contradiction() -> None:
+    """5 % of the largest force stand before the slip: below the 10 % of the sentence."""
+    record = one(lash=0.8e-3)
+    off = replace(record, force=record.force + 0.05 * float(record.force.max()))
+    curve = reduced(off)
+    assert curve.zero_unknown < 0.05 * curve.top
+
+
+def test_friction_outside_the_band_of_its_surface_is_asked_about() -> None:
+    """Rubber: design values from 0.35 dry (CEMA) to 0.45 (DIN 22101), times 3."""
+    assert not surface_questions("rubber", "dry", np.array([0.9, 0.8]), 2)
+    assert not surface_questions("", "dry", np.array([5.0]), 2)
+    (text,) = surface_questions("rubber", "dry", np.array([1.6, 1.5]), 1)
+    assert text.startswith("its mean peak friction, 1.55, is outside the 0.35 to 1.35 that rubber")
+    assert surface_questions("rubber", "dry", np.array([0.3]), 2)
+
+
+def test_sheets_of_one_workbook_are_named_by_their_sheets() -> None:
+    test = laboratory(repeats=1, points=20)[0].tests[0]
+    named = replace(test, file="all.xlsx", choices=Choices(sheet="34 kPa"))
+    assert named.label == "all.xlsx, sheet 34 kPa"
+    assert test.label == test.file
+
+
+def test_the_report_says_what_slip_includes_and_the_order() -> None:
+    lab = verdicts().laboratory(verdicts().smooth(), "3 x 2", 1)
+    rows = {r.title: r.values for t in plan_sheet(lab.fit()).tables for r in t.rows}
+    assert rows["Slip includes"] == (
+        "the shear of the belt cover in the rig, the rig's own travel",
+    )
+    assert rows["Order of the tests"] == ("p0r0, p1r0, p2r0, ... p0r1",)
