@@ -256,6 +256,21 @@ def test_the_work_grows_with_the_load_cases_and_no_faster(monkeypatch: pytest.Mo
     assert thrice - twice == twice - few
 
 
+def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables() -> None:
+    # of an arc: the margin by each of three ways to hold the take-up, and one rise of the tensions
+    margins, lifts = (
+        getattr(sys.modules[f"wraparc.checks.{module}"], name)
+        for module, name in (("gross_slip", "_slip_place"), ("least_tension", "_lift"))
+    )
+    drive = _cases(10)
+    for i, case in enumerate(drive["load_case"]):
+        case["pulley"] = {"head": {"entry_tension": f"{90 + i} kN"}}
+    before = margins.cache_info().misses, lifts.cache_info().misses
+    drives.solve_all(SolveRequest(document=drive, prepared=True, points=60))
+    assert margins.cache_info().misses - before[0] <= 3 * 10
+    assert lifts.cache_info().misses - before[1] <= 10 + 1  # where it governs it is settled
+
+
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:
     documents.read(_cases(documents.MOST_ARCS))
     with pytest.raises(Exception, match="201 load cases are more than the 200 "):

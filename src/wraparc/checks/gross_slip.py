@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -166,7 +166,11 @@ def pull_factor(arc: WrapArc, grip: Grip, rise: Rise) -> float:
     if tight == slack:
         return inf
     line = kernel.Line(tight, slack, rise.tight, rise.slack)
-    return kernel.slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
+    return _slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
+
+
+#: The same is asked for every table, in both systems of units, and for every check.
+_slip_place = lru_cache(maxsize=2048)(kernel.slip_place)
 
 
 @dataclass(frozen=True)

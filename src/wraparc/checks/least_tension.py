@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from weakref import WeakKeyDictionary
 
 from wraparc.alike import largest, least
@@ -250,7 +250,11 @@ def _gross_slip(
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
     rise, grip = rises(arcs, index, drive.criteria.take_up), grip_of(arcs[index])
     safety = Safety(factor, rise.tight, grip.softens)
-    lift = lift_for_grip(grip.law, arc.geometry(), grip.numbers, _pull_of(arc), safety, rounds)
+    lift = _lift(grip.law, arc.geometry(), grip.numbers, _pull_of(arc), safety, rounds)
     title = f"Safety {factor:g} against gross slip"
     place = Place(arc.pulley, case.name)
     return Figure("gross_slip", title, end + lift, place)
+
+
+#: A load case is judged among all, alone and for the page.
+_lift = lru_cache(maxsize=2048)(lift_for_grip)
