@@ -256,19 +256,30 @@ def test_the_work_grows_with_the_load_cases_and_no_faster(monkeypatch: pytest.Mo
     assert thrice - twice == twice - few
 
 
-def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables() -> None:
-    # of an arc: the margin by each of three ways to hold the take-up, and one rise of the tensions
-    margins, lifts = (
-        getattr(sys.modules[f"wraparc.checks.{module}"], name)
-        for module, name in (("gross_slip", "_slip_place"), ("least_tension", "_lift"))
-    )
+def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # of an arc: the margin by each of three ways to hold the take-up, for its check, and for that
+    # of an arc that breaks away, of which the page needs the words; and one rise of the tensions
+    called = Counter[str]()
+
+    def counted(module: str, name: str) -> None:
+        usual = getattr(sys.modules[module], name)
+
+        def once_more(*given: Any) -> Any:
+            called[name] += 1
+            return usual(*given)
+
+        monkeypatch.setattr(sys.modules[module], name, once_more)
+
+    counted("wraparc.arc.kernel.gross_slip", "slip_place")
+    counted("wraparc.checks.least_tension", "lift_for_grip")
     drive = _cases(10)
     for i, case in enumerate(drive["load_case"]):
         case["pulley"] = {"head": {"entry_tension": f"{90 + i} kN"}}
-    before = margins.cache_info().misses, lifts.cache_info().misses
     drives.solve_all(SolveRequest(document=drive, prepared=True, points=60))
-    assert margins.cache_info().misses - before[0] <= 3 * 10
-    assert lifts.cache_info().misses - before[1] <= 10 + 1  # where it governs it is settled
+    assert 10 <= called["slip_place"] <= (3 + 1 + 1) * 10
+    assert 10 <= called["lift_for_grip"] <= 10 + 1  # where it governs it is settled
 
 
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:
