@@ -183,6 +183,8 @@ def test_what_json_may_hold_is_counted_before_it_is_parsed(text: str, message: s
         ("a = [" + "1," * 100_001 + "]", "holds 100,001 values in lists"),
         ("".join(f"k{i} = 1\n" for i in range(20_001)), "holds 20,001 keys; at most 20,000"),
         ("a = " + "[" * 61 + "]" * 61, "in more than 60 others"),
+        ("#\n" * 150_001, "holds 150,001 lines; at most 150,000 are read"),
+        ("a = [\n" + "1,\n" * 100_000 + "]", ""),
         ("\n" + "k" * 201 + " = 1", "a key or number of more than 200 characters"),
         ('\n"' + "k " * 101 + '" = 1', "line 2: a key of more than 200 characters"),
         ("\n['" + "k " * 101 + "']", "line 2: a key of more than 200 characters"),
