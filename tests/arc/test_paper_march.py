@@ -18,6 +18,7 @@ from scipy.optimize import brentq
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, random_arc
 from arc.twin import friction
 from wraparc.arc import Distributed, PaperMarch, Status, WrapArc, paper_march, solve
+from wraparc.arc.kernel.effort import jumps
 from wraparc.catalogue import lagging_names
 from wraparc.files import load_drive, load_lagging
 from wraparc.friction import Constant, FrictionLaw
@@ -211,7 +212,7 @@ def test_found_at_once_it_is_the_walk_that_a_search_finds(law: str) -> None:
         sizes = np.abs(walked).max(axis=0)
         assert (np.abs(rows - walked) <= 1e-9 * sizes).all()
         assert share == pytest.approx(sought, rel=1e-6, abs=1e-9)
-    assert found >= (0 if paper_march.jumps(march.law) else 4), law
+    assert found >= (0 if jumps(march.law) else 4), law
 
 
 def test_what_no_friction_carries_is_not_searched_for(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -91,9 +91,9 @@ function fresh(name) {
 /** @param {string} name */
 function put(name) {
   const state = asked[name];
+  state.answer = null; // what cannot be asked leaves no older answer beside what is said of it
   const now = question(name);
   return attempt(state, async () => {
-    state.answer = null;
     const answer = await ask(QUESTIONS[name].path, now);
     Object.assign(state, { answer, of: JSON.stringify(now) });
   });
