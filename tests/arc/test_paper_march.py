@@ -17,7 +17,8 @@ from scipy.optimize import brentq
 
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, random_arc
 from arc.twin import friction
-from wraparc.arc import Distributed, PaperMarch, Status, WrapArc, solve
+from wraparc.arc import Distributed, PaperMarch, Status, WrapArc, paper_march, solve
+from wraparc.arc.kernel.effort import jumps
 from wraparc.catalogue import lagging_names
 from wraparc.files import load_drive, load_lagging
 from wraparc.friction import Constant, FrictionLaw
@@ -182,8 +183,44 @@ def test_rigid_lagging_with_a_constant_law_carries_what_euler_allows(
 
 def test_a_march_that_runs_out_of_iterations_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     # a ratio that goes nowhere with creep and always misses by the same: neither met nor breakaway
-    monkeypatch.setattr("wraparc.arc.paper_march._March.ratio", lambda *_: 2.0 * math.log(2.5))
+    monkeypatch.setattr(paper_march._March, "at_once", lambda _: None)
+    monkeypatch.setattr(paper_march._March, "ratio", lambda *_: 2.0 * math.log(2.5))
     assert PaperMarch().solve(FABRIC).status is Status.UNSOLVED
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_found_at_once_it_is_the_walk_that_a_search_finds(law: str) -> None:
+    # expected: the walk segment by segment, and the global creep that bisection finds
+    rng, found = np.random.default_rng(38), 0
+    for _ in range(8):
+        arc = random_arc(LAWS[law], rng)
+        march = paper_march._March(arc, 60)
+        goal = arc.side * math.log(arc.entry_tension / arc.exit_tension)
+        status, sought = paper_march._search(march, goal)
+        carried = [march.ratio(share) for share in (sought, *np.geomspace(1e-3, 1e3, 13).tolist())]
+        assert march.most() >= max(carried) - 1e-12
+        if arc.law.steepest_fall() == 0.0:  # all of it, with creep enough
+            assert march.most() == pytest.approx(carried[-1], abs=1e-9)
+        with np.errstate(all="ignore"):
+            at_once = march.at_once()
+        if at_once is None:
+            continue
+        found += 1
+        share, rows = at_once
+        assert status.solved
+        walked = np.array(march.walk(share))
+        sizes = np.abs(walked).max(axis=0)
+        assert (np.abs(rows - walked) <= 1e-9 * sizes).all()
+        assert share == pytest.approx(sought, rel=1e-6, abs=1e-9)
+    assert found >= (0 if jumps(march.law) else 4), law
+
+
+def test_what_no_friction_carries_is_not_searched_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    # the walk with the peak of friction all along carries less: no search needs to find that out
+    monkeypatch.setattr(paper_march, "_search", lambda *_: pytest.fail("it is searched for"))
+    for tensions in ((150e3, 2e3), (2e3, 150e3)):
+        arc = replace(FABRIC, entry_tension=tensions[0], exit_tension=tensions[1], overrun=0.0)
+        assert PaperMarch().solve(arc).status is Status.BREAKAWAY
 
 
 def test_published_pair_of_the_calibrated_example() -> None:

@@ -28,7 +28,7 @@ def test_what_is_said_of_bounds_is_what_is_bound() -> None:
         f"{bounds.MOST_KEYS:,} keys of {bounds.LONGEST_KEY} characters",
         f"{bounds.MOST_KEY_PARTS} parts, {bounds.MOST_TABLES:,} lists and tables, "
         f"{bounds.DEEPEST} deep",
-        f"{bounds.MOST_VALUES:,} values in lists",
+        f"{bounds.MOST_VALUES:,} values in lists, {bounds.MOST_LINES:,} lines",
         f"A request is at most {security.BODY_LIMIT / 1e6:g} MB, one that uploads files "
         f"{security.UPLOAD_LIMIT / 1e6:g} MB",
         f"at most {documents.MOST_ARCS} arcs",

@@ -183,6 +183,8 @@ def test_what_json_may_hold_is_counted_before_it_is_parsed(text: str, message: s
         ("a = [" + "1," * 100_001 + "]", "holds 100,001 values in lists"),
         ("".join(f"k{i} = 1\n" for i in range(20_001)), "holds 20,001 keys; at most 20,000"),
         ("a = " + "[" * 61 + "]" * 61, "in more than 60 others"),
+        ("#\n" * 150_001, "holds 150,001 lines; at most 150,000 are read"),
+        ("a = [\n" + "1,\n" * 100_000 + "]", ""),
         ("\n" + "k" * 201 + " = 1", "a key or number of more than 200 characters"),
         ('\n"' + "k " * 101 + '" = 1', "line 2: a key of more than 200 characters"),
         ("\n['" + "k " * 101 + "']", "line 2: a key of more than 200 characters"),
@@ -254,6 +256,32 @@ def test_the_work_grows_with_the_load_cases_and_no_faster(monkeypatch: pytest.Mo
     few, twice, thrice = figures(3), figures(6), figures(9)
     assert 0 < few < twice
     assert thrice - twice == twice - few
+
+
+def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # of an arc: the margin by each of three ways to hold the take-up, for its check, and for that
+    # of an arc that breaks away, of which the page needs the words; and one rise of the tensions
+    called = Counter[str]()
+
+    def counted(module: str, name: str) -> None:
+        usual = getattr(sys.modules[module], name)
+
+        def once_more(*given: Any) -> Any:
+            called[name] += 1
+            return usual(*given)
+
+        monkeypatch.setattr(sys.modules[module], name, once_more)
+
+    counted("wraparc.arc.kernel.gross_slip", "slip_place")
+    counted("wraparc.checks.least_tension", "lift_for_grip")
+    drive = _cases(10)
+    for i, case in enumerate(drive["load_case"]):
+        case["pulley"] = {"head": {"entry_tension": f"{90 + i} kN"}}
+    drives.solve_all(SolveRequest(document=drive, prepared=True, points=60))
+    assert 10 <= called["slip_place"] <= (3 + 1 + 1) * 10
+    assert 10 <= called["lift_for_grip"] <= 10 + 1  # where it governs it is settled
 
 
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:

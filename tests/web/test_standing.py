@@ -5,14 +5,15 @@ verdict is given (no OK, no green) of one that is not.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 from playwright.sync_api import Page, Route, expect
 
-from web.browser import DESKTOP, PAGES, PHONE, Calculator, Visitor
+from web.browser import DESKTOP, PAGES, PHONE, STUDY, Calculator, Visitor
 from web.calculators import document, wait_for
+from wraparc.cli.demo import examples_folder
 
 #: Pages that answer by themselves as the drive changes.
 ANSWERING = ("drive", "compare", "across", "train")
@@ -56,6 +57,153 @@ def judged(page: Page, name: str) -> list[str]:
     """Verdicts of answers that a page gives, by their words."""
     boxes = page.locator(f"#{name} [data-stands] .verdict:visible:not([role=status])")
     return [box.inner_text() for box in boxes.all() if box.locator(".badge").count()]
+
+
+#: What of the answers of a page, fresh or not, is said to be good: in green, or by the word.
+_PRAISE = """([name, fresh]) => {
+  const probe = document.createElement("i");
+  probe.style.color = "var(--good)";
+  document.body.append(probe);
+  const green = getComputedStyle(probe).color;
+  probe.remove();
+  const own = (e) => [...e.childNodes].filter((n) => n.nodeType === 3).map((n) => n.data).join("");
+  const praised = (e) => {
+    const { color, borderLeftColor, borderLeftWidth, fill } = getComputedStyle(e);
+    return /\\bOK\\b/.test(own(e)) || (color === green && own(e).trim()) ||
+      (e instanceof SVGElement && fill === green) ||
+      (borderLeftColor === green && parseFloat(borderLeftWidth) > 0 && e.matches(".verdict"));
+  };
+  const all = document.querySelectorAll(`#${name} [data-stands], #${name} [data-stands] *`);
+  const asked = (e) => (e.closest("[data-stands]").dataset.stands === "fresh") === fresh;
+  return [...all].filter((e) => e.checkVisibility() && asked(e) && praised(e))
+    .map((e) => e.textContent);
+}"""
+
+
+def praised(page: Page, name: str, *, fresh: bool = False) -> list[str]:
+    page.click(f"#nav-{name}")
+    found: list[str] = page.evaluate(_PRAISE, [name, fresh])
+    return found
+
+
+def _questions(page: Page) -> None:
+    for name, section in (
+        ("What if … wet, worn, bare?", "what-if"),
+        ("On site: what to measure, when to alarm", "site"),
+        ("Which design costs least?", "choosing"),
+    ):
+        page.get_by_role("button", name=name).click()
+        page.locator(f".{section} h2").wait_for()
+        if section == "choosing":
+            page.locator(".choosing").get_by_role("button", name="Show").click()
+        page.locator(f".{section} [data-stands] table").first.wait_for()
+    page.get_by_role("button", name="Which input gives …?").click()
+    page.fill("#seek-value", "5 mm")
+    page.keyboard.press("Enter")
+    page.locator("[data-stands] button:has-text('Use ')").first.wait_for()
+
+
+def _thicknesses(page: Page) -> None:
+    page.click("#ask-thickness")
+    page.locator("#question-thickness [data-stands] table").wait_for()
+
+
+def _fit(page: Page) -> None:
+    folder = examples_folder() / "shear_tests"
+    names = ("0034kPa-1.csv", "0069kPa-2.csv", "0207kPa-1.csv", "0276kPa-1.TRA")
+    page.set_input_files("#test-files", [folder / f"dry-{name}" for name in names])
+    page.wait_for_selector("text=4 tests")
+    page.get_by_role("button", name="Fit the lagging").click()
+    page.locator("#fitted [data-stands]").wait_for()
+
+
+def _study(page: Page) -> None:
+    page.locator("#study").get_by_label("Samples").fill("64")
+    page.get_by_role("button", name="Start the study").click()
+    page.locator("#study .job [data-stands] table").first.wait_for(timeout=STUDY)
+
+
+def _match(page: Page) -> None:
+    page.get_by_role("button", name="Work out how exactly").click()
+    expect(page.locator("#train [data-stands]")).to_have_count(2)
+
+
+def _follow(page: Page) -> None:
+    page.select_option("#e-points", "30")
+    page.click("#follow")
+    page.locator("#events [data-stands] table").first.wait_for(timeout=STUDY)
+    page.get_by_role("button", name="Draw how run-out becomes pull").click()
+    page.locator("#events figure [data-stands] img").wait_for(timeout=STUDY)
+
+
+def _typed(place: str, text: str) -> Callable[[Page], None]:
+    def typed(page: Page) -> None:
+        page.fill(place, text)
+        page.locator(place).blur()
+
+    return typed
+
+
+def _map(page: Page) -> None:
+    page.check("#train-map")
+
+
+def _finer(page: Page) -> None:
+    page.select_option("#e-points", "120")
+
+
+Step = Callable[[Page], None]
+#: What is asked on a page besides what it answers by itself, how many answers stand there then,
+#: and how something else is asked on the page itself.
+ASKED: dict[str, dict[str, tuple[Step | None, int, Step | None]]] = {
+    "head-drive-fabric": {
+        "drive": (_questions, 5, _typed(".what-if input >> nth=0", "0.8")),
+        "compare": (None, 1, None),
+        "across": (_thicknesses, 2, _typed("#ask-thicknesses", "10 mm, 14 mm")),
+        "tests": (_fit, 1, _typed("#t-lagging-thickness", "15 mm")),
+        "study": (_study, 1, _typed("#study input[type=text] >> nth=1", "65")),
+    },
+    "tandem-fabric": {
+        "train": (_match, 2, _map),
+        "events": (_follow, 2, _finer),
+    },
+}
+
+
+@pytest.mark.parametrize("drive", ASKED)
+def test_whatever_was_asked_nothing_of_it_is_good_once_it_is_of_before(
+    guest: Visitor, drive: str
+) -> None:
+    page = guest.open("drive")
+    take(page, document(drive))
+    asked = ASKED[drive]
+    for name, (ask, count, _) in asked.items():
+        guest.open(name)
+        if name in ANSWERING:
+            wait_for(lambda name=name: stands(page, name) == ["fresh"])
+        if ask:
+            ask(page)
+        wait_for(lambda name=name, count=count: stands(page, name) == ["fresh"] * count)
+        assert praised(page, name) == []
+    assert any(praised(page, name, fresh=True) for name in asked)
+    for name, (_, count, other) in asked.items():
+        if other:  # asked for something else on the page itself: one answer is of before
+            page.click(f"#nav-{name}")
+            other(page)
+            wait_for(lambda name=name: "computing" not in stands(page, name))
+            found = stands(page, name)
+            assert sorted(found) == ["fresh"] * (count - 1) + ["stale"], (name, found)
+            assert praised(page, name) == [], name
+    for width in ("wide", "1399"):
+        page.click("#nav-drive")
+        page.fill("#f-belt-width", width)
+        page.locator("#f-belt-width").blur()
+        for name in asked:
+            anew = int(name in ANSWERING and width != "wide")
+            wait_for(lambda name=name, anew=anew: stands(page, name).count("fresh") == anew)
+            wait_for(lambda name=name: "computing" not in stands(page, name))
+            assert stands(page, name).count("fresh") == anew
+            assert praised(page, name) == [], (name, width)
 
 
 def test_no_page_gives_a_verdict_of_another_drive(guest: Visitor) -> None:

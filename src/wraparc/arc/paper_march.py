@@ -12,11 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.arc.quantities import jumps
-from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
-from wraparc.arc.traction import traction
+from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
+from wraparc.arc.traction import plateau_stress, traction
 from wraparc.arc.wrap_arc import WrapArc
 
 nan = math.nan
+#: Of the walk found at once: first global creep [m], first slip over creep, most steps of Newton's
+#: method, and the relative change after which the next is rounding.
+_FIRST_SHARE, _FIRST_SLIP, _NEWTON_STEPS, _SETTLED = 1e-3, 0.2, 20, 1e-9
 
 
 @dataclass(frozen=True)
@@ -52,11 +55,17 @@ class PaperMarch:
             If the law is unfit for the arc, see `WrapArc`.
         """
         march = _March(arc, math.ceil(arc.length / self.segment))
+        with np.errstate(all="ignore"):
+            found = march.at_once()
+        if found is not None:
+            return march.result(self.name, *found)
         goal = arc.side * math.log(arc.entry_tension / arc.exit_tension)
+        if march.most() < goal:
+            return ArcResult.without_state(Status.BREAKAWAY, self.name, arc, Capacities())
         status, share = _search(march, goal)
         if not status.solved:
             return ArcResult.without_state(status, self.name, arc, Capacities())
-        return march.result(self.name, share)
+        return march.result(self.name, share, np.array(march.walk(share)))
 
 
 def _search(march: _March, goal: float) -> tuple[Status, float]:  # noqa: C901
@@ -125,6 +134,16 @@ class _March:
         """ln(tight/slack) carried with a global creep towards the slack side [m]."""
         return self.arc.side * math.log(self.walk(share)[-1][1] / self.arc.exit_tension)
 
+    def most(self) -> float:
+        """No ln(tight/slack) is larger than this: with the peak of friction all along."""
+        arc, tension = self.arc, self.arc.exit_tension
+        area, step = arc.width * arc.radius, arc.side * arc.width * arc.length / self.segments
+        for _ in range(self.segments):
+            tension += step * plateau_stress(self.law, tension / area)
+            if tension <= 0.0:
+                return math.inf
+        return arc.side * math.log(tension / arc.exit_tension)
+
     def step_of_ratio(self, share: float) -> float:
         """Largest ln(tension) that one segment adds, where it either slips or rests [-]."""
         arc = self.arc
@@ -151,10 +170,58 @@ class _March:
                 tension = max(tension + tau * arc.width * step, 1e-9 * arc.exit_tension)
         return rows
 
-    def result(self, name: str, share: float) -> ArcResult:
-        """Complete result of the march with a global creep towards the slack side [m]."""
+    def at_once(self) -> tuple[float, Array] | None:
+        """Global creep that meets the tensions and the rows of its walk; None where it fails.
+
+        Newton's method for tensions and slips of all segments and the global creep together. Where
+        friction falls past its peak two walks meet the same tensions: told is the one of which the
+        ratio still grows with the global creep.
+        """
+        arc, n, law = self.arc, self.segments, self.arc.law
+        shear, area, step = arc.shear_compliance, arc.width * arc.radius, arc.length / n
+        pull, remaining = arc.width * step, arc.length - step * np.arange(n)
+        by_tension, by_share = remaining / arc.axial_stiffness, arc.side * remaining / arc.length
+        ratio, share = arc.entry_tension / arc.exit_tension, _FIRST_SHARE
+        tension = arc.exit_tension * ratio ** (np.arange(n + 1) / n)
+        slip, change = np.zeros(n), math.inf
+        for _ in range(_NEWTON_STEPS):
+            pressure = tension[:-1] / area
+            creep = (arc.entry_tension - tension[:-1]) * by_tension + by_share * share
+            creep += arc.entry_overrun
+            slip = np.where(slip * creep > 0.0, slip, _FIRST_SLIP * creep)
+            stress = law.friction(slip, pressure) * pressure
+            missing = creep - slip - shear * stress, pull * stress - np.diff(tension)
+            if change < _SETTLED:
+                break
+            dx, dp = 1e-6 * np.abs(slip) + 1e-15, 1e-6 * pressure
+            by_x = (law.friction(slip + dx, pressure) * pressure - stress) / dx
+            by_p = (law.friction(slip, pressure + dp) * (pressure + dp) - stress) / dp
+            stiff = 1.0 / (1.0 + shear * by_x)
+            slack = by_tension + shear * by_p / area  # slip lost per tension, but for `stiff`
+            # changes of the tensions: what is missing, and by the global creep
+            grown = np.append(1.0, np.cumprod(1.0 + pull * (by_p / area - by_x * slack * stiff)))
+            each = np.stack([missing[1] + pull * by_x * stiff * missing[0],
+                             pull * by_x * stiff * by_share])  # fmt: skip
+            own, of_share = grown * np.pad(np.cumsum(each / grown[1:], axis=1), ((0, 0), (1, 0)))
+            more = (arc.entry_tension - tension[-1] - own[-1]) / of_share[-1]
+            moved = own + more * of_share
+            new = slip + (missing[0] - slack * moved[:-1] + by_share * more) * stiff
+            slip = np.where(new * slip > 0.0, new, 0.1 * slip)
+            tension = np.maximum(tension + moved, 1e-3 * arc.exit_tension)
+            share += more
+            change = float(np.max(np.abs(moved)) / arc.exit_tension + abs(more / share))
+        sizes = np.max(np.abs(creep)), arc.exit_tension
+        missed = [np.max(np.abs(m)) / size for m, size in zip(missing, sizes, strict=True)]
+        if not (change < _SETTLED and max(missed) < 1e-12 and arc.side * of_share[-1] > 0.0):
+            return None
+        rows = np.stack([remaining, tension[:-1], creep, slip, stress], axis=1)
+        tau, _, _, x = traction(self.law, shear, arc.entry_tension / area, arc.entry_overrun)
+        return share, np.append(rows, [[0.0, tension[-1], arc.entry_overrun, x, tau]], axis=0)
+
+    def result(self, name: str, share: float, rows: Array) -> ArcResult:
+        """Complete result of a walk with a global creep towards the slack side [m]."""
         arc = self.arc
-        remaining, tension, creep, slip, stress = np.array(self.walk(share)[::-1]).T
+        remaining, tension, creep, slip, stress = rows[::-1].T
         position = remaining / arc.radius
         pressure = 2.0 * tension / (arc.width * arc.diameter)
         peak = int(np.argmax(np.abs(stress)))

@@ -290,12 +290,23 @@ class Verdict:
 
     def at(self, pulley: str, load_case: str) -> Verdict:
         """Return the verdict on one pulley in one load case."""
-        there = tuple(
-            c
-            for c in self.checks
-            if c.place.pulley in ("", pulley) and c.place.load_case in ("", load_case)
-        )
-        return self if len(there) == len(self.checks) else Verdict(there)
+        if (pulley, load_case) not in self._at:
+            places = {(p, case) for p in ("", pulley) for case in ("", load_case)}
+            there = sorted(number for place in places for number in self._places.get(place, ()))
+            own = Verdict(tuple(self.checks[number] for number in there))
+            self._at[pulley, load_case] = self if len(there) == len(self.checks) else own
+        return self._at[pulley, load_case]
+
+    @cached_property
+    def _at(self) -> dict[tuple[str, str], Verdict]:
+        return {}
+
+    @cached_property
+    def _places(self) -> dict[tuple[str, str], list[int]]:
+        found: dict[tuple[str, str], list[int]] = {}
+        for number, check in enumerate(self.checks):
+            found.setdefault((check.place.pulley, check.place.load_case), []).append(number)
+        return found
 
     def headline(self, system: System = "si") -> str:
         """Return the answer in one sentence or two."""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,6 +39,8 @@ class Grip:
 
     def __init__(self, arc: WrapArc, ratio: float = nan) -> None:
         self.law, self._arc = arc.law.compact(), arc
+        #: Pull factors that were found, by how the tensions grow.
+        self.places: dict[kernel.Line, float] = {}
         #: Whether friction falls past its peak, so that the offset holds near one tension only.
         self.softens = arc.law.steepest_fall() < 0.0
         self._known = math.log(ratio) if ratio > 0.0 else nan
@@ -166,7 +169,9 @@ def pull_factor(arc: WrapArc, grip: Grip, rise: Rise) -> float:
     if tight == slack:
         return inf
     line = kernel.Line(tight, slack, rise.tight, rise.slack)
-    return kernel.slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
+    if line not in grip.places:  # it is asked for every table, in both systems of units
+        grip.places[line] = kernel.slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
+    return grip.places[line]
 
 
 @dataclass(frozen=True)
@@ -206,8 +211,13 @@ def margins(arcs: Sequence[ArcResult], index: int, grip: Grip, after: str = "") 
 
 
 def grip_of(result: ArcResult) -> Grip:
-    """Return what the friction of a solved arc can carry."""
-    return Grip(result.arc, result.capacities.gross_slip_capacity)
+    """Return what the friction of a solved arc can carry: the same one whenever it is asked."""
+    if result not in _grips:
+        _grips[result] = Grip(result.arc, result.capacities.gross_slip_capacity)
+    return _grips[result]
+
+
+_grips: WeakKeyDictionary[ArcResult, Grip] = WeakKeyDictionary()
 
 
 def margins_of(result: DriveResult, arc: ArcResult) -> Margins:

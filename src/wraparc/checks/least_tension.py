@@ -102,6 +102,10 @@ def _tension(figure: Figure) -> float:
 _found: WeakKeyDictionary[DriveResult, LeastTension | None] = WeakKeyDictionary()
 
 
+#: Lifts that were found: a load case is judged among all, alone and for the page.
+_lifts: WeakKeyDictionary[ArcResult, dict[tuple[Safety, int], float]] = WeakKeyDictionary()
+
+
 def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
     """Return the least slack-side tension of a solved drive or train.
 
@@ -250,7 +254,11 @@ def _gross_slip(
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
     rise, grip = rises(arcs, index, drive.criteria.take_up), grip_of(arcs[index])
     safety = Safety(factor, rise.tight, grip.softens)
-    lift = lift_for_grip(grip.law, arc.geometry(), grip.numbers, _pull_of(arc), safety, rounds)
+    known = _lifts.setdefault(arcs[index], {})
+    if (safety, rounds) not in known:
+        found = lift_for_grip(grip.law, arc.geometry(), grip.numbers, _pull_of(arc), safety, rounds)
+        known[safety, rounds] = found
+    lift = known[safety, rounds]
     title = f"Safety {factor:g} against gross slip"
     place = Place(arc.pulley, case.name)
     return Figure("gross_slip", title, end + lift, place)

@@ -79,9 +79,7 @@ class IntegralLog(FrictionLaw):
                 np.full(at.shape, v[0]) for v in (x, mu, slope, residual)
             )
         else:
-            x_at, mu_at, slope_at, residual_at = (
-                evaluate(p, pchip(p, v), at) for v in (x, mu, slope, residual)
-            )
+            x_at, mu_at, slope_at, residual_at = (evaluate(p, v, at) for v in _cubics(c))
         return x_at, mu_at, slope_at, np.minimum(residual_at, mu_at)
 
     def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
@@ -122,6 +120,12 @@ def _steepest_fall(c: PressureKnots | CoefficientPieces) -> float:
 
 
 @lru_cache(maxsize=128)
+def _cubics(c: PressureKnots) -> tuple[Array, ...]:
+    p, *columns = c.columns()
+    return tuple(pchip(p, v) for v in columns)
+
+
+@lru_cache(maxsize=128)
 def _compact(c: PressureKnots | CoefficientPieces) -> CompactLaw:
     if isinstance(c, CoefficientPieces):
         rows = [
@@ -137,5 +141,5 @@ def _compact(c: PressureKnots | CoefficientPieces) -> CompactLaw:
     if len(p) == 1:
         columns = [(v[0], 0.0, 0.0, 0.0) for v in (x, mu, slope, residual)]
         return CompactLaw(KNOTS, (), tuple(float(v) for col in columns for v in col))
-    block = np.concatenate([pchip(p, v) for v in (x, mu, slope, residual)], axis=1)
+    block = np.concatenate(_cubics(c), axis=1)
     return CompactLaw(KNOTS, c.pressure, tuple(block.ravel().tolist()))

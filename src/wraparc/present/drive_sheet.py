@@ -26,7 +26,7 @@ from wraparc.present.least_tension import least_table, margins_table
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, percent
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
-from wraparc.present.words import alone, level_of, short, verdict
+from wraparc.present.words import alone_of, level_of, short, verdict
 from wraparc.train import Train, TrainResult
 from wraparc.units import System, display_unit
 
@@ -177,7 +177,7 @@ def _least(of: DriveResult, result: ArcResult, system: System) -> str:
     """Return the least slack-side tension of an arc; that of a train is not one of its pulleys'."""
     if len(of.drive.pulleys) > 1:
         return NONE
-    found = least_tension(alone(of.drive, result))
+    found = least_tension(alone_of(of, result))
     if found is None:
         return NONE
     return "none" if math.isinf(found.tension) else number("tension", found.tension, system)

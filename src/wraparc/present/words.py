@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import Level, idle, judge
@@ -63,6 +64,17 @@ def alone(drive: Drive, arc: ArcResult) -> DriveResult:
     )
     pulley = drive.pulley(arc.arc.pulley)
     return DriveResult(replace(drive, pulleys=(pulley,), load_cases=(case,)), (arc,))
+
+
+_among: WeakKeyDictionary[DriveResult, dict[ArcResult, DriveResult]] = WeakKeyDictionary()
+
+
+def alone_of(result: DriveResult, arc: ArcResult) -> DriveResult:
+    """Return one arc of a drive by itself, always the same: so it is judged once."""
+    known = _among.setdefault(result, {})
+    if arc not in known:
+        known[arc] = alone(result.drive, arc)
+    return known[arc]
 
 
 def _breakaway(result: ArcResult, system: System) -> Iterator[str]:

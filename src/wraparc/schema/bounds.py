@@ -12,6 +12,8 @@ from wraparc.errors import InputError, Problem
 
 #: Most keys, most lists and tables, most values in lists. A thousand load cases are a fifth.
 MOST_KEYS, MOST_TABLES, MOST_VALUES = 20_000, 20_000, 100_000
+#: Most lines of a text: each costs its time, also one that says nothing.
+MOST_LINES = 150_000
 #: Tables within tables; those of a drive file are not a tenth as deep.
 DEEPEST = 60
 #: Most parts of one dotted key: those of a drive file have four.
@@ -47,6 +49,7 @@ def check_toml(text: str, file: str = "") -> None:
     InputError
         With what is too many, too deep or too long.
     """
+    _check_count(text.count("\n"), MOST_LINES, "lines", file)
     for found, message in (
         (_LONG_QUOTED.search(text), f"a key of more than {LONGEST_KEY} characters"),
         (_LONG_HEAD.search(text), f"a key of more than {LONGEST_KEY} characters"),
@@ -89,11 +92,17 @@ def _check_counts(bare: str, keys: int, file: str, remedy: str = "Is it the righ
         (tables, MOST_TABLES, "lists and tables"),
         (bare.count(","), MOST_VALUES, "values in lists"),
     ):
-        if count > most:
-            raise _refused(f"holds {count:,} {what}; at most {most:,} are read", remedy, file)
+        _check_count(count, most, what, file, remedy)
     if tables > DEEPEST and _deepest(bare) > DEEPEST:
         message = f"is nested too deeply: lists and tables in more than {DEEPEST} others"
         raise _refused(message, remedy, file)
+
+
+def _check_count(
+    count: int, most: int, what: str, file: str, remedy: str = "Is it the right file?"
+) -> None:
+    if count > most:
+        raise _refused(f"holds {count:,} {what}; at most {most:,} are read", remedy, file)
 
 
 def _deepest(bare: str) -> int:

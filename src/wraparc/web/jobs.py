@@ -33,6 +33,8 @@ class Job:
         Why it failed.
     result
         What came out.
+    asked
+        What it is of.
     """
 
     id: str
@@ -43,6 +45,7 @@ class Job:
     message: str = ""
     problems: list[ToldProblem] = field(default_factory=list)
     result: Any = None
+    asked: Any = None
     changed: float = 0.0
     task: asyncio.Task[None] | None = None
 

@@ -25,7 +25,7 @@ from wraparc.present.sheet import Verdict as Words
 from wraparc.present.sources import Sources
 from wraparc.present.train_sheet import train_input_sheet
 from wraparc.present.wear_table import life_table, wear_table
-from wraparc.present.words import in_words, short, verdict
+from wraparc.present.words import alone_of, in_words, short, verdict
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
 from wraparc.train.whole import Whole
@@ -323,11 +323,7 @@ def raise_to(result: DriveResult | TrainResult) -> float | None:
 
 def _alone(answered: DriveResult, result: ArcResult) -> float | None:
     """Return the tension to raise to if there were but this load case, on a single pulley."""
-    drive = answered.drive
-    if len(drive.pulleys) > 1:
-        return None
-    case = drive.load_case(result.arc.load_case)
-    return raise_to(DriveResult(replace(drive, load_cases=(case,)), (result,)))
+    return None if len(answered.drive.pulleys) > 1 else raise_to(alone_of(answered, result))
 
 
 def _remarks(answered: DriveResult) -> list[Both]:

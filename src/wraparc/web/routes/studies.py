@@ -39,8 +39,10 @@ class JobAnswer(Answer):
 
 
 class StudyAnswer(JobAnswer):
-    """How a study stands, and what came out once it is done."""
+    """How a study stands, and what came out once it is done, and of what."""
 
+    study: Data | None = None
+    document: Data | None = None
     subtitle: str | None = None
     verdict: Verdict | None = None
     tables: list[Table] | None = None
@@ -70,6 +72,7 @@ async def start(request: Request, response: Response, asked: StudyRequest) -> Jo
         return studies.StudyResult.model_validate_json(result)
 
     job = state.jobs.start(client, size.title, size.rows, work)
+    job.asked = asked
     response.headers["location"] = f"{api.prefix}/{job.id}"
     return JobAnswer.model_validate(job)
 
@@ -99,6 +102,7 @@ async def one(request: Request, study: str) -> StudyAnswer:
         files = [name for name, (key, _) in _FILES.items() if getattr(result, key)]
         sheet = result.model_dump(exclude={"title", "html", "parquet", "pictures"})
         told |= {**sheet, "pictures": list(result.pictures), "files": files}
+        told |= job.asked.model_dump()
     return StudyAnswer(**told)
 
 

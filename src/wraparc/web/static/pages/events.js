@@ -12,7 +12,7 @@ import { Player } from "./events/player.js";
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 /** @typedef {"run" | "stability" | "map"} What */
 /** @typedef {{id: string, state: string, done: number, total: number, message: string,
- *   problems: Problem[], of: Design, [key: string]: any}} Job */
+ *   problems: Problem[], what: What, of: Design, by: string, [key: string]: any}} Job */
 
 const plan = { event: "", points: "60", step: "", over: "droop" };
 const state = {
@@ -36,11 +36,11 @@ async function begin(what) {
   state.problems = [];
   const old = state.jobs[what];
   const { event, points, step, over } = plan;
-  const asked = { document: app.doc, what, event, points: +points, step: step || null, over };
-  const of = app.doc;
+  const question = { document: app.doc, what, event, points: +points, step: step || null, over };
+  const known = { what, of: app.doc, by: asked(what) };
   try {
-    const job = await ask("events", asked);
-    state.jobs[what] = { ...job, of };
+    const job = await ask("events", question);
+    state.jobs[what] = { ...job, ...known };
     mark([]);
   } catch (x) {
     const problems = refusal(x);
@@ -60,7 +60,12 @@ async function follow() {
   try {
     for (const [what, job] of Object.entries(state.jobs))
       if (job && busy(job)) {
-        const found = { ...(await ask(`events/${job.id}`)), of: job.of };
+        const found = {
+          ...(await ask(`events/${job.id}`)),
+          what: job.what,
+          of: job.of,
+          by: job.by,
+        };
         if (state.jobs[/** @type {What} */ (what)] === job)
           state.jobs[/** @type {What} */ (what)] = found;
       }
@@ -201,8 +206,16 @@ function atWork(what, title) {
 }
 /** @param {Job} job */
 const result = (job) => stands(now(job), ...told(job));
+/** What is asked of the design. @param {What} what */
+const asked = (what) =>
+  ({
+    run: [plan.event, plan.points, plan.step],
+    stability: [],
+    map: [plan.over],
+  })[what].join();
 /** @param {Job} job */
-const now = (job) => standing(job.of === app.doc, [], false);
+const now = (job) =>
+  standing(job.of === app.doc && job.by === asked(job.what), state.problems, false);
 /** @param {Job} job */
 const told = (job) => [
   h("h2", { key: "asked" }, `${job.title}: does it hold?`),
@@ -262,11 +275,10 @@ function drawn(what, alt) {
   const job = state.jobs[what];
   if (job?.state !== "done") return null;
   const src = `/api/v1/events/${job.id}/pictures/${job.pictures[0]}`;
-  return h(
-    "figure",
-    { key: `drawn ${what}` },
+  const found = stands(
+    now(job),
     what === "stability" && verdict(judgedIf(now(job), job.stability.verdict)),
-    now(job) !== "fresh" && h("p", { class: "help" }, "Of the design as it was before."),
     h("img", { src, alt: `${alt}; the tables say it in numbers`, key: job.id, class: "drawn" }),
   );
+  return h("figure", { key: `drawn ${what}` }, found);
 }

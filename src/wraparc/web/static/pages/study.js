@@ -2,7 +2,7 @@
 import { app, redraw } from "../base/design.js";
 import { act, ask, askFile, complain, onReturn, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import { list, refused, table, verdict } from "../parts/answers.js";
+import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
 import { form } from "./study/form.js";
 import { asFile, freshPlan } from "./study/plan.js";
@@ -131,6 +131,8 @@ function job(j) {
     answer && typeof answer === "object" && result(j, answer),
   );
 }
+/** What a study is of. @param {any} study @param {any} document */
+const subject = (study, document) => JSON.stringify([study, document]);
 /** @param {Job} j @param {any} full */
 function result(j, full) {
   const download = (/** @type {string} */ name) =>
@@ -140,8 +142,11 @@ function result(j, full) {
     const alt = `${what} of ${j.title || "the study"}; its numbers stand in the tables`;
     return h("img", { src: `/api/v1/studies/${j.id}/pictures/${name}`, alt, key: name });
   };
-  return [
-    full.verdict && verdict(full.verdict),
+  const now = subject(full.study, full.document) === subject(asFile(), app.doc);
+  const how = standing(now, state.problems, false);
+  return stands(
+    how,
+    full.verdict && verdict(judgedIf(how, full.verdict)),
     full.spreads?.length > 0 && h(Spreads, { spreads: full.spreads, key: "spreads" }),
     list(full.remarks, "help"),
     h(
@@ -157,5 +162,5 @@ function result(j, full) {
       ),
     ),
     h("div", { class: "pictures", key: "pictures" }, (full.pictures || []).map(picture)),
-  ];
+  );
 }

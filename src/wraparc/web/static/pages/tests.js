@@ -3,9 +3,9 @@ import { turnTo } from "../base/address.js";
 import { app, change, redraw } from "../base/design.js";
 import { act, note, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import { list, refused, table } from "../parts/answers.js";
+import { list, refused, standing, stands, table } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
-import { allSaid, details, drop, expect, files, session, within } from "./tests/files.js";
+import { allSaid, details, drop, expect, files, saidOf, session, within } from "./tests/files.js";
 import { asked, planForm, rowOf, openPlan as takePlan, typedAt } from "./tests/plan.js";
 import { conditionPlots } from "./tests/plots.js";
 
@@ -28,9 +28,13 @@ const state = {
   /** What is wrong with a row of the form, by part and key. */
   marks: /** @type {Record<string, string>} */ ({}),
   result: /** @type {Fit | null} */ (null),
+  /** What it is of. */
+  of: "",
   /** Why a law is to be used that does not describe its tests. */
   reason: "",
 };
+/** What a fit is of: the plan, and what is said of its files. */
+const subject = () => JSON.stringify([asked(), session.files.map((f) => [f.name, saidOf(f)])]);
 /** @param {string} reason why its misfit is accepted, if it is */
 async function fit(reason = "") {
   Object.assign(state, { problems: [], fitting: true });
@@ -38,7 +42,9 @@ async function fit(reason = "") {
   redraw();
   try {
     await allSaid();
-    state.result = await within("fit", { ...asked(), accept_misfit: reason });
+    const of = subject();
+    const result = await within("fit", { ...asked(), accept_misfit: reason });
+    Object.assign(state, { result, of });
     requestAnimationFrame(() =>
       document.getElementById("fitted")?.scrollIntoView({ block: "start" }),
     );
@@ -107,9 +113,9 @@ export const Page = () =>
 /** @param {Fit} r */
 function result(r) {
   const download = () => save(`${r.name}.toml`, r.toml || "", "application/toml");
-  return h(
-    "div",
-    { key: "result", id: "fitted" },
+  const wrong = [...state.problems, ...Object.keys(state.marks)];
+  const found = stands(
+    standing(state.of === subject(), wrong, state.fitting),
     h(
       "section",
       { class: "card", "aria-label": "Fitted lagging" },
@@ -142,6 +148,7 @@ function result(r) {
       (r.sheet?.tables || []).map((/** @type {Table} */ t) => table(t)),
     ),
   );
+  return h("div", { key: "result", id: "fitted" }, found);
 }
 /** What must be said before a law that does not describe its tests can be used. */
 const misfit = () =>

@@ -27,6 +27,8 @@ const state = {
   of: /** @type {Design | null} */ (null),
   problems: /** @type {Problem[]} */ ([]),
   matched: /** @type {any} */ (null),
+  /** What of the drives it is of. */
+  by: "",
   matching: false,
   drive: "",
   map: false,
@@ -68,6 +70,7 @@ async function match() {
   redraw();
   try {
     const { drive, map } = state;
+    const by = trimmed();
     const asked = {
       document: doc,
       load_case: null,
@@ -77,7 +80,7 @@ async function match() {
       points: 41,
     };
     const answer = await ask("train", asked);
-    if (doc === app.doc) state.matched = answer.matching;
+    if (doc === app.doc) Object.assign(state, { matched: answer.matching, by });
   } catch (x) {
     complain(x);
   }
@@ -85,7 +88,9 @@ async function match() {
   redraw();
 }
 
+const trimmed = () => `${state.drive} ${state.map}`;
 const now = () => standing(state.doc === app.doc, state.problems);
+const matchedNow = () => (state.by === trimmed() ? now() : standing(false, [], state.matching));
 export const Page = () =>
   h(
     "div",
@@ -105,7 +110,7 @@ export const Page = () =>
       // some hundred solves: for a server
       PAGES.saved ? matchForm() : several() && h("p", { class: "help", key: "trim" }, TRIM),
       state.matching && h("p", { class: "help", role: "status", key: "wait" }, WAIT),
-      state.matched && stands(now(), matching(state.matched)),
+      state.matched && stands(matchedNow(), matching(state.matched)),
     ),
   );
 const SINGLE =
@@ -124,6 +129,7 @@ function matchForm() {
     value: state.drive,
     onChange: (/** @type {any} */ e) => {
       state.drive = e.currentTarget.value;
+      redraw();
     },
   };
   const map = {
@@ -132,6 +138,7 @@ function matchForm() {
     checked: state.map,
     onChange: (/** @type {any} */ e) => {
       state.map = e.currentTarget.checked;
+      redraw();
     },
   };
   return h(
@@ -193,7 +200,7 @@ const matching = (m) =>
   h(
     "div",
     { key: "matching" },
-    verdict(judgedIf(now(), m.verdict)),
+    verdict(judgedIf(matchedNow(), m.verdict)),
     matchingPlots(m),
     h(
       "div",

@@ -22,7 +22,7 @@ export const badge = (level, told) =>
   level
     ? h(
         "span",
-        { class: `badge ${levelClass(level)}` },
+        { class: `badge ${levelClass(level)}${told ? "" : " word"}` },
         h("span", { "aria-hidden": "true" }, `${LEVELS[level]?.[1]} `),
         told || level,
       )
@@ -36,7 +36,7 @@ export const scroll = (label, ...children) =>
  * How an answer stands to what is asked now.
  * @typedef {"fresh" | "computing" | "stale" | "refused" | "gone"} Standing
  */
-/** @param {boolean} now whether it is of what is asked now @param {Problem[]} problems
+/** @param {boolean} now whether it is of what is asked now @param {{length: number}} problems
  * @param {boolean} [busy] whether a newer one is on its way @returns {Standing} */
 export const standing = (now, problems, busy = true) =>
   now ? "fresh" : problems.length ? "refused" : app.gone ? "gone" : busy ? "computing" : "stale";

@@ -97,6 +97,8 @@ export class Question {
   name = "";
   title = "";
   path = "";
+  /** What stands below the sheet. @param {any} sheet @returns {Children} */
+  more = (sheet) => sheet && null;
   /** @param {Sheet} sheet */
   told(sheet) {
     const before = this.of !== JSON.stringify(this.asked());
@@ -112,6 +114,7 @@ export class Question {
           { class: "help" },
           sheet.table_sources.map((s) => h("li", { key: s }, words(s))),
         ),
+      this.more(sheet),
     );
   }
 }

@@ -1,12 +1,13 @@
 // Questions asked of an uneven pulley: will it heal, when to re-lag, does thicker lagging help?
 import { app, redraw } from "../../base/design.js";
-import { Advice, act, ask, refusal } from "../../base/server.js";
+import { Advice, act, ask } from "../../base/server.js";
 import { split } from "../../base/units.js";
-import { refused, table, verdict } from "../../parts/answers.js";
+import { judgedIf, refused, standing, stands, table, verdict } from "../../parts/answers.js";
 import { valueIn } from "../../parts/choose.js";
+import { again, attempt } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
 
-/** @import { Children, Design, Problem } from "../../types.d.ts" */
+/** @import { Children, Problem } from "../../types.d.ts" */
 /**
  * @typedef {{title: string, button: string, path: string, help: string,
  *   given: {key: string, label: string, value: string, placeholder?: string}[],
@@ -51,16 +52,16 @@ const QUESTIONS = {
     },
   },
 };
-/** @type {Record<string, {given: Record<string, string>, answer: any, of: Design | null,
- *   problems: Problem[]}>} */
 const asked = Object.fromEntries(
   Object.entries(QUESTIONS).map(([name, q]) => [
     name,
     {
       given: Object.fromEntries(q.given.map((g) => [g.key, g.value])),
-      answer: null,
-      of: null,
-      problems: [],
+      answer: /** @type {any} */ (null),
+      of: "",
+      busy: false,
+      lost: false,
+      problems: /** @type {Problem[]} */ ([]),
     },
   ]),
 );
@@ -72,33 +73,44 @@ function count(text, label, such) {
   if (!number || number.unit) throw new Advice(`${label}: write a plain number, such as ${such}.`);
   return number.number;
 }
-/** @param {string} name */
-async function put(name) {
-  const { path, body } = QUESTIONS[name];
-  const state = asked[name];
-  const doc = app.doc;
-  Object.assign(state, { answer: null, of: doc, problems: [] });
-  const question = {
-    document: doc,
-    pulley: doc.pulley[app.pulley].name || null,
-    load_case: app.case || null,
-    ...body(state.given),
-  };
+/** What is asked now. @param {string} name */
+const question = (name) => ({
+  document: app.doc,
+  pulley: app.doc.pulley[app.pulley].name || null,
+  load_case: app.case || null,
+  ...QUESTIONS[name].body(asked[name].given),
+});
+/** Whether an answer is of what is asked now. @param {string} name */
+function fresh(name) {
   try {
-    const answer = await ask(path, question);
-    Object.assign(state, { answer, of: doc, problems: [] });
-  } catch (x) {
-    Object.assign(state, { answer: null, of: doc, problems: refusal(x) });
+    return asked[name].of === JSON.stringify(question(name));
+  } catch {
+    return false; // what is typed is no question
   }
-  redraw();
 }
+/** @param {string} name */
+function put(name) {
+  const state = asked[name];
+  state.answer = null; // what cannot be asked leaves no older answer beside what is said of it
+  const now = question(name);
+  return attempt(state, async () => {
+    const answer = await ask(QUESTIONS[name].path, now);
+    Object.assign(state, { answer, of: JSON.stringify(now) });
+  });
+}
+for (const name of Object.keys(QUESTIONS))
+  again(
+    asked[name],
+    () => true,
+    () => put(name),
+  );
 /** @returns {Children} */
 export const questions = () => Object.keys(QUESTIONS).map(card);
 /** @param {string} name */
 function card(name) {
   const q = QUESTIONS[name];
-  const { given, answer, of, problems } = asked[name];
-  const old = of !== app.doc;
+  const { given, answer, busy, problems } = asked[name];
+  const how = standing(fresh(name), problems, busy);
   return h(
     "section",
     { class: "card", "aria-label": q.title, id: `question-${name}`, key: name },
@@ -119,6 +131,7 @@ function card(name) {
             placeholder: g.placeholder,
             onInput: (e) => {
               given[g.key] = valueIn(e);
+              redraw();
             },
           }),
         ),
@@ -132,11 +145,8 @@ function card(name) {
     h(
       "div",
       { role: "status", key: "answer" },
-      problems.length > 0 && !old && refused("", problems),
-      answer &&
-        (old
-          ? h("p", { class: "help" }, "The design has changed since: ask again.")
-          : [verdict(answer.verdict), table(answer.table)]),
+      problems.length > 0 && refused("", problems),
+      answer && stands(how, verdict(judgedIf(how, answer.verdict)), table(answer.table)),
     ),
   );
 }

@@ -76,6 +76,7 @@ function more({ picture, lagging, file }) {
       ),
   ];
 }
+question.more = more;
 export function panel() {
   const cases = caseNames(app.doc);
   const plan = said.files.some((f) => f.name.toLowerCase().endsWith(".toml"));
@@ -90,24 +91,19 @@ export function panel() {
       said[key] = v;
       redraw();
     });
-  return [
-    question.panel([
-      h("label", { key: "files" }, "Records, or a calibrate file with them", h("input", files)),
-      !plan && h("label", { key: "find" }, "Find", pick("parameters", Object.entries(PARAMETERS))),
-      !plan &&
-        cases.length > 1 &&
-        h(
-          "label",
-          { key: "case" },
-          "Load case",
-          pick(
-            "load_case",
-            cases.map((c) => [c, c]),
-          ),
+  return question.panel([
+    h("label", { key: "files" }, "Records, or a calibrate file with them", h("input", files)),
+    !plan && h("label", { key: "find" }, "Find", pick("parameters", Object.entries(PARAMETERS))),
+    !plan &&
+      cases.length > 1 &&
+      h(
+        "label",
+        { key: "case" },
+        "Load case",
+        pick(
+          "load_case",
+          cases.map((c) => [c, c]),
         ),
-    ]),
-    question.shown &&
-      question.sheet &&
-      h("div", { key: "measured-more" }, more(/** @type {any} */ (question.sheet))),
-  ];
+      ),
+  ]);
 }

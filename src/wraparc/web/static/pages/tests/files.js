@@ -111,22 +111,24 @@ function say(of, more) {
   saying = saying.catch(() => {}).then(() => tell(of));
   return saying;
 }
+/** What is said of a file that it does not tell itself. @param {TestFile} f */
+export const saidOf = (f) => ({
+  pressure: f.pressure || null,
+  normal_force: f.normal_force || null,
+  condition: f.condition || "dry",
+  repeat: f.repeat || "",
+  sample: f.sample || "",
+  use: f.use !== false,
+  reason: f.reason || "",
+  choices: f.choices || {},
+  more: f.more || {},
+});
 /** @param {TestFile} of */
 async function tell(of) {
   const here = () => session.files.findIndex((x) => x.id === of.id);
   const f = session.files[here()] ?? of;
   const sent = { ...f };
-  const told = {
-    pressure: f.pressure || null,
-    normal_force: f.normal_force || null,
-    condition: f.condition || "dry",
-    repeat: f.repeat || "",
-    sample: f.sample || "",
-    use: f.use !== false,
-    reason: f.reason || "",
-    choices: f.choices || {},
-    more: f.more || {},
-  };
+  const told = saidOf(f);
   try {
     const answer = await within(`files/${f.id}`, told, { method: "PUT" });
     const i = here();

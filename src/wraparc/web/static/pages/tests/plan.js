@@ -1,4 +1,5 @@
 // The form of a test plan: lagging, rig and fit.
+import { redraw } from "../../base/design.js";
 import { h } from "../../vendor/preact.js";
 
 /** @typedef {{key: string, label: string, value?: string, help?: string, list?: string[]}} Row */
@@ -133,6 +134,7 @@ function row(part, r, problem) {
     "aria-describedby": `${id}-e`,
     onInput: (/** @type {any} */ e) => {
       typed[part][r.key] = e.currentTarget.value;
+      redraw();
     },
   };
   const options = r.list?.map((x) => h("option", { value: x, key: x }, LIST_WORDS[x] ?? x));
