@@ -11,7 +11,7 @@ from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.numbers import pull_against
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.train import CaseResult, Train, TrainResult, TrainStatus
+from wraparc.train import CaseResult, Motor, Motors, Train, TrainResult, TrainStatus
 from wraparc.train.unsolved import unsolved_drive
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
@@ -19,6 +19,9 @@ TRAIN_BALANCE = 1e-5
 #: Titles of the checks that only a train has.
 FIGHT = "Drives work together"
 NO_DIVISION = "no division of the load is found"
+MOMENTARY_SOURCE = (
+    "IEC 60034-1: 1.6 times the rated torque for 15 s, and no stall at 90 % of the voltage"
+)
 BALANCE = "Tensions, speeds and torques of the train agree"
 
 _told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
@@ -142,6 +145,35 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
     if several:
         yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
     yield train_balance(max(case.tension_error, case.speed_error), place)
+    division = case.case.division
+    for member, motor in zip(
+        case.members, division.motors if isinstance(division, Motors) else (), strict=False
+    ):
+        if member.motor is not None and isinstance(motor, Motor):
+            at, momentary = Place(member.name, place.load_case), case.case.kind != "running"
+            yield motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at)
+
+
+def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check:
+    """Check the torque of motors over their rated torque against what they bear [-]."""
+    title = f"Motor torque over rated torque, {'momentary' if momentary else 'running'}"
+    remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors."
+    if momentary:
+        remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors."
+    return of_drive.judged(
+        RULES["momentary_load" if momentary else "motor_load"],
+        title,
+        abs(load),
+        most,
+        "number",
+        source=MOMENTARY_SOURCE if momentary else "rating of the motor, continuous duty",
+        short="motor overloaded",
+        says="The motors work at {percent} % of their rated torque, and may at {most} %.",
+        because="No service factor (at most 1.15, NEMA MG 1) covers that.",
+        remedy=remedy,
+        more={"percent": (100.0 * abs(load), "number"), "most": (100.0 * most, "number")},
+        place=place,
+    )
 
 
 def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:

@@ -36,16 +36,18 @@ Codes = NDArray[np.int8]
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
+_NOT_OF_ROWS = ("creep_interval", "balance", "train_balance", "motor_load", "momentary_load")
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
     "",
-    *(name for name in RULES if name not in ("creep_interval", "balance", "train_balance")),
+    *(name for name in RULES if name not in _NOT_OF_ROWS),
     *sorted(ACROSS_CHECKS),
 )
 #: What `judge` checks of one drive and no row is checked for, in words.
 NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
+    "the torque of motors",
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3

@@ -81,6 +81,8 @@ RULES = {
         Rule("sag", "the sag of the belt", at_most=False),
         Rule("pulley_diameter", "the least pulley of the belt", Level.FAILS, at_most=False),
         Rule("usual_sizes", "usual sizes"),
+        Rule("motor_load", "the rating of a motor", fails_beyond=1.15),
+        Rule("momentary_load", "the torque that a motor bears in a start"),
         Rule("train_balance", "the balance of the train", Level.FAULT),
     )
 }

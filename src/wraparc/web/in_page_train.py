@@ -263,6 +263,11 @@ def told(
     )
 
 
+def borne(motor: Motor, momentary: bool) -> float:
+    """Torque over rated torque that a motor bears [-]."""
+    return motor.bears(momentary)
+
+
 def _nip(member: Member, arc: Quick, nominal: float) -> Nip:
     found = arc.summary
     return Nip(

@@ -14,6 +14,7 @@ from wraparc.checks.design_standard import asked
 from wraparc.checks.judge import (
     NO_DIVISION,
     fight,
+    motor_load,
     not_working,
     operating_point,
     train_balance,
@@ -245,6 +246,8 @@ def train_words() -> dict[str, list[Words]]:
         "fight": fight(0.0, place),
         "fight:fights": fight(1.0, place),
         "train_balance": train_balance(0.0, place),
+        "motor_load": motor_load(1.0, 1.0, False, Place(PULLEY, CASE)),
+        "momentary_load": motor_load(1.0, 1.0, True, Place(PULLEY, CASE)),
         "operating_point": operating_point(TrainStatus.BEYOND_MOTOR, "⟦reason⟧", place),
         "operating_point:adrift": operating_point(TrainStatus.BREAKAWAY, "⟦reason⟧", place),
         "gross_slip:adrift": of_drive.not_checked(

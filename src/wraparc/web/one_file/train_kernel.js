@@ -1044,6 +1044,9 @@ export class Motor {
   motor_speed(load, gear_speed) {
     return gear_speed;
   }
+  bears(momentary) {
+    return momentary ? min(MOMENTARY, this.largest_load()) : 1.0;
+  }
   load(drum_torque) {
     let eta = drum_torque >= 0.0 ? this.gear_efficiency : 1.0 / this.gear_efficiency;
     return drum_torque / (eta * this.drum_torque);
@@ -1133,6 +1136,9 @@ export class Induction extends Motor {
   }
   largest_load() {
     return this.breakdown_ratio;
+  }
+  bears(momentary) {
+    return min(super.bears(momentary), LOW_VOLTAGE * this.breakdown_ratio);
   }
   get rated_slip() {
     return 1.0 - this.rated_speed / this.synchronous_speed;
@@ -1316,7 +1322,9 @@ const SECONDARY = "DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance";
 const SLOPE = "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other";
 const INERTIA =
   "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass";
+const MOMENTARY = 1.6;
 const BEYOND = 10.0;
+const LOW_VOLTAGE = 0.81;
 const USUAL_FRICTION = [0.016, 0.03];
 
 /** Tensions with the pull between the outer ones: what the runs between the pulleys add is off. */
@@ -2271,6 +2279,11 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     tension_miss,
     speed_miss,
   );
+}
+
+/** Torque over rated torque that a motor bears [-]. */
+export function in_page_train__borne(motor, momentary) {
+  return motor.bears(momentary);
 }
 
 /** Return what is said twice or not at all, and what needs the belt speed. */
