@@ -36,7 +36,9 @@ Codes = NDArray[np.int8]
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
-_NOT_OF_ROWS = ("creep_interval", "balance", "train_balance", "motor_load", "momentary_load")
+_NOT_OF_ROWS = (
+    "creep_interval", "balance", "train_balance", "motor_load", "momentary_load", "motor_heat",
+)  # fmt: skip
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
     "",

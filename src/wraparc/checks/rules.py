@@ -83,6 +83,7 @@ RULES = {
         Rule("usual_sizes", "usual sizes"),
         Rule("motor_load", "the rating of a motor", fails_beyond=1.15),
         Rule("momentary_load", "the torque that a motor bears in a start"),
+        Rule("motor_heat", "the heat that a motor bears"),
         Rule("train_balance", "the balance of the train", Level.FAULT),
     )
 }
