@@ -29,11 +29,35 @@ AHEAD = 4.0 * BEHIND
 #: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
 #: runs between take-up and drive [-].
 HELD = 0.1
-#: Sizes that conveyor drives have, least and most [m, N/m, m/s, m].
-WIDTHS, MODULI, SPEEDS, DIAMETERS = (0.2, 4.0), (1e5, 1e9), (0.05, 15.0), (0.15, 3.0)
 #: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
 #: sag to the strength of the strongest steel cord [N/m].
 USUAL_TENSION = (0.5e3, 1e7)
+#: Sizes that conveyor drives have, least and most, in the order of `compared_sizes` [SI].
+USUAL_SIZES = (
+    (0.2, 4.0),  # width
+    (1e5, 1e9),  # modulus
+    (0.05, 15.0),  # speed
+    (0.15, 3.0),  # diameter
+    (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle; with a snub pulley 240 deg
+    (0.05e-3, 63.5e-3),  # creep limit; ten customary ones is sliding
+    (-5e-3, 5e-3),  # overrun
+    (0.0, 60e-3),  # thickness of the lagging
+    (0.1e6, 50e6),  # its shear modulus
+    (0.1e6, 5e9),  # its compression modulus
+    (5e3, 2e6),  # rating of the belt
+    (10e3, 50e6),  # bond strength
+    (10e3, 50e6),  # fatigue limit
+    (50e3, 10e6),  # largest wrap pressure of the belt
+    (0.1, 3.0),  # its least pulley
+    USUAL_TENSION,  # tension that keeps the belt from sagging, over the width
+    # modulus over rating; published are 69 to 119 of fabric, 480 of steel cord (Goodyear 2012)
+    (15.0, 1000.0),
+    # pressure at the rating; published are up to 1.05 MPa on the least pulley (ST7000, the same)
+    (0.0, 1.6e6),
+    USUAL_TENSION,  # entry tension over the width
+    USUAL_TENSION,  # exit tension
+    (250.0, 2e7),  # power of a pulley that pulls
+)
 
 
 def same_shown(value: float, limit: float) -> bool:
@@ -91,20 +115,51 @@ def idles(entry: float, leaving: float) -> bool:
 
 
 def usual(value: float, least: float, most: float) -> bool:
-    """Whether a size is one that conveyor drives have; one that is not given is."""
-    return not (value < least or value > most)
+    """Whether a size is one that conveyor drives have; one that is not given or rigid is."""
+    return not (value < least or (value > most and isfinite(value)))
 
 
-def usual_tension(tension: float, width: float) -> bool:
-    """Whether a tension is one that the belt of a conveyor has."""
-    return usual(tension, USUAL_TENSION[0] * width, USUAL_TENSION[1] * width)
+class Sizes(NamedTuple):
+    """What is given of belt, pulley and lagging; nan where something is not [SI]."""
+
+    width: float
+    modulus: float
+    speed: float
+    diameter: float
+    wrap_angle: float
+    creep_limit: float
+    overrun: float
+    thickness: float
+    shear_modulus: float
+    compression_modulus: float
+    rating: float
+    bond_strength: float
+    fatigue_limit: float
+    face_pressure: float
+    least_diameter: float
+    sag: float
+    entry: float
+    leaving: float
+    pull: float  # nan where there is none
 
 
-def usual_sizes(width: float, modulus: float, speed: float, diameter: float) -> bool:
-    """Whether belt and pulley have sizes that those of a conveyor have."""
-    belt = usual(width, WIDTHS[0], WIDTHS[1]) and usual(modulus, MODULI[0], MODULI[1])
-    found = usual(speed, SPEEDS[0], SPEEDS[1]) and usual(diameter, DIAMETERS[0], DIAMETERS[1])
-    return belt and found
+def compared_sizes(of: Sizes) -> list[float]:
+    """Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends."""
+    return [
+        of.width, of.modulus, of.speed, of.diameter, of.wrap_angle, of.creep_limit, of.overrun,
+        of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength,
+        of.fatigue_limit, of.face_pressure, of.least_diameter, of.sag / of.width,
+        of.modulus / of.rating, 2.0 * of.rating / of.diameter, of.entry / of.width,
+        of.leaving / of.width, abs(of.pull) * of.speed,
+    ]  # fmt: skip
+
+
+def usual_sizes(of: Sizes) -> bool:
+    """Whether belt, pulley and lagging have sizes that those of a conveyor have."""
+    values = compared_sizes(of)
+    return all(
+        usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_SIZES, strict=True)
+    )
 
 
 def held_alike(least: float, most: float) -> bool:

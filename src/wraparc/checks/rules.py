@@ -14,20 +14,10 @@ from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
-from wraparc.checks.numbers import DIAMETERS, MODULI, SPEEDS, WIDTHS, idles
+from wraparc.checks.numbers import idles
 from wraparc.drive import CREEP_LIMIT, Belt, Criteria
-from wraparc.units import Dimension
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
-
-#: Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
-USUAL: dict[str, tuple[Dimension, float, float]] = {
-    "width": ("length", *WIDTHS),
-    "modulus": ("force_per_width", *MODULI),
-    "speed": ("speed", *SPEEDS),
-    "diameter": ("length", *DIAMETERS),
-}
-
 
 #: Creep beyond which a belt slides and does not creep any more: ten customary limits [m]; ours.
 SLIDES = 10.0 * CREEP_LIMIT

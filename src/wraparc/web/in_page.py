@@ -32,6 +32,7 @@ from wraparc.checks.least_numbers import ROUNDS, Pull, Safety, least_for_slip, l
 from wraparc.checks.numbers import (
     Compared,
     Criteria,
+    Sizes,
     asked_slack,
     balance_miss,
     grip_beyond,
@@ -42,7 +43,6 @@ from wraparc.checks.numbers import (
     rise_alone,
     steepest,
     usual_sizes,
-    usual_tension,
     wrap_pressure_of,
 )
 from wraparc.drive import CREEP_LIMIT
@@ -92,16 +92,40 @@ def described(given: Given) -> tuple[float, float]:
 STEEP, IDLE, UNUSUAL = 1, 2, 3
 
 
-def unjudged(law: CompactLaw, given: Given) -> int:
+def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
+    """What is given of an arc, to be compared with usual sizes."""
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    return Sizes(
+        width=given.width,
+        modulus=given.modulus,
+        speed=given.speed,
+        diameter=given.diameter,
+        wrap_angle=given.wrap_angle,
+        creep_limit=given.creep_limit,
+        overrun=given.overrun,
+        thickness=given.thickness,
+        shear_modulus=given.shear_modulus,
+        compression_modulus=given.compression_modulus,
+        rating=criteria.rating,
+        bond_strength=criteria.bond_strength,
+        fatigue_limit=criteria.fatigue_limit,
+        face_pressure=criteria.face_pressure,
+        least_diameter=criteria.pulley_diameter,
+        sag=criteria.sag,
+        entry=entry,
+        leaving=leaving,
+        pull=nan if idles(entry, leaving) else entry - leaving,
+    )
+
+
+def unjudged(law: CompactLaw, given: Given, criteria: Criteria) -> int:
     """Why the page cannot judge an arc; 0 where it can."""
     arc = description_of(given)
     if refused(law, arc, given.steepest_fall):
         return STEEP
     if idles(arc.entry_tension, arc.exit_tension):
         return IDLE
-    sizes = usual_sizes(given.width, given.modulus, given.speed, given.diameter)
-    usual = usual_tension(arc.entry_tension, arc.width)
-    return 0 if sizes and usual and usual_tension(arc.exit_tension, arc.width) else UNUSUAL
+    return 0 if usual_sizes(sizes_of(given, arc, criteria)) else UNUSUAL
 
 
 class Quick(NamedTuple):
@@ -229,9 +253,7 @@ def judged(
         return None
     if criteria.wrap_angle == criteria.wrap_angle and arc.wrap_angle != criteria.wrap_angle:
         return None
-    if not usual_sizes(given.width, given.modulus, given.speed, given.diameter):
-        return None
-    if not (usual_tension(entry, arc.width) and usual_tension(leaving, arc.width)):
+    if not usual_sizes(sizes_of(given, arc, criteria)):
         return None
     geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
     found, out, count = operating_point(law, geometry, load, STEPS, points)

@@ -1,6 +1,6 @@
 // Several drives on one belt: read here, solved and judged by the functions of wraparc solve.
 import { si } from "../static/base/units.js";
-import { in_page__quick as quick, in_page__unjudged as unjudged } from "../static/kernel.js";
+import { in_page__quick as quick } from "../static/kernel.js";
 import {
   acrossOf,
   caseOf,
@@ -8,6 +8,7 @@ import {
   lawOf,
   NOT_HERE,
   read,
+  unjudgedOf,
 } from "../static/pages/drive/assemble.js";
 import { numbersOf } from "../static/pages/drive/own.js";
 import { Reader } from "../static/pages/drive/reading.js";
@@ -152,8 +153,8 @@ function kept({ arcs, quicks, divided }) {
       "leaves no tension in the belt, and a belt cannot push; give other shares, or more tension " +
       "on the slack side"
     );
-  for (const [i, { prepared }] of arcs.entries()) {
-    const why = unjudged(prepared.law, numbersOf(prepared.given));
+  for (const [i, arc] of arcs.entries()) {
+    const why = unjudgedOf(arc);
     if (why) return NOT_HERE[why];
     if (!quicks[i]) return "the solver of this page found no answer here; wraparc solve says why";
   }

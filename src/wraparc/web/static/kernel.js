@@ -7,6 +7,30 @@ const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a %
 const NOTHING = new Float64Array(0);
 const zeros = (size) => (size > 0 ? new Float64Array(size) : NOTHING);
 
+const $sum = (of) => of.reduce((a, b) => a + b, 0);
+const $maxOf = (of) => of.reduce((a, b) => max(a, b));
+const $minOf = (of) => of.reduce((a, b) => min(a, b));
+const $made = (length, each) => Array.from({ length }, (_, i) => each(i));
+const $zip = (...of) => $made(Math.min(...of.map((x) => x.length)), (i) => of.map((x) => x[i]));
+const $pairwise = (of) => $zip(of, of.slice(1));
+const $enumerate = (of) => Array.from(of, (x, i) => [i, x]);
+const $range = (a, b) => (b === undefined ? $made(a, (i) => i) : $made(b - a, (i) => a + i));
+const $repeated = (of, times) => $made(times, () => of).flat();
+const $sorted = (of, key = (x) => x) => [...of].sort((a, b) => key(a) - key(b));
+const $first = (of, other) => (of.length > 0 ? of[0] : other);
+const $told = (x, sign, digits, how) => {
+  let text = how === "f" ? x.toFixed(digits) : x.toExponential(digits - (how === "g"));
+  const power = Number(text.split("e")[1]);
+  if (how === "g" && power >= -4 && power < digits) text = x.toFixed(digits - 1 - power);
+  if (how === "g" && text.includes(".")) text = text.replace(/\.?0+(?=e|$)/, "");
+  text = text.replace(/e([+-])(\d)$/, "e$10$2");
+  return sign && !text.startsWith("-") ? `+${text}` : text;
+};
+const $text = (x) => {
+  if (typeof x !== "string") throw new TypeError(`${x} is no text`);
+  return x;
+};
+
 export class Description {
   constructor(
     entry_tension,
@@ -468,6 +492,71 @@ export class Among {
   }
 }
 
+export class Sizes {
+  constructor(
+    width,
+    modulus,
+    speed,
+    diameter,
+    wrap_angle,
+    creep_limit,
+    overrun,
+    thickness,
+    shear_modulus,
+    compression_modulus,
+    rating,
+    bond_strength,
+    fatigue_limit,
+    face_pressure,
+    least_diameter,
+    sag,
+    entry,
+    leaving,
+    pull,
+  ) {
+    this.width = width;
+    this.modulus = modulus;
+    this.speed = speed;
+    this.diameter = diameter;
+    this.wrap_angle = wrap_angle;
+    this.creep_limit = creep_limit;
+    this.overrun = overrun;
+    this.thickness = thickness;
+    this.shear_modulus = shear_modulus;
+    this.compression_modulus = compression_modulus;
+    this.rating = rating;
+    this.bond_strength = bond_strength;
+    this.fatigue_limit = fatigue_limit;
+    this.face_pressure = face_pressure;
+    this.least_diameter = least_diameter;
+    this.sag = sag;
+    this.entry = entry;
+    this.leaving = leaving;
+    this.pull = pull;
+  }
+  *[Symbol.iterator]() {
+    yield this.width;
+    yield this.modulus;
+    yield this.speed;
+    yield this.diameter;
+    yield this.wrap_angle;
+    yield this.creep_limit;
+    yield this.overrun;
+    yield this.thickness;
+    yield this.shear_modulus;
+    yield this.compression_modulus;
+    yield this.rating;
+    yield this.bond_strength;
+    yield this.fatigue_limit;
+    yield this.face_pressure;
+    yield this.least_diameter;
+    yield this.sag;
+    yield this.entry;
+    yield this.leaving;
+    yield this.pull;
+  }
+}
+
 export class Beginning {
   constructor(creep_limit, tested_slip, least, entry) {
     this.creep_limit = creep_limit;
@@ -839,11 +928,29 @@ const PEAK_TOLERANCE = 1e-6;
 const GOLDEN = 0.6180339887498949;
 const IDLE = 1e-6;
 const CREEP_LIMIT = 0.00635;
-const WIDTHS = [0.2, 4.0];
-const MODULI = [100000.0, 1000000000.0];
-const SPEEDS = [0.05, 15.0];
-const DIAMETERS = [0.15, 3.0];
-const USUAL_TENSION = [500.0, 10000000.0];
+const USUAL_SIZES = [
+  [0.2, 4.0],
+  [100000.0, 1000000000.0],
+  [0.05, 15.0],
+  [0.15, 3.0],
+  [0.17453292519943295, 4.71238898038469],
+  [5e-5, 0.0635],
+  [-0.005, 0.005],
+  [0.0, 0.06],
+  [100000.0, 50000000.0],
+  [100000.0, 5000000000.0],
+  [5000.0, 2000000.0],
+  [10000.0, 50000000.0],
+  [10000.0, 50000000.0],
+  [50000.0, 10000000.0],
+  [0.1, 3.0],
+  [500.0, 10000000.0],
+  [15.0, 1000.0],
+  [0.0, 1600000.0],
+  [500.0, 10000000.0],
+  [500.0, 10000000.0],
+  [250.0, 20000000.0],
+];
 const CAPACITIES = 30;
 const NO_BEGINNING = new Beginning(NaN, NaN, NaN, NaN);
 const LEAST = 8;
@@ -5365,24 +5472,71 @@ export function numbers__idles(entry, leaving) {
   return Math.abs(entry - leaving) <= IDLE * entry;
 }
 
-/** Whether a size is one that conveyor drives have; one that is not given is. */
+/** What is given of an arc, to be compared with usual sizes. */
+export function in_page__sizes_of(given, arc, criteria) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  return new Sizes(
+    given.width,
+    given.modulus,
+    given.speed,
+    given.diameter,
+    given.wrap_angle,
+    given.creep_limit,
+    given.overrun,
+    given.thickness,
+    given.shear_modulus,
+    given.compression_modulus,
+    criteria.rating,
+    criteria.bond_strength,
+    criteria.fatigue_limit,
+    criteria.face_pressure,
+    criteria.pulley_diameter,
+    criteria.sag,
+    entry,
+    leaving,
+    numbers__idles(entry, leaving) ? NaN : entry - leaving,
+  );
+}
+
+/** Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends. */
+export function numbers__compared_sizes(of) {
+  return [
+    of.width,
+    of.modulus,
+    of.speed,
+    of.diameter,
+    of.wrap_angle,
+    of.creep_limit,
+    of.overrun,
+    of.thickness,
+    of.shear_modulus,
+    of.compression_modulus,
+    of.rating,
+    of.bond_strength,
+    of.fatigue_limit,
+    of.face_pressure,
+    of.least_diameter,
+    of.sag / of.width,
+    of.modulus / of.rating,
+    (2.0 * of.rating) / of.diameter,
+    of.entry / of.width,
+    of.leaving / of.width,
+    Math.abs(of.pull) * of.speed,
+  ];
+}
+
+/** Whether a size is one that conveyor drives have; one that is not given or rigid is. */
 export function numbers__usual(value, least, most) {
-  return !(value < least || value > most);
+  return !(value < least || (value > most && Number.isFinite(value)));
 }
 
-/** Whether belt and pulley have sizes that those of a conveyor have. */
-export function numbers__usual_sizes(width, modulus, speed, diameter) {
-  let belt =
-    numbers__usual(width, WIDTHS[0], WIDTHS[1]) && numbers__usual(modulus, MODULI[0], MODULI[1]);
-  let found =
-    numbers__usual(speed, SPEEDS[0], SPEEDS[1]) &&
-    numbers__usual(diameter, DIAMETERS[0], DIAMETERS[1]);
-  return belt && found;
-}
-
-/** Whether a tension is one that the belt of a conveyor has. */
-export function numbers__usual_tension(tension, width) {
-  return numbers__usual(tension, USUAL_TENSION[0] * width, USUAL_TENSION[1] * width);
+/** Whether belt, pulley and lagging have sizes that those of a conveyor have. */
+export function numbers__usual_sizes(of) {
+  let values = numbers__compared_sizes(of);
+  return [...$zip(values, USUAL_SIZES)].every(([value, ends]) =>
+    numbers__usual(value, ends[0], ends[1]),
+  );
 }
 
 /** Relative error of a step of layers, for the fineness of a mesh. */
@@ -6560,10 +6714,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   if (criteria.wrap_angle === criteria.wrap_angle && arc.wrap_angle !== criteria.wrap_angle) {
     return null;
   }
-  if (!numbers__usual_sizes(given.width, given.modulus, given.speed, given.diameter)) {
-    return null;
-  }
-  if (!(numbers__usual_tension(entry, arc.width) && numbers__usual_tension(leaving, arc.width))) {
+  if (!numbers__usual_sizes(in_page__sizes_of(given, arc, criteria))) {
     return null;
   }
   let geometry = summary__geometry_of(arc, law.onset_compliance);
@@ -6706,7 +6857,7 @@ export function in_page__described(given) {
 }
 
 /** Why the page cannot judge an arc; 0 where it can. */
-export function in_page__unjudged(law, given) {
+export function in_page__unjudged(law, given, criteria) {
   let arc = in_page__description_of(given);
   if (in_page__refused(law, arc, given.steepest_fall)) {
     return 1;
@@ -6714,9 +6865,7 @@ export function in_page__unjudged(law, given) {
   if (numbers__idles(arc.entry_tension, arc.exit_tension)) {
     return 2;
   }
-  let sizes = numbers__usual_sizes(given.width, given.modulus, given.speed, given.diameter);
-  let usual = numbers__usual_tension(arc.entry_tension, arc.width);
-  return sizes && usual && numbers__usual_tension(arc.exit_tension, arc.width) ? 0 : UNUSUAL;
+  return numbers__usual_sizes(in_page__sizes_of(given, arc, criteria)) ? 0 : UNUSUAL;
 }
 
 /** S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip. */

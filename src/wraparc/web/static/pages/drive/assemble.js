@@ -9,6 +9,7 @@ import {
   in_page__unjudged as unjudged,
 } from "../../kernel.js";
 import { TENSIONS } from "../../parts/problems.js";
+import { numbersOf } from "./own.js";
 import { Reader } from "./reading.js";
 import { checkShape } from "./shape.js";
 import { standardOf } from "./standard.js";
@@ -273,16 +274,18 @@ export function assemble(doc, book) {
     c.condition == null ? usual : lawOf(r, lagging.entry, c.condition, ["condition"]),
   );
   const made = r.problems.length ? [] : cases.map((c, i) => caseOf(said, c, laws[i], book));
-  const steep = made.findIndex((m) => unjudged(m.prepared.law, m.prepared.given));
+  const steep = made.findIndex((m) => unjudgedOf(m));
   if (steep >= 0) {
-    const { law, given } = made[steep].prepared;
-    const why = unjudged(law, given);
+    const why = unjudgedOf(made[steep]);
     r.wrong(steepPath(doc, cases[steep]), NOT_HERE[why]);
     r.problems[r.problems.length - 1].beyond = why > 1;
   }
   if (r.problems.length || !usual) return { judging: null, problems: r.problems };
   return { judging: judgingOf(said, usual, made, book), problems: [] };
 }
+/** Why the page cannot judge an arc; 0 where it can. @param {any} made */
+export const unjudgedOf = ({ prepared: { law, given }, criteria }) =>
+  unjudged(law, numbersOf(given), numbersOf(criteria));
 export const NOT_HERE = [
   "",
   "no belt carries these tensions, or friction falls too steeply for one answer; " +
