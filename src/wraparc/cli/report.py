@@ -10,7 +10,13 @@ import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
-from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
+from wraparc.cli.options import (
+    check_outputs,
+    conditions_option,
+    load_whole,
+    named_conditions,
+    units_option,
+)
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.page import SUFFIXES as PAGES
 from wraparc.cli.page import made_page, require_pages, save_page
@@ -29,7 +35,6 @@ from wraparc.errors import InputError
 from wraparc.report.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
 from wraparc.schema.source import printable
-from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
 if TYPE_CHECKING:
@@ -104,7 +109,7 @@ def report(
         paper=paper or ("us-letter" if units == "us" else "a4"),
     )
     asked = named_conditions(conditions)
-    read = load_drive_or_train(file, overrides=settings, conditions=asked)
+    read = load_whole(file, overrides=settings, conditions=asked)
     if page_file is not None:
         require_pages()
     carried = None if page_file is None else made_page(file, settings, asked, creep_limit)

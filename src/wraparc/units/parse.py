@@ -14,14 +14,26 @@ from wraparc.errors import InputError, Problem, near, shown
 from wraparc.units.numbers import finite, split_number
 from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
-_FACTOR = r"[A-Za-z°%]+(?:\^?-?[1-9])?"
+_FACTOR = r'[A-Za-z°%"]+(?:\^?-?[1-9])?'
 _PRODUCT = rf"{_FACTOR}(?:(?:\s*[*.]\s*|\s+|-(?=[A-Za-z])){_FACTOR})*"
 _UNIT = re.compile(
     rf"(?P<over>1|{_PRODUCT})?\s*(?:/\s*(?:(?P<one>{_FACTOR})|\(\s*(?P<under>{_PRODUCT})\s*\)))?"
 )
-_NAME_AND_POWER = re.compile(r"([A-Za-z°%]+)(?:\^?(-?[1-9]))?")
+_NAME_AND_POWER = re.compile(r'([A-Za-z°%"]+)(?:\^?(-?[1-9]))?')
 _LOOKALIKES = str.maketrans(
-    {"µ": "u", "μ": "u", "º": "°", "·": "*", "⋅": "*", "×": "*", "²": "2", "³": "3", "⁻": "-"}
+    {
+        "µ": "u",
+        "μ": "u",
+        "″": '"',
+        "”": '"',
+        "º": "°",
+        "·": "*",
+        "⋅": "*",
+        "×": "*",
+        "²": "2",
+        "³": "3",
+        "⁻": "-",
+    }
     | {"¹": "1", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " "}
 )
 
@@ -198,6 +210,8 @@ def _resolve(text: str) -> Unit:
 
 def _evaluate(text: str, known: dict[str, Unit]) -> Unit:
     plain = text.translate(_LOOKALIKES).strip().replace("**", "^")
+    if plain in known:
+        return known[plain]
     match = _UNIT.fullmatch(plain) if len(plain) <= 40 else None
     if match is None:
         raise _UnitTextError(
