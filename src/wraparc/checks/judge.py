@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.numbers import pull_against
-from wraparc.checks.rules import RULES
+from wraparc.checks.rules import RULES, idle
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.train import CaseResult, Motor, Motors, Train, TrainResult, TrainStatus
+from wraparc.train import (
+    CaseResult,
+    Motor,
+    Motors,
+    Pulls,
+    Train,
+    TrainCase,
+    TrainResult,
+    TrainStatus,
+)
 from wraparc.train.unsolved import unsolved_drive
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
@@ -33,7 +43,10 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     The same result is judged once, however often it is asked about.
     """
     if result not in _told:
-        checks = _train(result) if isinstance(result, TrainResult) else _drive(result)
+        if isinstance(result, TrainResult):
+            checks = list(_train(result))
+        else:
+            checks = [*_drive(result), *_meeting(result, result.drive.load_cases)]
         _told[result] = Verdict(tuple(checks))
     return _told[result]
 
@@ -114,6 +127,8 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield from of_data.condition(case, pulley)
         yield from of_data.fit(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
+        if result.arc.side < 0.0 and not idle(result.arc):
+            yield of_drive.sense(case, pulley)
         balanced = of_arc.balance(result)
         if balanced is not None:
             yield balanced
@@ -122,9 +137,21 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield sag
 
 
+def _meeting(arcs: Iterable[ArcResult], cases: Iterable[LoadCase | TrainCase]) -> Iterator[Check]:
+    """Yield what is asked about pulleys that each give their tensions."""
+    found = [a.arc for a in arcs]
+    for name in [case.name for case in cases]:
+        for one, other in pairwise(a for a in found if a.load_case == name):
+            place = Place(other.pulley, name)
+            ends = one.exit_tension, other.pulley, other.entry_tension
+            yield from of_drive.meeting(one.pulley, *ends, place)
+
+
 def _train(result: TrainResult) -> Iterator[Check]:
     for case in result:
         yield from _of_train(case)
+        if isinstance(case.case.division, Pulls):
+            yield from _meeting((m.arc for m in case.members), [case.case])
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result()):
         if check.name == "gross_slip" and check.place.load_case in adrift:

@@ -19,6 +19,8 @@ from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension, meant_by
 
+#: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
+MEETS = 0.02
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
@@ -289,6 +291,36 @@ def take_up(drive: Drive) -> Iterator[Check]:
         f"and {{most}} in load case {escaped(high)}.",
         remedy="Correct the tensions, or the kind under [take_up].",
         more={"least": (held[low], "force"), "most": (held[high], "force")},
+        binding=False,
+    )
+
+
+def sense(case: LoadCase, pulley: Pulley) -> Check:
+    """Return what the verdict says of a pulley that brakes."""
+    return Check(
+        name="sense",
+        title=f"Pulley {pulley.name} brakes (T1 < T2)",
+        level=Level.OK,
+        place=Place(pulley.name, case.name),
+        binding=False,
+    )
+
+
+def meeting(before: str, leaves: float, after: str, enters: float, place: Place) -> Iterator[Check]:
+    """Ask about neighbouring pulleys on one belt where it leaves one with another tension [N]."""
+    if abs(leaves - enters) <= MEETS * max(leaves, enters):
+        return
+    yield Check(
+        name="meeting",
+        title="Tensions of neighbouring pulleys meet",
+        level=Level.ATTENTION,
+        place=place,
+        short="tensions do not meet",
+        says=f"The belt leaves pulley {escaped(before)} with {{leaves}} and enters pulley "
+        f"{escaped(after)} with {{enters}}: taken as what the run between them adds.",
+        remedy="If none does, correct the tensions or the order of the pulleys; if one does, say "
+        f"so in [train]: run.{escaped(after)}.",
+        more={"leaves": (leaves, "force"), "enters": (enters, "force")},
         binding=False,
     )
 

@@ -1,8 +1,6 @@
 """Drive files to drives."""
 
 import os
-from collections.abc import Sequence
-from itertools import pairwise
 from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, TakeUp, repeated
@@ -17,10 +15,6 @@ from wraparc.schema.overrides import Overrides, load, put_over
 from wraparc.schema.problems import Report
 from wraparc.schema.source import Document, check_format, parse, read_tables
 from wraparc.schema.tables import Record
-from wraparc.units import display
-
-#: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed.
-_MEETS = 0.02
 
 
 def load_drive(
@@ -169,34 +163,7 @@ def _load_cases(
             built.append(LoadCase(name=case["name"], tensions=tensions, **more))
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())
-    for case in built:
-        _check_meeting(case, names, report)
     return tuple(built)
-
-
-def _check_meeting(case: LoadCase, names: Sequence[str], report: Report) -> None:
-    """Report neighbouring pulleys on one belt whose tensions do not meet."""
-    for before, after in pairwise(names):
-        if not {before, after} <= case.tensions.keys():
-            return  # reported
-        leaves, enters = case.tensions[before].exit, case.tensions[after].entry
-        if abs(leaves - enters) <= _MEETS * max(leaves, enters):
-            continue
-        first, last = case.tensions[after].exit, case.tensions[before].entry
-        remedy = (
-            f'Correct the tensions, or write a [train] table with run.{after} = "..." for what the '
-            "belt gains on the run between them."
-        )
-        if abs(first - last) <= _MEETS * max(first, last):
-            remedy = f"In the order {after}, {before} they meet: name the pulleys in belt order."
-        own = () if case.name == DESIGN else ("load_case", case.name)
-        message = (
-            f"the belt leaves pulley {before} with {display(leaves, 'force')} and cannot enter "
-            "this one with another tension"
-        )
-        report.add(
-            (*own, "pulley", after, "entry_tension"), message, remedy, display(enters, "force")
-        )
 
 
 def _of_case(

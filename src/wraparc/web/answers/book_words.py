@@ -33,7 +33,7 @@ from wraparc.drive.criteria import CaseKind
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
 from wraparc.train import TrainStatus
-from wraparc.web.answers.judging import Words, either, words_of
+from wraparc.web.answers.judging import BRAKES, Words, either, words_of
 
 PULLEY, CASE = "⟦pulley⟧", "⟦case⟧"
 #: A drive that nothing is special of.
@@ -85,6 +85,7 @@ def words_by_key() -> Found:
     yield from _tested(drive, case, arc)
     yield from _take_up(drive, case)
     yield "balance", _some(of_arc.balance(arc), "solved")
+    yield "sense", _some(of_drive.sense(case, drive.pulleys[0]), BRAKES)
     yield "data", _some(of_data.data(drive, drive.pulleys[0]))
     yield "usual_sizes", map(words_of, of_drive.usual_sizes(drive))
 

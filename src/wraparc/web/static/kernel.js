@@ -846,6 +846,7 @@ const KNOT_STRIDE = 16;
 const SMALLEST = 1e-16;
 const PIECES = 2;
 const PIECE_STRIDE = 25;
+const MOST_EXPONENT = 300.0;
 const LINE = 1;
 const ELASTIC = 0;
 const STEPS = 24;
@@ -1210,7 +1211,7 @@ export function compact__peak(law, segment, pressure) {
   let b = found4[0];
   let b_p = found4[1];
   let unit = c[o + 24];
-  let number = Math.exp(b / a - 1.0);
+  let number = Math.exp(min(max(b / a - 1.0, -MOST_EXPONENT), MOST_EXPONENT));
   if (held) {
     return [unit * number, -a * number, 0.0, 0.0];
   }

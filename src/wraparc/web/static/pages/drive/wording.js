@@ -83,6 +83,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
     ...(law.tested
       ? ["tested_slip", `tested_slip_speed:${given(+law.tested.slip_speed)}:${moving}`]
       : []),
+    "sense",
     "balance",
     `sag:${given(criteria.sag)}`,
   ];
