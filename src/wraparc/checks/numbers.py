@@ -208,6 +208,7 @@ class Criteria(NamedTuple):
     fixed: bool  # whether the take-up holds the sum of both tensions
     behind: bool  # whether it holds the tension behind the pulley
     customary: bool  # whether the creep limit is the customary one
+    printed: bool  # whether a factor of the standard is printed with two decimals
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
 
 
@@ -263,6 +264,14 @@ def wrap_pressure_of(tension: float, width: float, diameter: float) -> float:
 def asked_slack(factor: float, start: float, pull: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
     return factor * start * abs(pull)
+
+
+def as_printed(factor: float) -> float:
+    """Drive factor as a table of two decimals prints it, where that is less; 0.38 for 0.3835 [-].
+
+    CEMA prints its factors so: a slack side of the printed one keeps the standard.
+    """
+    return min(factor, floor(100.0 * factor + 0.5) / 100.0)
 
 
 def passes_an_hour(speed: float, diameter: float) -> float:

@@ -62,9 +62,7 @@ def roll(
     wraps.finish(m, exits)
 
 
-def _onward(
-    wraps: Wraps, pieces: float, entries: Sequence[float], exits: Sequence[float]
-) -> None:
+def _onward(wraps: Wraps, pieces: float, entries: Sequence[float], exits: Sequence[float]) -> None:
     """Roll on by some pieces; in halves where what sticks and slips changes too much at once."""
     try:
         roll(wraps, [pieces * a.spacing for a in wraps.arcs], entries, exits)

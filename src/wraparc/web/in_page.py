@@ -33,6 +33,7 @@ from wraparc.checks.numbers import (
     Compared,
     Criteria,
     Sizes,
+    as_printed,
     asked_slack,
     balance_miss,
     grip_beyond,
@@ -374,6 +375,8 @@ def limits_of(
     pull, factor = arc.entry_tension - arc.exit_tension, criteria.factor
     if factor != factor:
         factor = wrap_factor(criteria.standard, arc.wrap_angle)
+        if criteria.printed:
+            factor = as_printed(factor)
     return Compared(
         gross_slip=criteria.safety,
         design_standard=asked_slack(factor, criteria.start, pull),

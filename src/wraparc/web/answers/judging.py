@@ -10,7 +10,7 @@ import numpy as np
 from wraparc.arc import ArcResult, DriveResult, Energy, Profile, Status
 from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
 from wraparc.checks.check import Place
-from wraparc.checks.design_standard import asked, by_table, design_friction_of
+from wraparc.checks.design_standard import asked, by_table, design_friction_of, prints
 from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
 from wraparc.checks.of_arc import BALANCE
@@ -244,6 +244,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         fixed=criteria.take_up.fixed,
         behind=bool(criteria.take_up.after),
         factor=math.nan if not table or rule is None else rule.wrap_factor,
+        printed=prints(criteria.standard),
         customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
         wrap_angle=pulley.wrap_angle if table else math.nan,
     )

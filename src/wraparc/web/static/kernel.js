@@ -6372,6 +6372,11 @@ export function constant_friction__wrap_factor(friction, wrap_angle) {
   return 1.0 / Math.expm1(friction * wrap_angle);
 }
 
+/** Drive factor as a table of two decimals prints it, where that is less; 0.38 for 0.3835 [-]. */
+export function numbers__as_printed(factor) {
+  return min(factor, Math.floor(100.0 * factor + 0.5) / 100.0);
+}
+
 /** Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]. */
 export function numbers__asked_slack(factor, start, pull) {
   return factor * start * Math.abs(pull);
@@ -6390,6 +6395,9 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   let factor = criteria.factor;
   if (factor !== factor) {
     factor = constant_friction__wrap_factor(criteria.standard, arc.wrap_angle);
+    if (criteria.printed) {
+      factor = numbers__as_printed(factor);
+    }
   }
   return new Compared(
     criteria.safety,

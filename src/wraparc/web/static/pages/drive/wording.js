@@ -83,9 +83,9 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
     ...(law.tested
       ? ["tested_slip", `tested_slip_speed:${given(+law.tested.slip_speed)}:${moving}`]
       : []),
-    "sense",
     "balance",
     `sag:${given(criteria.sag)}`,
+    "sense",
   ];
   const words = (/** @type {string} */ key) => book.words[key];
   const all = [...keys.flatMap(words), ...law.checks, ...after.flatMap(words)];
