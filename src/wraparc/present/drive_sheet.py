@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import before, judge, least_tension
-from wraparc.drive import Drive
+from wraparc.drive import CREEP_LIMIT, Drive
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
     Results,
@@ -23,7 +23,7 @@ from wraparc.present.design_values import comparison_table
 from wraparc.present.input_tables import input_table, input_tables
 from wraparc.present.inputs import drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
-from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, percent
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, number, percent
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone, level_of, short, verdict
@@ -70,11 +70,37 @@ def drive_sheet(
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=verdict(first, system),
+        verdict=_with_sides(verdict(first, system), results, system),
         tables=tuple(tables),
         remarks=(*judge(first).data, *method_remarks(results)),
         sources=of.listed(),
     )
+
+
+def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -> Verdict:
+    """Add where two methods stand on different sides of the creep limit."""
+    said = []
+    for arcs in zip(*results, strict=True):
+        one, other = arcs[0], arcs[-1]
+        solved = one.status.solved and other.status.solved
+        if not solved or one.within_creep_limit == other.within_creep_limit:
+            continue
+        creeps = " and ".join(
+            f"{named('exit_creep', abs(arc.exit_creep), system)} ({METHOD_TITLES[arc.method]})"
+            for arc in (one, other)
+        )
+        limit = named("creep_limit", one.arc.creep_limit, system)
+        whose = (
+            " The customary limit was set with the paper's."
+            if one.arc.creep_limit == CREEP_LIMIT
+            else ""
+        )
+        said.append(
+            f"The methods stand on different sides of the creep limit {limit} ({belongs(one)}): "
+            f"creep is {creeps}. The paper lumps the contraction of the belt over the arc that is "
+            f"left, the solver adds it up along the arc.{whose}"
+        )
+    return replace(told, sentences=(*said, *told.sentences))
 
 
 def input_sheet(drive: Drive, system: System = "si") -> Sheet:
