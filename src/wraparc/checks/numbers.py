@@ -198,6 +198,7 @@ class Criteria(NamedTuple):
     start: float  # factor on the pull that the standard is applied to [-]
     belt_tension: float  # per width [N/m]
     rating: float  # per width [N/m]
+    strength: float  # per width [N/m]
     face_pressure: float  # [Pa]
     bond_strength: float  # [Pa]
     fatigue_limit: float  # [Pa]

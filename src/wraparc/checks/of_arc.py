@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -205,7 +204,7 @@ def _qualifies(drive: Drive, limit: float) -> str:
     least = MORE_CREEP.get(belt.kind)
     if least is None or belt.rating is None:
         return "Whether this belt may creep more is not known: its carcass or rating is not given."
-    strong = _strength(belt.name) or 0.0
+    strong = belt.breaking_strength or 0.0
     over = strong > least if belt.kind == "steel cord" else belt.rating > least * (1.0 + 1e-9)
     if over:
         return (
@@ -218,12 +217,6 @@ def _qualifies(drive: Drive, limit: float) -> str:
         "This belt does not qualify for more, as steel cord above ST1600 and fabric above "
         "{fabric} do (B. DeVries)."
     )
-
-
-def _strength(name: str) -> float | None:
-    """Return the breaking strength that the name of a steel-cord belt tells, ``ST2000`` [N/m]."""
-    found = re.search(r"ST[ -]?(\d{3,5})\b", name.upper())
-    return 1e3 * float(found[1]) if found else None
 
 
 def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:

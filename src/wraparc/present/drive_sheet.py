@@ -6,7 +6,9 @@ from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import before, judge, least_tension
+from wraparc.checks.rules import tension_factor
 from wraparc.drive import CREEP_LIMIT, Drive
+from wraparc.drive.load_case import resultant
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
     Results,
@@ -28,7 +30,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone, level_of, short, verdict
 from wraparc.train import Train, TrainResult
-from wraparc.units import System, display_unit
+from wraparc.units import System, display, display_unit
 
 
 def drive_sheet(
@@ -61,6 +63,7 @@ def drive_sheet(
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, system, of)
     tables += [summary_table(results, system)] if len(first) > 1 else []
+    tables.append(loads_table(first, system))
     for position in detail:
         tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
     if any(pulley.across for pulley in first.drive.pulleys):
@@ -184,6 +187,34 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
                 Row(title, _summary_values(result, arc, system), level=level_of(result, arc))
             )
     return Table("All load cases and pulleys", tuple(rows), heads)
+
+
+def loads_table(result: DriveResult, system: System) -> Table:
+    """One line for each pulley and load case: its resultant, and the safety of the belt there."""
+    belt, rows = result.drive.belt, []
+    strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
+    for arc in result:
+        of = arc.arc
+        ends = of.entry_tension, of.exit_tension, of.wrap_angle
+        found = resultant(*ends, strength * of.width)
+        cells = (named(key, value, system) for key, value in found._asdict().items())
+        rows.append(Row(f"{of.load_case}: {of.pulley}", tuple(cells)))
+    note = (
+        "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that "
+        "of T2, the weight of the pulley left out. "
+    )
+    if belt.breaking_strength is None:
+        note += "Safety factor of the belt: its strength is not given."
+    else:
+        note += f"Safety factor: strength {display(strength, 'force_per_width', system)} over the "
+        note += "larger tension"
+        if belt.rating is not None:
+            asked = strength / belt.rating
+            momentary = asked / tension_factor(belt, "starting")
+            note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
+            note += f"{momentary:.3g} starting and stopping"
+        note += "."
+    return Table("Loads of pulleys and belt", tuple(rows), ("resultant", "direction", "belt"), note)
 
 
 def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:

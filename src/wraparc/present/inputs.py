@@ -137,6 +137,8 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     yield _named(group, "belt_modulus", belt.modulus, origin("modulus"))
     yield _named(group, "axial_stiffness", belt.axial_stiffness, None, "M B")
     yield own("Rating of the belt", belt.rating, "force_per_width", "rating")
+    if belt.breaking_strength is not None:
+        yield own("Breaking strength", belt.breaking_strength, "force_per_width", "strength")
     least, most = belt.least_pulley_diameter, belt.largest_wrap_pressure
     yield own("Least drive pulley", least, "length", "least_pulley_diameter")
     yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure")

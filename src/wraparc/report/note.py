@@ -26,7 +26,7 @@ from wraparc.present.checks_table import check_table, checks_summary
 from wraparc.present.conditions_table import conditions_table
 from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
-from wraparc.present.drive_sheet import method_remarks
+from wraparc.present.drive_sheet import loads_table, method_remarks
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
@@ -250,7 +250,7 @@ def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input
 def _results_section(
     results: Sequence[DriveResult], system: System, train: "TrainResult | None"
 ) -> Section:
-    tables = [arcs_table(results, system)]
+    tables = [arcs_table(results, system), loads_table(results[0], system)]
     if results[0].drive.conditions:
         tables.append(conditions_table(results[0], system))
     if train is not None:

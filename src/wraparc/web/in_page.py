@@ -50,9 +50,11 @@ from wraparc.drive import CREEP_LIMIT
 from wraparc.drive.load_case import (
     LEAST_TENSION,
     MOST_TENSION,
+    Resultant,
     exit_behind,
     pull_of_power,
     pull_of_torque,
+    resultant,
 )
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
@@ -214,6 +216,7 @@ class Judged(NamedTuple):
     limits: Compared
     held: float  # what the take-up holds [N]
     asked: Asked
+    loads: Resultant
 
 
 class Among(NamedTuple):
@@ -301,6 +304,7 @@ def judged(
         limits,
         others.held,
         asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
+        resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
     )
 
 

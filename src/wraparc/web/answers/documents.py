@@ -60,10 +60,6 @@ def read(document: Document) -> Drive | Train:
         With everything that is wrong; paths of files are refused, and more than a page can show.
     """
     document = without_none(document)
-    if "motion" in document:
-        from wraparc.motion.file import check_motion
-
-        check_motion(document)
     if "train" in document:
         from wraparc.train.file import train_from_document
 

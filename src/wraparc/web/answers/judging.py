@@ -234,6 +234,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         start=start_factor(criteria, case.kind),
         belt_tension=_number(allowed),
         rating=_number(belt.rating),
+        strength=_number(belt.breaking_strength),
         face_pressure=_number(belt.largest_wrap_pressure),
         bond_strength=_number(pulley.lagging.bond_strength),
         fatigue_limit=_number(pulley.lagging.fatigue_limit),

@@ -794,8 +794,21 @@ export class Asked {
   }
 }
 
+export class Resultant {
+  constructor(resultant_force, resultant_angle, belt_safety) {
+    this.resultant_force = resultant_force;
+    this.resultant_angle = resultant_angle;
+    this.belt_safety = belt_safety;
+  }
+  *[Symbol.iterator]() {
+    yield this.resultant_force;
+    yield this.resultant_angle;
+    yield this.belt_safety;
+  }
+}
+
 export class Judged {
-  constructor(solved, summary, capacities, values, limits, held, asked) {
+  constructor(solved, summary, capacities, values, limits, held, asked, loads) {
     this.solved = solved;
     this.summary = summary;
     this.capacities = capacities;
@@ -803,6 +816,7 @@ export class Judged {
     this.limits = limits;
     this.held = held;
     this.asked = asked;
+    this.loads = loads;
   }
   *[Symbol.iterator]() {
     yield this.solved;
@@ -812,6 +826,7 @@ export class Judged {
     yield this.limits;
     yield this.held;
     yield this.asked;
+    yield this.loads;
   }
 }
 
@@ -6704,6 +6719,15 @@ export function in_page__asked_of(law, arc, grip, least, limits, given, factor, 
   );
 }
 
+/** Return the resultant of the belt tensions at a pulley, without its own weight. */
+export function load_case__resultant(entry, leaving, wrap_angle, strength) {
+  let along = entry - leaving * Math.cos(wrap_angle);
+  let across = leaving * Math.sin(wrap_angle);
+  let force = Math.sqrt(along * along + across * across);
+  let angle = Math.atan2(across, along);
+  return new Resultant(force, angle, strength / max(entry, leaving));
+}
+
 /** Numbers of the checks of one arc; None where they are for the server to find. */
 export function in_page__judged(law, given, tested, criteria, points, among = null) {
   let arc = in_page__description_of(given);
@@ -6782,6 +6806,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     limits,
     others.held,
     in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
+    load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
   );
 }
 

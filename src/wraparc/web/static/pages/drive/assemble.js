@@ -118,6 +118,7 @@ function beltOf(r, book) {
     speed: number("speed"),
     modulus,
     rating: over("rating", preset?.rating),
+    strength: number("strength"),
     least: over("least_pulley_diameter", preset?.least_pulley_diameter),
     factor: number("momentary_factor"),
     pressure: number("largest_wrap_pressure"),
@@ -126,6 +127,8 @@ function beltOf(r, book) {
     weak: preset ? preset.weak : weaknesses(belt.provenance),
   };
 }
+/** Breaking strength that the name of a steel-cord belt tells. @param {string} name */
+export const strengthIn = (name) => 1e3 * +(/ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase())?.[1] ?? none);
 /** In what ways a number from a source is weak. @param {any} source @returns {string[]} */
 export const weaknesses = (source) => [
   ...(String(source?.note ?? "").startsWith("estimated") ? ["estimated"] : []),
@@ -328,6 +331,7 @@ export function caseOf(said, c, bookLaw, book) {
     start: running ? orUsual(said.standard.start, usual.start_factor) : 1,
     belt_tension: factor * belt.rating,
     rating: belt.rating,
+    strength: orUsual(belt.strength, strengthIn(belt.name)),
     face_pressure: belt.pressure,
     bond_strength: +(lagging.entry?.bond_strength ?? none),
     fatigue_limit: +(lagging.entry?.fatigue_limit ?? none),

@@ -67,7 +67,7 @@ export function judge(judging, doc, all) {
   if (odd) checks.push(contradicts(judging, held));
   checks.push(...judging.checks.map((w) => check(w, found[0].numbers, "", judging.levels)));
   const arcs = found.map(({ of, numbers: n }) => {
-    const numbers = { ...n.summary, ...n.capacities };
+    const numbers = { ...n.summary, ...n.capacities, ...n.loads };
     const { load_case, pulley, asks } = of;
     return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
