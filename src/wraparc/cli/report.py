@@ -4,7 +4,7 @@ import datetime as dt
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -106,6 +106,7 @@ def report(
         author=author,
         date=dt.date.today().isoformat() if date is None else date,  # noqa: DTZ011 - the user's
         file=printable(os.path.basename(file))[-120:],
+        changes=_changes(settings, conditions, creep_limit, case),
         paper=paper or ("us-letter" if units == "us" else "a4"),
     )
     asked = named_conditions(conditions)
@@ -133,9 +134,18 @@ def _in_time(file: str, settings: tuple[str, ...]) -> "InTime | None":
     return load_followed(file, overrides=settings)
 
 
-def _head(**values: str) -> NoteHead:
+def _changes(
+    settings: tuple[str, ...], conditions: str | None, creep_limit: str | None, case: str | None
+) -> tuple[str, ...]:
+    """What the command puts over the file, as it shall be printed."""
+    more = {"conditions": conditions, "creep limit": creep_limit, "load case": case}
+    told = (*settings, *(f"{name} {value}" for name, value in more.items() if value))
+    return tuple(printable(text)[:120] for text in told)
+
+
+def _head(**values: Any) -> NoteHead:
     try:
-        return NoteHead(**values)  # type: ignore[arg-type]
+        return NoteHead(**values)
     except InputError as error:
         raise InputError(replace(p, key=f"--{p.key}") for p in error.problems) from None
 

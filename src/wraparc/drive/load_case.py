@@ -68,6 +68,9 @@ class Tensions:
     entry, exit
         Tension at the entry nip (T1) and at the exit nip (T2) [N]. T1 > T2 drives,
         T1 < T2 brakes. Apart by rounding (1e-12) alone, they are equal.
+    computed
+        What those that are not given were computed from, in words, by field; no part of what makes
+        two equal.
 
     Raises
     ------
@@ -82,6 +85,7 @@ class Tensions:
 
     entry: float
     exit: float
+    computed: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __post_init__(self) -> None:
         raise_all(limit_problems(self, self.LIMITS))

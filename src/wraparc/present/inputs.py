@@ -258,4 +258,18 @@ def _tensions(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
         if name == tight and drive.belt.rating is not None:
             share = percent(value / (drive.belt.rating * drive.belt.width))
             used = f"{share} of the belt's rating"
-        yield _named(group, name, value, pulley.sources.get(name, _GIVEN), used)
+        origin: Provenance | None = pulley.sources.get(name, _GIVEN)
+        why = _computed(drive, arc, name.removesuffix("_tension"))
+        if why:
+            used, origin = "; ".join(filter(None, (f"{_T[name]} {why}", used))), None
+        yield _named(group, name, value, origin, used)
+
+
+_T = {"entry_tension": "T1", "exit_tension": "T2"}
+
+
+def _computed(drive: "Drive | Train", arc: WrapArc, side: str) -> str:
+    """Return what a tension was computed from; empty where it was given."""
+    cases = drive.load_cases if isinstance(drive, Drive) else ()
+    found = (c.tensions[arc.pulley].computed for c in cases if c.name == arc.load_case)
+    return next(found, {}).get(side, "")
