@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from weakref import WeakKeyDictionary
 
@@ -18,7 +18,6 @@ from wraparc.train import (
     Motors,
     Pulls,
     Train,
-    TrainCase,
     TrainResult,
     TrainStatus,
 )
@@ -43,10 +42,7 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     The same result is judged once, however often it is asked about.
     """
     if result not in _told:
-        if isinstance(result, TrainResult):
-            checks = list(_train(result))
-        else:
-            checks = [*_drive(result), *_meeting(result, result.drive.load_cases)]
+        checks = _train(result) if isinstance(result, TrainResult) else _drive(result)
         _told[result] = Verdict(tuple(checks))
     return _told[result]
 
@@ -137,21 +133,19 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield sag
 
 
-def _meeting(arcs: Iterable[ArcResult], cases: Iterable[LoadCase | TrainCase]) -> Iterator[Check]:
+def _meeting(case: CaseResult) -> Iterator[Check]:
     """Yield what is asked about pulleys that each give their tensions."""
-    found = [a.arc for a in arcs]
-    for name in [case.name for case in cases]:
-        for one, other in pairwise(a for a in found if a.load_case == name):
-            place = Place(other.pulley, name)
-            ends = one.exit_tension, other.pulley, other.entry_tension
-            yield from of_drive.meeting(one.pulley, *ends, place)
+    for one, other in pairwise(m.arc.arc for m in case.members):
+        ends = one.exit_tension, other.pulley, other.entry_tension
+        place = Place(other.pulley, case.case.name)
+        yield from of_drive.meeting(one.pulley, *ends, place)
 
 
 def _train(result: TrainResult) -> Iterator[Check]:
     for case in result:
         yield from _of_train(case)
         if isinstance(case.case.division, Pulls):
-            yield from _meeting((m.arc for m in case.members), [case.case])
+            yield from _meeting(case)
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result()):
         if check.name == "gross_slip" and check.place.load_case in adrift:
