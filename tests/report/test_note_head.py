@@ -57,4 +57,8 @@ def test_every_coloured_row_has_its_word_and_they_are_as_many_as_are_counted(
 def test_a_scaled_law_is_called_what_it_is(tmp_path: Path) -> None:
     text = note(tmp_path, EXAMPLES / "uphill-conveyor.toml", "--conditions", "wet")
     assert "its law is an illustrative one scaled as a whole" in text
+    wet = ("--set", "condition=wet")
+    named = note(tmp_path, EXAMPLES / "head-drive-fabric.toml", *wet)
+    assert "## Results by load case, wet\n" in named
+    assert "## Governing arc in detail: pulley head, load case start, wet\n" in named
     assert "a tested one" not in text

@@ -207,9 +207,12 @@ def make_note(
     inputs = Section("Inputs and where they came from", tables=_inputs(first, system, of, train))
     assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
     sections = [
-        Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
-        _results_section(results, system, train),
-        *details,
+        *_in_condition(
+            first.drive,
+            Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
+            _results_section(results, system, train),
+            *details,
+        ),
         *_across_sections(first, system),
         *in_time_sections,
         inputs,
@@ -233,6 +236,13 @@ def make_note(
             if s.sentences or s.tables or s.drawings or s.equations
         ),
     )
+
+
+def _in_condition(drive: Drive, *sections: Section) -> Iterator[Section]:
+    """Name the condition in titles where it is one that no load case names, and not dry."""
+    conditions = {p.lagging.condition for p in drive.pulleys}
+    told = "" if drive.conditions or conditions == {"dry"} else f", {', '.join(sorted(conditions))}"
+    yield from (replace(section, title=f"{section.title}{told}") for section in sections)
 
 
 def _about(drive: Drive, system: System) -> Iterator[tuple[str, str]]:
