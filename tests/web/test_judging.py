@@ -16,6 +16,7 @@ from wraparc.checks import judge, least_tension
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.present.checks_table import check_table
+from wraparc.present.drive_sheet import loads_of
 from wraparc.present.least_tension import least_sentence, least_table, shown_least
 from wraparc.present.words import short
 from wraparc.units import System, display_unit
@@ -98,7 +99,7 @@ def told(document: Data) -> Data:
 
     numbers = [
         (a.arc.load_case, short(result, a), found.at(a.arc.pulley, a.arc.load_case).headline(),
-         a.scalars())
+         a.scalars() | loads_of(result.drive.belt, a.arc))
         for a in result
     ]  # fmt: skip
     return {"arcs": numbers} | {system: texts(system) for system in SYSTEMS}

@@ -39,10 +39,18 @@ def options() -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        raise InputError(
-            replace(p, key=f"--{p.key.replace('_', '-')}") if p.key.isidentifier() else p
-            for p in error.problems
-        ) from None
+        raise InputError(map(_of_option, error.problems)) from None
+
+
+#: Options of values by name: ``--hours design=6000``.
+_BY_NAME = ("hours", "wear_hours")
+
+
+def _of_option(problem: Problem) -> Problem:
+    name, _, of = problem.key.partition(".")
+    if not (problem.key.isidentifier() or name in _BY_NAME):
+        return problem
+    return replace(problem, key=" ".join(filter(None, (f"--{name.replace('_', '-')}", of))))
 
 
 def conditions_option(command: _F) -> _F:

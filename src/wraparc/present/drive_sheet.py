@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from wraparc.arc import ArcResult, DriveResult
+from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import before, judge, least_tension
 from wraparc.checks.rules import tension_factor
-from wraparc.drive import CREEP_LIMIT, Drive
+from wraparc.drive import CREEP_LIMIT, Belt, Drive
 from wraparc.drive.load_case import resultant
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
@@ -189,16 +189,20 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
     return Table("All load cases and pulleys", tuple(rows), heads)
 
 
+def loads_of(belt: Belt, of: WrapArc) -> dict[str, float]:
+    """Return what the belt does to a pulley and bears there, by names of the glossary [SI]."""
+    strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
+    ends = of.entry_tension, of.exit_tension, of.wrap_angle
+    return resultant(*ends, strength * of.width)._asdict()
+
+
 def loads_table(result: DriveResult, system: System) -> Table:
     """One line for each pulley and load case: its resultant, and the safety of the belt there."""
     belt, rows = result.drive.belt, []
     strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
     for arc in result:
-        of = arc.arc
-        ends = of.entry_tension, of.exit_tension, of.wrap_angle
-        found = resultant(*ends, strength * of.width)
-        cells = (named(key, value, system) for key, value in found._asdict().items())
-        rows.append(Row(f"{of.load_case}: {of.pulley}", tuple(cells)))
+        cells = (named(key, value, system) for key, value in loads_of(belt, arc.arc).items())
+        rows.append(Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells)))
     note = (
         "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that "
         "of T2, the weight of the pulley left out. "
