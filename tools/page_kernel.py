@@ -84,6 +84,7 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.divided,
     in_page_train.told,
     in_page_train.borne,
+    in_page_train.fits,
     conveyor.choices,
     conveyor.Conveyor,
     in_page_conveyor.misfits,

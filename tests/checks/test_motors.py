@@ -6,6 +6,7 @@ Expected torques by hand: T F_U R (stiff lagging, no creep at constant friction:
 import pytest
 
 from wraparc.checks import Level, judge
+from wraparc.checks.check import Place
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
 
@@ -64,6 +65,35 @@ def test_torque_of_motors_is_judged(
     assert check.limit == pytest.approx(limit)
     said = check.sentence()
     assert level is Level.OK or f"{check.value * 100:.0f} % of their rated torque" in said
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("200 kW", "200 W", "The rated power of the motor of pulley head, 0.2 kW"),
+        ("20.67", "2.067", "its motor and gear over that of the belt of pulley head, 10.0,"),
+    ],
+)
+def test_slip_of_unit_of_a_motor_is_asked_about(old: str, new: str, said: str) -> None:
+    # 1480 rpm over 2.067 turns a drum of 0.8 m at 30 m/s under a belt of 3 m/s
+    text = DRIVE.format(kind="running", pull=60, breakdown=2.5).replace(old, new)
+    text = text.replace('width = "1200 mm"', 'width = "1200 mm"\nspeed = "3 m/s"')
+    found = judge(solve_train(train_from_text(text), raise_on_failure=False)).checks
+    odd = [c.sentence() for c in found if c.name == "usual_sizes" and c.missed]
+    assert any(said in sentence for sentence in odd)
+
+
+def test_drive_that_follows_another_is_not_judged_and_says_so() -> None:
+    text = DRIVE.format(kind="running", pull=60, breakdown=2.5)
+    pulley = text.partition("[[pulley]]")[2].partition("[train]")[0]
+    text = text.replace("[train]", "[[pulley]]" + pulley.replace("head", "tail") + "[train]", 1)
+    text = text.replace(
+        "[[load_case]]", '[train.motor.tail]\nkind = "follower"\nmaster = "head"\n[[load_case]]'
+    )
+    found = judge(solve_train(train_from_text(text))).checks
+    (check,) = (c for c in found if c.name == "motor_load" and c.place == Place("tail", "design"))
+    assert check.level is Level.NOT_CHECKED
+    assert "follows another" in check.short
 
 
 def test_overloaded_motor_leads_the_verdict() -> None:

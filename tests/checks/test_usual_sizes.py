@@ -33,6 +33,7 @@ def said(**of: Any) -> list[str]:
         ({"belt": {"modulus": 175e3}}, "The modulus over the rating of the belt, 1, is outside"),
         ({"belt": {"modulus": 1000e3}}, "Is the rating or the strength given as the modulus?"),
         ({"belt": {"rating": 175.0}}, "Check the unit: 175 kN/m"),
+        ({"belt": {"strength": 100e3}}, "The strength over the rating of the belt, 0.571,"),
         ({"pulley": {"diameter": 0.2}}, "at its rating on pulley head, 1750 kPa"),
         ({"entry": 60.064e3}, "The power of pulley head, 0.192 kW"),  # 0.19 kW at 3 m/s
         (

@@ -33,6 +33,8 @@ def test_an_option_of_one_value_given_twice_is_refused(tmp_path: Path) -> None:
     code, _, told = wraparc("solve", str(file), "--units", "si", "--units=us")
     assert code == 2
     assert "--units is given 2 times, and has one value. Leave all but one out." in told
+    again = ("--set", "belt.width=1300 mm", "--set", "belt.width=1.4 m")
+    assert "--set gives belt.width 2 times" in wraparc("solve", str(file), *again)[2]
     # what may be given more than once still may
     two = ("--set", "belt.width=1300 mm", "--set", "belt.speed=2.9 m/s")
     assert wraparc("solve", str(file), *two)[0] == 0

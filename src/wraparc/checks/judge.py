@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from weakref import WeakKeyDictionary
@@ -9,25 +10,33 @@ from weakref import WeakKeyDictionary
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.numbers import pull_against
+from wraparc.checks.numbers import USUAL_MOTORS, compared_motor, pull_against, usual
 from wraparc.checks.rules import RULES, idle
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.train import (
     CaseResult,
+    MemberResult,
     Motor,
     Motors,
     Pulls,
+    TorqueFollower,
     Train,
+    TrainCase,
     TrainResult,
     TrainStatus,
 )
 from wraparc.train.unsolved import unsolved_drive
+from wraparc.units import Dimension
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
 #: Titles of the checks that only a train has.
 FIGHT = "Drives work together"
 NO_DIVISION = "no division of the load is found"
+_MOTOR = {
+    False: "Motor torque over rated torque, running",
+    True: "Motor torque over rated torque, momentary",
+}
 MOMENTARY_SOURCE = (
     "IEC 60034-1: 1.6 times the rated torque for 15 s, and no stall at 90 % of the voltage"
 )
@@ -146,6 +155,7 @@ def _train(result: TrainResult) -> Iterator[Check]:
         yield from _of_train(case)
         if isinstance(case.case.division, Pulls):
             yield from _meeting(case)
+    yield from _usual_motors(result.train)
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result()):
         if check.name == "gross_slip" and check.place.load_case in adrift:
@@ -170,14 +180,49 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
     for member, motor in zip(
         case.members, division.motors if isinstance(division, Motors) else (), strict=False
     ):
-        if member.motor is not None and isinstance(motor, Motor):
-            at, momentary = Place(member.name, place.load_case), case.case.kind != "running"
-            yield motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at)
+        yield _motor(member, motor, case.case)
+
+
+def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:
+    """Check the torque of the motors of a drum; a drive that follows another states no rating."""
+    at, momentary = Place(member.name, case.name), case.kind != "running"
+    if member.motor is None or not isinstance(motor, Motor):
+        return unrated(momentary, at)
+    return motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at)
+
+
+def unrated(momentary: bool, place: Place) -> Check:
+    """Return that motors were not judged whose rating is not given."""
+    name = "momentary_load" if momentary else "motor_load"
+    why = "a drive that follows another gives no rating of its motors"
+    return of_drive.not_checked(name, _MOTOR[momentary], why, place)
+
+
+def _usual_motors(train: Train) -> Iterator[Check]:
+    """Check motors for a slip of unit, and for a gear that does not fit the belt speed."""
+    division = train.cases[0].division
+    motors = division.motors if isinstance(division, Motors) else ()
+    for pulley, motor in zip(train.pulleys, motors, strict=False):
+        if isinstance(motor, Motor):
+            turns = motor.rated_speed / motor.gear_ratio
+            belt = math.nan if train.belt.speed is None else train.belt.speed
+            values = compared_motor(
+                motor.rated_power, motor.rated_speed, turns, 0.5 * pulley.diameter, belt
+            )
+            names: tuple[tuple[str, Dimension], ...] = (
+                ("rated power of the motor", "power"),
+                ("rated speed of the motor", "rotation_speed"),
+                ("speed of the drum by its motor and gear over that of the belt", "number"),
+            )
+            for (name, dimension), value, ends in zip(names, values, USUAL_MOTORS, strict=True):
+                if not usual(value, *ends):
+                    of = f"{name} of pulley {pulley.name}"
+                    yield of_drive.unusual(of, dimension, Place(pulley.name), value, ends)
 
 
 def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check:
     """Check the torque of motors over their rated torque against what they bear [-]."""
-    title = f"Motor torque over rated torque, {'momentary' if momentary else 'running'}"
+    title = _MOTOR[momentary]
     remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors."
     if momentary:
         remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors."

@@ -52,6 +52,8 @@ USUAL_SIZES = (
     USUAL_TENSION,  # tension that keeps the belt from sagging, over the width
     # modulus over rating; published are 69 to 119 of fabric, 480 of steel cord (Goodyear 2012)
     (15.0, 1000.0),
+    # strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers)
+    (3.0, 20.0),
     # pressure at the rating; published are up to 1.05 MPa on the least pulley (ST7000, the same)
     (0.0, 1.6e6),
     USUAL_TENSION,  # entry tension over the width
@@ -133,6 +135,7 @@ class Sizes(NamedTuple):
     shear_modulus: float
     compression_modulus: float
     rating: float
+    strength: float
     bond_strength: float
     fatigue_limit: float
     face_pressure: float
@@ -140,7 +143,7 @@ class Sizes(NamedTuple):
     sag: float
     entry: float
     leaving: float
-    pull: float  # nan where there is none
+    pull: float  # nan where there is none, or where it is found and not given
 
 
 def compared_sizes(of: Sizes) -> list[float]:
@@ -149,8 +152,8 @@ def compared_sizes(of: Sizes) -> list[float]:
         of.width, of.modulus, of.speed, of.diameter, of.wrap_angle, of.creep_limit, of.overrun,
         of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength,
         of.fatigue_limit, of.face_pressure, of.least_diameter, of.sag / of.width,
-        of.modulus / of.rating, 2.0 * of.rating / of.diameter, of.entry / of.width,
-        of.leaving / of.width, abs(of.pull) * of.speed,
+        of.modulus / of.rating, of.strength / of.rating, 2.0 * of.rating / of.diameter,
+        of.entry / of.width, of.leaving / of.width, abs(of.pull) * of.speed,
     ]  # fmt: skip
 
 
@@ -159,6 +162,26 @@ def usual_sizes(of: Sizes) -> bool:
     values = compared_sizes(of)
     return all(
         usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_SIZES, strict=True)
+    )
+
+
+#: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
+#: belt [-], least and most.
+USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.2, 5.0))
+
+
+def compared_motor(
+    power: float, speed: float, drum: float, radius: float, belt: float
+) -> list[float]:
+    """What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown."""
+    return [power, speed, drum * radius / belt]
+
+
+def usual_motor(power: float, speed: float, drum: float, radius: float, belt: float) -> bool:
+    """Whether a motor is of usual size, and turns the drum about as fast as the belt runs."""
+    values = compared_motor(power, speed, drum, radius, belt)
+    return all(
+        usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_MOTORS, strict=True)
     )
 
 
@@ -209,6 +232,7 @@ class Criteria(NamedTuple):
     fixed: bool  # whether the take-up holds the sum of both tensions
     behind: bool  # whether it holds the tension behind the pulley
     customary: bool  # whether the creep limit is the customary one
+    alone: bool  # whether no other pulley pulls the belt
     printed: bool  # whether a factor of the standard is printed with two decimals
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
 

@@ -35,11 +35,13 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
             for (name, dimension, place), value, (least, most) in zip(
                 names, values, USUAL_SIZES, strict=True
             ):
-                made = name == _RATIO or name.startswith(_AT_RATING)  # of two that are given
+                made = name in (_RATIO, _STRONG) or name.startswith(
+                    _AT_RATING
+                )  # of two that are given
                 if not (usual(value, least, most) or (made and odd)):
                     size = drive.belt.width if dimension == "force" else 1.0
                     ends = size * least, size * most
-                    check = _unusual(name, dimension, place, size * value, ends)
+                    check = unusual(name, dimension, place, size * value, ends)
                     odd.setdefault(check.sentence(), check)
     yield from odd.values()
     if not odd:
@@ -51,9 +53,10 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
         )
 
 
-def _unusual(
+def unusual(
     name: str, dimension: Dimension, place: Place, value: float, ends: tuple[float, float]
 ) -> Check:
+    """Return the check that a value [SI] outside its usual ends misses."""
     least, most = ends
     meant = " or ".join(meant_by(value, dimension, least, most))
     remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
@@ -61,6 +64,8 @@ def _unusual(
         remedy = "Is it the sum of two pulleys? Give each of them its own."
     if name.startswith(_AT_RATING):
         remedy = "Check the diameter and the rating."
+    if name == _STRONG:
+        remedy = "Check strength and rating."
     if name == _RATIO:
         remedy = "Is the rating or the strength given as the modulus? Check the units of both."
     return Check(
@@ -82,6 +87,7 @@ def _unusual(
 
 
 _AT_RATING = "pressure of the belt at its rating"
+_STRONG = "strength over the rating of the belt"
 _RATIO = "modulus over the rating of the belt"
 
 
@@ -107,6 +113,7 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         ("least pulley of the belt", "length", belt),
         ("tension that keeps the belt from sagging", "force", belt),
         (_RATIO, "number", belt),
+        (_STRONG, "number", belt),
         (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
         (f"entry tension {of}", "force", at),
         (f"exit tension {of}", "force", at),
@@ -117,6 +124,8 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
 def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
     belt, lagging, sag = drive.belt, pulley.lagging, drive.criteria.sag
     tensions = case.tensions[pulley.name]
+
+    idle = idles(tensions.entry, tensions.exit)
 
     def known(value: float | None) -> float:
         return math.nan if value is None else value
@@ -133,6 +142,7 @@ def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
         shear_modulus=lagging.shear_modulus,
         compression_modulus=lagging.compression_modulus,
         rating=known(belt.rating),
+        strength=known(belt.breaking_strength),
         bond_strength=known(lagging.bond_strength),
         fatigue_limit=known(lagging.fatigue_limit),
         face_pressure=known(belt.largest_wrap_pressure),
@@ -140,7 +150,7 @@ def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
         sag=known(None if sag is None else sag.tension),
         entry=tensions.entry,
         leaving=tensions.exit,
-        pull=math.nan if idles(tensions.entry, tensions.exit) else tensions.effective,
+        pull=math.nan if idle or len(drive.pulleys) > 1 else tensions.effective,
     )
 
 

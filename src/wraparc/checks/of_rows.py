@@ -70,7 +70,9 @@ class Held:
         cannot be applied.
     binding
         Whether the standard binds.
-    rating
+    alone
+        Whether no other pulley pulls the belt.
+    rating, strength
         Of the belt [N/m].
     belt_tension, momentary_tension
         Largest tension: one of them, by the kind of the load case [N].
@@ -92,7 +94,9 @@ class Held:
     slack_rise: Array
     standard: Array
     binding: Flags
+    alone: Flags
     rating: Array
+    strength: Array
     belt_tension: Array
     momentary_tension: Array
     face_pressure: Array
@@ -136,7 +140,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit, rating,
+        misfit, rating, strength,
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -159,7 +163,9 @@ def held_by(
         slack_rise=slack_rise,
         standard=standard,
         binding=binding > 0.0,
+        alone=np.full(len(arcs), len(names) == 1),
         rating=rating,
+        strength=strength,
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
         face_pressure=face,
@@ -191,6 +197,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         float(SCALED in lagging.sources or WORN in lagging.sources),
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
         belt.rating,
+        belt.breaking_strength,
     )
 
 
@@ -366,11 +373,11 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
     ranks = np.full(len(arcs), Level.OK.rank)
     margins = np.full(len(arcs), math.inf)
-    pull = np.where(_idle(arcs), math.nan, arcs.entry_tension - arcs.exit_tension)
+    pull = np.where(_idle(arcs) | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
     given: Any = [
         arcs.belt_width, arcs.belt_modulus, arcs.belt_speed, arcs.diameter, arcs.wrap_angle,
         arcs.creep_limit, arcs.overrun, arcs.lagging_thickness, arcs.shear_modulus,
-        arcs.compression_modulus, held.rating, held.bond_stress, held.fatigue_stress,
+        arcs.compression_modulus, held.rating, held.strength, held.bond_stress, held.fatigue_stress,
         held.face_pressure, held.diameter, held.sag, arcs.entry_tension, arcs.exit_tension, pull,
     ]  # fmt: skip
     values: list[Any] = compared_sizes(Sizes(*given))

@@ -81,12 +81,17 @@ COMMANDS: dict[str, Command] = {
 def _refuse_repeated(ctx: click.Context, args: list[str]) -> None:
     """Refuse an option given twice that takes one value: the first would be lost unsaid."""
     try:
-        order = ctx.command.make_parser(ctx).parse_args(list(args))[2]
+        values, _, order = ctx.command.make_parser(ctx).parse_args(list(args))
     except click.UsageError:  # told when the command reads them
         return
     once = [
         p for p in order if isinstance(p, click.Option) and not (p.multiple or p.is_flag or p.count)
     ]
+    keys = [text.partition("=")[0].strip() for text in values.get("settings") or ()]
+    for key in keys:
+        if keys.count(key) > 1:
+            text = f"--set gives {key} {keys.count(key)} times. Leave all but one out."
+            raise click.UsageError(text, ctx)
     for option in once:
         if once.count(option) > 1:
             text = f"{option.opts[0]} is given {once.count(option)} times, and has one value."

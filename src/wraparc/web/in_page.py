@@ -110,6 +110,7 @@ def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
         shear_modulus=given.shear_modulus,
         compression_modulus=given.compression_modulus,
         rating=criteria.rating,
+        strength=criteria.strength,
         bond_strength=criteria.bond_strength,
         fatigue_limit=criteria.fatigue_limit,
         face_pressure=criteria.face_pressure,
@@ -117,7 +118,7 @@ def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
         sag=criteria.sag,
         entry=entry,
         leaving=leaving,
-        pull=nan if idles(entry, leaving) else entry - leaving,
+        pull=entry - leaving if criteria.alone and not idles(entry, leaving) else nan,
     )
 
 

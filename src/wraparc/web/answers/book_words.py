@@ -18,6 +18,7 @@ from wraparc.checks.judge import (
     not_working,
     operating_point,
     train_balance,
+    unrated,
 )
 from wraparc.drive import (
     TAKE_UPS,
@@ -247,6 +248,8 @@ def train_words() -> dict[str, list[Words]]:
         "fight": fight(0.0, place),
         "fight:fights": fight(1.0, place),
         "train_balance": train_balance(0.0, place),
+        "motor_load:none": unrated(False, Place(PULLEY, CASE)),
+        "momentary_load:none": unrated(True, Place(PULLEY, CASE)),
         "motor_load": motor_load(1.0, 1.0, False, Place(PULLEY, CASE)),
         "momentary_load": motor_load(1.0, 1.0, True, Place(PULLEY, CASE)),
         "operating_point": operating_point(TrainStatus.BEYOND_MOTOR, "⟦reason⟧", place),

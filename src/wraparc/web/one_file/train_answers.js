@@ -70,7 +70,9 @@ function ofTrain({ c, told, divided, adrift, motors, arcs }, words, levels) {
   return [
     made(lost > 0 ? "fight:fights" : "fight", { ...none, values: { lost } }),
     made("train_balance", { ...none, values: { train_balance: error } }),
-    ...motors.flatMap((/** @type {any} */ m, /** @type {number} */ i) => (m ? [loaded(m, i)] : [])),
+    ...(c.division.motors ? motors : []).map((/** @type {any} */ m, /** @type {number} */ i) =>
+      m ? loaded(m, i) : made(`${key}:none`, none, arcs[i].pulley),
+    ),
   ];
 }
 /** A case as the words of Python read one. @param {any} one @param {any[]} numbers */

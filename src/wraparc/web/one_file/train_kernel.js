@@ -10,6 +10,7 @@ import {
   effort__shoot_from,
   in_page__description_of,
   numbers__idles,
+  numbers__usual,
   pulls__families,
   pulls__overridden,
   pulls__pull_given,
@@ -1266,6 +1267,11 @@ const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
   "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
+const USUAL_MOTORS = [
+  [250.0, 20000000.0],
+  [10.0, 400.0],
+  [0.2, 5.0],
+];
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
   ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
@@ -2284,6 +2290,25 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
 /** Torque over rated torque that a motor bears [-]. */
 export function in_page_train__borne(motor, momentary) {
   return motor.bears(momentary);
+}
+
+/** What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown. */
+export function numbers__compared_motor(power, speed, drum, radius, belt) {
+  return [power, speed, (drum * radius) / belt];
+}
+
+/** Whether a motor is of usual size, and turns the drum about as fast as the belt runs. */
+export function numbers__usual_motor(power, speed, drum, radius, belt) {
+  let values = numbers__compared_motor(power, speed, drum, radius, belt);
+  return [...$zip(values, USUAL_MOTORS)].every(([value, ends]) =>
+    numbers__usual(value, ends[0], ends[1]),
+  );
+}
+
+/** Whether a motor is of usual size and its gear fits the belt speed [m, m/s]. */
+export function in_page_train__fits(motor, radius, speed) {
+  let turns = motor.rated_speed / motor.gear_ratio;
+  return numbers__usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed);
 }
 
 /** Return what is said twice or not at all, and what needs the belt speed. */

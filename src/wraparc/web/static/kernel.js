@@ -505,6 +505,7 @@ export class Sizes {
     shear_modulus,
     compression_modulus,
     rating,
+    strength,
     bond_strength,
     fatigue_limit,
     face_pressure,
@@ -525,6 +526,7 @@ export class Sizes {
     this.shear_modulus = shear_modulus;
     this.compression_modulus = compression_modulus;
     this.rating = rating;
+    this.strength = strength;
     this.bond_strength = bond_strength;
     this.fatigue_limit = fatigue_limit;
     this.face_pressure = face_pressure;
@@ -546,6 +548,7 @@ export class Sizes {
     yield this.shear_modulus;
     yield this.compression_modulus;
     yield this.rating;
+    yield this.strength;
     yield this.bond_strength;
     yield this.fatigue_limit;
     yield this.face_pressure;
@@ -962,6 +965,7 @@ const USUAL_SIZES = [
   [0.1, 3.0],
   [500.0, 10000000.0],
   [15.0, 1000.0],
+  [3.0, 20.0],
   [0.0, 1600000.0],
   [500.0, 10000000.0],
   [500.0, 10000000.0],
@@ -5504,6 +5508,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     given.shear_modulus,
     given.compression_modulus,
     criteria.rating,
+    criteria.strength,
     criteria.bond_strength,
     criteria.fatigue_limit,
     criteria.face_pressure,
@@ -5511,7 +5516,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     criteria.sag,
     entry,
     leaving,
-    numbers__idles(entry, leaving) ? NaN : entry - leaving,
+    criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
   );
 }
 
@@ -5535,6 +5540,7 @@ export function numbers__compared_sizes(of) {
     of.least_diameter,
     of.sag / of.width,
     of.modulus / of.rating,
+    of.strength / of.rating,
     (2.0 * of.rating) / of.diameter,
     of.entry / of.width,
     of.leaving / of.width,

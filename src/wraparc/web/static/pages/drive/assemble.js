@@ -341,6 +341,7 @@ export function caseOf(said, c, bookLaw, book) {
     pulley_diameter: belt.least,
     fixed: +(takeUp.kind === "fixed"),
     behind: +Boolean(takeUp.after),
+    alone: 1,
     printed: +["", "CEMA"].includes(said.standard.name),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
