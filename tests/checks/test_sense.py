@@ -5,7 +5,6 @@ from dataclasses import replace
 from checks.test_rows import quiet
 from wraparc import Drive, Tensions, load_train, solve
 from wraparc.checks import Level, judge
-from wraparc.checks.of_drive import sense
 from wraparc.drive import LoadCase
 from wraparc.train import Train, solve_train
 
@@ -29,8 +28,7 @@ def test_t1_below_t2_brakes_in_the_headline() -> None:
 
 def test_what_is_said_is_no_check_that_is_counted() -> None:
     told = judge(solve(cases((60e3, 100e3))))
-    assert sense(told_case := told and cases((60e3, 100e3)).load_cases[0], quiet().pulleys[0])
-    assert told_case.name == "case 0"
+    assert "sense" in {c.name for c in told.listed}
     kept = [c for c in told.listed if c.level is Level.OK and c.name not in ("data", "sense")]
     assert told.headline().startswith(f"All {len(kept)} checks are kept")
 
