@@ -143,6 +143,8 @@ PINT_NAMES = {
     "PLI": "lbf/in", "pli": "lbf/in", "PSI": "psi", "Nm": "N*m", "kNm": "kN*m", "MNm": "MN*m",
     "PS": "metric_horsepower", "HP": "hp", "fpm": "ft/min", "fps": "ft/s", "kmh": "kph",
     "RPM": "rpm", "%": "percent", "sec": "s", "d": "day", "rev": "turn", "mi": "mile",
+    '"': "inch", "bhp": "hp", "BHP": "hp", "cv": "metric_horsepower", "CV": "metric_horsepower",
+    "hp(metric)": "metric_horsepower", "FPM": "ft/min",
 }  # fmt: skip
 
 
@@ -447,3 +449,20 @@ def test_the_table_is_sound() -> None:
     for dimension, text in DIMENSION_TEXT.items():
         assert math.isfinite(parse_quantity(text.example, dimension))
         assert json.dumps(text.name)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "expected"),
+    [
+        # NIST SP 811: ft/min 5.08e-3 m/s, hp (550 ft lbf/s) 745.6999 W, metric hp 735.49875 W
+        ("500 FPM", "speed", 2.54),
+        ("250 bhp", "power", 250.0 * 745.69987158227022),
+        ("100 hp(metric)", "power", 73549.875),
+        ("100 cv", "power", 73549.875),
+        ('48"', "length", 1.2192),
+        ("48″", "length", 1.2192),
+        ("1500 tonnes/h", "mass_flow", 1500e3 / 3600.0),
+    ],
+)
+def test_spellings_of_the_field_are_read(text: str, dimension: Dimension, expected: float) -> None:
+    assert parse_quantity(text, dimension) == pytest.approx(expected, rel=1e-12)

@@ -79,6 +79,8 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     turning.surface_of_first,
     in_page_train.divided,
     in_page_train.told,
+    in_page_train.borne,
+    in_page_train.fits,
     conveyor.choices,
     conveyor.Conveyor,
     in_page_conveyor.misfits,

@@ -168,6 +168,7 @@ _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split
 
 views.install(
     html="wraparc.present.notebook:html",
+    text="wraparc.present.notebook:text",
     plot="wraparc.plot:plot",
     frame="wraparc.present.notebook:frame",
 )

@@ -103,6 +103,18 @@ QUANTITIES: tuple[Quantity, ...] = (
         "nip; negative towards travel.",
     ),
     Quantity(
+        "resultant_force", "R", "force", "Resultant of the belt tensions",
+        "Force of the belt on shaft and bearings of the pulley, its own weight left out.",
+    ),
+    Quantity(
+        "resultant_angle", "", "angle", "Direction of the resultant",
+        "From the line of the entry tension towards that of the exit tension.",
+    ),
+    Quantity(
+        "belt_safety", "S", "number", "Safety factor of the belt",
+        "Breaking strength of the belt over its largest tension at the pulley.",
+    ),
+    Quantity(
         "creep_limit", "u_max", "length", "Creep limit",
         "Largest creep that is accepted; 6.35 mm is the conservative customary value.",
     ),

@@ -24,7 +24,11 @@ def view(name: str, result: object, **options: Any) -> Any:
 
 
 class Viewable:
-    """Something that can be shown: as HTML, as a picture, as a data frame."""
+    """Something that can be shown: as text, as HTML, as a picture, as a data frame."""
+
+    def __str__(self) -> str:
+        """Return the answer and its first table, as ``print`` shows it; `repr` holds it all."""
+        return str(view("text", self))
 
     def _repr_html_(self) -> str:
         return str(view("html", self))

@@ -20,7 +20,8 @@ def test_everything_that_needs_no_solving_is_said() -> None:
     }  # fmt: skip
     text = " ".join((told.headline(), *told.sentences()))
     for said in (
-        "The width of the belt, 12 m, is outside the usual 200 mm to 4000 mm. Check the unit.",
+        "The width of the belt, 12 m, is outside the usual 200 mm to 4000 mm. Check the "
+        "unit: 12 in or 12 ft?",
         "Pulley head, 800 mm, is smaller than the least drive pulley of belt EP 1000/4, 1000 mm.",
         "The belt tension 4000 kN is 190 % of the rating of the belt",
         "The wrap pressure 833 kPa is above the 690 kPa",

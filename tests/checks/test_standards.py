@@ -4,9 +4,10 @@ import math
 
 import pytest
 
-from checks.test_rows import lagging
+from checks.test_rows import lagging, named, quiet
+from wraparc.checks import Level
 from wraparc.checks.design_standard import asked
-from wraparc.drive import DesignStandard, TakeUp
+from wraparc.drive import Criteria, DesignStandard, TakeUp
 
 GRAVITY, FIXED = TakeUp(kind="gravity"), TakeUp(kind="fixed")
 
@@ -70,3 +71,20 @@ def test_a_rule_of_ones_own_and_none() -> None:
     silent = asked(DesignStandard(), GRAVITY, lagging(surface=""), math.pi)
     assert silent is not None
     assert "does not say what its surface is" in silent.why_not
+
+
+def test_a_printed_drive_factor_keeps_the_standard() -> None:
+    """CEMA prints 0.38 at 210 degrees of lagged wrap, where 1/(exp(0.35 phi) - 1) is 0.3835."""
+    wrap = {"wrap_angle": math.radians(210.0)}
+    kept = named(
+        quiet(entry=138e3, leaving=38e3, pulley=wrap, criteria=Criteria()), "design_standard"
+    )
+    assert kept.level is Level.OK
+    assert kept.limit == pytest.approx(38e3)
+    # at 180 degrees it prints 0.50 for 0.4992: the exact one is kept too
+    exact = named(quiet(entry=149.95e3, leaving=49.95e3, criteria=Criteria()), "design_standard")
+    assert exact.level is Level.OK
+    assert exact.limit == pytest.approx(1e5 / math.expm1(0.35 * math.pi))
+    missed = named(quiet(entry=137.9e3, leaving=37.9e3, pulley=wrap, criteria=Criteria()),
+                   "design_standard")  # fmt: skip
+    assert missed.level is Level.ATTENTION

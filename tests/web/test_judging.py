@@ -16,6 +16,7 @@ from wraparc.checks import judge, least_tension
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.present.checks_table import check_table
+from wraparc.present.drive_sheet import loads_of
 from wraparc.present.least_tension import least_sentence, least_table, shown_least
 from wraparc.present.words import short
 from wraparc.units import System, display_unit
@@ -98,7 +99,7 @@ def told(document: Data) -> Data:
 
     numbers = [
         (a.arc.load_case, short(result, a), found.at(a.arc.pulley, a.arc.load_case).headline(),
-         a.scalars())
+         a.scalars() | loads_of(result.drive.belt, a.arc))
         for a in result
     ]  # fmt: skip
     return {"arcs": numbers} | {system: texts(system) for system in SYSTEMS}
@@ -125,7 +126,7 @@ def documents() -> Iterator[tuple[str, Data]]:
     fabric = DRIVES["head-drive-fabric"]
     yield (
         "a belt of no rating to speak of",
-        {**fabric, "belt": {**fabric["belt"], "rating": "1 kN/m"}},
+        {**fabric, "belt": {**fabric["belt"], "rating": "15 kN/m"}},
     )
     yield "a fixed take-up", {**fabric, "take_up": {"kind": "fixed"}}
     yield (
@@ -209,7 +210,9 @@ def test_most_drives_are_judged_and_end_in_every_way(
 
 def test_a_creep_of_ten_customary_limits_fails_on_the_page() -> None:
     """A belt so soft that it creeps 77 mm, with the words of Python's judgement."""
-    document = DRIVES["head-drive-fabric"]
+    fabric = DRIVES["head-drive-fabric"]
+    belt = {"modulus": "12960 kN/m", "width": "1200 mm", "speed": "3 m/s"}
+    document = {**fabric, "belt": belt}  # of a rating so soft a belt would be asked about
     base = base_of(document)
     changed = moved(document, base["judging"], {"modulus": 0.02})
     (there,) = in_node([{"doc": document, "answer": base, "changed": changed}])

@@ -32,6 +32,14 @@ TRAINS: dict[str, str] = {
     "tandem": FABRIC,
     "steel cord": (EXAMPLES / "tandem-steel-cord.toml").read_text("utf-8"),
     "motors": (EXAMPLES / "triple-steel-cord.toml").read_text("utf-8"),
+    "overloaded motors": divided(
+        'diameters = ["796 mm", "800 mm"]',
+        "".join(
+            f'[train.motor.{name}]\nkind = "induction"\nrated_power = "180 kW"\n'
+            f'synchronous_speed = "1500 rpm"\nrated_speed = "1480 rpm"\ngear_ratio = 20.67\n'
+            for name in ("first", "second")
+        ),
+    ),
     "equal speeds": divided('speeds = "equal"'),
     "trims that fight": divided('speeds = ["100 %", "98.2 %"]'),
     "drum speeds": divided('speeds = ["71.6 rpm", "71.4 rpm"]'),

@@ -23,6 +23,8 @@ MOST_DIGITS = 9
 ADVICE = ("creep_interval", "tested_slip_speed")
 #: Checks of the solution itself: what keeps its limit is rounding, and no number that is known.
 NUMERICAL = ("balance", "train_balance", "across_balance")
+#: What is said of the drive and compares nothing: no row of a table of checks, and not counted.
+SAID = ("data", "sense")
 #: Checks whose failure stands before every other one: the load is not carried at all.
 LEADING = ("gross_slip", "operating_point")
 
@@ -153,6 +155,11 @@ class Check:
     def numerical(self) -> bool:
         """Whether it is of the solution and not of the drive."""
         return self.name in NUMERICAL
+
+    @property
+    def compares(self) -> bool:
+        """Whether it is a row of the table of checks, and counted."""
+        return self.name not in SAID and self.level is not Level.NOT_CHECKED
 
     @property
     def floor(self) -> float:
@@ -314,17 +321,27 @@ class Verdict:
         if worst is None:
             return "Nothing could be checked."
         if worst.missed:
-            return placed(worst, system)
-        kept = sum(c.level is Level.OK for c in self.listed)
-        text = f"All {kept} checks are kept"
+            return f"{placed(worst, system)}{self._sense()}"
+        text = f"All {sum(c.compares for c in self.listed)} checks are kept"
         if math.isnan(worst.margin) or math.isinf(worst.margin):
-            return f"{text}."
+            return f"{text}.{self._sense()}"
         value, _ = worst.texts(system)
         where = f" ({worst.place})" if str(worst.place) else ""
         return (
             f"{text}; nearest to its limit is {_small(worst.title)}, {value}, "
-            f"{worst.bound(system)}{where}."
+            f"{worst.bound(system)}{where}.{self._sense()}"
         )
+
+    def _sense(self) -> str:
+        """Say which pulleys brake, and in how many of the load cases if not in all."""
+        every = {c.place.load_case for c in self.checks} - {""}
+        braking = [c for c in self.checks if c.name == "sense"]
+        told = ""
+        for title in dict.fromkeys(c.title for c in braking):
+            here = {c.place.load_case for c in braking if c.title == title}
+            some = f" in {len(here)} of {len(every)} load cases" if len(here) < len(every) else ""
+            told += f" {title}{some}."
+        return told
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""

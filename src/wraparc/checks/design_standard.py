@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc import wrap_factor
 from wraparc.catalogue import design_friction
+from wraparc.checks.numbers import as_printed
 from wraparc.drive import DesignStandard, Lagging, TakeUp
 
 Array = NDArray[np.float64]
@@ -23,7 +24,7 @@ MANUAL_WRAP_FACTORS = {
     "lagged": ((180.0, 0.8), (200.0, 0.7), (210.0, 0.7), (220.0, 0.6), (240.0, 0.6)),
 }
 _ROUNDING = 1e-9  # of angles in degrees
-MANUAL_SOURCE = "CEMA, Belt Conveyors for Bulk Materials, table of the drive factor Cw"
+MANUAL_SOURCE = "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)"
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,8 @@ def asked(
     friction, found = _friction(standard, lagging)
     if friction is None:
         return found
-    return replace(found, wrap_factor=wrap_factor(friction, wrap_angle))
+    factor = wrap_factor(friction, wrap_angle)
+    return replace(found, wrap_factor=as_printed(factor) if prints(standard) else factor)
 
 
 def wrap_factors(
@@ -94,7 +96,10 @@ def wrap_factors(
         inside = (row >= 0) & (angle <= first[-1] + _ROUNDING)
         return np.where(inside, factor[np.maximum(row, 0)], none)
     friction, _ = _friction(standard, lagging)
-    return none if friction is None else 1.0 / np.expm1(friction * wrap_angle)
+    if friction is None:
+        return none
+    factors = 1.0 / np.expm1(friction * wrap_angle)
+    return np.vectorize(as_printed)(factors) if prints(standard) else factors
 
 
 def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> float | None:
@@ -104,10 +109,14 @@ def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Laggi
     return _friction(standard, lagging)[0]
 
 
+def prints(standard: DesignStandard) -> bool:
+    """Whether a standard prints its drive factors, with two decimals: CEMA does."""
+    return standard.friction is None and (standard.name or "CEMA") == "CEMA"
+
+
 def by_table(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> bool:
     """Whether CEMA's table of manual take-ups holds."""
-    cema = standard.friction is None and (standard.name or "CEMA") == "CEMA"
-    return cema and take_up.fixed and bool(lagging.surface)
+    return prints(standard) and take_up.fixed and bool(lagging.surface)
 
 
 def _friction(standard: DesignStandard, lagging: Lagging) -> tuple[float | None, Asked]:

@@ -2,23 +2,44 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.numbers import pull_against
-from wraparc.checks.rules import RULES
+from wraparc.checks.numbers import USUAL_MOTORS, compared_motor, pull_against, usual
+from wraparc.checks.rules import RULES, idle
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.train import CaseResult, Train, TrainResult, TrainStatus
+from wraparc.train import (
+    CaseResult,
+    MemberResult,
+    Motor,
+    Motors,
+    Pulls,
+    TorqueFollower,
+    Train,
+    TrainCase,
+    TrainResult,
+    TrainStatus,
+)
 from wraparc.train.unsolved import unsolved_drive
+from wraparc.units import Dimension
 
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
 #: Titles of the checks that only a train has.
 FIGHT = "Drives work together"
 NO_DIVISION = "no division of the load is found"
+_MOTOR = {
+    False: "Motor torque over rated torque, running",
+    True: "Motor torque over rated torque, momentary",
+}
+MOMENTARY_SOURCE = (
+    "IEC 60034-1: 1.6 times the rated torque for 15 s, and no stall at 90 % of the voltage"
+)
 BALANCE = "Tensions, speeds and torques of the train agree"
 
 _told: WeakKeyDictionary[DriveResult | TrainResult, Verdict] = WeakKeyDictionary()
@@ -111,6 +132,8 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield from of_data.condition(case, pulley)
         yield from of_data.fit(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
+        if result.arc.side < 0.0 and not idle(result.arc):
+            yield of_drive.sense(case, pulley)
         balanced = of_arc.balance(result)
         if balanced is not None:
             yield balanced
@@ -119,9 +142,20 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield sag
 
 
+def _meeting(case: CaseResult) -> Iterator[Check]:
+    """Yield what is asked about pulleys that each give their tensions."""
+    for one, other in pairwise(m.arc.arc for m in case.members):
+        ends = one.exit_tension, other.pulley, other.entry_tension
+        place = Place(other.pulley, case.case.name)
+        yield from of_drive.meeting(one.pulley, *ends, place)
+
+
 def _train(result: TrainResult) -> Iterator[Check]:
     for case in result:
         yield from _of_train(case)
+        if isinstance(case.case.division, Pulls):
+            yield from _meeting(case)
+    yield from _usual_motors(result.train)
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result()):
         if check.name == "gross_slip" and check.place.load_case in adrift:
@@ -142,6 +176,70 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
     if several:
         yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
     yield train_balance(max(case.tension_error, case.speed_error), place)
+    division = case.case.division
+    for member, motor in zip(
+        case.members, division.motors if isinstance(division, Motors) else (), strict=False
+    ):
+        yield _motor(member, motor, case.case)
+
+
+def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:
+    """Check the torque of the motors of a drum; a drive that follows another states no rating."""
+    at, momentary = Place(member.name, case.name), case.kind != "running"
+    if member.motor is None or not isinstance(motor, Motor):
+        return unrated(momentary, at)
+    return motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at)
+
+
+def unrated(momentary: bool, place: Place) -> Check:
+    """Return that motors were not judged whose rating is not given."""
+    name = "momentary_load" if momentary else "motor_load"
+    why = "a drive that follows another gives no rating of its motors"
+    return of_drive.not_checked(name, _MOTOR[momentary], why, place)
+
+
+def _usual_motors(train: Train) -> Iterator[Check]:
+    """Check motors for a slip of unit, and for a gear that does not fit the belt speed."""
+    division = train.cases[0].division
+    motors = division.motors if isinstance(division, Motors) else ()
+    for pulley, motor in zip(train.pulleys, motors, strict=False):
+        if isinstance(motor, Motor):
+            turns = motor.rated_speed / motor.gear_ratio
+            belt = math.nan if train.belt.speed is None else train.belt.speed
+            values = compared_motor(
+                motor.rated_power, motor.rated_speed, turns, 0.5 * pulley.diameter, belt
+            )
+            names: tuple[tuple[str, Dimension], ...] = (
+                ("rated power of the motor", "power"),
+                ("rated speed of the motor", "rotation_speed"),
+                ("speed of the drum by its motor and gear over that of the belt", "number"),
+            )
+            for (name, dimension), value, ends in zip(names, values, USUAL_MOTORS, strict=True):
+                if not usual(value, *ends):
+                    of = f"{name} of pulley {pulley.name}"
+                    yield of_drive.unusual(of, dimension, Place(pulley.name), value, ends)
+
+
+def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check:
+    """Check the torque of motors over their rated torque against what they bear [-]."""
+    title = _MOTOR[momentary]
+    remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors."
+    if momentary:
+        remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors."
+    return of_drive.judged(
+        RULES["momentary_load" if momentary else "motor_load"],
+        title,
+        abs(load),
+        most,
+        "number",
+        source=MOMENTARY_SOURCE if momentary else "rating of the motor, continuous duty",
+        short="motor overloaded",
+        says="The motors work at {percent} % of their rated torque, and may at {most} %.",
+        because="No service factor (at most 1.15, NEMA MG 1) covers that.",
+        remedy=remedy,
+        more={"percent": (100.0 * abs(load), "number"), "most": (100.0 * most, "number")},
+        place=place,
+    )
 
 
 def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:

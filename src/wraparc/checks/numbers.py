@@ -29,11 +29,37 @@ AHEAD = 4.0 * BEHIND
 #: Part by which what a take-up holds may differ between load cases: belt mass on slopes, and what
 #: runs between take-up and drive [-].
 HELD = 0.1
-#: Sizes that conveyor drives have, least and most [m, N/m, m/s, m].
-WIDTHS, MODULI, SPEEDS, DIAMETERS = (0.2, 4.0), (1e5, 1e9), (0.05, 15.0), (0.15, 3.0)
 #: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
 #: sag to the strength of the strongest steel cord [N/m].
 USUAL_TENSION = (0.5e3, 1e7)
+#: Sizes that conveyor drives have, least and most, in the order of `compared_sizes` [SI].
+USUAL_SIZES = (
+    (0.2, 4.0),  # width
+    (1e5, 1e9),  # modulus
+    (0.05, 15.0),  # speed
+    (0.15, 3.0),  # diameter
+    (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle; with a snub pulley 240 deg
+    (0.05e-3, 63.5e-3),  # creep limit; ten customary ones is sliding
+    (-5e-3, 5e-3),  # overrun
+    (0.0, 60e-3),  # thickness of the lagging
+    (0.1e6, 50e6),  # its shear modulus
+    (0.1e6, 5e9),  # its compression modulus
+    (5e3, 2e6),  # rating of the belt
+    (10e3, 50e6),  # bond strength
+    (10e3, 50e6),  # fatigue limit
+    (50e3, 10e6),  # largest wrap pressure of the belt
+    (0.1, 3.0),  # its least pulley
+    USUAL_TENSION,  # tension that keeps the belt from sagging, over the width
+    # modulus over rating; published are 69 to 119 of fabric, 480 of steel cord (Goodyear 2012)
+    (15.0, 1000.0),
+    # strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers)
+    (3.0, 20.0),
+    # pressure at the rating; published are up to 1.05 MPa on the least pulley (ST7000, the same)
+    (0.0, 1.6e6),
+    USUAL_TENSION,  # entry tension over the width
+    USUAL_TENSION,  # exit tension
+    (250.0, 2e7),  # power of a pulley that pulls
+)
 
 
 def same_shown(value: float, limit: float) -> bool:
@@ -91,20 +117,72 @@ def idles(entry: float, leaving: float) -> bool:
 
 
 def usual(value: float, least: float, most: float) -> bool:
-    """Whether a size is one that conveyor drives have; one that is not given is."""
-    return not (value < least or value > most)
+    """Whether a size is one that conveyor drives have; one that is not given or rigid is."""
+    return not (value < least or (value > most and isfinite(value)))
 
 
-def usual_tension(tension: float, width: float) -> bool:
-    """Whether a tension is one that the belt of a conveyor has."""
-    return usual(tension, USUAL_TENSION[0] * width, USUAL_TENSION[1] * width)
+class Sizes(NamedTuple):
+    """What is given of belt, pulley and lagging; nan where something is not [SI]."""
+
+    width: float
+    modulus: float
+    speed: float
+    diameter: float
+    wrap_angle: float
+    creep_limit: float
+    overrun: float
+    thickness: float
+    shear_modulus: float
+    compression_modulus: float
+    rating: float
+    strength: float
+    bond_strength: float
+    fatigue_limit: float
+    face_pressure: float
+    least_diameter: float
+    sag: float
+    entry: float
+    leaving: float
+    pull: float  # nan where there is none, or where it is found and not given
 
 
-def usual_sizes(width: float, modulus: float, speed: float, diameter: float) -> bool:
-    """Whether belt and pulley have sizes that those of a conveyor have."""
-    belt = usual(width, WIDTHS[0], WIDTHS[1]) and usual(modulus, MODULI[0], MODULI[1])
-    found = usual(speed, SPEEDS[0], SPEEDS[1]) and usual(diameter, DIAMETERS[0], DIAMETERS[1])
-    return belt and found
+def compared_sizes(of: Sizes) -> list[float]:
+    """Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends."""
+    return [
+        of.width, of.modulus, of.speed, of.diameter, of.wrap_angle, of.creep_limit, of.overrun,
+        of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength,
+        of.fatigue_limit, of.face_pressure, of.least_diameter, of.sag / of.width,
+        of.modulus / of.rating, of.strength / of.rating, 2.0 * of.rating / of.diameter,
+        of.entry / of.width, of.leaving / of.width, abs(of.pull) * of.speed,
+    ]  # fmt: skip
+
+
+def usual_sizes(of: Sizes) -> bool:
+    """Whether belt, pulley and lagging have sizes that those of a conveyor have."""
+    values = compared_sizes(of)
+    return all(
+        usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_SIZES, strict=True)
+    )
+
+
+#: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
+#: belt [-], least and most.
+USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.2, 5.0))
+
+
+def compared_motor(
+    power: float, speed: float, drum: float, radius: float, belt: float
+) -> list[float]:
+    """What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown."""
+    return [power, speed, drum * radius / belt]
+
+
+def usual_motor(power: float, speed: float, drum: float, radius: float, belt: float) -> bool:
+    """Whether a motor is of usual size, and turns the drum about as fast as the belt runs."""
+    values = compared_motor(power, speed, drum, radius, belt)
+    return all(
+        usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_MOTORS, strict=True)
+    )
 
 
 def held_alike(least: float, most: float) -> bool:
@@ -143,6 +221,7 @@ class Criteria(NamedTuple):
     start: float  # factor on the pull that the standard is applied to [-]
     belt_tension: float  # per width [N/m]
     rating: float  # per width [N/m]
+    strength: float  # per width [N/m]
     face_pressure: float  # [Pa]
     bond_strength: float  # [Pa]
     fatigue_limit: float  # [Pa]
@@ -153,6 +232,8 @@ class Criteria(NamedTuple):
     fixed: bool  # whether the take-up holds the sum of both tensions
     behind: bool  # whether it holds the tension behind the pulley
     customary: bool  # whether the creep limit is the customary one
+    alone: bool  # whether no other pulley pulls the belt
+    printed: bool  # whether a factor of the standard is printed with two decimals
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
 
 
@@ -208,6 +289,14 @@ def wrap_pressure_of(tension: float, width: float, diameter: float) -> float:
 def asked_slack(factor: float, start: float, pull: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
     return factor * start * abs(pull)
+
+
+def as_printed(factor: float) -> float:
+    """Drive factor as a table of two decimals prints it, where that is less; 0.38 for 0.3835 [-].
+
+    CEMA prints its factors so: a slack side of the printed one keeps the standard.
+    """
+    return min(factor, floor(100.0 * factor + 0.5) / 100.0)
 
 
 def passes_an_hour(speed: float, diameter: float) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -165,7 +164,7 @@ def creep(drive: Drive, result: ArcResult) -> Check:
         else "given",
         short="over creep limit",
         more={"fabric": (MORE_CREEP["fabric"], "force_per_width"), "slides": (SLIDES, "length")},
-        says=f"Creeps {{value}}, more than the limit of {{limit}}. {_qualifies(drive, limit)}",
+        says=f"Creeps {{value}}, more than the limit of {{limit}}.{_qualifies(drive, limit)}",
         because="A belt that creeps more than {slides} slides.",
         remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
         "more friction.",
@@ -204,26 +203,20 @@ def _qualifies(drive: Drive, limit: float) -> str:
         return ""
     least = MORE_CREEP.get(belt.kind)
     if least is None or belt.rating is None:
-        return "Whether this belt may creep more is not known: its carcass or rating is not given."
-    strong = _strength(belt.name) or 0.0
+        return " Whether this belt may creep more is not known: its carcass or rating is not given."
+    strong = belt.breaking_strength or 0.0
     over = strong > least if belt.kind == "steel cord" else belt.rating > least * (1.0 + 1e-9)
     if over:
         return (
-            "This belt qualifies for a larger limit, as steel cord above ST1600 and fabric above "
+            " This belt qualifies for a larger limit, as steel cord above ST1600 and fabric above "
             "{fabric} do (B. DeVries)."
         )
     if belt.kind == "steel cord" and not strong:
-        return "Steel cord above ST1600 may creep more; the name does not tell its strength."
+        return " Steel cord above ST1600 may creep more; the name does not tell its strength."
     return (
-        "This belt does not qualify for more, as steel cord above ST1600 and fabric above "
+        " This belt does not qualify for more, as steel cord above ST1600 and fabric above "
         "{fabric} do (B. DeVries)."
     )
-
-
-def _strength(name: str) -> float | None:
-    """Return the breaking strength that the name of a steel-cord belt tells, ``ST2000`` [N/m]."""
-    found = re.search(r"ST[ -]?(\d{3,5})\b", name.upper())
-    return 1e3 * float(found[1]) if found else None
 
 
 def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:

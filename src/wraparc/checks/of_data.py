@@ -17,7 +17,10 @@ def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
     """Ask for attention where a law stands for a surface that it was not tested on."""
     lagging = pulley.lagging
     if SCALED in lagging.sources:
-        says = f"its law is a tested one scaled as a whole ({lagging.notes[-1]})"
+        grounds, _ = law_words(lagging)
+        of = "one without tests" if "untested" in grounds else "a tested one"
+        of = "an illustrative one" if "illustrative" in grounds else of
+        says = f"its law is {of} scaled as a whole ({lagging.notes[-1]})"
         yield _untested(case, pulley, lagging.condition, SCALED, says)
     if WORN in lagging.sources:
         says = "its law is that of before, and what wear takes off the friction is not known"

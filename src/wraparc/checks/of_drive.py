@@ -7,10 +7,9 @@ from collections.abc import Iterator, Mapping
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, keeps
-from wraparc.checks.numbers import USUAL_TENSION, held_alike, usual
+from wraparc.checks.numbers import USUAL_SIZES, Sizes, compared_sizes, held_alike, idles, usual
 from wraparc.checks.rules import (
     RULES,
-    USUAL,
     Rule,
     tension_factor,
     tension_rule,
@@ -18,58 +17,141 @@ from wraparc.checks.rules import (
 )
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
-from wraparc.units import Dimension
+from wraparc.units import Dimension, meant_by
 
+#: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
+MEETS = 0.02
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
 
 def usual_sizes(drive: Drive) -> Iterator[Check]:
-    """Check belt width, modulus and speed, diameters and tensions for a slip of unit."""
-    odd = False
-    for owner, place, name, value, (dimension, least, most) in _sizes(drive):
-        if value is None or usual(value, least, most):
-            continue
-        odd = True
-        yield Check(
-            name="usual_sizes",
-            title=f"Usual {name}",
-            level=RULES["usual_sizes"].missed,
-            place=place,
-            value=value,
-            limit=most if value > most else least,
-            dimension=dimension,
-            at_most=value > most,
-            source="sizes that conveyor drives have",
-            short="unusual size",
-            says=f"The {name} of {owner}, {{value}}, is outside the usual {{least}} to {{most}}.",
-            remedy="Check the unit.",
-            more={"least": (least, dimension), "most": (most, dimension)},
-            binding=False,
-        )
+    """Check sizes, tensions and what they make together for a slip of unit."""
+    odd: dict[str, Check] = {}
+    for case in drive.load_cases:
+        for pulley in drive.in_case(case).pulleys:
+            names = _names(pulley, case)
+            values = compared_sizes(_sizes(drive, case, pulley))
+            for (name, dimension, place), value, (least, most) in zip(
+                names, values, USUAL_SIZES, strict=True
+            ):
+                made = name in (_RATIO, _STRONG) or name.startswith(
+                    _AT_RATING
+                )  # of two that are given
+                if not (usual(value, least, most) or (made and odd)):
+                    size = drive.belt.width if dimension == "force" else 1.0
+                    ends = size * least, size * most
+                    check = unusual(name, dimension, place, size * value, ends)
+                    odd.setdefault(check.sentence(), check)
+    yield from odd.values()
     if not odd:
         yield Check(
             name="usual_sizes",
-            title="Width, modulus, speed and diameters are of usual size",
+            title="What is given is of usual size",
             level=Level.OK,
             binding=False,
         )
 
 
-_Size = tuple[str, Place, str, float | None, tuple[Dimension, float, float]]
+def unusual(
+    name: str, dimension: Dimension, place: Place, value: float, ends: tuple[float, float]
+) -> Check:
+    """Return the check that a value [SI] outside its usual ends misses."""
+    least, most = ends
+    meant = " or ".join(meant_by(value, dimension, least, most))
+    remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
+    if dimension == "angle" and value > most:
+        remedy = "Is it the sum of two pulleys? Give each of them its own."
+    if name.startswith(_AT_RATING):
+        remedy = "Check the diameter and the rating."
+    if name == _STRONG:
+        remedy = "Check strength and rating."
+    if name == _RATIO:
+        remedy = "Is the rating or the strength given as the modulus? Check the units of both."
+    return Check(
+        name="usual_sizes",
+        title=f"Usual {name}",
+        level=RULES["usual_sizes"].missed,
+        place=place,
+        value=value,
+        limit=most if value > most else least,
+        dimension=dimension,
+        at_most=value > most,
+        source="sizes that conveyor drives have",
+        short="unusual size",
+        says=f"The {escaped(name)}, {{value}}, is outside the usual {{least}} to {{most}}.",
+        remedy=escaped(remedy),
+        more={"least": (least, dimension), "most": (most, dimension)},
+        binding=False,
+    )
 
 
-def _sizes(drive: Drive) -> Iterator[_Size]:
-    """Yield owner, place, name, value and usual dimension, least and most of every size."""
-    for name in ("width", "modulus", "speed"):
-        yield "the belt", Place(), name, getattr(drive.belt, name), USUAL[name]
-    for p in drive.pulleys:
-        yield f"pulley {p.name}", Place(p.name), "diameter", p.diameter, USUAL["diameter"]
-    least, most = (bound * drive.belt.width for bound in USUAL_TENSION)
-    for case in drive.load_cases:
-        for name, pair in case.tensions.items():
-            for side, value in (("exit tension", pair.exit), ("entry tension", pair.entry)):
-                yield f"pulley {name}", Place(name, case.name), side, value, ("force", least, most)
+_AT_RATING = "pressure of the belt at its rating"
+_STRONG = "strength over the rating of the belt"
+_RATIO = "modulus over the rating of the belt"
+
+
+def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]:
+    """Return what `compared_sizes` are called, in their order, what they measure and where."""
+    belt, drum, at = Place(), Place(pulley.name), Place(pulley.name, case.name)
+    lagging, of = f"of lagging {pulley.lagging.name}", f"of pulley {pulley.name}"
+    return [
+        ("width of the belt", "length", belt),
+        ("modulus of the belt", "force_per_width", belt),
+        ("speed of the belt", "speed", belt),
+        (f"diameter {of}", "length", drum),
+        (f"wrap angle {of}", "angle", drum),
+        (f"creep limit {of}", "length", drum),
+        (f"overrun {of}", "length", drum),
+        (f"thickness {lagging}", "length", drum),
+        (f"shear modulus {lagging}", "pressure", drum),
+        (f"compression modulus {lagging}", "pressure", drum),
+        ("rating of the belt", "force_per_width", belt),
+        (f"bond strength {lagging}", "pressure", drum),
+        (f"fatigue limit {lagging}", "pressure", drum),
+        ("largest wrap pressure of the belt", "pressure", belt),
+        ("least pulley of the belt", "length", belt),
+        ("tension that keeps the belt from sagging", "force", belt),
+        (_RATIO, "number", belt),
+        (_STRONG, "number", belt),
+        (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
+        (f"entry tension {of}", "force", at),
+        (f"exit tension {of}", "force", at),
+        (f"power {of}", "power", at),
+    ]
+
+
+def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
+    belt, lagging, sag = drive.belt, pulley.lagging, drive.criteria.sag
+    tensions = case.tensions[pulley.name]
+
+    idle = idles(tensions.entry, tensions.exit)
+
+    def known(value: float | None) -> float:
+        return math.nan if value is None else value
+
+    return Sizes(
+        width=belt.width,
+        modulus=belt.modulus,
+        speed=known(belt.speed),
+        diameter=pulley.diameter,
+        wrap_angle=pulley.wrap_angle,
+        creep_limit=drive.creep_limit_of(pulley),
+        overrun=known(pulley.overrun),
+        thickness=lagging.thickness,
+        shear_modulus=lagging.shear_modulus,
+        compression_modulus=lagging.compression_modulus,
+        rating=known(belt.rating),
+        strength=known(belt.breaking_strength),
+        bond_strength=known(lagging.bond_strength),
+        fatigue_limit=known(lagging.fatigue_limit),
+        face_pressure=known(belt.largest_wrap_pressure),
+        least_diameter=known(belt.least_pulley_diameter),
+        sag=known(None if sag is None else sag.tension),
+        entry=tensions.entry,
+        leaving=tensions.exit,
+        pull=math.nan if idle or len(drive.pulleys) > 1 else tensions.effective,
+    )
 
 
 def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
@@ -219,6 +301,36 @@ def take_up(drive: Drive) -> Iterator[Check]:
         f"and {{most}} in load case {escaped(high)}.",
         remedy="Correct the tensions, or the kind under [take_up].",
         more={"least": (held[low], "force"), "most": (held[high], "force")},
+        binding=False,
+    )
+
+
+def sense(case: LoadCase, pulley: Pulley) -> Check:
+    """Return what the verdict says of a pulley that brakes."""
+    return Check(
+        name="sense",
+        title=f"Pulley {pulley.name} brakes (T1 < T2)",
+        level=Level.OK,
+        place=Place(pulley.name, case.name),
+        binding=False,
+    )
+
+
+def meeting(before: str, leaves: float, after: str, enters: float, place: Place) -> Iterator[Check]:
+    """Ask about neighbouring pulleys on one belt where it leaves one with another tension [N]."""
+    if abs(leaves - enters) <= MEETS * max(leaves, enters):
+        return
+    yield Check(
+        name="meeting",
+        title="Tensions of neighbouring pulleys meet",
+        level=Level.ATTENTION,
+        place=place,
+        short="tensions do not meet",
+        says=f"The belt leaves pulley {escaped(before)} with {{leaves}} and enters pulley "
+        f"{escaped(after)} with {{enters}}: taken as what the run between them adds.",
+        remedy="If none does, correct the tensions or the order of the pulleys; if one does, say "
+        f"so in [train]: run.{escaped(after)}.",
+        more={"leaves": (leaves, "force"), "enters": (enters, "force")},
         binding=False,
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +17,11 @@ from wraparc.batch.pull_factors import pull_factors
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
-from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_TENSION
+from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     NO_GRIP,
     RULES,
-    USUAL,
     start_factor,
     tension_factor,
     wrap_pressure,
@@ -36,16 +36,20 @@ Codes = NDArray[np.int8]
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
+_NOT_OF_ROWS = (
+    "creep_interval", "balance", "train_balance", "motor_load", "momentary_load", "motor_heat",
+)  # fmt: skip
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
     "",
-    *(name for name in RULES if name not in ("creep_interval", "balance", "train_balance")),
+    *(name for name in RULES if name not in _NOT_OF_ROWS),
     *sorted(ACROSS_CHECKS),
 )
 #: What `judge` checks of one drive and no row is checked for, in words.
 NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
+    "the torque of motors",
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
@@ -66,6 +70,10 @@ class Held:
         cannot be applied.
     binding
         Whether the standard binds.
+    alone
+        Whether no other pulley pulls the belt.
+    rating, strength
+        Of the belt [N/m].
     belt_tension, momentary_tension
         Largest tension: one of them, by the kind of the load case [N].
     face_pressure, bond_stress, fatigue_stress
@@ -86,6 +94,9 @@ class Held:
     slack_rise: Array
     standard: Array
     binding: Flags
+    alone: Flags
+    rating: Array
+    strength: Array
     belt_tension: Array
     momentary_tension: Array
     face_pressure: Array
@@ -129,7 +140,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit,
+        misfit, rating, strength,
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -152,6 +163,9 @@ def held_by(
         slack_rise=slack_rise,
         standard=standard,
         binding=binding > 0.0,
+        alone=np.full(len(arcs), len(names) == 1),
+        rating=rating,
+        strength=strength,
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
         face_pressure=face,
@@ -182,6 +196,8 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         belt.least_pulley_diameter,
         float(SCALED in lagging.sources or WORN in lagging.sources),
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
+        belt.rating,
+        belt.breaking_strength,
     )
 
 
@@ -274,7 +290,7 @@ def _checks(
             for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
                 ranks = np.where(flags, RULES[told].missed.rank, 0)
                 yield told, ranks, np.full(len(value), math.inf)
-    yield _usual_sizes(solved.arcs)
+    yield _usual_sizes(solved.arcs, held)
 
 
 def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Array]]:
@@ -353,18 +369,23 @@ def _gross_slip(
     return "gross_slip", ranks, np.where(gone, ahead(margins), margins)
 
 
-def _usual_sizes(arcs: Arcs) -> tuple[str, Array, Array]:
+def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
     ranks = np.full(len(arcs), Level.OK.rank)
     margins = np.full(len(arcs), math.inf)
-    columns = {"width": arcs.belt_width, "modulus": arcs.belt_modulus,
-               "speed": arcs.belt_speed, "diameter": arcs.diameter}  # fmt: skip
-    usual = [(value, *USUAL[name][1:]) for name, value in columns.items()]
-    tensions = (arcs.entry_tension, arcs.exit_tension)
-    usual += [(value / arcs.belt_width, *USUAL_TENSION) for value in tensions]
-    for value, least, most in usual:
-        low, high = value < least, value > most
-        found = np.where(high, 1.0 - value / most, np.where(low, value / least - 1.0, math.inf))
+    pull = np.where(_idle(arcs) | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
+    given: Any = [
+        arcs.belt_width, arcs.belt_modulus, arcs.belt_speed, arcs.diameter, arcs.wrap_angle,
+        arcs.creep_limit, arcs.overrun, arcs.lagging_thickness, arcs.shear_modulus,
+        arcs.compression_modulus, held.rating, held.strength, held.bond_stress, held.fatigue_stress,
+        held.face_pressure, held.diameter, held.sag, arcs.entry_tension, arcs.exit_tension, pull,
+    ]  # fmt: skip
+    values: list[Any] = compared_sizes(Sizes(*given))
+    for value, (least, most) in zip(values, USUAL_SIZES, strict=True):
+        low, high = value < least, (value > most) & np.isfinite(value)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            under = np.where(low, margin_to(value, least, at_most=False), math.inf)
+            found = np.where(high, margin_to(value, most, at_most=True), under)
         ranks = np.where(low | high, RULES["usual_sizes"].missed.rank, ranks)
         margins = np.minimum(margins, found)
     return "usual_sizes", ranks, margins

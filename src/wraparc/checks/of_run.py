@@ -5,16 +5,23 @@ An event is judged like a load case whose tensions are its extremes, by the same
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
+import numpy as np
+
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.judge import motor_load
 from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, SLIDES, tension_factor, tension_rule
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
+from wraparc.errors import InputError
+from wraparc.train import Motor, Motors
+from wraparc.train.motors import MOMENTARY
 from wraparc.train.result import drive_with
 from wraparc.units import display
 
@@ -24,6 +31,11 @@ if TYPE_CHECKING:
 
 #: Miss of the set speed over the belt speed with which a start or stop is over [-]; ours.
 SETTLED = 0.1
+#: What an AC motor bears of overload: 1.5 times its rated current for 2 min (IEC 60034-1), as loss
+#: beyond that at rated torque over it, times time [s].
+HEAT = (1.5**2 - 1.0) * 120.0
+HEATING = "Heating of the motors beyond their rating"
+_LAST = 0.1  # of the run: what lasts
 
 _told: WeakKeyDictionary[RunResult, Verdict] = WeakKeyDictionary()
 
@@ -56,6 +68,8 @@ def _checks(run: RunResult) -> Iterator[Check]:
         )
         yield from (replace(check, place=place) for check in of_pulley)
         yield of_drive.pulley_diameter(drive, pulley)
+        yield from _motors(run, drum, place)
+    yield _vibration(run)
     yield _tension(run, case)
     yield _sag(drive, run)
     yield from of_drive.usual_sizes(drive)
@@ -153,6 +167,79 @@ def _slides(place: Place, creep: float, time: float) -> Check:
         more={"slides": (SLIDES, "length")},
         remedy="Raise the slack-side tension, start and stop more slowly, or choose a lagging with "
         "more friction.",
+    )
+
+
+def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
+    """Check torque and heating of the motors of a drum; nothing where no rating is known.
+
+    A motor bears 1.5 times its rated current for 2 minutes: what it is heated beyond its rating,
+    the integral of (M/M_r)^2 - 1, is held against (1.5^2 - 1) 120 s.
+    """
+    i = run.station.index(drum.name)
+    rating, train = run.station.drums[i].control.rated_torque, run.station.train
+    division = train.case(run.station.load_case).division
+    motor = division.motors[i] if isinstance(division, Motors) else None
+    if rating is None and isinstance(motor, Motor):
+        rating = motor.drum_torque * motor.gear_efficiency
+    if rating is None:
+        why = "the rated torque of its control is not given"
+        yield not_checked("motor_heat", HEATING, why, place)
+        return
+    yield motor_load(drum.extremes.torque.value / rating, MOMENTARY, True, place)
+    late = run.time >= (1.0 - _LAST) * run.time[-1]
+    lasting = float(np.sqrt(np.mean((drum.torque[late] / rating) ** 2)))
+    yield motor_load(lasting, 1.0, False, place)
+    heat = most = 0.0
+    for load, time in zip(
+        0.5 * (drum.torque[1:] + drum.torque[:-1]) / rating, np.diff(run.time), strict=True
+    ):
+        heat = max(heat + (load * load - 1.0) * time, 0.0)
+        most = max(most, heat)
+    yield judged(
+        RULES["motor_heat"],
+        HEATING,
+        float(most),
+        HEAT,
+        "time",
+        source="IEC 60034-1: 1.5 times the rated current for 2 min",
+        short="motor overheated",
+        says="The motors are heated by their overload for {value}, as loss over rated loss, and "
+        "bear {limit} (1.5 times the rated torque for 2 min).",
+        remedy="Start and stop less hard, wait longer between starts, or take larger motors.",
+        place=place,
+    )
+
+
+def _vibration(run: RunResult) -> Check:
+    """Check that small vibrations about the running state die out, whatever the event shows."""
+    from wraparc.motion.linear import Linear
+
+    name, title = "vibration", "Growth per second of the least damped vibration"
+    place = Place(event=run.event.name)
+    try:
+        root = Linear.of(run.station).rightmost
+    except InputError as error:
+        return not_checked(name, title, error.problems[0].message, place)
+    hertz = display(abs(root.imag) / (2.0 * math.pi), "number", digits=3)
+    check = Check(
+        name=name,
+        title=f"{title}{'' if math.isnan(root.real) else f', {hertz} Hz'}",
+        level=Level.OK,
+        place=place,
+        value=root.real,
+        limit=0.0,
+    )
+    if not root.real > 0.0:
+        return check
+    double = display(math.log(2.0) / root.real, "time", digits=2)
+    return replace(
+        check,
+        level=Level.FAILS,
+        short="pulsates by itself",
+        says=f"A vibration of {hertz} Hz grows by itself and doubles every {double}: how large it "
+        "is in this event depends on how long that is followed.",
+        remedy="wraparc stability says why, and which control cures it.",
     )
 
 

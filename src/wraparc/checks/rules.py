@@ -14,20 +14,10 @@ from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
-from wraparc.checks.numbers import DIAMETERS, MODULI, SPEEDS, WIDTHS, idles
+from wraparc.checks.numbers import idles
 from wraparc.drive import CREEP_LIMIT, Belt, Criteria
-from wraparc.units import Dimension
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
-
-#: Sizes that conveyor drives have; outside, a unit is more likely wrong than the drive.
-USUAL: dict[str, tuple[Dimension, float, float]] = {
-    "width": ("length", *WIDTHS),
-    "modulus": ("force_per_width", *MODULI),
-    "speed": ("speed", *SPEEDS),
-    "diameter": ("length", *DIAMETERS),
-}
-
 
 #: Creep beyond which a belt slides and does not creep any more: ten customary limits [m]; ours.
 SLIDES = 10.0 * CREEP_LIMIT
@@ -81,6 +71,9 @@ RULES = {
         Rule("sag", "the sag of the belt", at_most=False),
         Rule("pulley_diameter", "the least pulley of the belt", Level.FAILS, at_most=False),
         Rule("usual_sizes", "usual sizes"),
+        Rule("motor_load", "the rating of a motor", fails_beyond=1.15),
+        Rule("momentary_load", "the torque that a motor bears in a start"),
+        Rule("motor_heat", "the heat that a motor bears"),
         Rule("train_balance", "the balance of the train", Level.FAULT),
     )
 }

@@ -6,7 +6,7 @@ from dataclasses import replace
 import click
 
 from wraparc.calibrate.on_site import OnSite, on_site
-from wraparc.cli.options import check_outputs, options, units_option
+from wraparc.cli.options import check_outputs, load_whole, options, units_option
 from wraparc.cli.output import deliver
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.units import System, parse_number
@@ -48,11 +48,10 @@ def field(
     drive, as wraparc solve gives them.
     """
     from wraparc.cli.solve import exit_code
-    from wraparc.train.file import load_drive_or_train
     from wraparc.train.whole import by_pulley, solved
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
-    whole = solved(load_drive_or_train(file, overrides=settings))
+    whole = solved(load_whole(file, overrides=settings))
     drive = by_pulley(whole).drive
     with placed("--pulley", file):
         name = drive.pulley(pulley).name

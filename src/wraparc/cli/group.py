@@ -78,6 +78,26 @@ COMMANDS: dict[str, Command] = {
 }
 
 
+def _refuse_repeated(ctx: click.Context, args: list[str]) -> None:
+    """Refuse an option given twice that takes one value: the first would be lost unsaid."""
+    try:
+        values, _, order = ctx.command.make_parser(ctx).parse_args(list(args))
+    except click.UsageError:  # told when the command reads them
+        return
+    once = [
+        p for p in order if isinstance(p, click.Option) and not (p.multiple or p.is_flag or p.count)
+    ]
+    keys = [text.partition("=")[0].strip() for text in values.get("settings") or ()]
+    for key in keys:
+        if keys.count(key) > 1:
+            text = f"--set gives {key} {keys.count(key)} times. Leave all but one out."
+            raise click.UsageError(text, ctx)
+    for option in once:
+        if once.count(option) > 1:
+            text = f"{option.opts[0]} is given {once.count(option)} times, and has one value."
+            raise click.UsageError(f"{text} Leave all but one out.", ctx)
+
+
 class LazyGroup(click.Group):
     """A group whose commands are imported when they are called."""
 
@@ -116,10 +136,13 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Return the command that the arguments begin with; a near miss is told."""
         try:
-            return super().resolve_command(ctx, args)
+            name, command, rest = super().resolve_command(ctx, args)
+            if command is not None:
+                _refuse_repeated(click.Context(command, ctx, name), rest)
+            return name, command, rest
         except click.UsageError as error:
             meant = near(args[0], COMMANDS)
-            if not meant:
+            if args[0] in COMMANDS or not meant:
                 raise
             text = f"No such command {args[0]!r}. Did you mean {' or '.join(meant)}?"
             raise click.UsageError(text, error.ctx) from None

@@ -4,13 +4,18 @@ import contextlib
 import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import saving_problems
+
+if TYPE_CHECKING:
+    from wraparc.drive import Drive
+    from wraparc.schema.source import Document
+    from wraparc.train import Train
 
 _F = TypeVar("_F", bound=Callable[..., Any])
 
@@ -34,10 +39,18 @@ def options() -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        raise InputError(
-            replace(p, key=f"--{p.key.replace('_', '-')}") if p.key.isidentifier() else p
-            for p in error.problems
-        ) from None
+        raise InputError(map(_of_option, error.problems)) from None
+
+
+#: Options of values by name: ``--hours design=6000``.
+_BY_NAME = ("hours", "wear_hours")
+
+
+def _of_option(problem: Problem) -> Problem:
+    name, _, of = problem.key.partition(".")
+    if not (problem.key.isidentifier() or name in _BY_NAME):
+        return problem
+    return replace(problem, key=" ".join(filter(None, (f"--{name.replace('_', '-')}", of))))
 
 
 def conditions_option(command: _F) -> _F:
@@ -52,6 +65,28 @@ def conditions_option(command: _F) -> _F:
 def named_conditions(text: str | None) -> tuple[str, ...]:
     """Return the conditions of ``--conditions``; none if it was left out."""
     return () if text is None else tuple(text.split(","))
+
+
+def load_whole(
+    file: str, *, overrides: Sequence[str] = (), conditions: Sequence[str] = ()
+) -> "Drive | Train":
+    """Return what a drive file describes; its faults are told with those of tables not used here.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong.
+    """
+    from wraparc.train.file import load_drive_or_train
+
+    return load_drive_or_train(file, overrides=overrides, conditions=conditions, also=_motion)
+
+
+def _motion(document: "Document", *, file: str) -> None:
+    if "motion" in document:  # the room of drives in time is loaded for these alone
+        from wraparc.motion.file import check_motion
+
+        check_motion(document, file=file)
 
 
 def check_outputs(

@@ -4,13 +4,19 @@ import datetime as dt
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from wraparc.arc import DriveResult
 from wraparc.arc import solve as solve_drive
-from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
+from wraparc.cli.options import (
+    check_outputs,
+    conditions_option,
+    load_whole,
+    named_conditions,
+    units_option,
+)
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.page import SUFFIXES as PAGES
 from wraparc.cli.page import made_page, require_pages, save_page
@@ -29,7 +35,6 @@ from wraparc.errors import InputError
 from wraparc.report.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
 from wraparc.schema.source import printable
-from wraparc.train.file import load_drive_or_train
 from wraparc.units import System
 
 if TYPE_CHECKING:
@@ -101,10 +106,11 @@ def report(
         author=author,
         date=dt.date.today().isoformat() if date is None else date,  # noqa: DTZ011 - the user's
         file=printable(os.path.basename(file))[-120:],
+        changes=_changes(settings, conditions, creep_limit, case),
         paper=paper or ("us-letter" if units == "us" else "a4"),
     )
     asked = named_conditions(conditions)
-    read = load_drive_or_train(file, overrides=settings, conditions=asked)
+    read = load_whole(file, overrides=settings, conditions=asked)
     if page_file is not None:
         require_pages()
     carried = None if page_file is None else made_page(file, settings, asked, creep_limit)
@@ -128,9 +134,18 @@ def _in_time(file: str, settings: tuple[str, ...]) -> "InTime | None":
     return load_followed(file, overrides=settings)
 
 
-def _head(**values: str) -> NoteHead:
+def _changes(
+    settings: tuple[str, ...], conditions: str | None, creep_limit: str | None, case: str | None
+) -> tuple[str, ...]:
+    """What the command puts over the file, as it shall be printed."""
+    more = {"conditions": conditions, "creep limit": creep_limit, "load case": case}
+    told = (*settings, *(f"{name} {value}" for name, value in more.items() if value))
+    return tuple(printable(text)[:120] for text in told)
+
+
+def _head(**values: Any) -> NoteHead:
     try:
-        return NoteHead(**values)  # type: ignore[arg-type]
+        return NoteHead(**values)
     except InputError as error:
         raise InputError(replace(p, key=f"--{p.key}") for p in error.problems) from None
 

@@ -10,13 +10,18 @@ from wraparc.alike import largest
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
-from wraparc.cli.options import check_outputs, conditions_option, named_conditions, units_option
+from wraparc.cli.options import (
+    check_outputs,
+    conditions_option,
+    load_whole,
+    named_conditions,
+    units_option,
+)
 from wraparc.cli.output import Content, deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.present.sheet import Sheet
-from wraparc.train.file import load_drive_or_train
 from wraparc.units import System, parse_quantity
 
 if TYPE_CHECKING:
@@ -90,7 +95,7 @@ def solve(
     }
     check_outputs(outputs, [file])
     draw = _drawing() if plot_file or map_file else None
-    drive = load_drive_or_train(file, overrides=settings, conditions=named_conditions(conditions))
+    drive = load_whole(file, overrides=settings, conditions=named_conditions(conditions))
     if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
         train, results = solve_as_train(drive, method, load_case, creep_limit, file)
     else:
@@ -152,7 +157,7 @@ def check(file: str, units: System, settings: tuple[str, ...]) -> int:
     """Read a drive FILE, say everything that is wrong with it, and solve nothing."""
     from wraparc.cli.show import show
 
-    read = load_drive_or_train(file, overrides=settings)
+    read = load_whole(file, overrides=settings)
     if not isinstance(read, Drive):
         from wraparc.present.train_sheet import train_input_sheet
 

@@ -6,12 +6,11 @@ from typing import Any
 import click
 
 from wraparc.arc import Distributed
-from wraparc.cli.options import check_outputs, units_option
+from wraparc.cli.options import check_outputs, load_whole, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
-from wraparc.train.file import load_train
 from wraparc.train.matching import wet_laggings
 from wraparc.units import System, display, parse_quantity
 
@@ -74,7 +73,8 @@ def trim(
         from wraparc.plot import require_matplotlib
 
         require_matplotlib()
-    train = load_train(file, overrides=settings)
+    read = load_whole(file, overrides=settings)
+    train = read if isinstance(read, Train) else Train.of(read)
     drive = _drive(train, pulley, file)
     depth = _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))

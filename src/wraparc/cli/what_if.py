@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import click
 
 from wraparc.choose.what_if import Change
-from wraparc.cli.options import check_outputs, options, units_option
+from wraparc.cli.options import check_outputs, load_whole, options, units_option
 from wraparc.cli.output import deliver
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
@@ -62,10 +62,9 @@ def what_if(
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.files.conditions import refuse_several
     from wraparc.train.as_drive import nearest_drive
-    from wraparc.train.file import load_drive_or_train
 
     check_outputs({"--json": (json_file, (".json",))}, [file])
-    read = load_drive_or_train(file)
+    read = load_whole(file)
     drive = read if isinstance(read, Drive) else nearest_drive(read)
     refuse_several(drive, "what-if changes")
     with placed("--pulley", file):

@@ -1,5 +1,6 @@
 """The conveyor belt, as far as a drive pulley feels it."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
@@ -22,6 +23,8 @@ class Belt:
         Belt modulus M: tension per unit width over strain [N/m].
     rating
         Rated (operating) tension per unit width [N/m], or None.
+    strength
+        Breaking strength per unit width [N/m], or None; the name of a steel-cord belt tells it.
     speed
         Belt speed [m/s], or None; power and wear need it.
     kind
@@ -51,6 +54,7 @@ class Belt:
         "width": Limit("length", least=1e-3, most=1e3),
         "modulus": Limit("force_per_width", least=1e3, rigid=True),
         "rating": Limit("force_per_width", open=True),
+        "strength": Limit("force_per_width", open=True),
         "speed": Limit("speed", open=True, most=1e3),
         "momentary_factor": Limit("number", least=1.0, most=10.0),
         "least_pulley_diameter": Limit("length", open=True),
@@ -62,6 +66,7 @@ class Belt:
     width: float
     modulus: float
     rating: float | None = None
+    strength: float | None = None
     speed: float | None = None
     kind: str = ""
     momentary_factor: float | None = None
@@ -77,6 +82,12 @@ class Belt:
     def source_of(self, part: str) -> Provenance:
         """Return where one number came from: its own source, else the belt's."""
         return self.sources.get(part, self.provenance)
+
+    @property
+    def breaking_strength(self) -> float | None:
+        """Breaking strength per unit width [N/m]: as given, or as a name like ``ST2000`` tells."""
+        found = re.search(r"ST[ -]?(\d{3,5})\b", self.name.upper())
+        return 1e3 * float(found[1]) if found and self.strength is None else self.strength
 
     @property
     def axial_stiffness(self) -> float:

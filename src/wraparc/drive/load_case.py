@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar
+from math import atan2, cos, sin, sqrt
+from typing import ClassVar, NamedTuple
 
 from wraparc.drive.criteria import CASE_KINDS, CaseKind, choice_problems
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
@@ -30,6 +31,34 @@ def pull_of_power(power: float, speed: float) -> float:
     return power / speed
 
 
+class Resultant(NamedTuple):
+    """What the belt does to shaft and bearings of a pulley, and the belt itself bears."""
+
+    resultant_force: float  # of both belt tensions [N]
+    resultant_angle: float  # from the line of the entry tension towards that of the exit [rad]
+    belt_safety: float  # strength over the larger tension; nan without a strength [-]
+
+
+def resultant(entry: float, leaving: float, wrap_angle: float, strength: float) -> Resultant:
+    """Return the resultant of the belt tensions at a pulley, without its own weight.
+
+    The strands leave the pulley pi - phi apart: R^2 = T1^2 + T2^2 - 2 T1 T2 cos phi, and
+    tan(angle) = T2 sin phi/(T1 - T2 cos phi).
+
+    Parameters
+    ----------
+    entry, leaving
+        T1, T2 [N].
+    wrap_angle
+        phi [rad].
+    strength
+        Breaking strength of the belt, nan where it is not known [N].
+    """
+    along, across = entry - leaving * cos(wrap_angle), leaving * sin(wrap_angle)
+    force, angle = sqrt(along * along + across * across), atan2(across, along)
+    return Resultant(force, angle, strength / max(entry, leaving))
+
+
 @dataclass(frozen=True, kw_only=True)
 class Tensions:
     """Belt tensions at a pulley.
@@ -39,6 +68,9 @@ class Tensions:
     entry, exit
         Tension at the entry nip (T1) and at the exit nip (T2) [N]. T1 > T2 drives,
         T1 < T2 brakes. Apart by rounding (1e-12) alone, they are equal.
+    computed
+        What those that are not given were computed from, in words, by field; no part of what makes
+        two equal.
 
     Raises
     ------
@@ -53,6 +85,7 @@ class Tensions:
 
     entry: float
     exit: float
+    computed: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __post_init__(self) -> None:
         raise_all(limit_problems(self, self.LIMITS))

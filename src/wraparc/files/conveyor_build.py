@@ -43,7 +43,9 @@ def build_conveyor(
 
 def load_case(state: State, pulley: str) -> LoadCase:
     """Return a load case of a conveyor as one of its drive pulley."""
-    tensions = Tensions(entry=state.entry, exit=state.exit)
+    why = "computed from the resistances of the conveyor"
+    made = {"entry": why, "exit": why}
+    tensions = Tensions(entry=state.entry, exit=state.exit, computed=made)
     kind: Any = state.kind
     return LoadCase(name=state.name, tensions={pulley: tensions}, kind=kind)
 

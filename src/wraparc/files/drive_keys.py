@@ -43,6 +43,11 @@ BELT = Table(
     known("width", quantity="belt_width", required=True),
     known("modulus", quantity="belt_modulus"),
     Entry("rating", "Rated (operating) tension per unit width."),
+    Entry(
+        "strength",
+        "Breaking strength per unit width, for the safety factor of the belt; that in the name of "
+        "a steel-cord belt, ST2000, if left out.",
+    ),
     known("speed", quantity="belt_speed"),
     Entry(
         "momentary_factor",

@@ -230,9 +230,17 @@ def _missing(item: Given) -> str:
     return f"only {item.families[0]} is given, and it takes two quantities to fix the tensions"
 
 
+_SIDES = {"entry": ENTRY, "exit": EXIT}
+
+
 def _made(item: Given, entry: float, exit_: float, report: Report) -> Tensions | None:
     try:
-        return Tensions(entry=entry, exit=exit_)
+        told = " and ".join(
+            f"{key.replace('_', ' ')} {item.raw.get(key, '')}".strip() for key in item.effective
+        )
+        why = f"computed from {told}" if told else "that of the neighbouring pulley"
+        made = {key: why for key, name in _SIDES.items() if name not in item.values}
+        return Tensions(entry=entry, exit=exit_, computed=made)
     except InputError:
         side, tension = ("exit", exit_) if exit_ <= 0.0 else ("entry", entry)
         key = next((k for k in item.effective if k not in item.inherited), "")

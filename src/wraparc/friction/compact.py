@@ -37,6 +37,8 @@ PIECE_STRIDE = 25
 
 #: of a cell of a table, how far a cubic goes on beyond it: no kink is to fall inside a step
 BEYOND_CELL = 0.1
+#: Largest exponent of a slip at the peak, either way: a step that is tried may be far off a trend.
+MOST_EXPONENT = 300.0
 
 
 class CompactLaw(NamedTuple):
@@ -126,7 +128,7 @@ def peak(law: CompactLaw, segment: int, pressure: float) -> tuple[float, float, 
     a, a_p = _trend(c, o, pressure)
     b, b_p = _trend(c, o + 6, pressure)
     unit = c[o + 24]
-    number = exp(b / a - 1.0)
+    number = exp(min(max(b / a - 1.0, -MOST_EXPONENT), MOST_EXPONENT))
     if held:
         return unit * number, -a * number, 0.0, 0.0
     number_p = number * (b_p - b * a_p / a) / a

@@ -134,6 +134,20 @@ def motion_from_document(
     return made
 
 
+def check_motion(document: Document, *, file: str = "") -> None:
+    """Read the ``[motion]`` table of a document, for doors that do not use it.
+
+    Raises
+    ------
+    InputError
+        With everything that is wrong in it by itself.
+    """
+    if "motion" in document:
+        report = Report(file)
+        MOTION.read(document["motion"], ("motion",), report)
+        report.raise_all()
+
+
 class _Builder:
     def __init__(
         self, record: Record, train: Train | None, folder: str | None, report: Report

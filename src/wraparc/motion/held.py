@@ -13,6 +13,7 @@ from wraparc.motion.wraps import Wraps
 _ITERATIONS, _SETTLED = 40, 1e-10
 #: Step of m that leads nowhere [m]; rolls a wrap length.
 _TOO_FAR, _ROLLS = 0.1, 25
+_LEAST_PIECES = 0.1  # to be rolled at once
 
 
 @np.errstate(all="ignore")  # a trial may be far off
@@ -61,6 +62,18 @@ def roll(
     wraps.finish(m, exits)
 
 
+def _onward(wraps: Wraps, pieces: float, entries: Sequence[float], exits: Sequence[float]) -> None:
+    """Roll on by some pieces; in halves where what sticks and slips changes too much at once."""
+    try:
+        roll(wraps, [pieces * a.spacing for a in wraps.arcs], entries, exits)
+    except ArithmeticError:
+        if pieces < _LEAST_PIECES:
+            raise
+        wraps.undo()
+        _onward(wraps, 0.5 * pieces, entries, exits)
+        _onward(wraps, 0.5 * pieces, entries, exits)
+
+
 def settle(
     wraps: Wraps, entries: Sequence[float], exits: Sequence[float], lengths: float = 3.0
 ) -> None:
@@ -69,8 +82,8 @@ def settle(
     pieces = max(points // _ROLLS, 1)
     for i in range(1, 21):  # the pull is put on little by little while the belt travels
         put_on = [x + (t - x) * i / 20.0 for t, x in zip(entries, exits, strict=True)]
-        roll(wraps, [2.0 * a.spacing for a in wraps.arcs], put_on, exits)
+        _onward(wraps, 2.0, put_on, exits)
     for _ in range(-(-int(lengths * points) // pieces)):
-        roll(wraps, [pieces * a.spacing for a in wraps.arcs], entries, exits)
+        _onward(wraps, float(pieces), entries, exits)
     for arc in wraps.arcs:
         arc.work = 0.0

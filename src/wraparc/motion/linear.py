@@ -48,6 +48,7 @@ class Linear:
     duties: tuple[Duty, ...]
 
     @classmethod
+    @lru_cache(maxsize=4)  # the verdict of a run asks too
     def of(cls, station: Station) -> Linear:
         """Linearise a station."""
         steady = steady_of(station)

@@ -31,7 +31,7 @@ def check_table(
     title
         Heading.
     """
-    judged = [c for c in verdict.listed if c.level is not Level.NOT_CHECKED and c.name != "data"]
+    judged = [c for c in verdict.listed if c.compares]
     rows = tuple(_row(check, system, of) for check in judged)
     return Table(title, rows, ("found", "limit", "margin"), f"{_NOTE}{_left(verdict, system)}")
 
@@ -75,7 +75,7 @@ def margin_text(check: Check) -> str:
 def checks_summary(verdict: Verdict) -> str:
     """Return how the checks end, in one sentence."""
     listed = verdict.listed
-    judged = [c for c in listed if c.level is not Level.NOT_CHECKED]
+    judged = [c for c in listed if c.compares]
     kept = [c for c in judged if not c.missed]
     text = f"{len(kept)} of {len(judged)} checks are kept"
     missed = "; ".join(f"{c.level}: {c.title}" for c in verdict.missed)

@@ -4,9 +4,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from wraparc.arc import ArcResult, DriveResult
+from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import before, judge, least_tension
-from wraparc.drive import Drive
+from wraparc.checks.rules import tension_factor
+from wraparc.drive import CREEP_LIMIT, Belt, Drive
+from wraparc.drive.load_case import resultant
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
     Results,
@@ -23,12 +25,12 @@ from wraparc.present.design_values import comparison_table
 from wraparc.present.input_tables import input_table, input_tables
 from wraparc.present.inputs import drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
-from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, number, percent
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, number, percent
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone_of, level_of, short, verdict
 from wraparc.train import Train, TrainResult
-from wraparc.units import System, display_unit
+from wraparc.units import System, display, display_unit
 
 
 def drive_sheet(
@@ -61,6 +63,7 @@ def drive_sheet(
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, system, of)
     tables += [summary_table(results, system)] if len(first) > 1 else []
+    tables.append(loads_table(first, system))
     for position in detail:
         tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
     if any(pulley.across for pulley in first.drive.pulleys):
@@ -70,11 +73,37 @@ def drive_sheet(
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=verdict(first, system),
+        verdict=_with_sides(verdict(first, system), results, system),
         tables=tuple(tables),
         remarks=(*judge(first).data, *method_remarks(results)),
         sources=of.listed(),
     )
+
+
+def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -> Verdict:
+    """Add where two methods stand on different sides of the creep limit."""
+    said = []
+    for arcs in zip(*results, strict=True):
+        one, other = arcs[0], arcs[-1]
+        solved = one.status.solved and other.status.solved
+        if not solved or one.within_creep_limit == other.within_creep_limit:
+            continue
+        creeps = " and ".join(
+            f"{named('exit_creep', abs(arc.exit_creep), system)} ({METHOD_TITLES[arc.method]})"
+            for arc in (one, other)
+        )
+        limit = named("creep_limit", one.arc.creep_limit, system)
+        whose = (
+            " The customary limit was set with the paper's."
+            if one.arc.creep_limit == CREEP_LIMIT
+            else ""
+        )
+        said.append(
+            f"The methods stand on different sides of the creep limit {limit} ({belongs(one)}): "
+            f"creep is {creeps}. The paper lumps the contraction of the belt over the arc that is "
+            f"left, the solver adds it up along the arc.{whose}"
+        )
+    return replace(told, sentences=(*said, *told.sentences))
 
 
 def input_sheet(drive: Drive, system: System = "si") -> Sheet:
@@ -158,6 +187,38 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
                 Row(title, _summary_values(result, arc, system), level=level_of(result, arc))
             )
     return Table("All load cases and pulleys", tuple(rows), heads)
+
+
+def loads_of(belt: Belt, of: WrapArc) -> dict[str, float]:
+    """Return what the belt does to a pulley and bears there, by names of the glossary [SI]."""
+    strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
+    ends = of.entry_tension, of.exit_tension, of.wrap_angle
+    return resultant(*ends, strength * of.width)._asdict()
+
+
+def loads_table(result: DriveResult, system: System) -> Table:
+    """One line for each pulley and load case: its resultant, and the safety of the belt there."""
+    belt, rows = result.drive.belt, []
+    strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
+    for arc in result:
+        cells = (named(key, value, system) for key, value in loads_of(belt, arc.arc).items())
+        rows.append(Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells)))
+    note = (
+        "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that "
+        "of T2, the weight of the pulley left out. "
+    )
+    if belt.breaking_strength is None:
+        note += "Safety factor of the belt: its strength is not given."
+    else:
+        note += f"Safety factor: strength {display(strength, 'force_per_width', system)} over the "
+        note += "larger tension"
+        if belt.rating is not None:
+            asked = strength / belt.rating
+            momentary = asked / tension_factor(belt, "starting")
+            note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
+            note += f"{momentary:.3g} starting and stopping"
+        note += "."
+    return Table("Loads of pulleys and belt", tuple(rows), ("resultant", "direction", "belt"), note)
 
 
 def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:

@@ -137,6 +137,8 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     yield _named(group, "belt_modulus", belt.modulus, origin("modulus"))
     yield _named(group, "axial_stiffness", belt.axial_stiffness, None, "M B")
     yield own("Rating of the belt", belt.rating, "force_per_width", "rating")
+    if belt.breaking_strength is not None:
+        yield own("Breaking strength", belt.breaking_strength, "force_per_width", "strength")
     least, most = belt.least_pulley_diameter, belt.largest_wrap_pressure
     yield own("Least drive pulley", least, "length", "least_pulley_diameter")
     yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure")
@@ -256,4 +258,18 @@ def _tensions(drive: "Drive | Train", arc: WrapArc) -> Iterator[Input]:
         if name == tight and drive.belt.rating is not None:
             share = percent(value / (drive.belt.rating * drive.belt.width))
             used = f"{share} of the belt's rating"
-        yield _named(group, name, value, pulley.sources.get(name, _GIVEN), used)
+        origin: Provenance | None = pulley.sources.get(name, _GIVEN)
+        why = _computed(drive, arc, name.removesuffix("_tension"))
+        if why:
+            used, origin = "; ".join(filter(None, (f"{_T[name]} {why}", used))), None
+        yield _named(group, name, value, origin, used)
+
+
+_T = {"entry_tension": "T1", "exit_tension": "T2"}
+
+
+def _computed(drive: "Drive | Train", arc: WrapArc, side: str) -> str:
+    """Return what a tension was computed from; empty where it was given."""
+    cases = drive.load_cases if isinstance(drive, Drive) else ()
+    found = (c.tensions[arc.pulley].computed for c in cases if c.name == arc.load_case)
+    return next(found, {}).get(side, "")

@@ -11,7 +11,7 @@ from wraparc.alike import largest
 from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
-from wraparc.drive import Lagging
+from wraparc.drive import Drive, Lagging
 from wraparc.drive.conditions import SCALED
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import Equation
@@ -26,7 +26,7 @@ from wraparc.present.checks_table import check_table, checks_summary
 from wraparc.present.conditions_table import conditions_table
 from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
-from wraparc.present.drive_sheet import method_remarks
+from wraparc.present.drive_sheet import loads_table, method_remarks
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
@@ -43,7 +43,7 @@ from wraparc.report.drawings import (
 )
 from wraparc.report.equations import equations
 from wraparc.report.note_tables import arcs_table, shares_table
-from wraparc.units import System
+from wraparc.units import System, display
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -73,6 +73,8 @@ class NoteHead:
         As it shall be printed.
     file
         Name of the drive file.
+    changes
+        What was put over it, ``belt.speed=2.8 m/s``.
     paper
         ``a4`` or ``us-letter``.
 
@@ -89,12 +91,15 @@ class NoteHead:
     author: str = ""
     date: str = ""
     file: str = ""
+    changes: tuple[str, ...] = ()
     paper: Paper = "a4"
 
     def __post_init__(self) -> None:
         problems = []
         for f in fields(self):
             value = getattr(self, f.name)
+            if f.name == "changes":
+                value = "".join(c for change in self.changes for c in change if not c.isprintable())
             if not isinstance(value, str) or len(value) > _LONGEST or not value.isprintable():
                 message = f"must be printable text of at most {_LONGEST} characters"
                 problems.append(Problem(key=f.name, value=shown(value), message=message))
@@ -144,6 +149,7 @@ class Note:
     told: Verdict
     judged: Judgement
     summary: str
+    about: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
 
     @property
@@ -158,7 +164,8 @@ class Note:
         pairs = (
             ("Project", head.project), ("Document", head.number), ("Revision", head.revision),
             ("Prepared by", head.author), ("Date", head.date), ("Drive file", head.file),
-            ("Program", PROGRAM), ("Belt", self.belt),
+            ("Changed from the file", "; ".join(head.changes)), ("Program", PROGRAM),
+            ("Belt", self.belt), *self.about,
         )  # fmt: skip
         return tuple(pair for pair in pairs if pair[1])
 
@@ -200,9 +207,12 @@ def make_note(
     inputs = Section("Inputs and where they came from", tables=_inputs(first, system, of, train))
     assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
     sections = [
-        Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
-        _results_section(results, system, train),
-        *details,
+        *_in_condition(
+            first.drive,
+            Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
+            _results_section(results, system, train),
+            *details,
+        ),
         *_across_sections(first, system),
         *in_time_sections,
         inputs,
@@ -219,8 +229,49 @@ def make_note(
         told=told,
         judged=judged,
         summary=checks_summary(judged),
-        sections=tuple(s for s in sections if s.sentences or s.tables or s.drawings or s.equations),
+        about=tuple(_about(first.drive, system)),
+        sections=tuple(
+            replace(s, tables=tuple(map(_worded, s.tables)))
+            for s in sections
+            if s.sentences or s.tables or s.drawings or s.equations
+        ),
     )
+
+
+def _in_condition(drive: Drive, *sections: Section) -> Iterator[Section]:
+    """Name the condition in titles where it is one that no load case names, and not dry."""
+    conditions = {p.lagging.condition for p in drive.pulleys}
+    told = "" if drive.conditions or conditions == {"dry"} else f", {', '.join(sorted(conditions))}"
+    yield from (replace(section, title=f"{section.title}{told}") for section in sections)
+
+
+def _about(drive: Drive, system: System) -> Iterator[tuple[str, str]]:
+    """Yield what a reader looks for in the title block: conditions, and the conveyor."""
+    conditions = drive.conditions or tuple(
+        dict.fromkeys(pulley.lagging.condition for pulley in drive.pulleys)
+    )
+    yield "Condition of the lagging", ", ".join(conditions)
+    of = drive.conveyor
+    if of is None:
+        return
+    parts = [f"length {display(of.length, 'length', system)}"]
+    parts.append(f"lift {display(of.lift, 'length', system)}")
+    if of.capacity is not None:
+        parts.append(f"capacity {display(of.capacity, 'mass_flow', system)}")
+    elif of.material_mass is not None:
+        parts.append(f"material {display(of.material_mass, 'mass_per_length', system)}")
+    yield "Conveyor", ", ".join(parts)
+
+
+def _worded(table: Table) -> Table:
+    """Say beside every colour what it means."""
+    rows = (
+        replace(row, note=f"{row.level}: {row.note}" if row.note else str(row.level))
+        if row.level
+        else row
+        for row in table.rows
+    )
+    return replace(table, rows=tuple(rows))
 
 
 def _train_verdict(train: "TrainResult", system: System) -> Verdict:
@@ -250,7 +301,7 @@ def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input
 def _results_section(
     results: Sequence[DriveResult], system: System, train: "TrainResult | None"
 ) -> Section:
-    tables = [arcs_table(results, system)]
+    tables = [arcs_table(results, system), loads_table(results[0], system)]
     if results[0].drive.conditions:
         tables.append(conditions_table(results[0], system))
     if train is not None:

@@ -1,7 +1,7 @@
 """Drive files of several drives on one belt to trains."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, cast
 
@@ -48,6 +48,7 @@ def load_drive_or_train(
     overrides: Overrides = (),
     allow_paths: bool = True,
     conditions: Sequence[str] = (),
+    also: Callable[..., None] | None = None,
 ) -> Drive | Train:
     """Return what a drive file describes: a train if it has a ``[train]`` table.
 
@@ -57,6 +58,9 @@ def load_drive_or_train(
         As for `load_drive`.
     conditions
         Conditions to solve it in, ``("dry", "wet")``, whatever the file says of them.
+    also
+        Reads what else stands in the document, called with it and its `file`; its faults are told
+        with the others.
     """
 
     def read(document: Document, **more: Any) -> Drive | Train:
@@ -64,7 +68,20 @@ def load_drive_or_train(
             with placed("--conditions", str(more.get("file", ""))):
                 document = asking(document, conditions)
         reader = train_from_document if "train" in document else drive_from_document
-        return reader(document, **more)
+        if also is None:
+            return reader(document, **more)
+        problems: list[Problem] = []
+        try:
+            also(document, file=str(more.get("file", "")))
+        except InputError as error:
+            problems += error.problems
+        try:
+            found = reader(document, **more)
+        except InputError as error:
+            raise InputError([*error.problems, *problems]) from None
+        if problems:
+            raise InputError(problems)
+        return found
 
     return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
 

@@ -20,6 +20,10 @@ from wraparc.schema.limits import limit_problems, raise_all
 
 #: Fall of speed per rated torque beyond the end of a curve, for solvers only [-].
 BEYOND = 10.0
+#: Torque over rated torque that an AC motor bears for 15 s (IEC 60034-1, excess torque) [-].
+MOMENTARY = 1.6
+#: Breakdown torque at the lowest voltage of the mains, 90 % (IEC 60034-1), over the rated one [-].
+LOW_VOLTAGE = 0.81
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,6 +108,10 @@ class Motor(ABC):
     @abstractmethod
     def largest_load(self) -> float:
         """Largest torque over rated torque [-]; inf where the curve has no end."""
+
+    def bears(self, momentary: bool) -> float:
+        """Torque over rated torque that it bears, lasting or for a start [-]."""
+        return min(MOMENTARY, self.largest_load()) if momentary else 1.0
 
     def load(self, drum_torque: float) -> float:
         """Torque of each motor over its rated torque, for a torque at the drum [N m]."""
@@ -214,6 +222,10 @@ class Induction(Motor):
     def largest_load(self) -> float:
         """Return the breakdown torque over rated torque [-]."""
         return self.breakdown_ratio
+
+    def bears(self, momentary: bool) -> float:
+        """Torque that it bears, and does not stall at in low voltage [-]."""
+        return min(super().bears(momentary), LOW_VOLTAGE * self.breakdown_ratio)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ from wraparc.units.display import (
     display_unit,
 )
 from wraparc.units.numbers import parse_number
-from wraparc.units.parse import dimension_of, parse_quantity, unit_factor, unit_names
+from wraparc.units.parse import dimension_of, meant_by, parse_quantity, unit_factor, unit_names
 from wraparc.units.table import DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
 __all__ = [
@@ -26,6 +26,7 @@ __all__ = [
     "dimension_of",
     "display",
     "display_unit",
+    "meant_by",
     "parse_number",
     "parse_quantity",
     "unit_factor",

@@ -14,14 +14,26 @@ from wraparc.errors import InputError, Problem, near, shown
 from wraparc.units.numbers import finite, split_number
 from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
-_FACTOR = r"[A-Za-z°%]+(?:\^?-?[1-9])?"
+_FACTOR = r'[A-Za-z°%"]+(?:\^?-?[1-9])?'
 _PRODUCT = rf"{_FACTOR}(?:(?:\s*[*.]\s*|\s+|-(?=[A-Za-z])){_FACTOR})*"
 _UNIT = re.compile(
     rf"(?P<over>1|{_PRODUCT})?\s*(?:/\s*(?:(?P<one>{_FACTOR})|\(\s*(?P<under>{_PRODUCT})\s*\)))?"
 )
-_NAME_AND_POWER = re.compile(r"([A-Za-z°%]+)(?:\^?(-?[1-9]))?")
+_NAME_AND_POWER = re.compile(r'([A-Za-z°%"]+)(?:\^?(-?[1-9]))?')
 _LOOKALIKES = str.maketrans(
-    {"µ": "u", "μ": "u", "º": "°", "·": "*", "⋅": "*", "×": "*", "²": "2", "³": "3", "⁻": "-"}
+    {
+        "µ": "u",
+        "μ": "u",
+        "″": '"',
+        "”": '"',
+        "º": "°",
+        "·": "*",
+        "⋅": "*",
+        "×": "*",
+        "²": "2",
+        "³": "3",
+        "⁻": "-",
+    }
     | {"¹": "1", "\N{NO-BREAK SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " "}
 )
 
@@ -113,6 +125,45 @@ def dimension_of(unit: str) -> Dimension | None:
     return next((name for name in DIMENSIONS if _powers(name) == powers), None)
 
 
+#: Units that are taken for each other, the likeliest first.
+_CONFUSED: dict[Dimension, tuple[str, ...]] = {
+    "length": ("mm", "m", "cm", "in", "ft"),
+    "force": ("kN", "N", "lbf", "kgf", "tf", "MN"),
+    "force_per_width": ("kN/m", "N/m", "PIW", "N/mm", "MN/m"),
+    "pressure": ("kPa", "MPa", "Pa", "psi", "bar", "GPa"),
+    "speed": ("m/s", "m/min", "ft/min", "km/h"),
+    "angle": ("deg", "rad"),
+    "power": ("kW", "W", "hp", "MW"),
+}
+
+
+def meant_by(value: float, dimension: Dimension, least: float, most: float) -> list[str]:
+    """Return what may have been meant by a value that is outside its usual range, at most two.
+
+    The number as it was probably written, three digits at most, with another unit.
+
+    Parameters
+    ----------
+    value, least, most
+        The value and its usual range [SI].
+    dimension
+        What it measures.
+    """
+    found: list[tuple[bool, str]] = []
+    units = _CONFUSED.get(dimension, ())
+    for written in units:
+        number = value / unit_factor(written, dimension)
+        short = float(f"{number:.3g}")
+        if abs(number - short) > 1e-9 * abs(short):
+            continue
+        for unit in units:
+            text = f"{short:g} {unit}"
+            inside = least <= short * unit_factor(unit, dimension) <= most
+            if inside and unit != written and text not in (t for _, t in found):
+                found.append((not 1.0 <= short < 1e3, text))
+    return [text for _, text in sorted(found, key=lambda one: one[0])[:2]]
+
+
 def unit_names() -> tuple[str, ...]:
     """Return every unit name that is read, base units first."""
     return tuple(_units())
@@ -159,6 +210,8 @@ def _resolve(text: str) -> Unit:
 
 def _evaluate(text: str, known: dict[str, Unit]) -> Unit:
     plain = text.translate(_LOOKALIKES).strip().replace("**", "^")
+    if plain in known:
+        return known[plain]
     match = _UNIT.fullmatch(plain) if len(plain) <= 40 else None
     if match is None:
         raise _UnitTextError(

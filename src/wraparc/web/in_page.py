@@ -31,6 +31,8 @@ from wraparc.checks.least_numbers import ROUNDS, Pull, Safety, least_for_slip, l
 from wraparc.checks.numbers import (
     Compared,
     Criteria,
+    Sizes,
+    as_printed,
     asked_slack,
     balance_miss,
     grip_beyond,
@@ -41,16 +43,17 @@ from wraparc.checks.numbers import (
     rise_alone,
     steepest,
     usual_sizes,
-    usual_tension,
     wrap_pressure_of,
 )
 from wraparc.drive import CREEP_LIMIT
 from wraparc.drive.load_case import (
     LEAST_TENSION,
     MOST_TENSION,
+    Resultant,
     exit_behind,
     pull_of_power,
     pull_of_torque,
+    resultant,
 )
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
@@ -89,16 +92,41 @@ def described(given: Given) -> tuple[float, float]:
 STEEP, IDLE, UNUSUAL = 1, 2, 3
 
 
-def unjudged(law: CompactLaw, given: Given) -> int:
+def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
+    """What is given of an arc, to be compared with usual sizes."""
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    return Sizes(
+        width=given.width,
+        modulus=given.modulus,
+        speed=given.speed,
+        diameter=given.diameter,
+        wrap_angle=given.wrap_angle,
+        creep_limit=given.creep_limit,
+        overrun=given.overrun,
+        thickness=given.thickness,
+        shear_modulus=given.shear_modulus,
+        compression_modulus=given.compression_modulus,
+        rating=criteria.rating,
+        strength=criteria.strength,
+        bond_strength=criteria.bond_strength,
+        fatigue_limit=criteria.fatigue_limit,
+        face_pressure=criteria.face_pressure,
+        least_diameter=criteria.pulley_diameter,
+        sag=criteria.sag,
+        entry=entry,
+        leaving=leaving,
+        pull=entry - leaving if criteria.alone and not idles(entry, leaving) else nan,
+    )
+
+
+def unjudged(law: CompactLaw, given: Given, criteria: Criteria) -> int:
     """Why the page cannot judge an arc; 0 where it can."""
     arc = description_of(given)
     if refused(law, arc, given.steepest_fall):
         return STEEP
     if idles(arc.entry_tension, arc.exit_tension):
         return IDLE
-    sizes = usual_sizes(given.width, given.modulus, given.speed, given.diameter)
-    usual = usual_tension(arc.entry_tension, arc.width)
-    return 0 if sizes and usual and usual_tension(arc.exit_tension, arc.width) else UNUSUAL
+    return 0 if usual_sizes(sizes_of(given, arc, criteria)) else UNUSUAL
 
 
 class Quick(NamedTuple):
@@ -186,6 +214,7 @@ class Judged(NamedTuple):
     limits: Compared
     held: float  # what the take-up holds [N]
     asked: Asked
+    loads: Resultant
 
 
 class Among(NamedTuple):
@@ -226,9 +255,7 @@ def judged(
         return None
     if criteria.wrap_angle == criteria.wrap_angle and arc.wrap_angle != criteria.wrap_angle:
         return None
-    if not usual_sizes(given.width, given.modulus, given.speed, given.diameter):
-        return None
-    if not (usual_tension(entry, arc.width) and usual_tension(leaving, arc.width)):
+    if not usual_sizes(sizes_of(given, arc, criteria)):
         return None
     geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
     found, out, count = solved_arc(law, geometry, load, points)
@@ -275,6 +302,7 @@ def judged(
         limits,
         others.held,
         asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
+        resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
     )
 
 
@@ -349,6 +377,8 @@ def limits_of(
     pull, factor = arc.entry_tension - arc.exit_tension, criteria.factor
     if factor != factor:
         factor = wrap_factor(criteria.standard, arc.wrap_angle)
+        if criteria.printed:
+            factor = as_printed(factor)
     return Compared(
         gross_slip=criteria.safety,
         design_standard=asked_slack(factor, criteria.start, pull),

@@ -11,7 +11,7 @@ from math import exp, nan
 from typing import NamedTuple
 
 from wraparc.arc.summary import geometry_of
-from wraparc.checks.numbers import rise_among
+from wraparc.checks.numbers import rise_among, usual_motor
 from wraparc.friction.compact import CompactLaw
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located, away, locate
@@ -261,6 +261,17 @@ def told(
         tension_error=tension_miss,
         speed_error=speed_miss,
     )
+
+
+def fits(motor: Motor, radius: float, speed: float) -> bool:
+    """Whether a motor is of usual size and its gear fits the belt speed [m, m/s]."""
+    turns = motor.rated_speed / motor.gear_ratio
+    return usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed)
+
+
+def borne(motor: Motor, momentary: bool) -> float:
+    """Torque over rated torque that a motor bears [-]."""
+    return motor.bears(momentary)
 
 
 def _nip(member: Member, arc: Quick, nominal: float) -> Nip:

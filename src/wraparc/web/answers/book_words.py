@@ -14,9 +14,11 @@ from wraparc.checks.design_standard import asked
 from wraparc.checks.judge import (
     NO_DIVISION,
     fight,
+    motor_load,
     not_working,
     operating_point,
     train_balance,
+    unrated,
 )
 from wraparc.drive import (
     TAKE_UPS,
@@ -32,7 +34,7 @@ from wraparc.drive.criteria import CaseKind
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
 from wraparc.train import TrainStatus
-from wraparc.web.answers.judging import Words, either, words_of
+from wraparc.web.answers.judging import BRAKES, Words, either, words_of
 
 PULLEY, CASE = "⟦pulley⟧", "⟦case⟧"
 #: A drive that nothing is special of.
@@ -84,6 +86,7 @@ def words_by_key() -> Found:
     yield from _tested(drive, case, arc)
     yield from _take_up(drive, case)
     yield "balance", _some(of_arc.balance(arc), "solved")
+    yield "sense", _some(of_drive.sense(case, drive.pulleys[0]), BRAKES)
     yield "data", _some(of_data.data(drive, drive.pulleys[0]))
     yield "usual_sizes", map(words_of, of_drive.usual_sizes(drive))
 
@@ -245,6 +248,10 @@ def train_words() -> dict[str, list[Words]]:
         "fight": fight(0.0, place),
         "fight:fights": fight(1.0, place),
         "train_balance": train_balance(0.0, place),
+        "motor_load:none": unrated(False, Place(PULLEY, CASE)),
+        "momentary_load:none": unrated(True, Place(PULLEY, CASE)),
+        "motor_load": motor_load(1.0, 1.0, False, Place(PULLEY, CASE)),
+        "momentary_load": motor_load(1.0, 1.0, True, Place(PULLEY, CASE)),
         "operating_point": operating_point(TrainStatus.BEYOND_MOTOR, "⟦reason⟧", place),
         "operating_point:adrift": operating_point(TrainStatus.BREAKAWAY, "⟦reason⟧", place),
         "gross_slip:adrift": of_drive.not_checked(

@@ -11,7 +11,7 @@ from wraparc.present.checks_table import check_table
 from wraparc.present.conditions_table import conditions_table
 from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
-from wraparc.present.drive_sheet import input_sheet, summary_table
+from wraparc.present.drive_sheet import input_sheet, loads_table, summary_table
 from wraparc.present.input_tables import input_table
 from wraparc.present.least_tension import (
     least_data,
@@ -394,6 +394,7 @@ def _tables(
         margins_table(answered, result, system),
         comparison_table(result, lagging, system, of),
         energy_table(result, system) if carried else None,
+        loads_table(DriveResult(answered.drive, (result,)), system),
         wear_table(result, lagging, system),
         life_table(result, lagging, system, of),
         input_table(drive, result.arc, system, of),

@@ -38,7 +38,8 @@ _OF_LAGGING = (
     "fatigue_limit",
 )
 _ADVANCED = {
-    "sources", "provenance", "kind", "least_pulley_diameter", "rating", "condition", "overrun",
+    "sources", "provenance", "kind", "least_pulley_diameter", "rating", "strength",
+    "condition", "overrun",
     "momentary_factor", "largest_wrap_pressure", "bond_strength", "fatigue_limit",
     "recovery", "description", "format", "belt_path", "in_plane_shear_stiffness", "across",
 }  # fmt: skip

@@ -10,10 +10,11 @@ import numpy as np
 from wraparc.arc import ArcResult, DriveResult, Energy, Profile, Status
 from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
 from wraparc.checks.check import Place
-from wraparc.checks.design_standard import asked, by_table, design_friction_of
+from wraparc.checks.design_standard import asked, by_table, design_friction_of, prints
 from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
 from wraparc.checks.of_arc import BALANCE
+from wraparc.checks.of_drive import sense
 from wraparc.checks.rules import start_factor, tension_factor
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.present.least_tension import least_name
@@ -23,6 +24,7 @@ from wraparc.web.answers.prepared import Plain, Prepared, elsewhere, prepared
 from wraparc.web.answers.shown import Tested
 
 #: Checks that a page does not find the numbers of.
+BRAKES = "brakes"  # when a pulley holds the belt back
 _SERVERS = ("creep_interval", "take_up")
 
 
@@ -117,7 +119,10 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
                 elsewhere=elsewhere(document, drive, case),
                 tested=None if law.tested is None else Tested.model_validate(law.tested),
                 criteria={k: float(v) for k, v in _criteria(drive, case)._asdict().items()},
-                checks=list(either(_of(first, case), _of(other, case))),
+                checks=[
+                    *either(_of(first, case), _of(other, case)),
+                    words_of(sense(case, drive.pulleys[0]), BRAKES),
+                ],
                 asks=asks[case.name],
             )
         )
@@ -185,7 +190,8 @@ def _ended(arc: ArcResult, status: Status) -> ArcResult:
 
 
 def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:
-    return [check for check in checks if check.place.load_case == case.name]
+    here = [check for check in checks if check.place.load_case == case.name]
+    return [check for check in here if check.name != "sense"]
 
 
 def either(solved: Sequence[Check], broken: Sequence[Check]) -> Iterator[Words]:
@@ -228,6 +234,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         start=start_factor(criteria, case.kind),
         belt_tension=_number(allowed),
         rating=_number(belt.rating),
+        strength=_number(belt.breaking_strength),
         face_pressure=_number(belt.largest_wrap_pressure),
         bond_strength=_number(pulley.lagging.bond_strength),
         fatigue_limit=_number(pulley.lagging.fatigue_limit),
@@ -238,6 +245,8 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         fixed=criteria.take_up.fixed,
         behind=bool(criteria.take_up.after),
         factor=math.nan if not table or rule is None else rule.wrap_factor,
+        alone=True,
+        printed=prints(criteria.standard),
         customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
         wrap_angle=pulley.wrap_angle if table else math.nan,
     )

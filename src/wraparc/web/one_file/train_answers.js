@@ -40,11 +40,23 @@ async function judgedTrain(doc, data) {
 }
 /** What only several drives can miss. @param {any} one @param {Record<string, Words[]>} words
  * @param {any} levels */
-function ofTrain({ c, told, divided, adrift }, words, levels) {
-  /** @param {string} key @param {any} numbers */
-  const made = (key, numbers) => {
-    const [w] = words[key].map((word) => put(word, { case: c.name, reason: told.reason }));
-    return check({ ...w, ...numbers.more }, numbers, c.name, levels);
+function ofTrain({ c, told, divided, adrift, motors, arcs }, words, levels) {
+  /** @param {string} key @param {any} numbers @param {string} [pulley] */
+  const made = (key, numbers, pulley = "") => {
+    const names = { case: c.name, reason: told.reason, pulley };
+    const [w] = words[key].map((word) => put(word, names));
+    const checked = check({ ...w, ...numbers.more }, numbers, c.name, levels);
+    return pulley ? { ...checked, pulley } : checked;
+  };
+  const momentary = c.kind !== "running";
+  const key = momentary ? "momentary_load" : "motor_load";
+  const loaded = (/** @type {any} */ motor, /** @type {number} */ i) => {
+    const [load, most] = [
+      Math.abs(told.points[i].motor_load),
+      K.in_page_train__borne(motor, momentary),
+    ];
+    const values = { [key]: load, percent: 100 * load, most: 100 * most };
+    return made(key, { values, limits: { [key]: most } }, arcs[i].pulley);
   };
   const none = { values: {}, limits: {} };
   if (told.status !== SOLVED) {
@@ -58,6 +70,9 @@ function ofTrain({ c, told, divided, adrift }, words, levels) {
   return [
     made(lost > 0 ? "fight:fights" : "fight", { ...none, values: { lost } }),
     made("train_balance", { ...none, values: { train_balance: error } }),
+    ...(c.division.motors ? motors : []).map((/** @type {any} */ m, /** @type {number} */ i) =>
+      m ? loaded(m, i) : made(`${key}:none`, none, arcs[i].pulley),
+    ),
   ];
 }
 /** A case as the words of Python read one. @param {any} one @param {any[]} numbers */

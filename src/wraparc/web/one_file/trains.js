@@ -1,6 +1,6 @@
 // Several drives on one belt: read here, solved and judged by the functions of wraparc solve.
 import { si } from "../static/base/units.js";
-import { in_page__quick as quick, in_page__unjudged as unjudged } from "../static/kernel.js";
+import { in_page__quick as quick } from "../static/kernel.js";
 import {
   acrossOf,
   caseOf,
@@ -8,6 +8,7 @@ import {
   lawOf,
   NOT_HERE,
   read,
+  unjudgedOf,
 } from "../static/pages/drive/assemble.js";
 import { numbersOf } from "../static/pages/drive/own.js";
 import { Reader } from "../static/pages/drive/reading.js";
@@ -126,7 +127,8 @@ function solved(c, { saids, names, nominal, speed }, laws, book) {
   const arcs = divided.pairs.map((/** @type {any} */ { entry, exit }, /** @type {number} */ i) => {
     const made = caseOf(saids[i], { ...c, pulls: pullsOf(entry, exit) }, laws[i], book);
     const given = { ...made.prepared.given, speed: divided.belt_speeds[i] };
-    return { ...made, prepared: { ...made.prepared, given } };
+    const criteria = { ...made.criteria, alone: 0 };
+    return { ...made, criteria, prepared: { ...made.prepared, given } };
   });
   const quicks = arcs.map((/** @type {any} */ { prepared, tested }) =>
     quick(prepared.law, numbersOf(prepared.given), tested, POINTS),
@@ -145,15 +147,18 @@ function stateless(found) {
   const numbers = Object.keys(summary).map((k) => [k, ENDS.includes(k) ? summary[k] : none]);
   return { ...found, solved: false, summary: Object.fromEntries(numbers) };
 }
-/** What keeps the page from a case that is solved; empty for nothing. @param {any} one */
-function kept({ arcs, quicks, divided }) {
+/** What keeps the page from a case that is solved; empty for nothing. @param {any} one
+ * @param {number} speed of the belt, as given */
+function kept({ arcs, quicks, divided, motors }, speed) {
   if (!(K.in_page_train__least_of(divided.pairs) > 0))
     return (
       "leaves no tension in the belt, and a belt cannot push; give other shares, or more tension " +
       "on the slack side"
     );
-  for (const [i, { prepared }] of arcs.entries()) {
-    const why = unjudged(prepared.law, numbersOf(prepared.given));
+  for (const [i, arc] of arcs.entries()) {
+    const radius = 0.5 * arc.prepared.given.diameter;
+    if (motors[i] && !K.in_page_train__fits(motors[i], radius, speed)) return NOT_HERE[3];
+    const why = unjudgedOf(arc);
     if (why) return NOT_HERE[why];
     if (!quicks[i]) return "the solver of this page found no answer here; wraparc solve says why";
   }
@@ -180,7 +185,7 @@ export function trainOf(design, book, known) {
     const laws = lawsIn(saids, doc, c.condition);
     if (laws.some((law) => !law)) return { problems: once(saids.map((s) => s.r.problems)) };
     const one = solved(c, train, laws, book);
-    const why = kept(one);
+    const why = kept(one, train.speed ?? none);
     if (why) return refusing(`Load case ${c.name}: ${why}.`, true);
     const { system, divided, quicks, motors, nominal } = one;
     const told = K.in_page_train__told(system, names, divided, quicks, nominal ?? [], motors);

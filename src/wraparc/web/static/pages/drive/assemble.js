@@ -9,6 +9,7 @@ import {
   in_page__unjudged as unjudged,
 } from "../../kernel.js";
 import { TENSIONS } from "../../parts/problems.js";
+import { numbersOf } from "./own.js";
 import { Reader } from "./reading.js";
 import { checkShape } from "./shape.js";
 import { standardOf } from "./standard.js";
@@ -117,6 +118,7 @@ function beltOf(r, book) {
     speed: number("speed"),
     modulus,
     rating: over("rating", preset?.rating),
+    strength: number("strength"),
     least: over("least_pulley_diameter", preset?.least_pulley_diameter),
     factor: number("momentary_factor"),
     pressure: number("largest_wrap_pressure"),
@@ -125,6 +127,8 @@ function beltOf(r, book) {
     weak: preset ? preset.weak : weaknesses(belt.provenance),
   };
 }
+/** Breaking strength that the name of a steel-cord belt tells. @param {string} name */
+export const strengthIn = (name) => 1e3 * +(/ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase())?.[1] ?? none);
 /** In what ways a number from a source is weak. @param {any} source @returns {string[]} */
 export const weaknesses = (source) => [
   ...(String(source?.note ?? "").startsWith("estimated") ? ["estimated"] : []),
@@ -273,16 +277,18 @@ export function assemble(doc, book) {
     c.condition == null ? usual : lawOf(r, lagging.entry, c.condition, ["condition"]),
   );
   const made = r.problems.length ? [] : cases.map((c, i) => caseOf(said, c, laws[i], book));
-  const steep = made.findIndex((m) => unjudged(m.prepared.law, m.prepared.given));
+  const steep = made.findIndex((m) => unjudgedOf(m));
   if (steep >= 0) {
-    const { law, given } = made[steep].prepared;
-    const why = unjudged(law, given);
+    const why = unjudgedOf(made[steep]);
     r.wrong(steepPath(doc, cases[steep]), NOT_HERE[why]);
     r.problems[r.problems.length - 1].beyond = why > 1;
   }
   if (r.problems.length || !usual) return { judging: null, problems: r.problems };
   return { judging: judgingOf(said, usual, made, book), problems: [] };
 }
+/** Why the page cannot judge an arc; 0 where it can. @param {any} made */
+export const unjudgedOf = ({ prepared: { law, given }, criteria }) =>
+  unjudged(law, numbersOf(given), numbersOf(criteria));
 export const NOT_HERE = [
   "",
   "no belt carries these tensions, or friction falls too steeply for one answer; " +
@@ -325,6 +331,7 @@ export function caseOf(said, c, bookLaw, book) {
     start: running ? orUsual(said.standard.start, usual.start_factor) : 1,
     belt_tension: factor * belt.rating,
     rating: belt.rating,
+    strength: orUsual(belt.strength, strengthIn(belt.name)),
     face_pressure: belt.pressure,
     bond_strength: +(lagging.entry?.bond_strength ?? none),
     fatigue_limit: +(lagging.entry?.fatigue_limit ?? none),
@@ -334,6 +341,8 @@ export function caseOf(said, c, bookLaw, book) {
     pulley_diameter: belt.least,
     fixed: +(takeUp.kind === "fixed"),
     behind: +Boolean(takeUp.after),
+    alone: 1,
+    printed: +["", "CEMA"].includes(said.standard.name),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
   };

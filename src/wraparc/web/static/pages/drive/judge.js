@@ -60,13 +60,14 @@ export function judge(judging, doc, all) {
   if (odd && !judging.odd) return null;
   const checks = found.flatMap(({ of, numbers }) => {
     const end = numbers.solved ? "solved" : "breakaway";
-    const made = of.checks.filter((w) => !w.when || w.when === end);
+    const turn = numbers.summary.effective_tension < 0 ? "brakes" : "";
+    const made = of.checks.filter((w) => !w.when || w.when === end || w.when === turn);
     return made.map((w) => check(w, numbers, of.load_case, judging.levels));
   });
   if (odd) checks.push(contradicts(judging, held));
   checks.push(...judging.checks.map((w) => check(w, found[0].numbers, "", judging.levels)));
   const arcs = found.map(({ of, numbers: n }) => {
-    const numbers = { ...n.summary, ...n.capacities };
+    const numbers = { ...n.summary, ...n.capacities, ...n.loads };
     const { load_case, pulley, asks } = of;
     return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
@@ -114,7 +115,7 @@ export function check(w, { values, limits }, load_case, levels) {
  * @param {Judged} own @param {FullAnswer} found */
 export function misses(own, { verdict, checks, arcs }) {
   const said = headline(own.checks) === words(verdict.headline);
-  const ours = listed(own.checks).filter((c) => c.rank > 0 && c.name !== "data");
+  const ours = listed(own.checks).filter((c) => c.rank > 0 && !["data", "sense"].includes(c.name));
   const rows = checks.rows.map((r) => r.level).join() === ours.map((c) => c.level).join();
   const far = own.arcs.flatMap((a) => differing(a, arcs));
   return [...(said ? [] : ["verdict"]), ...(rows ? [] : ["checks"]), ...far];

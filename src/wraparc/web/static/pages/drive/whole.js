@@ -27,6 +27,7 @@ const TABLES = [
       ...["exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip"],
       ...["peak_shear_angle", "peak_shear_stress", "mean_friction", "active_arc", "k_factor"],
       ...["entry_tension", "exit_tension", "effective_tension", "tension_ratio"],
+      ...["resultant_force", "resultant_angle", "belt_safety"],
     ],
   ],
   [

@@ -1,5 +1,5 @@
 // The words of the checks of an assembled drive: those of the book, with what it left open.
-import { weaknesses } from "./assemble.js";
+import { orUsual, strengthIn, weaknesses } from "./assemble.js";
 
 /** @import { Ask, Book, BookLaw, Words } from "../../types.d.ts" */
 /** @import { Case, Said } from "./assemble.js" */
@@ -35,11 +35,10 @@ export const named = ({ name, lagging, belt }) => ({
 
 /** Whether a belt may creep more than the customary limit: the key of the words that say so.
  * @param {Said["belt"]} belt @param {Book} book */
-function quality({ kind, rating, name }, book) {
+function quality({ kind, rating, name, strength }, book) {
   const least = +book.more_creep[kind];
   if (Number.isNaN(least) || Number.isNaN(rating)) return "unknown";
-  const strength = /ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase());
-  const strong = strength ? 1e3 * +strength[1] : 0;
+  const strong = orUsual(orUsual(strength, strengthIn(name)), 0);
   const over = kind === "steel cord" ? strong > least : rating > least * (1 + 1e-9);
   if (over) return "more";
   return kind === "steel cord" && !strong ? "nameless" : "less";
@@ -85,6 +84,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
       : []),
     "balance",
     `sag:${given(criteria.sag)}`,
+    "sense",
   ];
   const words = (/** @type {string} */ key) => book.words[key];
   const all = [...keys.flatMap(words), ...law.checks, ...after.flatMap(words)];

@@ -104,12 +104,26 @@ export function listed(checks) {
 export function headline(checks) {
   const worst = worstOf(checks);
   if (!worst) return "Nothing could be checked.";
-  if (worst.missed) return placed(worst);
-  const text = `All ${listed(checks).filter((c) => c.level === "OK").length} checks are kept`;
-  if (!Number.isFinite(worst.margin)) return `${text}.`;
+  if (worst.missed) return placed(worst) + sense(checks);
+  const text = `All ${listed(checks).filter(compares).length} checks are kept`;
+  if (!Number.isFinite(worst.margin)) return `${text}.${sense(checks)}`;
   const where = worst.place ? ` (${worst.place})` : "";
   const near = `${small(worst.title)}, ${texts(worst)[0]}, ${bound(worst)}${where}`;
-  return `${text}; nearest to its limit is ${near}.`;
+  return `${text}; nearest to its limit is ${near}.${sense(checks)}`;
+}
+/** Whether it is a row of the table of checks, and counted. @param {Check} c */
+const compares = ({ name, level }) =>
+  !["data", "sense"].includes(name) && level !== NOT_CHECKED;
+/** Which pulleys brake, and in how many of the load cases if not in all. @param {Check[]} checks */
+function sense(checks) {
+  const every = new Set(checks.map((c) => c.load_case).filter(Boolean)).size;
+  const braking = checks.filter((c) => c.name === "sense").map((c) => c.title);
+  return [...new Set(braking)]
+    .map((title) => {
+      const here = braking.filter((t) => t === title).length;
+      return here < every ? ` ${title} in ${here} of ${every} load cases.` : ` ${title}.`;
+    })
+    .join("");
 }
 
 /** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
@@ -169,7 +183,7 @@ export const barsOf = ({ checks }) =>
  * @param {Judged} judged @param {Table} before @returns {Table} */
 export function checkTable({ checks }, before) {
   const all = listed(checks);
-  const rows = all.filter((c) => c.level !== NOT_CHECKED && c.name !== "data").map(row);
+  const rows = all.filter(compares).map(row);
   const left = all
     .filter((c) => c.level === NOT_CHECKED)
     .map((c) => {

@@ -1,0 +1,71 @@
+"""Runs are judged by what grows in them and by what heats their motors."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from motion.stations import station
+from wraparc.checks import Check, Level, judge_run
+from wraparc.motion import Event, LoadStep, simulate
+from wraparc.motion.control import Droop, ExactSpeed, Follower
+from wraparc.motion.result import RunResult
+
+
+def named(run: RunResult, name: str) -> list[Check]:
+    return [c for c in judge_run(run).checks if c.name == name]
+
+
+def short(event: Event, *controls: Droop | ExactSpeed | Follower) -> RunResult:
+    return simulate(station("fabric", *controls), event, points=30, step=0.05)
+
+
+STEP = Event(name="step", duration=1.0, happenings=(LoadStep(factor=1.01),))
+
+
+def test_growing_vibration_leads_a_run_that_shows_little_of_it() -> None:
+    # expected: the same root as `wraparc stability`; a follower without damping (test_stability)
+    run = short(STEP, ExactSpeed(), Follower(master="first", lag=0.1))
+    (check,) = named(run, "vibration")
+    assert check.level is Level.FAILS
+    assert check.value > 0.0
+    said = judge_run(run).headline()
+    assert said.startswith("Event step: A vibration of ")
+    assert "grows by itself and doubles every " in said
+
+
+def test_calm_station_tells_its_least_damped_vibration() -> None:
+    (check,) = named(short(STEP, ExactSpeed(), ExactSpeed()), "vibration")
+    assert check.level is Level.OK
+    assert check.value < 0.0
+    assert ", " in check.title
+    assert check.title.endswith(" Hz")
+
+
+@pytest.mark.parametrize(
+    ("load", "seconds", "levels"),
+    [
+        # (load^2 - 1) t against (1.5^2 - 1) 120 s = 150 s; the end against the rating
+        (0.9, 400.0, ("OK", "OK", "OK")),
+        (1.42, 60.0, ("OK", "FAILS", "OK")),  # 61 s of 150 s, but it lasts
+        (1.42, 160.0, ("OK", "FAILS", "ATTENTION")),  # 163 s
+        (1.7, 20.0, ("ATTENTION", "FAILS", "OK")),
+    ],
+)
+def test_motors_of_a_run_are_judged(
+    load: float, seconds: float, levels: tuple[str, str, str]
+) -> None:
+    rated = 10e3
+    of = station("fabric", Droop(rated_torque=rated), ExactSpeed())
+    run = simulate(of, replace(STEP, duration=0.2), points=30, step=0.05)
+    drum = run.drums[0]
+    torque = np.full(run.time.shape, load * rated)
+    peak = replace(drum.extremes.torque, value=load * rated)
+    drum = replace(drum, torque=torque, extremes=replace(drum.extremes, torque=peak))
+    time = np.linspace(0.0, seconds, run.time.size)
+    made = replace(run, time=time, drums=(drum, run.drums[1]))
+    found = [named(made, name)[0] for name in ("momentary_load", "motor_load", "motor_heat")]
+    assert [str(c.level) for c in found] == list(levels)
+    assert found[2].value == pytest.approx(max(load**2 - 1.0, 0.0) * seconds)
+    # of the other drum no rating is known
+    assert named(made, "motor_heat")[1].level is Level.NOT_CHECKED
