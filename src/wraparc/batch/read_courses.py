@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import reduce
+
 import numpy as np
 
+from wraparc.arc.collocation import C0, C1, C2
 from wraparc.batch import row
 from wraparc.batch.two_point import (
     Array,
     Block,
     Courses,
+    Curves,
     Integers,
-    between,
-    cubic_through,
+    curves,
     stage_creeps,
     stage_shares,
 )
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
-HALVINGS, REGULA = 45, 9
-FINE, LOOKS = 8, 5  # parts of a neighbourhood in which the largest shear is looked for, how often
+HALVINGS, REGULA = 45, 8
+NEARER = 2  # times that the largest shear is looked for, each by two tries
+_SAMPLES = np.array([0.0, C0, C1, C2, 1.0])  # of an element, as fractions
 
 
 def read_courses(
@@ -33,6 +38,7 @@ def read_courses(
     lowest, highest, furthest
         Tested pressures [Pa] and largest tested slip [m], nan without.
     """
+    every = curves(block, at)
     shares, tension, creep = _samples(block, at)
     s = block.stress(tension, creep)
     g = at.ratio - block.compliance * at.tension[0]
@@ -40,18 +46,17 @@ def read_courses(
     work = pull * (g + 0.5 * pull * block.compliance) / block.width
     work = work - 0.5 * block.shear * (s.stress[-1] ** 2 - s.stress[0] ** 2)
     size = np.abs(s.slip)
-    # x' = u' - c tau', tau' by creep and tension
+    # by the place along the arc: x' = u' - c tau', tau' by creep and tension
     growth = at.ratio - block.compliance * tension
-    loss = -block.width * s.stress / block.area
-    steep = growth - block.shear * (s.by_creep * growth + s.by_pressure * loss)
-    peak, where = _largest_stress(block, at, shares, s.stress)
+    rise = s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
+    peak, where = _largest_stress(block, every, s.stress, rise * np.sign(s.stress))
     outside = np.full(len(block), np.nan)
     tested = np.flatnonzero(np.isfinite(furthest))
     if len(tested):
+        columns = (shares, tension, size)
+        of_tests = block.rows(tested), every.take_rows(tested)
         limits = (lowest[tested], highest[tested], furthest[tested])
-        p = tension[:, tested] / block.area[tested]
-        of_tests = block.rows(tested), at.rows(tested), shares[:, tested]
-        outside[tested] = _outside(*of_tests, (p, size[:, tested]), limits)
+        outside[tested] = _outside(*of_tests, *(c.take(tested, axis=-1) for c in columns), limits)
     return {
         row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
         row.EXIT_CREEP: at.creep[-1],
@@ -60,13 +65,13 @@ def read_courses(
         row.ENTRY_STRESS: s.stress[0],
         row.WORK: work,
         row.CREEP_RATIO: g,
-        row.STUCK_LENGTH: _stuck(block, at, shares, s.slip) * block.length,
+        row.STUCK_LENGTH: _stuck(block, every, size) * block.length,
         row.PEAK_STRESS: peak,
         row.PEAK_AT: where * block.length,
-        row.ACTIVE: (1.0 - _begins(at)) * block.length,
+        row.ACTIVE: (1.0 - _begins(at, every)) * block.length,
         row.OUTSIDE: outside,
         row.LARGEST_SLIP: size.max(axis=0),
-        row.STEEPEST_SLIP: np.abs(steep).max(axis=0),
+        row.STEEPEST_SLIP: np.abs(growth - block.shear * rise).max(axis=0),
     }
 
 
@@ -90,136 +95,146 @@ def _samples(block: Block, at: Courses) -> tuple[Array, Array, Array]:
     )
 
 
-def _largest_stress(block: Block, at: Courses, shares: Array, stress: Array) -> tuple[Array, Array]:
-    """Largest magnitude of shear stress [Pa], and its place as a share of the arc."""
+def _largest_stress(
+    block: Block, every: Curves, stress: Array, rise: Array
+) -> tuple[Array, Array]:
+    """Largest magnitude of shear stress [Pa], and its place as a share of the arc.
+
+    Beside the largest of the samples, on the side to which it rises: where the slope of the cubic
+    through two values and slopes is nothing, and where two tangents meet, should a kink lie there.
+
+    Parameters
+    ----------
+    block, every
+        Arcs and their elements.
+    stress, rise
+        At the samples [Pa], and how its magnitude grows along the arc [Pa/m].
+    """
+    n, last = len(block), len(stress) - 1
+    rows = np.arange(n)
     best = np.abs(stress).argmax(axis=0)
-    rows = np.arange(len(block))
-    most, where = np.abs(stress)[best, rows], shares[best, rows]
-    low = shares[np.maximum(best - 1, 0), rows]
-    high = shares[np.minimum(best + 1, len(shares) - 1), rows]
-    for _ in range(LOOKS):
-        points = low + (high - low) * (np.arange(FINE + 1) / FINE)[:, None]
-        creep, tension = between(block, at, points)
-        size = np.abs(block.stress(tension, creep).stress)
-        k = size.argmax(axis=0)
-        better = size[k, rows] > most
-        most, where = (
-            np.where(better, size[k, rows], most),
-            np.where(better, points[k, rows], where),
-        )
-        low = points[np.maximum(k - 1, 0), rows]
-        high = points[np.minimum(k + 1, FINE), rows]
-    k = np.clip(k, 1, FINE - 1)
-    before, here, after = (size[k + d, rows] for d in (-1, 0, 1))
-    bend = before - 2.0 * here + after
-    move = np.where(bend < 0.0, 0.5 * (before - after) / bend, 0.0)
-    inside = (np.abs(move) < 1.0) & (here >= most * (1.0 - 1e-9))
-    top = here - 0.25 * (before - after) * move
-    step = points[1, rows] - points[0, rows]
-    return (
-        np.where(inside, np.maximum(top, most), most),
-        np.where(inside, points[k, rows] + move * step, where),
-    )
+    low = np.minimum(np.maximum(best - (rise[best, rows] <= 0.0), 0), last - 1)
+    element = low // 4
+    part = every.take(element * n + rows)
+    a, b = _SAMPLES[low - 4 * element], _SAMPLES[low - 4 * element + 1]
+    length = part.width * block.length
+    f_a, f_b = np.abs(stress[low, rows]), np.abs(stress[low + 1, rows])
+    d_a, d_b = rise[low, rows] * length, rise[low + 1, rows] * length
+    most = np.maximum(f_a, f_b)
+    where = np.where(f_b > f_a, b, a)
+    for k in range(2 * NEARER):
+        h = b - a
+        if k % 2:
+            share = (f_b - d_b * h - f_a) / ((d_a - d_b) * h)
+        else:
+            top, more = h * d_a, 6.0 * (f_b - f_a)
+            half = 0.5 * (more - h * (4.0 * d_a + 2.0 * d_b))
+            bend = 3.0 * h * (d_a + d_b) - more
+            share = top / (np.sqrt(np.maximum(half * half - top * bend, 0.0)) - half)
+        share = np.where((share > 0.0) & (share < 1.0), share, 0.5)
+        c = a + share * h
+        tension = part.tension_at(c)
+        s = block.stress(tension, part.creep_at(c))
+        f = np.abs(s.stress)
+        growth = part.ratio(c, block.length)
+        d = s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
+        d *= np.sign(s.stress) * length
+        higher, grows = f > most, d > 0.0
+        most, where = np.where(higher, f, most), np.where(higher, c, where)
+        a, f_a, d_a = (np.where(grows, *pair) for pair in ((c, a), (f, f_a), (d, d_a)))
+        b, f_b, d_b = (np.where(grows, *pair) for pair in ((b, c), (f_b, f), (d_b, d)))
+    return most, part.start + where * part.width
 
 
-def _begins(at: Courses) -> Array:
+def crossing(
+    value: Callable[[Array], Array], low: Array, high: Array, f_low: Array, f_high: Array
+) -> Array:
+    """Where values cross nothing between two places: the Illinois method."""
+    at = low
+    for _ in range(REGULA):
+        span = f_low - f_high
+        share = f_low / np.where(span == 0.0, 1.0, span)
+        at = low + (high - low) * np.minimum(np.maximum(share, 0.0), 1.0)
+        f = value(at)
+        same = (f > 0.0) == (f_low > 0.0)
+        f_high, f_low = np.where(same, 0.5 * f_high, f), np.where(same, f, 0.5 * f_low)
+        low, high = np.where(same, at, low), np.where(same, high, at)
+    return at
+
+
+def _begins(at: Courses, every: Curves) -> Array:
     """Where the active arc begins, as a share of the arc."""
+    n = len(at.ratio)
     change = at.tension[0] - at.tension[-1]
     goal = at.tension[0] - ACTIVE_SHARE * change
-    taken = (at.tension[0] - at.tension) / np.where(change == 0.0, 1.0, change)
-    before = taken[:-1] <= ACTIVE_SHARE
+    before = (at.tension[0] - at.tension) * np.sign(change) <= ACTIVE_SHARE * np.abs(change)
     # the last element that begins with less
-    place = len(before) - 1 - before[::-1].argmax(axis=0)
-    rows = np.arange(len(goal))
-    t0 = at.tension[place, rows]
-    k0, k1, k2 = at.stage[:, place, rows]
-    low, high, sign = np.zeros(len(goal)), np.ones(len(goal)), np.sign(change)
-    f_low, f_high = sign * (t0 - goal), sign * (at.tension[place + 1, rows] - goal)
-    c = low
-    for _ in range(REGULA):  # Illinois
-        c = np.clip(
-            low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high), 0, 1
-        )
-        f = sign * (cubic_through(c, t0, k0, k1, k2) - goal)
-        less = f > 0.0
-        f_high, f_low = np.where(less, 0.5 * f_high, f), np.where(less, f, 0.5 * f_low)
-        low, high = np.where(less, c, low), np.where(less, high, c)
-    a, b = at.shares[place, rows], at.shares[place + 1, rows]
-    return np.asarray(np.where(change == 0.0, 1.0, a + (b - a) * c))
+    place = len(before) - 2 - before[-2::-1].argmax(axis=0)
+    rows = np.arange(n)
+    part, ends = every.take(place * n + rows), (at.tension[place, rows], at.tension[place + 1, rows])
+    f_low, f_high = (t - goal for t in ends)
+    c = crossing(lambda c: part.tension_at(c) - goal, np.zeros(n), np.ones(n), f_low, f_high)
+    return np.asarray(np.where(change == 0.0, 1.0, part.start + part.width * c))
 
 
-def _stuck(block: Block, at: Courses, shares: Array, slip: Array) -> Array:
+def _stuck(block: Block, every: Curves, slip: Array) -> Array:
     """Entry part of the arc at rest under a law that jumps, as a share of it."""
-    held = (slip == 0.0).cumprod(axis=0).astype(bool)
-    count = held.sum(axis=0)
-    which = np.flatnonzero(count > 1)
     out = np.zeros(len(block))
+    held = slip == 0.0
+    which = np.flatnonzero(held[0] & held[1])
     if not len(which):
         return out
-    last = len(shares) - 1
-    low = shares[np.minimum(count, last + 1)[which] - 1, which]
-    high = shares[np.minimum(count[which], last), which]
-    part, some = block.rows(which), at.rows(which)
+    count = held.take(which, axis=1).cumprod(axis=0).sum(axis=0)
+    # between the last sample that rests and the next; the end of the arc where all rest
+    last = len(slip) - 1
+    all_rest = count > last
+    element = np.minimum(count - 1, last - 1) // 4
+    part, rows = every.take(element * len(block) + which), block.rows(which)
+    first = np.minimum(count - 1, last - 1) - 4 * element
+    low, high = _SAMPLES[first], _SAMPLES[first + 1]
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        creep, tension = between(part, some, middle[None])
-        rests = part.stress(tension, creep).slip[0] == 0.0
+        rests = rows.stress(part.tension_at(middle), part.creep_at(middle)).slip == 0.0
         low, high = np.where(rests, middle, low), np.where(rests, high, middle)
-    out[which] = low
+    out[which] = np.where(all_rest, 1.0, part.start + part.width * low)
     return out
 
 
 def _outside(
     block: Block,
-    at: Courses,
+    every: Curves,
     shares: Array,
-    samples: tuple[Array, Array],
-    limits: tuple[Array, ...],
+    tension: Array,
+    slip: Array,
+    limits: tuple[Array, Array, Array],
 ) -> Array:
     """Share of an arc outside the tested range: between samples, up to where they cross a limit."""
-    pressure, slip = samples
+    n = len(block)
     lowest, highest, furthest = limits
-    low, high = np.zeros((len(shares) - 1, len(block))), np.ones((len(shares) - 1, len(block)))
-    for k, f in enumerate((lowest - pressure, pressure - highest, slip - furthest)):
+    low, high = np.zeros((len(shares) - 1, n)), np.ones((len(shares) - 1, n))
+    for sign, most in ((-1.0, lowest * block.area), (1.0, highest * block.area), (0.0, furthest)):
+        f = sign * (tension - most) if sign else slip - most
         out = f > 0.0
-        high = np.where(out[:-1] & out[1:], -1.0, high)
+        if not out.any():
+            continue
+        high[out[:-1] & out[1:]] = -1.0
         where, rows = np.nonzero(out[:-1] != out[1:])
         if not len(rows):
             continue
-        place = _crossing(block, at, (shares, f), where, rows, (k, limits[k][rows]))
-        leaves = out[:-1][where, rows]
-        cells = where, rows
+        part, some = every.take(where // 4 * n + rows), block.rows(rows)
+
+        def over(c: Array, sign: float = sign, most: Array = most[rows]) -> Array:
+            t = part.tension_at(c)
+            if sign:
+                return sign * (t - most)
+            return np.abs(some.stress(t, part.creep_at(c)).slip) - most
+
+        first, cells = where % 4, (where, rows)
+        a, width = _SAMPLES[first], _SAMPLES[first + 1] - _SAMPLES[first]
+        place = (crossing(over, a, a + width, f[cells], f[where + 1, rows]) - a) / width
+        leaves = out[cells]
         low[cells] = np.where(leaves, np.maximum(low[cells], place), low[cells])
         high[cells] = np.where(leaves, high[cells], np.minimum(high[cells], place))
     beyond = (1.0 - np.maximum(high - low, 0.0)) * np.diff(shares, axis=0)
     # one after the other: a sum in pairs would depend on how many rows there are
-    return np.asarray(np.cumsum(beyond, axis=0)[-1])
-
-
-def _crossing(
-    block: Block,
-    at: Courses,
-    samples: tuple[Array, Array],
-    where: Integers,
-    rows: Integers,
-    limit: tuple[int, Array],
-) -> Array:
-    """Where between two samples a pressure (0, 1) or a slip (2) crosses its limit: Illinois."""
-    shares, f = samples
-    kind, most = limit
-    part, some = block.rows(rows), at.rows(rows)
-    start, width = shares[where, rows], shares[where + 1, rows] - shares[where, rows]
-    low, high = np.zeros(len(rows)), np.ones(len(rows))
-    f_low, f_high = f[where, rows], f[where + 1, rows]
-    place = low
-    for _ in range(REGULA):
-        place = low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high)
-        creep, tension = between(part, some, (start + place * width)[None])
-        if kind < 2:
-            value = (tension[0] / part.area - most) * (1.0 if kind == 1 else -1.0)
-        else:
-            value = np.abs(part.stress(tension, creep).slip[0]) - most
-        same = (value > 0.0) == (f_low > 0.0)
-        f_high, f_low = np.where(same, 0.5 * f_high, value), np.where(same, value, 0.5 * f_low)
-        low, high = np.where(same, place, low), np.where(same, high, place)
-    return place
+    return np.asarray(reduce(np.add, beyond))

@@ -256,20 +256,14 @@ class RowBatch:
             done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.accuracy)
             sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
             good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
-            last = done.courses.creep[-1]
-            if good.any():
-                read(
-                    Met(
-                        which[some[good]],
-                        block.rows(good),
-                        done.courses.rows(good),
-                        done.grows[good],
-                    )
-                )
-            on = sound & ~good
+            ready, on = np.flatnonzero(good), np.flatnonzero(sound & ~good)
+            if len(ready):
+                met = block.rows(ready), done.courses.rows(ready), done.grows[ready]
+                read(Met(which[some[ready]], *met))
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
-            at, misfit, last = done.courses.rows(on), done.misfit[:, on], last[on]
+            at, misfit = done.courses.rows(on), done.misfit.take(on, axis=-1)
+            last = at.creep[-1]
             if not len(some):
                 break
         return np.concatenate([*lost, some])

@@ -37,7 +37,6 @@ from wraparc.arc.collocation import (
     MOST_USED,
     TENSION,
     stage_matrix,
-    weights_at,
 )
 from wraparc.batch.traction import Laws, Stress
 
@@ -46,10 +45,14 @@ Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 SPREAD = 1.0 / 3.0
+_NODES = np.array([C0, C1, C2])
+#: Coefficients of c, c^2, c^3 by the values at the stages: of the cubic through them and nothing at
+#: the start; of the integral from there of the parabola through them.
+_THROUGH = np.linalg.inv(_NODES[:, None] ** np.arange(1, 4)).tolist()
+_BELOW = (np.linalg.inv(_NODES[:, None] ** np.arange(3)) / np.arange(1, 4)[:, None]).tolist()
 #: First guess of the creep: from [m], in steps of a factor, upwards at most, halved then.
 LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-8, 3.0, 20, 5
 STEPS = 14  # of Newton's method: 4 to 8 are usual
-COMPRESS = 0.7  # share of rows still open below which the others are put aside
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -78,8 +81,10 @@ class Block:
     kick: Array
     kick_coefficient: Array
 
-    def rows(self, which: Flags | Integers) -> Block:
+    def rows(self, which: Integers) -> Block:
         """Some of the arcs."""
+        if len(which) == len(self):
+            return self
         columns = {f.name: getattr(self, f.name)[which] for f in fields(self) if f.name != "laws"}
         return replace(self, laws=self.laws.rows(which), **columns)
 
@@ -114,16 +119,11 @@ class Ends(NamedTuple):
     goal: Array
     slip: Array
 
-    def rows(self, which: Flags | Integers) -> Ends:
+    def rows(self, which: Integers) -> Ends:
         """Those of some of the rows."""
-        return Ends(
-            self.at_entry[which],
-            self.at_exit[which],
-            self.tension[which],
-            self.kind,
-            self.goal[which],
-            self.slip[which],
-        )
+        if len(which) == len(self.goal):
+            return self
+        return Ends(*(c if isinstance(c, int) else c[which] for c in self))
 
 
 class Courses(NamedTuple):
@@ -145,15 +145,76 @@ class Courses(NamedTuple):
     stage: Array
     ratio: Array
 
-    def rows(self, which: Flags | Integers) -> Courses:
+    def rows(self, which: Integers) -> Courses:
         """Those of some of the rows."""
-        return Courses(
-            self.shares[:, which],
-            self.creep[:, which],
-            self.tension[:, which],
-            self.stage[:, :, which],
-            self.ratio[which],
+        if len(which) == len(self.ratio):
+            return self
+        return Courses(*(column.take(which, axis=-1) for column in self))
+
+
+class Curves(NamedTuple):
+    """Elements of courses as polynomials of the fraction c of an element, any shape.
+
+    Attributes
+    ----------
+    start, width
+        Where an element begins and how long it is, as shares of the arc [-].
+    creep, tension
+        Coefficients of the powers of c, from the constant on [m, N].
+    """
+
+    start: Array
+    width: Array
+    creep: tuple[Array, ...]
+    tension: tuple[Array, ...]
+
+    def take(self, place: Integers) -> Curves:
+        """Those at places of the flattened arrays."""
+        return Curves(
+            self.start.take(place),
+            self.width.take(place),
+            tuple(k.take(place) for k in self.creep),
+            tuple(k.take(place) for k in self.tension),
         )
+
+    def take_rows(self, which: Integers) -> Curves:
+        """Those of some of the rows."""
+        n = self.start.shape[-1]
+        if len(which) == n:
+            return self
+        return self.take(which + n * np.arange(len(self.start))[:, None])
+
+    def creep_at(self, c: Array) -> Array:
+        """Creep at a fraction of an element [m]."""
+        u0, u1, u2, u3 = self.creep
+        return u0 + c * (u1 + c * (u2 + c * u3))
+
+    def ratio(self, c: Array, length: Array) -> Array:
+        """How creep grows along the arc at a fraction of an element [-]."""
+        _, u1, u2, u3 = self.creep
+        return (u1 + c * (2.0 * u2 + 3.0 * c * u3)) / (self.width * length)
+
+    def tension_at(self, c: Array) -> Array:
+        """Tension at a fraction of an element [N]."""
+        t0, t1, t2, t3 = self.tension
+        return t0 + c * (t1 + c * (t2 + c * t3))
+
+
+def curves(block: Block, at: Courses) -> Curves:
+    """Polynomials of every element, shape (elements, n).
+
+    Tension through the start and the three stages; creep by the integral of the parabola through
+    the stages.
+    """
+    width = np.diff(at.shares, axis=0)
+    h = width * block.length
+    k, t0 = at.stage, at.tension[:-1]
+    d = k - t0
+    through = [m[0] * d[0] + m[1] * d[1] + m[2] * d[2] for m in _THROUGH]
+    fall = h * block.compliance
+    below = [fall * (m[0] * k[0] + m[1] * k[1] + m[2] * k[2]) for m in _BELOW]
+    creep = (at.creep[:-1], h * at.ratio - below[0], -below[1], -below[2])
+    return Curves(at.shares[:-1], width, creep, (t0, *through))
 
 
 def mesh(elements: int) -> Array:
@@ -389,39 +450,30 @@ class Solved(NamedTuple):
 def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
     """Newton's method until a step changes no tension by `near` of the largest.
 
-    Rows that are done are put aside.
+    A row keeps what it had when it was done, whatever it is solved with.
     """
-    out = Courses(*(np.array(column) for column in start))
-    stress = np.empty_like(out.stage)
-    met, grows = np.zeros(len(block), dtype=bool), np.full(len(block), np.nan)
-    which, part, asked, at = np.arange(len(block)), block, ends, start
-    open_ = np.ones(len(block), dtype=bool)
+    out, n = start, len(block)
+    met, grows, stress = np.zeros(n, dtype=bool), np.full(n, np.nan), np.empty(0)
+    which = np.arange(n)
     for _ in range(STEPS):
-        at, change, slope, stages = improved(part, asked, at)
-        # a row keeps what it had when it was done, whatever it is solved with
-        done = open_ & (change < near)
-        _put(out, which[done], at, done)
-        met[which[done]], grows[which[done]] = True, slope[done]
-        stress[:, :, which[done]] = stages[:, :, done]
-        open_ &= (change < 1e4) & ~done
-        if open_.mean() < COMPRESS:
-            which, part, asked, at = (
-                which[open_],
-                part.rows(open_),
-                asked.rows(open_),
-                at.rows(open_),
-            )
-            open_ = open_[open_]
+        step = improved(block.rows(which), ends.rows(which), out.rows(which))
+        if len(which) == n:
+            out, stress = step.courses, step.stress
+        else:
+            for old, new in zip((*out[1:], stress), (*step.courses[1:], step.stress), strict=True):
+                _put(old, which, new)
+        grows[which], met[which] = step.grows, step.change < near
+        which = which[(step.change < 1e4) & ~(step.change < near)]
         if not len(which):
             break
     return Solved(out, met, grows, misfits(block, out, stress))
 
 
-def _put(out: Courses, where: Integers, at: Courses, which: Flags) -> None:
-    out.creep[:, where] = at.creep[:, which]
-    out.tension[:, where] = at.tension[:, which]
-    out.stage[:, :, where] = at.stage[:, :, which]
-    out.ratio[where] = at.ratio[which]
+def _put(old: Array, which: Integers, new: Array) -> None:
+    """Put columns in their places, row by row: all at once takes three times as long."""
+    n = old.shape[-1]
+    for row, told in zip(old.reshape(-1, n), new.reshape(-1, len(which)), strict=True):
+        row[which] = told
 
 
 def misfits(block: Block, at: Courses, stress: Array) -> Array:
@@ -444,52 +496,38 @@ def spread(shares: Array, misfit: Array, elements: int) -> Array:
     """
     parts = np.maximum(misfit, 1e-16) ** SPREAD
     parts = np.maximum(parts, 0.02 * parts.max(axis=0))
-    done = np.concatenate([np.zeros((1, parts.shape[1])), np.cumsum(parts, axis=0)])
+    done = np.zeros_like(shares)
+    for i, part in enumerate(parts):
+        np.add(done[i], part, out=done[i + 1])
     done /= done[-1]
-    wanted = np.arange(1, elements) / elements
-    place = np.zeros((elements - 1, parts.shape[1]), dtype=np.int64)
-    for end in done[1:-1]:
-        place += wanted[:, None] >= end
-    low, high = np.take_along_axis(done, place, 0), np.take_along_axis(done, place + 1, 0)
-    a, b = np.take_along_axis(shares, place, 0), np.take_along_axis(shares, place + 1, 0)
-    inner = a + (b - a) * (wanted[:, None] - low) / (high - low)
+    wanted = (np.arange(1, elements) / elements)[:, None]
+    cell = _cells_of(done, wanted)
+    low, a = done.take(cell), shares.take(cell)
+    cell += shares.shape[1]
+    inner = a + (shares.take(cell) - a) * (wanted - low) / (done.take(cell) - low)
     return np.concatenate([shares[:1], inner, shares[-1:]])
 
 
-def between(block: Block, at: Courses, shares: Array) -> tuple[Array, Array]:
-    """Creep [m] and tension [N] at shares of the arcs, shape (points, n), by the polynomials."""
-    place = np.zeros(shares.shape, dtype=np.int64)
-    for end in at.shares[1:-1]:
-        place += shares >= end
-    start = np.take_along_axis(at.shares, place, 0)
-    width = np.take_along_axis(at.shares, place + 1, 0) - start
-    c = (shares - start) / width
-    k0, k1, k2 = (np.take_along_axis(k, place, 0) for k in at.stage)
-    w0, w1, w2 = weights_at(c)
-    mean = w0 * k0 + w1 * k1 + w2 * k2
-    h = width * block.length
-    u = np.take_along_axis(at.creep, place, 0) + h * (c * at.ratio - block.compliance * mean)
-    t0 = np.take_along_axis(at.tension, place, 0)
-    return u, cubic_through(c, t0, k0, k1, k2)
-
-
-def cubic_through(c: Array, t0: Array, k0: Array, k1: Array, k2: Array) -> Array:
-    """The cubic through the start and the three stages of an element, at a fraction c of it."""
-    nodes, total = (0.0, C0, C1, C2), np.zeros_like(c)
-    for j, value in enumerate((t0, k0, k1, k2)):
-        part = value
-        for m in range(4):
-            if m != j:
-                part = part * (c - nodes[m]) / (nodes[j] - nodes[m])
-        total = total + part
-    return total
+def _cells_of(ends: Array, at: Array) -> Integers:
+    """Places of cells, between ends of shape (cells + 1, n), that hold points (points, n or 1)."""
+    n = ends.shape[1]
+    place = np.zeros((len(at), n), dtype=np.uint8)
+    for end in ends[1:-1]:
+        place += at >= end
+    cell = place.astype(np.int64)
+    cell *= n
+    cell += np.arange(n)
+    return cell
 
 
 def on_mesh(block: Block, at: Courses, shares: Array) -> Courses:
     """Courses on other meshes."""
-    creep, tension = between(block, at, shares)
-    stages = stage_shares(shares)
-    flat = stages.reshape(-1, stages.shape[2])
-    stage = between(block, at, flat)[1].reshape(stages.shape)
+    every, n = curves(block, at), shares.shape[1]
+    ends = every.take(_cells_of(at.shares, shares))
+    c = (shares - ends.start) / ends.width
+    creep, tension = ends.creep_at(c), ends.tension_at(c)
     creep[-1], tension[-1] = at.creep[-1], at.tension[-1]
-    return Courses(shares, creep, tension, stage, at.ratio)
+    places = stage_shares(shares)
+    inner = every.take(_cells_of(at.shares, places.reshape(-1, n)))
+    stage = inner.tension_at((places.reshape(-1, n) - inner.start) / inner.width)
+    return Courses(shares, creep, tension, stage.reshape(places.shape), at.ratio)
