@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from itertools import pairwise
 
 import numpy as np
 
-from wraparc.batch.traction import Array, Laws
+from wraparc.batch.traction import Array, Flags, Laws
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 PARTS = 2  # of ln T between two edges of pressure
 ROUNDS, NEAR = 40, 1e-13
+CLEAR = 0.8  # of the wrap angle: a first look that is less says enough
 
 
 def ratio_at_gross_slip(
@@ -48,9 +50,17 @@ def ratio_at_gross_slip(
     return q
 
 
-def wrap_needed(laws: Laws, top: Array, fall: Array, friction: Callable[[Array], Array]) -> Array:
-    """Wrap angle over which ln T falls so far from the tight side, shape (n,) [rad]."""
-    return _angle(top, fall, _falls(laws, top), friction)
+def breaks_away(laws: Laws, top: Array, wrap: Array, fall: Array) -> Flags:
+    """Whether the largest friction carries no such fall of ln T from the tight side, shape (n,).
+
+    By the edges of pressure where one rule over all of the fall comes near to the wrap angle.
+    """
+    found = _angle(top, fall, np.empty((0, len(top))), laws.plateau) >= CLEAR * wrap
+    near = np.flatnonzero(found)
+    if len(near):
+        some, top = laws.rows(near), top[near]
+        found[near] = _angle(top, fall[near], _falls(some, top), some.plateau) >= wrap[near]
+    return np.asarray(found)
 
 
 def _falls(laws: Laws, top: Array) -> Array:
@@ -59,7 +69,10 @@ def _falls(laws: Laws, top: Array) -> Array:
 
 
 def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array]) -> Array:
-    """`wrap_needed`, with the falls to each edge of pressure; Gauss's rule of 8 points a piece."""
+    """Wrap angle over which ln T falls by q [rad]: Gauss's rule, 8 points a part of a piece.
+
+    `edges` are the falls to the edges of pressure.
+    """
     ends = np.sort(np.minimum(edges, q), axis=0)
     ends = np.concatenate([np.zeros((1, len(q))), ends, q[None]])
     total = np.zeros(len(q))
@@ -71,5 +84,5 @@ def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array
         at = low + part * (np.arange(PARTS)[:, None, None] + 0.5 + 0.5 * _NODES[:, None])
         angles = (_WEIGHTS[:, None] / friction(top * np.exp(-at))).reshape(-1, len(q))
         # one after the other: a sum in pairs would depend on how many rows there are
-        total += 0.5 * part * np.cumsum(angles, axis=0)[-1]
+        total += 0.5 * part * reduce(np.add, angles)
     return total

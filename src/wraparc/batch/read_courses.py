@@ -7,8 +7,8 @@ from functools import reduce
 
 import numpy as np
 
-from wraparc.arc.collocation import C0, C1, C2
 from wraparc.batch import row
+from wraparc.batch.traction import Stress
 from wraparc.batch.two_point import (
     Array,
     Block,
@@ -16,18 +16,16 @@ from wraparc.batch.two_point import (
     Curves,
     Integers,
     curves,
-    stage_creeps,
-    stage_shares,
 )
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, REGULA = 45, 8
 NEARER = 2  # times that the largest shear is looked for, each by two tries
-_SAMPLES = np.array([0.0, C0, C1, C2, 1.0])  # of an element, as fractions
+MIDDLE = 0.5  # of an element, where it is looked at besides its ends
 
 
 def read_courses(
-    block: Block, at: Courses, lowest: Array, highest: Array, furthest: Array
+    block: Block, at: Courses, ends: Stress, lowest: Array, highest: Array, furthest: Array
 ) -> dict[int, Array]:
     """Columns of operating points by their places in a row of results.
 
@@ -35,12 +33,17 @@ def read_courses(
     ----------
     block, at
         Arcs and their courses.
+    ends
+        Traction at the ends of elements.
     lowest, highest, furthest
         Tested pressures [Pa] and largest tested slip [m], nan without.
     """
     every = curves(block, at)
-    shares, tension, creep = _samples(block, at)
-    s = block.stress(tension, creep)
+    # at the ends of elements and between them
+    inner = every.creep_at(MIDDLE), at.stage[1]
+    s = Stress(*map(_merged, ends, block.stress(inner[1], inner[0])))
+    tension = _merged(at.tension, at.stage[1])
+    shares = _merged(at.shares, every.start + MIDDLE * every.width)
     g = at.ratio - block.compliance * at.tension[0]
     pull = at.tension[0] - at.tension[-1]
     work = pull * (g + 0.5 * pull * block.compliance) / block.width
@@ -75,24 +78,11 @@ def read_courses(
     }
 
 
-def _samples(block: Block, at: Courses) -> tuple[Array, Array, Array]:
-    """Shares of the arc, tensions and creeps at the ends and stages of elements, in order."""
-    steps = np.diff(at.shares, axis=0) * block.length
-    creeps = stage_creeps(block, steps, at)
-    elements, n = steps.shape
-
-    def merged(ends: Array, stages: Array) -> Array:
-        out = np.empty((4 * elements + 1, n))
-        out[::4] = ends
-        for k in range(3):
-            out[k + 1 :: 4] = stages[k]
-        return out
-
-    return (
-        merged(at.shares, stage_shares(at.shares)),
-        merged(at.tension, at.stage),
-        merged(at.creep, creeps),
-    )
+def _merged(ends: Array, between: Array) -> Array:
+    """What is at the ends of elements and between them, in order."""
+    out = np.empty((len(ends) + len(between), ends.shape[1]))
+    out[::2], out[1::2] = ends, between
+    return out
 
 
 def _largest_stress(
@@ -114,9 +104,8 @@ def _largest_stress(
     rows = np.arange(n)
     best = np.abs(stress).argmax(axis=0)
     low = np.minimum(np.maximum(best - (rise[best, rows] <= 0.0), 0), last - 1)
-    element = low // 4
-    part = every.take(element * n + rows)
-    a, b = _SAMPLES[low - 4 * element], _SAMPLES[low - 4 * element + 1]
+    part, a = every.take(low // 2 * n + rows), MIDDLE * (low % 2)
+    b = a + MIDDLE
     length = part.width * block.length
     f_a, f_b = np.abs(stress[low, rows]), np.abs(stress[low + 1, rows])
     d_a, d_b = rise[low, rows] * length, rise[low + 1, rows] * length
@@ -188,10 +177,10 @@ def _stuck(block: Block, every: Curves, slip: Array) -> Array:
     # between the last sample that rests and the next; the end of the arc where all rest
     last = len(slip) - 1
     all_rest = count > last
-    element = np.minimum(count - 1, last - 1) // 4
-    part, rows = every.take(element * len(block) + which), block.rows(which)
-    first = np.minimum(count - 1, last - 1) - 4 * element
-    low, high = _SAMPLES[first], _SAMPLES[first + 1]
+    first = np.minimum(count - 1, last - 1)
+    part, rows = every.take(first // 2 * len(block) + which), block.rows(which)
+    low = MIDDLE * (first % 2)
+    high = low + MIDDLE
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         rests = rows.stress(part.tension_at(middle), part.creep_at(middle)).slip == 0.0
@@ -221,7 +210,7 @@ def _outside(
         where, rows = np.nonzero(out[:-1] != out[1:])
         if not len(rows):
             continue
-        part, some = every.take(where // 4 * n + rows), block.rows(rows)
+        part, some = every.take(where // 2 * n + rows), block.rows(rows)
 
         def over(c: Array, sign: float = sign, most: Array = most[rows]) -> Array:
             t = part.tension_at(c)
@@ -229,9 +218,9 @@ def _outside(
                 return sign * (t - most)
             return np.abs(some.stress(t, part.creep_at(c)).slip) - most
 
-        first, cells = where % 4, (where, rows)
-        a, width = _SAMPLES[first], _SAMPLES[first + 1] - _SAMPLES[first]
-        place = (crossing(over, a, a + width, f[cells], f[where + 1, rows]) - a) / width
+        a, cells = MIDDLE * (where % 2), (where, rows)
+        place = crossing(over, a, a + MIDDLE, f[cells], f[where + 1, rows])
+        place = (place - a) / MIDDLE
         leaves = out[cells]
         low[cells] = np.where(leaves, np.maximum(low[cells], place), low[cells])
         high[cells] = np.where(leaves, high[cells], np.minimum(high[cells], place))

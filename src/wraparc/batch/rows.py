@@ -21,10 +21,11 @@ from wraparc.arc.kernel.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, 
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.constant import solve_constant
-from wraparc.batch.gross_slip import ratio_at_gross_slip, wrap_needed
+from wraparc.batch.gross_slip import breaks_away, ratio_at_gross_slip
 from wraparc.batch.least import search_least
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.read_courses import read_courses
+from wraparc.batch.traction import Stress
 from wraparc.batch.two_point import (
     Array,
     Block,
@@ -76,6 +77,7 @@ class Met(NamedTuple):
     block: Block
     courses: Courses
     grows: Array
+    ends: Stress
 
 
 Read = Callable[[Met], None]
@@ -259,7 +261,8 @@ class RowBatch:
             ready, on = np.flatnonzero(good), np.flatnonzero(sound & ~good)
             if len(ready):
                 met = block.rows(ready), done.courses.rows(ready), done.grows[ready]
-                read(Met(which[some[ready]], *met))
+                ends_at = Stress(*(column.take(ready, axis=-1) for column in done.ends))
+                read(Met(which[some[ready]], *met, ends_at))
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
             at, misfit = done.courses.rows(on), done.misfit.take(on, axis=-1)
@@ -301,7 +304,7 @@ class RowBatch:
         ranges = [
             self.of_input(name)[met.which] for name in ("pressure_min", "pressure_max", "slip_max")
         ]
-        columns = read_courses(met.block, met.courses, *ranges)
+        columns = read_courses(met.block, met.courses, met.ends, *ranges)
         for place, column in columns.items():
             self.found[met.which, place] = column
 
@@ -383,7 +386,7 @@ class RowBatch:
         falls = self.of_input("steepest_fall")[live] < 0.0
         ratio = self.log_ratio[live]
         if not parts & answer.CAPACITIES:
-            beyond = wrap_needed(block.laws, top, ratio, block.laws.plateau) >= wrap
+            beyond = breaks_away(block.laws, top, wrap, ratio)
             self.found[live[beyond], row.OUTCOME] = BREAKAWAY
             return
         most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.plateau)

@@ -50,8 +50,8 @@ _NODES = np.array([C0, C1, C2])
 #: the start; of the integral from there of the parabola through them.
 _THROUGH = np.linalg.inv(_NODES[:, None] ** np.arange(1, 4)).tolist()
 _BELOW = (np.linalg.inv(_NODES[:, None] ** np.arange(3)) / np.arange(1, 4)[:, None]).tolist()
-#: First guess of the creep: from [m], in steps of a factor, upwards at most, halved then.
-LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-8, 3.0, 20, 5
+#: First guess of the creep: from [m], in steps of a factor, upwards at most, nearer then.
+LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-7, 8.0, 8, 3
 STEPS = 14  # of Newton's method: 4 to 8 are usual
 
 
@@ -239,14 +239,21 @@ def mean_creep(block: Block, entry: Array, leaving: Array, used: float = MOST_US
     needed = np.minimum(needed, used * block.laws.plateau(p) * p)
     # upwards to the first creep that does, for friction may fall again
     high, less = np.full(len(block), LEAST_FIRST), np.ones(len(block), dtype=bool)
+    f_low, f_high = np.zeros(len(block)), block.stress(tension, high).stress
     for _ in range(UPWARDS):
-        less &= block.stress(tension, high).stress < needed
+        less &= f_high < needed
         high = np.where(less, WIDER * high, high)
+        f_low = np.where(less, f_high, f_low)
+        f_high = np.where(less, block.stress(tension, high).stress, f_high)
+    # then by a power of the creep between two
     low = high / WIDER
     for _ in range(BETWEEN):
-        middle = np.sqrt(low * high)
-        less = block.stress(tension, middle).stress < needed
+        share = np.log(needed / f_low) / np.log(f_high / f_low)
+        middle = low * (high / low) ** np.where((share > 0.0) & (share < 1.0), share, 0.5)
+        f = block.stress(tension, middle).stress
+        less = f < needed
         low, high = np.where(less, middle, low), np.where(less, high, middle)
+        f_low, f_high = np.where(less, f, f_low), np.where(less, f_high, f)
     return np.where(needed > 0.0, high, 0.0)
 
 
@@ -439,12 +446,15 @@ class Solved(NamedTuple):
     misfit
         How far the parabolas through the stage stresses miss the stresses at the ends of elements,
         as a tension, of the largest change of tension along the arc, shape (elements, n) [-].
+    ends
+        Traction at the ends of elements, shape (elements + 1, n).
     """
 
     courses: Courses
     met: Flags
     grows: Array
     misfit: Array
+    ends: Stress
 
 
 def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
@@ -466,7 +476,8 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
         which = which[(step.change < 1e4) & ~(step.change < near)]
         if not len(which):
             break
-    return Solved(out, met, grows, misfits(block, out, stress))
+    at_ends = block.stress(out.tension, out.creep)
+    return Solved(out, met, grows, misfits(block, out, stress, at_ends.stress), at_ends)
 
 
 def _put(old: Array, which: Integers, new: Array) -> None:
@@ -476,11 +487,10 @@ def _put(old: Array, which: Integers, new: Array) -> None:
         row[which] = told
 
 
-def misfits(block: Block, at: Courses, stress: Array) -> Array:
-    """See `Solved.misfit`; `stress` is that at the stages [Pa]."""
+def misfits(block: Block, at: Courses, stages: Array, f: Array) -> Array:
+    """See `Solved.misfit`; stresses at the stages and at the ends [Pa]."""
     steps = np.diff(at.shares, axis=0) * block.length
-    f0, f1, f2 = stress
-    f = block.stress(at.tension, at.creep).stress
+    f0, f1, f2 = stages
     left = np.abs(E0 * f0 + E1 * f1 + E2 * f2 - f[:-1])
     right = np.abs(E2 * f0 + E1 * f1 + E0 * f2 - f[1:])
     size = np.abs(at.tension - at.tension[0]).max(axis=0)
