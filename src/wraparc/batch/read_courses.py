@@ -15,7 +15,7 @@ from wraparc.batch.two_point import (
     Courses,
     Curves,
     Integers,
-    curves,
+    Solved,
 )
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
@@ -25,23 +25,21 @@ MIDDLE = 0.5  # of an element, where it is looked at besides its ends
 
 
 def read_courses(
-    block: Block, at: Courses, ends: Stress, lowest: Array, highest: Array, furthest: Array
+    block: Block, met: Solved, lowest: Array, highest: Array, furthest: Array
 ) -> dict[int, Array]:
     """Columns of operating points by their places in a row of results.
 
     Parameters
     ----------
-    block, at
+    block, met
         Arcs and their courses.
-    ends
-        Traction at the ends of elements.
     lowest, highest, furthest
         Tested pressures [Pa] and largest tested slip [m], nan without.
     """
-    every = curves(block, at)
+    at, every = met.courses, met.curves
     # at the ends of elements and between them
     inner = every.creep_at(MIDDLE), at.stage[1]
-    s = Stress(*map(_merged, ends, block.stress(inner[1], inner[0])))
+    s = Stress(*map(_merged, met.ends, block.stress(inner[1], inner[0])))
     tension = _merged(at.tension, at.stage[1])
     shares = _merged(at.shares, every.start + MIDDLE * every.width)
     g = at.ratio - block.compliance * at.tension[0]

@@ -25,11 +25,9 @@ from wraparc.batch.gross_slip import breaks_away, ratio_at_gross_slip
 from wraparc.batch.least import search_least
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.read_courses import read_courses
-from wraparc.batch.traction import Stress
 from wraparc.batch.two_point import (
     Array,
     Block,
-    Courses,
     Ends,
     Flags,
     Integers,
@@ -42,7 +40,7 @@ from wraparc.batch.two_point import (
 )
 
 #: Meshes tried one after the other: elements, of which the first is graded to the entry.
-MESHES = (4, 8, 16, 28, 48, 96)
+MESHES = (4, 8, 12, 20, 32, 48, 96)
 #: What misfit is let stand, of the accuracy: errors are a 50th of it in the median, half at most
 #: under friction that rises, two thirds past its peak.
 MISFIT = 1.0
@@ -56,7 +54,7 @@ ON_THE_RISE = 0.6
 CREEPS = (0.4, 0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.0, 10.0, 16.0, 30.0, 60.0)
 NEARER = 5
 
-FIRST_NEAR = 1e-2  # of Newton's method on the first mesh: what it leaves is the mesh's
+FIRST_NEAR = 0.05  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
 
 _INPUT = {name: k for k, name in enumerate(row.INPUTS)}
@@ -70,17 +68,8 @@ class Guess(NamedTuple):
     creep: Array
 
 
-class Met(NamedTuple):
-    """Rows that met what was asked; see `Solved`."""
-
-    which: Integers
-    block: Block
-    courses: Courses
-    grows: Array
-    ends: Stress
-
-
-Read = Callable[[Met], None]
+#: Called with rows that met what was asked, and their blocks and courses.
+Read = Callable[[Integers, Block, Solved], None]
 
 
 def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
@@ -169,6 +158,11 @@ class RowBatch:
         return self.given[:, _INPUT[name]]
 
     @property
+    def near(self) -> float:
+        """Change at which Newton's method ends: what it leaves is of the square of that [-]."""
+        return float(0.1 * np.sqrt(self.accuracy))
+
+    @property
     def tight(self) -> Array:
         """Tension of the tight side [N]."""
         return np.maximum(self.of_input("entry_tension"), self.of_input("exit_tension"))
@@ -221,7 +215,7 @@ class RowBatch:
         guess
             Tensions at the entry and the exit, and creep at the exit, that are near.
         read
-            Called with rows that are met, their blocks and their courses.
+            Called with rows that are met.
         """
         failed = np.zeros(len(which), dtype=bool)
         if not len(which):
@@ -251,24 +245,23 @@ class RowBatch:
         block, ends = self.block.rows(which[some]), ends.rows(some)
         entry, leaving, end = (column[some] for column in guess)
         at = first_courses(block, entry, leaving, end, MESHES[first])
-        lost, misfit, last = [], np.empty(0), np.empty(0)
+        lost: list[Integers] = []
+        last = np.empty(0)
         for k in range(first, len(MESHES)):
-            if k > first:
-                at = on_mesh(block, at, spread(at.shares, misfit, MESHES[k]))
-            done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.accuracy)
+            done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.near)
             sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
             good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
             ready, on = np.flatnonzero(good), np.flatnonzero(sound & ~good)
             if len(ready):
-                met = block.rows(ready), done.courses.rows(ready), done.grows[ready]
-                ends_at = Stress(*(column.take(ready, axis=-1) for column in done.ends))
-                read(Met(which[some[ready]], *met, ends_at))
+                read(which[some[ready]], block.rows(ready), done.rows(ready))
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
-            at, misfit = done.courses.rows(on), done.misfit.take(on, axis=-1)
-            last = at.creep[-1]
-            if not len(some):
+            if not len(some) or k + 1 == len(MESHES):
                 break
+            done = done.rows(on)
+            last = done.courses.creep[-1]
+            shares = spread(done.courses.shares, done.misfit, MESHES[k + 1])
+            at = on_mesh(done.courses, done.curves, shares)
         return np.concatenate([*lost, some])
 
     def _near(self, ends: Ends, done: Solved, last: Array) -> Flags:
@@ -299,14 +292,12 @@ class RowBatch:
         guess = Guess(entry[which], leaving[which], creep)
         self.left[self.meet(which, ends, guess, self._read)] |= row.TENSIONS
 
-    def _read(self, met: Met) -> None:
+    def _read(self, which: Integers, block: Block, met: Solved) -> None:
         """Write operating points into rows of results."""
-        ranges = [
-            self.of_input(name)[met.which] for name in ("pressure_min", "pressure_max", "slip_max")
-        ]
-        columns = read_courses(met.block, met.courses, met.ends, *ranges)
+        tested = ("pressure_min", "pressure_max", "slip_max")
+        columns = read_courses(block, met, *(self.of_input(name)[which] for name in tested))
         for place, column in columns.items():
-            self.found[met.which, place] = column
+            self.found[which, place] = column
 
     def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
         """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
@@ -325,9 +316,9 @@ class RowBatch:
 
         found = np.full(len(self.left), np.nan)
 
-        def read(met: Met) -> None:
+        def read(rows: Integers, block: Block, met: Solved) -> None:
             tension = met.courses.tension
-            found[met.which] = np.abs(np.log(tension[0] / tension[-1]))
+            found[rows] = np.abs(np.log(tension[0] / tension[-1]))
 
         self.meet(which, ends, guess, read)
         return found[which]
@@ -357,10 +348,10 @@ class RowBatch:
         ends = Ends(side, -side, pull[which], CREEP, end, np.full(len(which), np.nan))
         done = np.zeros(len(self.left), dtype=bool)
 
-        def read(met: Met) -> None:
+        def read(rows: Integers, block: Block, met: Solved) -> None:
             tight = np.maximum(met.courses.tension[0], met.courses.tension[-1])
-            good = (met.grows > 0.0) & (tight <= top[met.which])
-            rows = met.which[good]
+            good = (met.grows > 0.0) & (tight <= top[rows])
+            rows = rows[good]
             self.found[rows, row.LEAST_SLACK] = tight[good] - pull[rows]
             done[rows] = True
 

@@ -60,7 +60,7 @@ class Laws(Protocol):
     def edges(self) -> Array:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
 
-    def rows(self, which: Integers) -> Laws:
+    def rows(self, which: slice | Integers) -> Laws:
         """Laws of some of the rows."""
 
 
@@ -123,7 +123,7 @@ class IntegralLog:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
         return self.knots[:, self.row]
 
-    def rows(self, which: Integers) -> IntegralLog:
+    def rows(self, which: slice | Integers) -> IntegralLog:
         """Laws of some of the rows."""
         return IntegralLog(
             self.knots, self.cells, self.row[which], self.softens, self.pieces, self.ends
@@ -305,7 +305,7 @@ class Limits:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
         return np.where(self.ends > 0.0, self.ends, np.inf)[:, self.row]
 
-    def rows(self, which: Integers) -> Limits:
+    def rows(self, which: slice | Integers) -> Limits:
         """Laws of some of the rows."""
         return Limits(self.numbers, self.ends, self.row[which])
 
@@ -376,7 +376,7 @@ class Tables:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
         return self.knots[:, self.row]
 
-    def rows(self, which: Integers) -> Tables:
+    def rows(self, which: slice | Integers) -> Tables:
         """Laws of some of the rows."""
         return Tables(self.slips, self.knots, self.numbers, self.row[which])
 

@@ -7,6 +7,7 @@ one kind. What a mesh is too coarse for is said row by row (`Solved.misfit`).
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
@@ -29,9 +30,6 @@ from wraparc.arc.collocation import (
     C0,
     C1,
     C2,
-    E0,
-    E1,
-    E2,
     GRADING,
     LEAST_LEFT,
     MOST_USED,
@@ -52,6 +50,7 @@ _THROUGH = np.linalg.inv(_NODES[:, None] ** np.arange(1, 4)).tolist()
 _BELOW = (np.linalg.inv(_NODES[:, None] ** np.arange(3)) / np.arange(1, 4)[:, None]).tolist()
 #: First guess of the creep: from [m], in steps of a factor, upwards at most, nearer then.
 LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-7, 8.0, 8, 3
+IN_CACHE = 12_000  # numbers of an array
 STEPS = 14  # of Newton's method: 4 to 8 are usual
 
 
@@ -102,8 +101,23 @@ class Block:
         return self.kick + grown, 1.5 * grown / tension
 
     def stress(self, tension: Array, creep: Array) -> Stress:
-        """Traction at tensions and creeps."""
-        return self.laws.stress(self.shear, tension / self.area, creep)
+        """Traction at tensions and creeps, shape (points, n)."""
+        found = [
+            some.laws.stress(some.shear, tension[..., part] / some.area, creep[..., part])
+            for part, some in self.parts(tension.size // len(self) if len(self) else 1)
+        ]
+        return found[0] if len(found) == 1 else Stress(*map(_joined, zip(*found, strict=True)))
+
+    def parts(self, points: int) -> Iterator[tuple[slice, Block]]:
+        """Parts of the rows, of so many that arrays of so many points a row stay in the cache."""
+        size = max(1, IN_CACHE // points)
+        if len(self) <= size:
+            yield slice(None), self
+            return
+        for start in range(0, len(self), size):
+            part = slice(start, start + size)
+            columns = {f.name: getattr(self, f.name)[part] for f in fields(self)[1:]}
+            yield part, replace(self, laws=self.laws.rows(part), **columns)
 
 
 class Ends(NamedTuple):
@@ -123,6 +137,10 @@ class Ends(NamedTuple):
         """Those of some of the rows."""
         if len(which) == len(self.goal):
             return self
+        return self.part(which)
+
+    def part(self, which: slice | Integers) -> Ends:
+        """Those of a part of the rows."""
         return Ends(*(c if isinstance(c, int) else c[which] for c in self))
 
 
@@ -286,12 +304,8 @@ def stage_creeps(block: Block, steps: Array, at: Courses) -> Array:
 
 
 class _Linear(NamedTuple):
-    """Elements made linear: stages (4 x 3) and ends (4 x 2) by constant, du, dT, dK.
+    """Elements made linear: stages (4 x 3) and ends (4 x 2) by constant, du, dT, dK."""
 
-    And the stresses at the stages that they were made with, shape (3, elements, n) [Pa].
-    """
-
-    stress: Array
     stages: list[tuple[Array, Array, Array]]
     creep: list[Array]
     tension: list[Array]
@@ -330,7 +344,7 @@ def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
             (h0, h1, h2),
         ),
     )
-    found = _Linear(s.stress, [], [], [])
+    found = _Linear([], [], [])
     for q0, q1, q2, (g0, g1, g2) in right:
         y0 = (a00 * q0 + a01 * q1 + a02 * q2) * over
         y1 = (a10 * q0 + a11 * q1 + a12 * q2) * over
@@ -360,18 +374,30 @@ class Step(NamedTuple):
         Largest change of a tension, of the largest there is.
     grows
         See `Solved`.
-    stress
-        At the stages before it [Pa].
     """
 
     courses: Courses
     change: Array
     grows: Array
-    stress: Array
 
 
 def improved(block: Block, ends: Ends, at: Courses) -> Step:
     """One Newton step of every row."""
+    steps = [
+        _improved(some, ends.part(part), Courses(*(column[..., part] for column in at)))
+        for part, some in block.parts(at.stage.size // len(block))
+    ]
+    if len(steps) == 1:
+        return steps[0]
+    courses, *more = zip(*steps, strict=True)
+    return Step(Courses(*map(_joined, zip(*courses, strict=True))), *map(_joined, more))
+
+
+def _joined(parts: Sequence[Array]) -> Array:
+    return np.concatenate(parts, axis=-1)
+
+
+def _improved(block: Block, ends: Ends, at: Courses) -> Step:
     steps = np.diff(at.shares, axis=0) * block.length
     linear = _condensed(block, steps, at)
     overrun, by_tension = block.overrun(at.tension[0])
@@ -413,7 +439,7 @@ def improved(block: Block, ends: Ends, at: Courses) -> Step:
     )
     most = np.maximum(np.abs(change).max(axis=(0, 1)), np.abs(dt).max(axis=0))
     grows = slope if ends.kind == TENSION else slope / np.where(block.side > 0.0, first_k, end_k)
-    return Step(moved, most / np.maximum(at.tension[0], at.tension[-1]), grows, linear.stress)
+    return Step(moved, most / np.maximum(at.tension[0], at.tension[-1]), grows)
 
 
 def _exit(
@@ -438,23 +464,39 @@ class Solved(NamedTuple):
 
     Attributes
     ----------
+    courses, curves
+        The courses, and their polynomials.
     met
         Whether Newton's method settled.
     grows
         > 0 where the tension at the entry grows with creep (the branch on which friction is not yet
         exhausted); at a creep that is asked, where what is carried does with the tight side.
-    misfit
-        How far the parabolas through the stage stresses miss the stresses at the ends of elements,
-        as a tension, of the largest change of tension along the arc, shape (elements, n) [-].
     ends
         Traction at the ends of elements, shape (elements + 1, n).
+    misfit
+        How far the slope of the tension misses the traction at the ends of elements, as a tension,
+        of the largest change of tension along the arc, shape (elements, n) [-].
     """
 
     courses: Courses
+    curves: Curves
     met: Flags
     grows: Array
-    misfit: Array
     ends: Stress
+    misfit: Array
+
+    def rows(self, which: Integers) -> Solved:
+        """Those of some of the rows."""
+        if len(which) == len(self.met):
+            return self
+        return Solved(
+            self.courses.rows(which),
+            self.curves.take_rows(which),
+            self.met[which],
+            self.grows[which],
+            Stress(*(column.take(which, axis=-1) for column in self.ends)),
+            self.misfit.take(which, axis=-1),
+        )
 
 
 def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
@@ -463,21 +505,21 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
     A row keeps what it had when it was done, whatever it is solved with.
     """
     out, n = start, len(block)
-    met, grows, stress = np.zeros(n, dtype=bool), np.full(n, np.nan), np.empty(0)
-    which = np.arange(n)
+    met, grows, which = np.zeros(n, dtype=bool), np.full(n, np.nan), np.arange(n)
     for _ in range(STEPS):
         step = improved(block.rows(which), ends.rows(which), out.rows(which))
         if len(which) == n:
-            out, stress = step.courses, step.stress
+            out = step.courses
         else:
-            for old, new in zip((*out[1:], stress), (*step.courses[1:], step.stress), strict=True):
+            for old, new in zip(out[1:], step.courses[1:], strict=True):
                 _put(old, which, new)
         grows[which], met[which] = step.grows, step.change < near
         which = which[(step.change < 1e4) & ~(step.change < near)]
         if not len(which):
             break
+    along = curves(block, out)
     at_ends = block.stress(out.tension, out.creep)
-    return Solved(out, met, grows, misfits(block, out, stress, at_ends.stress), at_ends)
+    return Solved(out, along, met, grows, at_ends, misfits(block, out, along, at_ends.stress))
 
 
 def _put(old: Array, which: Integers, new: Array) -> None:
@@ -487,15 +529,14 @@ def _put(old: Array, which: Integers, new: Array) -> None:
         row[which] = told
 
 
-def misfits(block: Block, at: Courses, stages: Array, f: Array) -> Array:
-    """See `Solved.misfit`; stresses at the stages and at the ends [Pa]."""
-    steps = np.diff(at.shares, axis=0) * block.length
-    f0, f1, f2 = stages
-    left = np.abs(E0 * f0 + E1 * f1 + E2 * f2 - f[:-1])
-    right = np.abs(E2 * f0 + E1 * f1 + E0 * f2 - f[1:])
+def misfits(block: Block, at: Courses, along: Curves, stress: Array) -> Array:
+    """See `Solved.misfit`; `stress` is that at the ends [Pa]."""
+    pull = along.width * (block.length * block.width)
+    _, t1, t2, t3 = along.tension
+    left = np.abs(t1 + pull * stress[:-1])
+    right = np.abs(t1 + 2.0 * t2 + 3.0 * t3 + pull * stress[1:])
     size = np.abs(at.tension - at.tension[0]).max(axis=0)
-    size = np.maximum(size, 1e-6 * at.tension[0])
-    return np.asarray(steps * block.width * np.maximum(left, right) / size)
+    return np.asarray(np.maximum(left, right) / np.maximum(size, 1e-6 * at.tension[0]))
 
 
 def spread(shares: Array, misfit: Array, elements: int) -> Array:
@@ -530,9 +571,9 @@ def _cells_of(ends: Array, at: Array) -> Integers:
     return cell
 
 
-def on_mesh(block: Block, at: Courses, shares: Array) -> Courses:
-    """Courses on other meshes."""
-    every, n = curves(block, at), shares.shape[1]
+def on_mesh(at: Courses, every: Curves, shares: Array) -> Courses:
+    """Courses, and their polynomials, on other meshes."""
+    n = shares.shape[1]
     ends = every.take(_cells_of(at.shares, shares))
     c = (shares - ends.start) / ends.width
     creep, tension = ends.creep_at(c), ends.tension_at(c)
