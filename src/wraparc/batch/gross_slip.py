@@ -75,11 +75,15 @@ def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array
     """
     ends = np.sort(np.minimum(edges, q), axis=0)
     ends = np.concatenate([np.zeros((1, len(q))), ends, q[None]])
+    # from the last that is nothing on, so that the pieces of most rows are few
+    none = np.maximum((ends == 0.0).sum(axis=0) - 1, 0)
+    place = np.minimum(np.arange(len(ends))[:, None] + none, len(ends) - 1)
+    ends = np.take_along_axis(ends, place, 0)
     total = np.zeros(len(q))
     for low, high in pairwise(ends):
         width = high - low
         if not (width > 0.0).any():
-            continue
+            break
         part = width / PARTS
         at = low + part * (np.arange(PARTS)[:, None, None] + 0.5 + 0.5 * _NODES[:, None])
         angles = (_WEIGHTS[:, None] / friction(top * np.exp(-at))).reshape(-1, len(q))

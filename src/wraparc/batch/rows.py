@@ -276,7 +276,7 @@ class RowBatch:
             moved = np.abs(at.creep[-1] - last) <= MOVED * wanted * size
             return np.asarray((misfit <= MISFIT * wanted) & moved)
         fall = np.abs(np.log(at.tension[0] / at.tension[-1]))
-        return np.asarray(misfit * np.expm1(fall) <= MISFIT * wanted * fall)
+        return np.asarray(misfit <= MISFIT * wanted * fall)
 
     def _find_tensions(self, live: Integers) -> None:
         """Operating points."""

@@ -43,6 +43,8 @@ Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 SPREAD = 1.0 / 3.0
+#: Tension at the end of an element by those at its stages, less that at its start: b A^-1.
+F0, F1, F2 = 5.0 / 3.0, -4.0 / 3.0, 5.0 / 3.0
 _NODES = np.array([C0, C1, C2])
 #: Coefficients of c, c^2, c^3 by the values at the stages: of the cubic through them and nothing at
 #: the start; of the integral from there of the parabola through them.
@@ -50,7 +52,7 @@ _THROUGH = np.linalg.inv(_NODES[:, None] ** np.arange(1, 4)).tolist()
 _BELOW = (np.linalg.inv(_NODES[:, None] ** np.arange(3)) / np.arange(1, 4)[:, None]).tolist()
 #: First guess of the creep: from [m], in steps of a factor, upwards at most, nearer then.
 LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-7, 8.0, 8, 3
-IN_CACHE = 12_000  # numbers of an array
+IN_CACHE = 32_000  # numbers of an array
 STEPS = 14  # of Newton's method: 4 to 8 are usual
 
 
@@ -317,48 +319,46 @@ def _condensed(block: Block, steps: Array, at: Courses) -> _Linear:
     k0, k1, k2 = at.stage
     s = block.stress(at.stage, stage_creeps(block, steps, at))
     (f0, f1, f2), (v0, v1, v2) = s.stress, s.by_creep
-    j, a, det = stage_matrix(hb, hc, (v0, v1, v2), tuple(s.by_pressure / block.area))
-    j00, j01, j02, j10, j11, j12, j20, j21, j22 = j
+    _, a, det = stage_matrix(hb, hc, (v0, v1, v2), tuple(s.by_pressure / block.area))
     a00, a01, a02, a10, a11, a12, a20, a21, a22 = a
     over = 1.0 / det
     h0, h1, h2 = C0 * steps * v0, C1 * steps * v1, C2 * steps * v2
-    zero, one = np.zeros(1), np.ones(1)
     right = (
         (
             tension - k0 - hb * (A00 * f0 + A01 * f1 + A02 * f2),
             tension - k1 - hb * (A10 * f0 + A11 * f1 + A12 * f2),
             tension - k2 - hb * (A20 * f0 + A21 * f1 + A22 * f2),
-            (f0, f1, f2),
         ),
         (
             -hb * (A00 * v0 + A01 * v1 + A02 * v2),
             -hb * (A10 * v0 + A11 * v1 + A12 * v2),
             -hb * (A20 * v0 + A21 * v1 + A22 * v2),
-            (v0, v1, v2),
         ),
-        (one, one, one, (zero, zero, zero)),
+        None,
         (
             -hb * (A00 * h0 + A01 * h1 + A02 * h2),
             -hb * (A10 * h0 + A11 * h1 + A12 * h2),
             -hb * (A20 * h0 + A21 * h1 + A22 * h2),
-            (h0, h1, h2),
         ),
     )
     found = _Linear([], [], [])
-    for q0, q1, q2, (g0, g1, g2) in right:
-        y0 = (a00 * q0 + a01 * q1 + a02 * q2) * over
-        y1 = (a10 * q0 + a11 * q1 + a12 * q2) * over
-        y2 = (a20 * q0 + a21 * q1 + a22 * q2) * over
+    for column in right:
+        if column is None:  # the tension at the start is that of every stage
+            y0 = (a00 + a01 + a02) * over
+            y1 = (a10 + a11 + a12) * over
+            y2 = (a20 + a21 + a22) * over
+        else:
+            q0, q1, q2 = column
+            y0 = (a00 * q0 + a01 * q1 + a02 * q2) * over
+            y1 = (a10 * q0 + a11 * q1 + a12 * q2) * over
+            y2 = (a20 * q0 + a21 * q1 + a22 * q2) * over
         found.stages.append((y0, y1, y2))
         found.creep.append(-hc * (B0 * y0 + B1 * y1 + B2 * y2))
-        t0 = g0 + j00 * y0 + j01 * y1 + j02 * y2
-        t1 = g1 + j10 * y0 + j11 * y1 + j12 * y2
-        t2 = g2 + j20 * y0 + j21 * y1 + j22 * y2
-        found.tension.append(-hb * (B0 * t0 + B1 * t1 + B2 * t2))
+        found.tension.append(F0 * y0 + F1 * y1 + F2 * y2)
     found.creep[0] += u + steps * at.ratio - hc * (B0 * k0 + B1 * k1 + B2 * k2) - at.creep[1:]
-    found.tension[0] += tension - at.tension[1:]
+    found.tension[0] += F0 * k0 + F1 * k1 + F2 * k2 - tension - at.tension[1:]
     found.creep[1] += 1.0
-    found.tension[2] += 1.0
+    found.tension[2] -= 1.0
     found.creep[3] += steps
     return found
 
@@ -475,7 +475,8 @@ class Solved(NamedTuple):
         Traction at the ends of elements, shape (elements + 1, n).
     misfit
         How far the slope of the tension misses the traction at the ends of elements, as a tension,
-        of the largest change of tension along the arc, shape (elements, n) [-].
+        of the largest change of tension along the arc; where a creep is asked, of the tension
+        there; shape (elements, n) [-].
     """
 
     courses: Courses
@@ -519,7 +520,13 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
             break
     along = curves(block, out)
     at_ends = block.stress(out.tension, out.creep)
-    return Solved(out, along, met, grows, at_ends, misfits(block, out, along, at_ends.stress))
+    misfit = misfits(block, along, at_ends.stress)
+    if ends.kind == TENSION:
+        size = np.abs(out.tension - out.tension[0]).max(axis=0)
+        misfit /= np.maximum(size, 1e-6 * out.tension[0])
+    else:
+        misfit /= np.minimum(out.tension[:-1], out.tension[1:])
+    return Solved(out, along, met, grows, at_ends, misfit)
 
 
 def _put(old: Array, which: Integers, new: Array) -> None:
@@ -529,14 +536,13 @@ def _put(old: Array, which: Integers, new: Array) -> None:
         row[which] = told
 
 
-def misfits(block: Block, at: Courses, along: Curves, stress: Array) -> Array:
-    """See `Solved.misfit`; `stress` is that at the ends [Pa]."""
+def misfits(block: Block, along: Curves, stress: Array) -> Array:
+    """See `Solved.misfit`, as a tension [N]; `stress` is that at the ends [Pa]."""
     pull = along.width * (block.length * block.width)
     _, t1, t2, t3 = along.tension
     left = np.abs(t1 + pull * stress[:-1])
     right = np.abs(t1 + 2.0 * t2 + 3.0 * t3 + pull * stress[1:])
-    size = np.abs(at.tension - at.tension[0]).max(axis=0)
-    return np.asarray(np.maximum(left, right) / np.maximum(size, 1e-6 * at.tension[0]))
+    return np.maximum(left, right)
 
 
 def spread(shares: Array, misfit: Array, elements: int) -> Array:
