@@ -39,8 +39,9 @@ from wraparc.batch.two_point import (
     spread,
 )
 
-#: Meshes tried one after the other: elements, of which the first is graded to the entry.
-MESHES = (4, 8, 12, 20, 32, 48, 96)
+#: Meshes tried one after the other, to an accuracy of 1e-5 and to finer ones: elements, of which
+#: the first is graded to the entry.
+MESHES, FINER = (4, 8, 12, 20, 32, 48, 96, 192), (6, 12, 28, 48, 96, 192)
 #: What misfit is let stand, of the accuracy: errors are a 50th of it in the median, half at most
 #: under friction that rises, two thirds past its peak.
 MISFIT = 1.0
@@ -244,10 +245,11 @@ class RowBatch:
         """Try the meshes from the `first` on; returns the places in `which` that none serves."""
         block, ends = self.block.rows(which[some]), ends.rows(some)
         entry, leaving, end = (column[some] for column in guess)
-        at = first_courses(block, entry, leaving, end, MESHES[first])
+        meshes = MESHES if self.accuracy >= 1e-5 else FINER
+        at = first_courses(block, entry, leaving, end, meshes[first])
         lost: list[Integers] = []
         last = np.empty(0)
-        for k in range(first, len(MESHES)):
+        for k in range(first, len(meshes)):
             done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.near)
             sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
             good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
@@ -256,11 +258,11 @@ class RowBatch:
                 read(which[some[ready]], block.rows(ready), done.rows(ready))
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
-            if not len(some) or k + 1 == len(MESHES):
+            if not len(some) or k + 1 == len(meshes):
                 break
             done = done.rows(on)
             last = done.courses.creep[-1]
-            shares = spread(done.courses.shares, done.misfit, MESHES[k + 1])
+            shares = spread(done.courses.shares, done.misfit, meshes[k + 1])
             at = on_mesh(done.courses, done.curves, shares)
         return np.concatenate([*lost, some])
 
