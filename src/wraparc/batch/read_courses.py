@@ -83,9 +83,7 @@ def _merged(ends: Array, between: Array) -> Array:
     return out
 
 
-def _largest_stress(
-    block: Block, every: Curves, stress: Array, rise: Array
-) -> tuple[Array, Array]:
+def _largest_stress(block: Block, every: Curves, stress: Array, rise: Array) -> tuple[Array, Array]:
     """Largest magnitude of shear stress [Pa], and its place as a share of the arc.
 
     Beside the largest of the samples, on the side to which it rises: where the slope of the cubic
@@ -158,7 +156,10 @@ def _begins(at: Courses, every: Curves) -> Array:
     # the last element that begins with less
     place = len(before) - 2 - before[-2::-1].argmax(axis=0)
     rows = np.arange(n)
-    part, ends = every.take(place * n + rows), (at.tension[place, rows], at.tension[place + 1, rows])
+    part, ends = (
+        every.take(place * n + rows),
+        (at.tension[place, rows], at.tension[place + 1, rows]),
+    )
     f_low, f_high = (t - goal for t in ends)
     c = crossing(lambda c: part.tension_at(c) - goal, np.zeros(n), np.ones(n), f_low, f_high)
     return np.asarray(np.where(change == 0.0, 1.0, part.start + part.width * c))

@@ -382,7 +382,7 @@ class RowBatch:
             beyond = breaks_away(block.laws, top, wrap, ratio)
             self.found[live[beyond], row.OUTCOME] = BREAKAWAY
             return
-        most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.plateau)
+        most = ratio_at_gross_slip(block.laws, top, wrap)
         self.found[live[ratio >= most], row.OUTCOME] = BREAKAWAY
         creep = np.full(len(live), np.inf)
         softening = np.flatnonzero(falls)
@@ -401,7 +401,7 @@ class RowBatch:
         """
         block, tight = self.block.rows(which), self.tight[which]
         top, wrap = tight / block.area, block.length / block.radius
-        most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.residual)
+        most = ratio_at_gross_slip(block.laws, top, wrap, residual=True)
         creep = np.full(len(which), np.inf)
         outweighs = np.zeros(len(which), dtype=bool)
         for share in np.linspace(0.0, 1.0, PRESSURES):

@@ -42,6 +42,8 @@ class Stress(NamedTuple):
 class Laws(Protocol):
     """Laws of a block of rows."""
 
+    row: Integers  # place of the law of each row
+
     def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
         """Traction at creeps of either sign; `shear` is h/G, shape (n,)."""
 
