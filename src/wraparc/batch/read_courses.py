@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import reduce
+from functools import partial, reduce
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from wraparc.batch.two_point import (
     Block,
     Courses,
     Curves,
-    Integers,
     Solved,
 )
 
@@ -49,7 +48,7 @@ def read_courses(
     size = np.abs(s.slip)
     # by the place along the arc: x' = u' - c tau', tau' by creep and tension
     growth = at.ratio - block.compliance * tension
-    rise = s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
+    rise = _rise(block, s, growth)
     peak, where = _largest_stress(block, every, s.stress, rise * np.sign(s.stress))
     outside = np.full(len(block), np.nan)
     tested = np.flatnonzero(np.isfinite(furthest))
@@ -81,6 +80,11 @@ def _merged(ends: Array, between: Array) -> Array:
     out = np.empty((len(ends) + len(between), ends.shape[1]))
     out[::2], out[1::2] = ends, between
     return out
+
+
+def _rise(block: Block, s: Stress, growth: Array) -> Array:
+    """How traction grows along the arc where creep does so [Pa/m]."""
+    return s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
 
 
 def _largest_stress(block: Block, every: Curves, stress: Array, rise: Array) -> tuple[Array, Array]:
@@ -121,9 +125,7 @@ def _largest_stress(block: Block, every: Curves, stress: Array, rise: Array) -> 
         tension = part.tension_at(c)
         s = block.stress(tension, part.creep_at(c))
         f = np.abs(s.stress)
-        growth = part.ratio(c, block.length)
-        d = s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
-        d *= np.sign(s.stress) * length
+        d = _rise(block, s, part.ratio(c, block.length)) * np.sign(s.stress) * length
         higher, grows = f > most, d > 0.0
         most, where = np.where(higher, f, most), np.where(higher, c, where)
         a, f_a, d_a = (np.where(grows, *pair) for pair in ((c, a), (f, f_a), (d, d_a)))
@@ -209,20 +211,20 @@ def _outside(
         where, rows = np.nonzero(out[:-1] != out[1:])
         if not len(rows):
             continue
-        part, some = every.take(where // 2 * n + rows), block.rows(rows)
-
-        def over(c: Array, sign: float = sign, most: Array = most[rows]) -> Array:
-            t = part.tension_at(c)
-            if sign:
-                return sign * (t - most)
-            return np.abs(some.stress(t, part.creep_at(c)).slip) - most
-
-        a, cells = MIDDLE * (where % 2), (where, rows)
-        place = crossing(over, a, a + MIDDLE, f[cells], f[where + 1, rows])
-        place = (place - a) / MIDDLE
+        part, a, cells = every.take(where // 2 * n + rows), MIDDLE * (where % 2), (where, rows)
+        over = partial(_over, block.rows(rows), part, sign, most[rows])
+        place = (crossing(over, a, a + MIDDLE, f[cells], f[where + 1, rows]) - a) / MIDDLE
         leaves = out[cells]
         low[cells] = np.where(leaves, np.maximum(low[cells], place), low[cells])
         high[cells] = np.where(leaves, high[cells], np.minimum(high[cells], place))
     beyond = (1.0 - np.maximum(high - low, 0.0)) * np.diff(shares, axis=0)
     # one after the other: a sum in pairs would depend on how many rows there are
     return np.asarray(reduce(np.add, beyond))
+
+
+def _over(block: Block, part: Curves, sign: float, most: Array, c: Array) -> Array:
+    """How far a tension is over a limit, or below it, or else slip over it."""
+    tension = part.tension_at(c)
+    if sign:
+        return sign * (tension - most)
+    return np.abs(block.stress(tension, part.creep_at(c)).slip) - most

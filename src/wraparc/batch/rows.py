@@ -22,7 +22,7 @@ from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.constant import solve_constant
 from wraparc.batch.gross_slip import breaks_away, ratio_at_gross_slip
-from wraparc.batch.least import search_least
+from wraparc.batch.least import crown, narrowed, search_least
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.read_courses import read_courses
 from wraparc.batch.two_point import (
@@ -300,6 +300,8 @@ class RowBatch:
         columns = read_courses(block, met, *(self.of_input(name)[which] for name in tested))
         for place, column in columns.items():
             self.found[which, place] = column
+        # a belt that creeps by more than its length is one that the scalar solver does not hold
+        self.left[which[columns[row.CREEP_RATIO] >= 1.0]] |= row.TENSIONS
 
     def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
         """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
@@ -362,7 +364,7 @@ class RowBatch:
         if not len(rest):
             return
 
-        def pull_within(log_tension: Array, some: Integers, fine: bool) -> tuple[Array, Flags]:
+        def pull_within(log_tension: Array, some: Integers) -> tuple[Array, Flags]:
             tension, rows = np.exp(log_tension), rest[some]
             found = self._carried(rows, tension, limit[rows])
             return -tension * np.expm1(-found), np.isfinite(found)
@@ -422,21 +424,18 @@ class RowBatch:
         """
         block, tight = self.block.rows(which), self.tight[which]
         first = mean_creep(block, tight, tight * np.exp(-10.0), ON_THE_RISE)
-        creeps, ratios = [], []
-        for times in CREEPS:
-            creeps.append(times * first)
-            ratios.append(self._carried(which, tight, creeps[-1]))
-        best = np.nan_to_num(np.stack(ratios), nan=-np.inf).argmax(axis=0)
-        rows = np.arange(len(which))
+        creeps = np.array(CREEPS)[:, None] * first
+        ratios = np.stack([self._carried(which, tight, creep) for creep in creeps])
+        best = np.nan_to_num(ratios, nan=-np.inf).argmax(axis=0)
         inside = (best > 0) & (best < len(CREEPS) - 1)
-        at = np.clip(best, 1, len(CREEPS) - 2)
-        x = [np.log(np.stack(creeps)[at + k, rows]) for k in (-1, 0, 1)]
-        y = [np.stack(ratios)[at + k, rows] for k in (-1, 0, 1)]
+        three = np.clip(best, 1, len(CREEPS) - 2) + np.array([[-1], [0], [1]])
+        x = np.take_along_axis(np.log(creeps), three, 0)
+        y = np.take_along_axis(ratios, three, 0)
         for _ in range(NEARER):
-            new = _crown(x, y)
-            x, y = _narrowed(x, y, new, self._carried(which, tight, np.exp(new)))
-        y[1] = np.where(np.isfinite(np.stack(ratios)).all(axis=0), y[1], np.nan)
-        return np.where(inside, y[1], -np.inf), np.exp(x[1])
+            at = crown(x, y)
+            x, y = narrowed(x, y, at, self._carried(which, tight, np.exp(at)))
+        known = np.isfinite(ratios).all(axis=0)
+        return np.where(inside, np.where(known, y[1], np.nan), -np.inf), np.exp(x[1])
 
     def _cap_by_gross(self, parts: int) -> None:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
@@ -449,29 +448,3 @@ class RowBatch:
             if parts & part:
                 self.found[capped, place] = self.found[capped, row.GROSS_CAPACITY]
                 self.left[capped] &= ~part
-
-
-def _crown(x: list[Array], y: list[Array]) -> Array:
-    """Top of the parabola through three points, kept between the outer two and off the middle."""
-    left, right = (x[1] - x[0]) * (y[1] - y[2]), (x[2] - x[1]) * (y[1] - y[0])
-    at = x[1] + 0.5 * ((x[2] - x[1]) * right - (x[1] - x[0]) * left) / np.maximum(
-        left + right, 1e-300
-    )
-    apart = 0.05 * (x[2] - x[0])
-    at = np.where(np.abs(at - x[1]) < apart, x[1] + np.where(at < x[1], -apart, apart), at)
-    return np.clip(at, x[0] + 0.5 * apart, x[2] - 0.5 * apart)
-
-
-def _narrowed(
-    x: list[Array], y: list[Array], at: Array, value: Array
-) -> tuple[list[Array], list[Array]]:
-    """Three points around the best of four."""
-    value = np.nan_to_num(value, nan=-np.inf)
-    after, better = at > x[1], value > y[1]
-    points = np.sort(np.stack([*x, at]), axis=0)
-    order = np.argsort(np.stack([*x, at]), axis=0)
-    values = np.take_along_axis(np.stack([*y, value]), order, 0)
-    middle = np.where(better, np.where(after, 2, 1), np.where(after, 1, 2))
-    pick = [np.take_along_axis(points, (middle + k)[None], 0)[0] for k in (-1, 0, 1)]
-    told = [np.take_along_axis(values, (middle + k)[None], 0)[0] for k in (-1, 0, 1)]
-    return pick, told
