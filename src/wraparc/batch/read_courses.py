@@ -49,7 +49,12 @@ def read_courses(
     # by the place along the arc: x' = u' - c tau', tau' by creep and tension
     growth = at.ratio - block.compliance * tension
     rise = _rise(block, s, growth)
-    peak, where = _largest_stress(block, every, s.stress, rise * np.sign(s.stress))
+    steep = growth - block.shear * rise
+    apart = np.diff(shares, axis=0) * block.length
+    grows, slips = rise * np.sign(s.stress), steep * np.sign(s.slip)
+    growths = grows[:-1] * apart, grows[1:] * apart
+    peak, where = _largest_stress(block, every, np.abs(s.stress), growths)
+    largest_slip = _tops(size, (slips[:-1] * apart, slips[1:] * apart)).max(axis=0)
     outside = np.full(len(block), np.nan)
     tested = np.flatnonzero(np.isfinite(furthest))
     if len(tested):
@@ -70,8 +75,8 @@ def read_courses(
         row.PEAK_AT: where * block.length,
         row.ACTIVE: (1.0 - _begins(at, every)) * block.length,
         row.OUTSIDE: outside,
-        row.LARGEST_SLIP: size.max(axis=0),
-        row.STEEPEST_SLIP: np.abs(growth - block.shear * rise).max(axis=0),
+        row.LARGEST_SLIP: largest_slip,
+        row.STEEPEST_SLIP: np.abs(steep).max(axis=0),
     }
 
 
@@ -87,43 +92,54 @@ def _rise(block: Block, s: Stress, growth: Array) -> Array:
     return s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
 
 
-def _largest_stress(block: Block, every: Curves, stress: Array, rise: Array) -> tuple[Array, Array]:
+def _tops(size: Array, rise: tuple[Array, Array]) -> Array:
+    """Largest value between samples next to each other, by cubics, shape (samples - 1, n).
+
+    `rise` has the slopes at the beginnings and at the ends, times the distance.
+    """
+    (f_a, f_b), (d_a, d_b) = (size[:-1], size[1:]), rise
+    return np.where((d_a > 0.0) & (d_b < 0.0), _top(f_a, f_b, d_a, d_b)[1], np.maximum(f_a, f_b))
+
+
+def _top(f_a: Array, f_b: Array, d_a: Array, d_b: Array) -> tuple[Array, Array]:
+    """Place from 0 to 1 and value of the top of the cubic through two values and slopes."""
+    square, cube = 3.0 * (f_b - f_a) - 2.0 * d_a - d_b, d_a + d_b - 2.0 * (f_b - f_a)
+    root = np.sqrt(np.maximum(square * square - 3.0 * cube * d_a, 0.0))
+    at = _inside(d_a / (root - square))
+    return at, f_a + at * (d_a + at * (square + at * cube))
+
+
+def _inside(share: Array) -> Array:
+    return np.where((share > 0.0) & (share < 1.0), share, 0.5)
+
+
+def _largest_stress(
+    block: Block, every: Curves, size: Array, rise: tuple[Array, Array]
+) -> tuple[Array, Array]:
     """Largest magnitude of shear stress [Pa], and its place as a share of the arc.
 
-    Beside the largest of the samples, on the side to which it rises: where the slope of the cubic
-    through two values and slopes is nothing, and where two tangents meet, should a kink lie there.
+    Between the two samples that promise most: where the slope of the cubic through two values and slopes
+    is nothing, and where two tangents meet, should a kink lie there.
 
     Parameters
     ----------
     block, every
         Arcs and their elements.
-    stress, rise
-        At the samples [Pa], and how its magnitude grows along the arc [Pa/m].
+    size, rise
+        Magnitude at the samples; its growth to the next by the slopes here and there [Pa].
     """
-    n, last = len(block), len(stress) - 1
-    rows = np.arange(n)
-    best = np.abs(stress).argmax(axis=0)
-    low = np.minimum(np.maximum(best - (rise[best, rows] <= 0.0), 0), last - 1)
-    part, a = every.take(low // 2 * n + rows), MIDDLE * (low % 2)
-    b = a + MIDDLE
-    length = part.width * block.length
-    f_a, f_b = np.abs(stress[low, rows]), np.abs(stress[low + 1, rows])
-    d_a, d_b = rise[low, rows] * length, rise[low + 1, rows] * length
-    most = np.maximum(f_a, f_b)
-    where = np.where(f_b > f_a, b, a)
+    rows = np.arange(len(block))
+    low = _tops(size, rise).argmax(axis=0)
+    f_a, f_b = size[low, rows], size[low + 1, rows]
+    d_a, d_b = (slopes[low, rows] / MIDDLE for slopes in rise)
+    part, a = every.take(low // 2 * len(block) + rows), MIDDLE * (low % 2)
+    b, length = a + MIDDLE, part.width * block.length
+    most, where = np.maximum(f_a, f_b), np.where(f_b > f_a, b, a)
     for k in range(2 * NEARER):
         h = b - a
-        if k % 2:
-            share = (f_b - d_b * h - f_a) / ((d_a - d_b) * h)
-        else:
-            top, more = h * d_a, 6.0 * (f_b - f_a)
-            half = 0.5 * (more - h * (4.0 * d_a + 2.0 * d_b))
-            bend = 3.0 * h * (d_a + d_b) - more
-            share = top / (np.sqrt(np.maximum(half * half - top * bend, 0.0)) - half)
-        share = np.where((share > 0.0) & (share < 1.0), share, 0.5)
-        c = a + share * h
-        tension = part.tension_at(c)
-        s = block.stress(tension, part.creep_at(c))
+        meet = _inside((f_b - d_b * h - f_a) / ((d_a - d_b) * h))
+        c = a + h * (meet if k % 2 else _top(f_a, f_b, h * d_a, h * d_b)[0])
+        s = block.stress(part.tension_at(c), part.creep_at(c))
         f = np.abs(s.stress)
         d = _rise(block, s, part.ratio(c, block.length)) * np.sign(s.stress) * length
         higher, grows = f > most, d > 0.0
@@ -137,15 +153,18 @@ def crossing(
     value: Callable[[Array], Array], low: Array, high: Array, f_low: Array, f_high: Array
 ) -> Array:
     """Where values cross nothing between two places: the Illinois method."""
-    at = low
+    at, before = low, np.zeros(len(low))
     for _ in range(REGULA):
         span = f_low - f_high
         share = f_low / np.where(span == 0.0, 1.0, span)
         at = low + (high - low) * np.minimum(np.maximum(share, 0.0), 1.0)
         f = value(at)
         same = (f > 0.0) == (f_low > 0.0)
-        f_high, f_low = np.where(same, 0.5 * f_high, f), np.where(same, f, 0.5 * f_low)
+        # an end that is kept twice counts half
+        f_high = np.where(same, np.where(before > 0.0, 0.5, 1.0) * f_high, f)
+        f_low = np.where(same, f, np.where(before < 0.0, 0.5, 1.0) * f_low)
         low, high = np.where(same, at, low), np.where(same, high, at)
+        before = np.where(same, 1.0, -1.0)
     return at
 
 
