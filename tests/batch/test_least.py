@@ -26,7 +26,7 @@ def least_of(share: float) -> float:
     return TOP * float(brentq(lambda t: t * math.exp(1.0 - t) - share, 0.0, 1.0, xtol=1e-12))
 
 
-def pull_of(log_tension: Array, _: Integers, fine: bool) -> tuple[Array, Flags]:
+def pull_of(log_tension: Array, _: Integers) -> tuple[Array, Flags]:
     tension = np.exp(log_tension)
     return tension * np.exp(-tension / TOP), np.ones(len(tension), dtype=bool)
 
@@ -51,8 +51,8 @@ def test_a_pull_that_still_grows_at_the_top_of_the_range() -> None:
 
 
 def test_what_cannot_be_told_is_left() -> None:
-    def only_first(log_tension: Array, rows: Integers, fine: bool) -> tuple[Array, Flags]:
-        pull, _ = pull_of(log_tension, rows, fine)
+    def only_first(log_tension: Array, rows: Integers) -> tuple[Array, Flags]:
+        pull, _ = pull_of(log_tension, rows)
         return pull, rows == 0
 
     pull = np.array([0.9, 0.9, 1.0]) * TOP / math.e

@@ -1,26 +1,27 @@
-"""Gross slip of many arcs: ln(tight/slack) with one friction of a law everywhere, by quadrature."""
+"""Gross slip of many arcs: ln(tight/slack) with one friction of a law everywhere, by quadrature.
+
+d ln T/d theta = -mu(p) along the arc, so that angles are differences of one function of the
+pressure, Theta(p) = int d ln p/mu(p): known at the edges of pressure of a law once for all its
+rows, from there on by Gauss's rule.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
+from functools import reduce
+from typing import NamedTuple
 
 import numpy as np
 
-from wraparc.batch.traction import Array, Laws
+from wraparc.batch.traction import Array, Flags, Integers, Laws
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
-PARTS = 2  # of ln T between two edges of pressure
+_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+ANYWHERE = 1e5  # an edge for laws that have none [Pa]
 ROUNDS, NEAR = 40, 1e-13
 
 
-def ratio_at_gross_slip(
-    laws: Laws, top: Array, wrap: Array, friction: Callable[[Array], Array]
-) -> Array:
+def ratio_at_gross_slip(laws: Laws, top: Array, wrap: Array, *, residual: bool = False) -> Array:
     """ln(tight/slack) that friction carries, shape (n,) [-].
-
-    d ln T/d theta = -mu(p), so that the wrap angle is int dq/mu(p1 exp(-q)); Newton's method on it,
-    piece by piece between the edges of pressure of the laws.
 
     Parameters
     ----------
@@ -30,46 +31,74 @@ def ratio_at_gross_slip(
         Wrap pressure at the tight side, shape (n,) [Pa].
     wrap
         Wrap angle, shape (n,) [rad].
-    friction
-        mu(p) of each row: `Laws.plateau` or `Laws.residual`.
+    residual
+        Whether with the friction that is left at slips without bound; else with the largest.
     """
-    edges = _falls(laws, top)
-    q = wrap * friction(top)
-    q = np.minimum(q, wrap * friction(top * np.exp(-0.5 * q)))
-    done = np.zeros(len(q), dtype=bool)
+    angles, friction = _Angles.of(laws, residual), laws.residual if residual else laws.plateau
+    wanted = angles.at(top, friction) - wrap
+    cell = np.zeros(len(top), dtype=np.int64)
+    for angle in angles.angle[1:]:
+        cell += wanted >= angle[angles.law]
+    low, short = angles.edge[cell, angles.law], wanted - angles.angle[cell, angles.law]
+    x = short * friction(low)
+    done = np.zeros(len(top), dtype=bool)
     for _ in range(ROUNDS):
-        angle = _angle(top, q, edges, friction)
-        change = (wrap - angle) * friction(top * np.exp(-q))
+        change = (short - _integral(low, x, friction)) * friction(low * np.exp(x))
         # a row keeps what it had when it was done, whatever it is solved with
-        q = np.where(done, q, np.maximum(q + change, 0.1 * q))
-        done |= np.abs(change) <= NEAR * q
+        x = np.where(done, x, x + change)
+        done |= ~(np.abs(change) > NEAR * np.maximum(np.abs(x), 1.0))
         if done.all():
             break
-    return q
+    return np.log(top / low) - x
 
 
-def wrap_needed(laws: Laws, top: Array, fall: Array, friction: Callable[[Array], Array]) -> Array:
-    """Wrap angle over which ln T falls so far from the tight side, shape (n,) [rad]."""
-    return _angle(top, fall, _falls(laws, top), friction)
+def breaks_away(laws: Laws, top: Array, wrap: Array, fall: Array) -> Flags:
+    """Whether the largest friction carries no such fall of ln T from the tight side, shape (n,)."""
+    angles = _Angles.of(laws, False)
+    needed = angles.at(top, laws.plateau) - angles.at(top * np.exp(-fall), laws.plateau)
+    return np.asarray(needed >= wrap)
 
 
-def _falls(laws: Laws, top: Array) -> Array:
-    """Falls of ln p from the tight side to each edge of pressure, >= 0."""
-    return np.log(np.maximum(top / laws.edges(), 1.0))
+class _Angles(NamedTuple):
+    """Theta at the edges of pressure of laws.
+
+    Attributes
+    ----------
+    law
+        Place of the law of each row, shape (n,).
+    edge, angle
+        Edges, and Theta there, shape (edges, laws) [Pa, rad]; inf where there is none.
+    """
+
+    law: Integers
+    edge: Array
+    angle: Array
+
+    @classmethod
+    def of(cls, laws: Laws, residual: bool) -> _Angles:
+        """Those of the laws of some rows."""
+        _, first, law = np.unique(laws.row, return_index=True, return_inverse=True)
+        each = laws.rows(first)
+        edge = np.sort(each.edges(), axis=0)
+        edge[0] = np.where(np.isfinite(edge[0]), edge[0], ANYWHERE)
+        angle = np.zeros_like(edge)
+        for k in range(1, len(edge)):
+            x = np.log(edge[k] / edge[k - 1])
+            part = _integral(edge[k - 1], x, each.residual if residual else each.plateau)
+            angle[k] = np.where(np.isfinite(x), angle[k - 1] + part, np.inf)
+        return cls(law, edge, angle)
+
+    def at(self, pressure: Array, friction: Callable[[Array], Array]) -> Array:
+        """Theta at pressures of the rows."""
+        cell = np.zeros(len(pressure), dtype=np.int64)
+        for edge in self.edge[1:]:
+            cell += pressure >= edge[self.law]
+        low = self.edge[cell, self.law]
+        return self.angle[cell, self.law] + _integral(low, np.log(pressure / low), friction)
 
 
-def _angle(top: Array, q: Array, edges: Array, friction: Callable[[Array], Array]) -> Array:
-    """`wrap_needed`, with the falls to each edge of pressure; Gauss's rule of 8 points a piece."""
-    ends = np.sort(np.minimum(edges, q), axis=0)
-    ends = np.concatenate([np.zeros((1, len(q))), ends, q[None]])
-    total = np.zeros(len(q))
-    for low, high in pairwise(ends):
-        width = high - low
-        if not (width > 0.0).any():
-            continue
-        part = width / PARTS
-        at = low + part * (np.arange(PARTS)[:, None, None] + 0.5 + 0.5 * _NODES[:, None])
-        angles = (_WEIGHTS[:, None] / friction(top * np.exp(-at))).reshape(-1, len(q))
-        # one after the other: a sum in pairs would depend on how many rows there are
-        total += 0.5 * part * np.cumsum(angles, axis=0)[-1]
-    return total
+def _integral(low: Array, x: Array, friction: Callable[[Array], Array]) -> Array:
+    """Integral of 1/mu over ln p, from a pressure on."""
+    at = low * np.exp(x * (0.5 + 0.5 * _POINTS[:, None]))
+    # one after the other: a sum in pairs would depend on how many rows there are
+    return np.asarray(0.5 * x * reduce(np.add, _WEIGHTS[:, None] / friction(at)))

@@ -18,8 +18,7 @@ Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
 
 #: pull [N] at the creep limit for ln tight-side tensions of some rows, and which of it is found;
-#: on the finer mesh if so asked
-Pull = Callable[[Array, Integers, bool], tuple[Array, Flags]]
+Pull = Callable[[Array, Integers], tuple[Array, Flags]]
 
 LOWEST = 1e-4  # of ln tight-side tension above the pull, where slack-side tension ends
 DEEPEST = 3.0  # below the top of the tested pressures, in ln tension, that is looked at
@@ -72,10 +71,10 @@ def _top(pull_within: Pull, low: Array, high: Array) -> tuple[Array, Array, Flag
     step = np.minimum(0.02 * (high - low), 0.05)
     bottom = np.maximum(low, high - DEEPEST)
     right, middle = high.copy(), high.copy()
-    best, good = pull_within(high, rows, False)
+    best, good = pull_within(high, rows)
     f_right = best.copy()
     left = middle - step
-    f_left, sound = pull_within(left, rows, False)
+    f_left, sound = pull_within(left, rows)
     good &= sound
     climbing = rows[good & (f_left > best)]
     inside = climbing
@@ -83,34 +82,51 @@ def _top(pull_within: Pull, low: Array, high: Array) -> tuple[Array, Array, Flag
         i = climbing
         right[i], f_right[i], middle[i], best[i] = middle[i], best[i], left[i], f_left[i]
         left[i] = np.maximum(left[i] - GROWTH * (right[i] - middle[i]), bottom[i])
-        f_left[i], sound = pull_within(left[i], i, False)
+        f_left[i], sound = pull_within(left[i], i)
         climbs = f_left[i] > best[i]
         good[i] &= sound & ~(climbs & (left[i] <= bottom[i]))
         climbing = i[good[i] & climbs]
+    x, f = np.stack([left, middle, right]), np.stack([f_left, best, f_right])
     for _ in range(NARROWINGS):
         i = inside = inside[good[inside]]
-        at = _crown(left[i], f_left[i], middle[i], best[i], right[i], f_right[i])
-        new, sound = pull_within(at, i, False)
+        at = crown(x[:, i], f[:, i])
+        new, sound = pull_within(at, i)
         good[i] &= sound
-        better, after = new > best[i], at > middle[i]
-        # the worse of the two inner points becomes an end
-        x, f = np.where(better, middle[i], at), np.where(better, best[i], new)
-        to_left = after == better
-        left[i], f_left[i] = np.where(to_left, x, left[i]), np.where(to_left, f, f_left[i])
-        right[i], f_right[i] = np.where(to_left, right[i], x), np.where(to_left, f_right[i], f)
-        middle[i], best[i] = np.where(better, at, middle[i]), np.where(better, new, best[i])
-    best[inside], sound = pull_within(middle[inside], inside, True)
-    good[inside] &= sound
-    return middle, best, good
+        x[:, i], f[:, i] = narrowed(x[:, i], f[:, i], at, new)
+    return x[1], f[1], good
 
 
-def _crown(a: Array, f_a: Array, b: Array, f_b: Array, c: Array, f_c: Array) -> Array:
-    """Top of the parabola through three points a < b < c, kept off them."""
+def crown(x: Array, f: Array) -> Array:
+    """Top of the parabola through three points in order, shape (3, n), kept off them."""
+    (a, b, c), (f_a, f_b, f_c) = x, f
     left, right = (b - a) * (f_b - f_c), (c - b) * (f_b - f_a)
     at = b + 0.5 * ((c - b) * right - (b - a) * left) / np.maximum(left + right, 1e-300)
     apart = 0.02 * (c - a)
     at = np.where(np.abs(at - b) < apart, b + np.where(c - b > b - a, apart, -apart), at)
     return np.clip(at, a + 0.5 * np.minimum(apart, b - a), c - 0.5 * np.minimum(apart, c - b))
+
+
+def narrowed(x: Array, f: Array, at: Array, new: Array) -> tuple[Array, Array]:
+    """Three points around the best of four: the worse of the two inner ones becomes an end."""
+    better = new > f[1]  # False where it is not known
+    worse, f_worse = np.where(better, x[1], at), np.where(better, f[1], new)
+    to_left = (at > x[1]) == better
+    return (
+        np.stack(
+            [
+                np.where(to_left, worse, x[0]),
+                np.where(better, at, x[1]),
+                np.where(to_left, x[2], worse),
+            ]
+        ),
+        np.stack(
+            [
+                np.where(to_left, f_worse, f[0]),
+                np.where(better, new, f[1]),
+                np.where(to_left, f[2], f_worse),
+            ]
+        ),
+    )
 
 
 def _root(
@@ -147,5 +163,5 @@ def _root(
 
 def _miss(pull_within: Pull, which: Integers, at: Array, pull: Array) -> tuple[Array, Flags]:
     """Relative miss of a pull, as a logarithm, and where it is known."""
-    carried, sound = pull_within(at, which, True)
+    carried, sound = pull_within(at, which)
     return np.log(np.maximum(carried, 1e-9 * pull) / pull), sound

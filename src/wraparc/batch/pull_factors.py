@@ -58,7 +58,7 @@ def pull_factors(
 
 def _carried(laws: Laws, top: Array, wrap: Array) -> tuple[Array, Array]:
     """ln(tight/slack) that plateaus carry from a pressure [Pa], and friction there over here."""
-    q = ratio_at_gross_slip(laws, top, wrap, laws.plateau)
+    q = ratio_at_gross_slip(laws, top, wrap)
     return q, laws.plateau(top * np.exp(-q)) / laws.plateau(top)
 
 

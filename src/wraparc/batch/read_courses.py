@@ -2,56 +2,66 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial, reduce
+
 import numpy as np
 
 from wraparc.batch import row
+from wraparc.batch.traction import Stress
 from wraparc.batch.two_point import (
     Array,
     Block,
     Courses,
-    Integers,
-    between,
-    cubic_through,
-    stage_creeps,
-    stage_shares,
+    Curves,
+    Solved,
 )
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
-HALVINGS, REGULA = 45, 9
-FINE, LOOKS = 8, 5  # parts of a neighbourhood in which the largest shear is looked for, how often
+HALVINGS, REGULA = 45, 8
+NEARER = 2  # times that the largest shear is looked for, each by two tries
+MIDDLE = 0.5  # of an element, where it is looked at besides its ends
 
 
 def read_courses(
-    block: Block, at: Courses, lowest: Array, highest: Array, furthest: Array
+    block: Block, met: Solved, lowest: Array, highest: Array, furthest: Array
 ) -> dict[int, Array]:
     """Columns of operating points by their places in a row of results.
 
     Parameters
     ----------
-    block, at
+    block, met
         Arcs and their courses.
     lowest, highest, furthest
         Tested pressures [Pa] and largest tested slip [m], nan without.
     """
-    shares, tension, creep = _samples(block, at)
-    s = block.stress(tension, creep)
+    at, every = met.courses, met.curves
+    # at the ends of elements and between them
+    inner = every.creep_at(MIDDLE), at.stage[1]
+    s = Stress(*map(_merged, met.ends, block.stress(inner[1], inner[0])))
+    tension = _merged(at.tension, at.stage[1])
+    shares = _merged(at.shares, every.start + MIDDLE * every.width)
     g = at.ratio - block.compliance * at.tension[0]
     pull = at.tension[0] - at.tension[-1]
     work = pull * (g + 0.5 * pull * block.compliance) / block.width
     work = work - 0.5 * block.shear * (s.stress[-1] ** 2 - s.stress[0] ** 2)
     size = np.abs(s.slip)
-    # x' = u' - c tau', tau' by creep and tension
+    # by the place along the arc: x' = u' - c tau', tau' by creep and tension
     growth = at.ratio - block.compliance * tension
-    loss = -block.width * s.stress / block.area
-    steep = growth - block.shear * (s.by_creep * growth + s.by_pressure * loss)
-    peak, where = _largest_stress(block, at, shares, s.stress)
+    rise = _rise(block, s, growth)
+    steep = growth - block.shear * rise
+    apart = np.diff(shares, axis=0) * block.length
+    grows, slips = rise * np.sign(s.stress), steep * np.sign(s.slip)
+    growths = grows[:-1] * apart, grows[1:] * apart
+    peak, where = _largest_stress(block, every, np.abs(s.stress), growths)
+    largest_slip = _tops(size, (slips[:-1] * apart, slips[1:] * apart)).max(axis=0)
     outside = np.full(len(block), np.nan)
     tested = np.flatnonzero(np.isfinite(furthest))
     if len(tested):
+        columns = (shares, tension, size)
+        of_tests = block.rows(tested), every.take_rows(tested)
         limits = (lowest[tested], highest[tested], furthest[tested])
-        p = tension[:, tested] / block.area[tested]
-        of_tests = block.rows(tested), at.rows(tested), shares[:, tested]
-        outside[tested] = _outside(*of_tests, (p, size[:, tested]), limits)
+        outside[tested] = _outside(*of_tests, *(c.take(tested, axis=-1) for c in columns), limits)
     return {
         row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
         row.EXIT_CREEP: at.creep[-1],
@@ -60,166 +70,180 @@ def read_courses(
         row.ENTRY_STRESS: s.stress[0],
         row.WORK: work,
         row.CREEP_RATIO: g,
-        row.STUCK_LENGTH: _stuck(block, at, shares, s.slip) * block.length,
+        row.STUCK_LENGTH: _stuck(block, every, size) * block.length,
         row.PEAK_STRESS: peak,
         row.PEAK_AT: where * block.length,
-        row.ACTIVE: (1.0 - _begins(at)) * block.length,
+        row.ACTIVE: (1.0 - _begins(at, every)) * block.length,
         row.OUTSIDE: outside,
-        row.LARGEST_SLIP: size.max(axis=0),
+        row.LARGEST_SLIP: largest_slip,
         row.STEEPEST_SLIP: np.abs(steep).max(axis=0),
     }
 
 
-def _samples(block: Block, at: Courses) -> tuple[Array, Array, Array]:
-    """Shares of the arc, tensions and creeps at the ends and stages of elements, in order."""
-    steps = np.diff(at.shares, axis=0) * block.length
-    creeps = stage_creeps(block, steps, at)
-    elements, n = steps.shape
-
-    def merged(ends: Array, stages: Array) -> Array:
-        out = np.empty((4 * elements + 1, n))
-        out[::4] = ends
-        for k in range(3):
-            out[k + 1 :: 4] = stages[k]
-        return out
-
-    return (
-        merged(at.shares, stage_shares(at.shares)),
-        merged(at.tension, at.stage),
-        merged(at.creep, creeps),
-    )
+def _merged(ends: Array, between: Array) -> Array:
+    """What is at the ends of elements and between them, in order."""
+    out = np.empty((len(ends) + len(between), ends.shape[1]))
+    out[::2], out[1::2] = ends, between
+    return out
 
 
-def _largest_stress(block: Block, at: Courses, shares: Array, stress: Array) -> tuple[Array, Array]:
-    """Largest magnitude of shear stress [Pa], and its place as a share of the arc."""
-    best = np.abs(stress).argmax(axis=0)
+def _rise(block: Block, s: Stress, growth: Array) -> Array:
+    """How traction grows along the arc where creep does so [Pa/m]."""
+    return s.by_creep * growth - s.by_pressure * (block.width / block.area) * s.stress
+
+
+def _tops(size: Array, rise: tuple[Array, Array]) -> Array:
+    """Largest value between samples next to each other, by cubics, shape (samples - 1, n).
+
+    `rise` has the slopes at the beginnings and at the ends, times the distance.
+    """
+    (f_a, f_b), (d_a, d_b) = (size[:-1], size[1:]), rise
+    return np.where((d_a > 0.0) & (d_b < 0.0), _top(f_a, f_b, d_a, d_b)[1], np.maximum(f_a, f_b))
+
+
+def _top(f_a: Array, f_b: Array, d_a: Array, d_b: Array) -> tuple[Array, Array]:
+    """Place from 0 to 1 and value of the top of the cubic through two values and slopes."""
+    square, cube = 3.0 * (f_b - f_a) - 2.0 * d_a - d_b, d_a + d_b - 2.0 * (f_b - f_a)
+    root = np.sqrt(np.maximum(square * square - 3.0 * cube * d_a, 0.0))
+    at = _inside(d_a / (root - square))
+    return at, f_a + at * (d_a + at * (square + at * cube))
+
+
+def _inside(share: Array) -> Array:
+    return np.where((share > 0.0) & (share < 1.0), share, 0.5)
+
+
+def _largest_stress(
+    block: Block, every: Curves, size: Array, rise: tuple[Array, Array]
+) -> tuple[Array, Array]:
+    """Largest magnitude of shear stress [Pa], and its place as a share of the arc.
+
+    Between the two samples that promise most: where the slope of the cubic through two values and slopes
+    is nothing, and where two tangents meet, should a kink lie there.
+
+    Parameters
+    ----------
+    block, every
+        Arcs and their elements.
+    size, rise
+        Magnitude at the samples; its growth to the next by the slopes here and there [Pa].
+    """
     rows = np.arange(len(block))
-    most, where = np.abs(stress)[best, rows], shares[best, rows]
-    low = shares[np.maximum(best - 1, 0), rows]
-    high = shares[np.minimum(best + 1, len(shares) - 1), rows]
-    for _ in range(LOOKS):
-        points = low + (high - low) * (np.arange(FINE + 1) / FINE)[:, None]
-        creep, tension = between(block, at, points)
-        size = np.abs(block.stress(tension, creep).stress)
-        k = size.argmax(axis=0)
-        better = size[k, rows] > most
-        most, where = (
-            np.where(better, size[k, rows], most),
-            np.where(better, points[k, rows], where),
-        )
-        low = points[np.maximum(k - 1, 0), rows]
-        high = points[np.minimum(k + 1, FINE), rows]
-    k = np.clip(k, 1, FINE - 1)
-    before, here, after = (size[k + d, rows] for d in (-1, 0, 1))
-    bend = before - 2.0 * here + after
-    move = np.where(bend < 0.0, 0.5 * (before - after) / bend, 0.0)
-    inside = (np.abs(move) < 1.0) & (here >= most * (1.0 - 1e-9))
-    top = here - 0.25 * (before - after) * move
-    step = points[1, rows] - points[0, rows]
-    return (
-        np.where(inside, np.maximum(top, most), most),
-        np.where(inside, points[k, rows] + move * step, where),
-    )
+    low = _tops(size, rise).argmax(axis=0)
+    f_a, f_b = size[low, rows], size[low + 1, rows]
+    d_a, d_b = (slopes[low, rows] / MIDDLE for slopes in rise)
+    part, a = every.take(low // 2 * len(block) + rows), MIDDLE * (low % 2)
+    b, length = a + MIDDLE, part.width * block.length
+    most, where = np.maximum(f_a, f_b), np.where(f_b > f_a, b, a)
+    for k in range(2 * NEARER):
+        h = b - a
+        meet = _inside((f_b - d_b * h - f_a) / ((d_a - d_b) * h))
+        c = a + h * (meet if k % 2 else _top(f_a, f_b, h * d_a, h * d_b)[0])
+        s = block.stress(part.tension_at(c), part.creep_at(c))
+        f = np.abs(s.stress)
+        d = _rise(block, s, part.ratio(c, block.length)) * np.sign(s.stress) * length
+        higher, grows = f > most, d > 0.0
+        most, where = np.where(higher, f, most), np.where(higher, c, where)
+        a, f_a, d_a = (np.where(grows, *pair) for pair in ((c, a), (f, f_a), (d, d_a)))
+        b, f_b, d_b = (np.where(grows, *pair) for pair in ((b, c), (f_b, f), (d_b, d)))
+    return most, part.start + where * part.width
 
 
-def _begins(at: Courses) -> Array:
+def crossing(
+    value: Callable[[Array], Array], low: Array, high: Array, f_low: Array, f_high: Array
+) -> Array:
+    """Where values cross nothing between two places: the Illinois method."""
+    at, before = low, np.zeros(len(low))
+    for _ in range(REGULA):
+        span = f_low - f_high
+        share = f_low / np.where(span == 0.0, 1.0, span)
+        at = low + (high - low) * np.minimum(np.maximum(share, 0.0), 1.0)
+        f = value(at)
+        same = (f > 0.0) == (f_low > 0.0)
+        # an end that is kept twice counts half
+        f_high = np.where(same, np.where(before > 0.0, 0.5, 1.0) * f_high, f)
+        f_low = np.where(same, f, np.where(before < 0.0, 0.5, 1.0) * f_low)
+        low, high = np.where(same, at, low), np.where(same, high, at)
+        before = np.where(same, 1.0, -1.0)
+    return at
+
+
+def _begins(at: Courses, every: Curves) -> Array:
     """Where the active arc begins, as a share of the arc."""
+    n = len(at.ratio)
     change = at.tension[0] - at.tension[-1]
     goal = at.tension[0] - ACTIVE_SHARE * change
-    taken = (at.tension[0] - at.tension) / np.where(change == 0.0, 1.0, change)
-    before = taken[:-1] <= ACTIVE_SHARE
+    before = (at.tension[0] - at.tension) * np.sign(change) <= ACTIVE_SHARE * np.abs(change)
     # the last element that begins with less
-    place = len(before) - 1 - before[::-1].argmax(axis=0)
-    rows = np.arange(len(goal))
-    t0 = at.tension[place, rows]
-    k0, k1, k2 = at.stage[:, place, rows]
-    low, high, sign = np.zeros(len(goal)), np.ones(len(goal)), np.sign(change)
-    f_low, f_high = sign * (t0 - goal), sign * (at.tension[place + 1, rows] - goal)
-    c = low
-    for _ in range(REGULA):  # Illinois
-        c = np.clip(
-            low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high), 0, 1
-        )
-        f = sign * (cubic_through(c, t0, k0, k1, k2) - goal)
-        less = f > 0.0
-        f_high, f_low = np.where(less, 0.5 * f_high, f), np.where(less, f, 0.5 * f_low)
-        low, high = np.where(less, c, low), np.where(less, high, c)
-    a, b = at.shares[place, rows], at.shares[place + 1, rows]
-    return np.asarray(np.where(change == 0.0, 1.0, a + (b - a) * c))
+    place = len(before) - 2 - before[-2::-1].argmax(axis=0)
+    rows = np.arange(n)
+    part, ends = (
+        every.take(place * n + rows),
+        (at.tension[place, rows], at.tension[place + 1, rows]),
+    )
+    f_low, f_high = (t - goal for t in ends)
+    c = crossing(lambda c: part.tension_at(c) - goal, np.zeros(n), np.ones(n), f_low, f_high)
+    return np.asarray(np.where(change == 0.0, 1.0, part.start + part.width * c))
 
 
-def _stuck(block: Block, at: Courses, shares: Array, slip: Array) -> Array:
+def _stuck(block: Block, every: Curves, slip: Array) -> Array:
     """Entry part of the arc at rest under a law that jumps, as a share of it."""
-    held = (slip == 0.0).cumprod(axis=0).astype(bool)
-    count = held.sum(axis=0)
-    which = np.flatnonzero(count > 1)
     out = np.zeros(len(block))
+    held = slip == 0.0
+    which = np.flatnonzero(held[0] & held[1])
     if not len(which):
         return out
-    last = len(shares) - 1
-    low = shares[np.minimum(count, last + 1)[which] - 1, which]
-    high = shares[np.minimum(count[which], last), which]
-    part, some = block.rows(which), at.rows(which)
+    count = held.take(which, axis=1).cumprod(axis=0).sum(axis=0)
+    # between the last sample that rests and the next; the end of the arc where all rest
+    last = len(slip) - 1
+    all_rest = count > last
+    first = np.minimum(count - 1, last - 1)
+    part, rows = every.take(first // 2 * len(block) + which), block.rows(which)
+    low = MIDDLE * (first % 2)
+    high = low + MIDDLE
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        creep, tension = between(part, some, middle[None])
-        rests = part.stress(tension, creep).slip[0] == 0.0
+        rests = rows.stress(part.tension_at(middle), part.creep_at(middle)).slip == 0.0
         low, high = np.where(rests, middle, low), np.where(rests, high, middle)
-    out[which] = low
+    out[which] = np.where(all_rest, 1.0, part.start + part.width * low)
     return out
 
 
 def _outside(
     block: Block,
-    at: Courses,
+    every: Curves,
     shares: Array,
-    samples: tuple[Array, Array],
-    limits: tuple[Array, ...],
+    tension: Array,
+    slip: Array,
+    limits: tuple[Array, Array, Array],
 ) -> Array:
     """Share of an arc outside the tested range: between samples, up to where they cross a limit."""
-    pressure, slip = samples
+    n = len(block)
     lowest, highest, furthest = limits
-    low, high = np.zeros((len(shares) - 1, len(block))), np.ones((len(shares) - 1, len(block)))
-    for k, f in enumerate((lowest - pressure, pressure - highest, slip - furthest)):
+    low, high = np.zeros((len(shares) - 1, n)), np.ones((len(shares) - 1, n))
+    for sign, most in ((-1.0, lowest * block.area), (1.0, highest * block.area), (0.0, furthest)):
+        f = sign * (tension - most) if sign else slip - most
         out = f > 0.0
-        high = np.where(out[:-1] & out[1:], -1.0, high)
+        if not out.any():
+            continue
+        high[out[:-1] & out[1:]] = -1.0
         where, rows = np.nonzero(out[:-1] != out[1:])
         if not len(rows):
             continue
-        place = _crossing(block, at, (shares, f), where, rows, (k, limits[k][rows]))
-        leaves = out[:-1][where, rows]
-        cells = where, rows
+        part, a, cells = every.take(where // 2 * n + rows), MIDDLE * (where % 2), (where, rows)
+        over = partial(_over, block.rows(rows), part, sign, most[rows])
+        place = (crossing(over, a, a + MIDDLE, f[cells], f[where + 1, rows]) - a) / MIDDLE
+        leaves = out[cells]
         low[cells] = np.where(leaves, np.maximum(low[cells], place), low[cells])
         high[cells] = np.where(leaves, high[cells], np.minimum(high[cells], place))
     beyond = (1.0 - np.maximum(high - low, 0.0)) * np.diff(shares, axis=0)
     # one after the other: a sum in pairs would depend on how many rows there are
-    return np.asarray(np.cumsum(beyond, axis=0)[-1])
+    return np.asarray(reduce(np.add, beyond))
 
 
-def _crossing(
-    block: Block,
-    at: Courses,
-    samples: tuple[Array, Array],
-    where: Integers,
-    rows: Integers,
-    limit: tuple[int, Array],
-) -> Array:
-    """Where between two samples a pressure (0, 1) or a slip (2) crosses its limit: Illinois."""
-    shares, f = samples
-    kind, most = limit
-    part, some = block.rows(rows), at.rows(rows)
-    start, width = shares[where, rows], shares[where + 1, rows] - shares[where, rows]
-    low, high = np.zeros(len(rows)), np.ones(len(rows))
-    f_low, f_high = f[where, rows], f[where + 1, rows]
-    place = low
-    for _ in range(REGULA):
-        place = low + (high - low) * f_low / np.where(f_low == f_high, 1.0, f_low - f_high)
-        creep, tension = between(part, some, (start + place * width)[None])
-        if kind < 2:
-            value = (tension[0] / part.area - most) * (1.0 if kind == 1 else -1.0)
-        else:
-            value = np.abs(part.stress(tension, creep).slip[0]) - most
-        same = (value > 0.0) == (f_low > 0.0)
-        f_high, f_low = np.where(same, 0.5 * f_high, value), np.where(same, value, 0.5 * f_low)
-        low, high = np.where(same, place, low), np.where(same, high, place)
-    return place
+def _over(block: Block, part: Curves, sign: float, most: Array, c: Array) -> Array:
+    """How far a tension is over a limit, or below it, or else slip over it."""
+    tension = part.tension_at(c)
+    if sign:
+        return sign * (tension - most)
+    return np.abs(block.stress(tension, part.creep_at(c)).slip) - most

@@ -21,14 +21,13 @@ from wraparc.arc.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.constant import solve_constant
-from wraparc.batch.gross_slip import ratio_at_gross_slip, wrap_needed
-from wraparc.batch.least import search_least
+from wraparc.batch.gross_slip import breaks_away, ratio_at_gross_slip
+from wraparc.batch.least import crown, narrowed, search_least
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.read_courses import read_courses
 from wraparc.batch.two_point import (
     Array,
     Block,
-    Courses,
     Ends,
     Flags,
     Integers,
@@ -40,8 +39,9 @@ from wraparc.batch.two_point import (
     spread,
 )
 
-#: Meshes tried one after the other: elements, of which the first is graded to the entry.
-MESHES = (4, 8, 16, 28, 48, 96)
+#: Meshes tried one after the other, to an accuracy of 1e-5 and to finer ones: elements, of which
+#: the first is graded to the entry.
+MESHES, FINER = (4, 8, 12, 20, 32, 48, 96, 192), (6, 12, 28, 48, 96, 192)
 #: What misfit is let stand, of the accuracy: errors are a 50th of it in the median, half at most
 #: under friction that rises, two thirds past its peak.
 MISFIT = 1.0
@@ -55,7 +55,7 @@ ON_THE_RISE = 0.6
 CREEPS = (0.4, 0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.0, 10.0, 16.0, 30.0, 60.0)
 NEARER = 5
 
-FIRST_NEAR = 1e-2  # of Newton's method on the first mesh: what it leaves is the mesh's
+FIRST_NEAR = 0.05  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
 
 _INPUT = {name: k for k, name in enumerate(row.INPUTS)}
@@ -69,16 +69,8 @@ class Guess(NamedTuple):
     creep: Array
 
 
-class Met(NamedTuple):
-    """Rows that met what was asked; see `Solved`."""
-
-    which: Integers
-    block: Block
-    courses: Courses
-    grows: Array
-
-
-Read = Callable[[Met], None]
+#: Called with rows that met what was asked, and their blocks and courses.
+Read = Callable[[Integers, Block, Solved], None]
 
 
 def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
@@ -167,6 +159,11 @@ class RowBatch:
         return self.given[:, _INPUT[name]]
 
     @property
+    def near(self) -> float:
+        """Change at which Newton's method ends: what it leaves is of the square of that [-]."""
+        return float(0.1 * np.sqrt(self.accuracy))
+
+    @property
     def tight(self) -> Array:
         """Tension of the tight side [N]."""
         return np.maximum(self.of_input("entry_tension"), self.of_input("exit_tension"))
@@ -219,7 +216,7 @@ class RowBatch:
         guess
             Tensions at the entry and the exit, and creep at the exit, that are near.
         read
-            Called with rows that are met, their blocks and their courses.
+            Called with rows that are met.
         """
         failed = np.zeros(len(which), dtype=bool)
         if not len(which):
@@ -248,30 +245,25 @@ class RowBatch:
         """Try the meshes from the `first` on; returns the places in `which` that none serves."""
         block, ends = self.block.rows(which[some]), ends.rows(some)
         entry, leaving, end = (column[some] for column in guess)
-        at = first_courses(block, entry, leaving, end, MESHES[first])
-        lost, misfit, last = [], np.empty(0), np.empty(0)
-        for k in range(first, len(MESHES)):
-            if k > first:
-                at = on_mesh(block, at, spread(at.shares, misfit, MESHES[k]))
-            done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.accuracy)
+        meshes = MESHES if self.accuracy >= 1e-5 else FINER
+        at = first_courses(block, entry, leaving, end, meshes[first])
+        lost: list[Integers] = []
+        last = np.empty(0)
+        for k in range(first, len(meshes)):
+            done = solved(block, ends, at, FIRST_NEAR if k == 0 else self.near)
             sound = done.met & ((done.grows > 0.0) | (ends.kind != TENSION))
             good = sound & self._near(ends, done, last) if k > first else np.zeros_like(sound)
-            last = done.courses.creep[-1]
-            if good.any():
-                read(
-                    Met(
-                        which[some[good]],
-                        block.rows(good),
-                        done.courses.rows(good),
-                        done.grows[good],
-                    )
-                )
-            on = sound & ~good
+            ready, on = np.flatnonzero(good), np.flatnonzero(sound & ~good)
+            if len(ready):
+                read(which[some[ready]], block.rows(ready), done.rows(ready))
             lost.append(some[~sound])
             some, block, ends = some[on], block.rows(on), ends.rows(on)
-            at, misfit, last = done.courses.rows(on), done.misfit[:, on], last[on]
-            if not len(some):
+            if not len(some) or k + 1 == len(meshes):
                 break
+            done = done.rows(on)
+            last = done.courses.creep[-1]
+            shares = spread(done.courses.shares, done.misfit, meshes[k + 1])
+            at = on_mesh(done.courses, done.curves, shares)
         return np.concatenate([*lost, some])
 
     def _near(self, ends: Ends, done: Solved, last: Array) -> Flags:
@@ -286,7 +278,7 @@ class RowBatch:
             moved = np.abs(at.creep[-1] - last) <= MOVED * wanted * size
             return np.asarray((misfit <= MISFIT * wanted) & moved)
         fall = np.abs(np.log(at.tension[0] / at.tension[-1]))
-        return np.asarray(misfit * np.expm1(fall) <= MISFIT * wanted * fall)
+        return np.asarray(misfit <= MISFIT * wanted * fall)
 
     def _find_tensions(self, live: Integers) -> None:
         """Operating points."""
@@ -302,14 +294,14 @@ class RowBatch:
         guess = Guess(entry[which], leaving[which], creep)
         self.left[self.meet(which, ends, guess, self._read)] |= row.TENSIONS
 
-    def _read(self, met: Met) -> None:
+    def _read(self, which: Integers, block: Block, met: Solved) -> None:
         """Write operating points into rows of results."""
-        ranges = [
-            self.of_input(name)[met.which] for name in ("pressure_min", "pressure_max", "slip_max")
-        ]
-        columns = read_courses(met.block, met.courses, *ranges)
+        tested = ("pressure_min", "pressure_max", "slip_max")
+        columns = read_courses(block, met, *(self.of_input(name)[which] for name in tested))
         for place, column in columns.items():
-            self.found[met.which, place] = column
+            self.found[which, place] = column
+        # a belt that creeps by more than its length is one that the scalar solver does not hold
+        self.left[which[columns[row.CREEP_RATIO] >= 1.0]] |= row.TENSIONS
 
     def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
         """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
@@ -328,9 +320,9 @@ class RowBatch:
 
         found = np.full(len(self.left), np.nan)
 
-        def read(met: Met) -> None:
+        def read(rows: Integers, block: Block, met: Solved) -> None:
             tension = met.courses.tension
-            found[met.which] = np.abs(np.log(tension[0] / tension[-1]))
+            found[rows] = np.abs(np.log(tension[0] / tension[-1]))
 
         self.meet(which, ends, guess, read)
         return found[which]
@@ -360,10 +352,10 @@ class RowBatch:
         ends = Ends(side, -side, pull[which], CREEP, end, np.full(len(which), np.nan))
         done = np.zeros(len(self.left), dtype=bool)
 
-        def read(met: Met) -> None:
+        def read(rows: Integers, block: Block, met: Solved) -> None:
             tight = np.maximum(met.courses.tension[0], met.courses.tension[-1])
-            good = (met.grows > 0.0) & (tight <= top[met.which])
-            rows = met.which[good]
+            good = (met.grows > 0.0) & (tight <= top[rows])
+            rows = rows[good]
             self.found[rows, row.LEAST_SLACK] = tight[good] - pull[rows]
             done[rows] = True
 
@@ -372,7 +364,7 @@ class RowBatch:
         if not len(rest):
             return
 
-        def pull_within(log_tension: Array, some: Integers, fine: bool) -> tuple[Array, Flags]:
+        def pull_within(log_tension: Array, some: Integers) -> tuple[Array, Flags]:
             tension, rows = np.exp(log_tension), rest[some]
             found = self._carried(rows, tension, limit[rows])
             return -tension * np.expm1(-found), np.isfinite(found)
@@ -389,10 +381,10 @@ class RowBatch:
         falls = self.of_input("steepest_fall")[live] < 0.0
         ratio = self.log_ratio[live]
         if not parts & capacity.CAPACITIES:
-            beyond = wrap_needed(block.laws, top, ratio, block.laws.plateau) >= wrap
+            beyond = breaks_away(block.laws, top, wrap, ratio)
             self.found[live[beyond], row.OUTCOME] = BREAKAWAY
             return
-        most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.plateau)
+        most = ratio_at_gross_slip(block.laws, top, wrap)
         self.found[live[ratio >= most], row.OUTCOME] = BREAKAWAY
         creep = np.full(len(live), np.inf)
         softening = np.flatnonzero(falls)
@@ -411,7 +403,7 @@ class RowBatch:
         """
         block, tight = self.block.rows(which), self.tight[which]
         top, wrap = tight / block.area, block.length / block.radius
-        most = ratio_at_gross_slip(block.laws, top, wrap, block.laws.residual)
+        most = ratio_at_gross_slip(block.laws, top, wrap, residual=True)
         creep = np.full(len(which), np.inf)
         outweighs = np.zeros(len(which), dtype=bool)
         for share in np.linspace(0.0, 1.0, PRESSURES):
@@ -432,21 +424,18 @@ class RowBatch:
         """
         block, tight = self.block.rows(which), self.tight[which]
         first = mean_creep(block, tight, tight * np.exp(-10.0), ON_THE_RISE)
-        creeps, ratios = [], []
-        for times in CREEPS:
-            creeps.append(times * first)
-            ratios.append(self._carried(which, tight, creeps[-1]))
-        best = np.nan_to_num(np.stack(ratios), nan=-np.inf).argmax(axis=0)
-        rows = np.arange(len(which))
+        creeps = np.array(CREEPS)[:, None] * first
+        ratios = np.stack([self._carried(which, tight, creep) for creep in creeps])
+        best = np.nan_to_num(ratios, nan=-np.inf).argmax(axis=0)
         inside = (best > 0) & (best < len(CREEPS) - 1)
-        at = np.clip(best, 1, len(CREEPS) - 2)
-        x = [np.log(np.stack(creeps)[at + k, rows]) for k in (-1, 0, 1)]
-        y = [np.stack(ratios)[at + k, rows] for k in (-1, 0, 1)]
+        three = np.clip(best, 1, len(CREEPS) - 2) + np.array([[-1], [0], [1]])
+        x = np.take_along_axis(np.log(creeps), three, 0)
+        y = np.take_along_axis(ratios, three, 0)
         for _ in range(NEARER):
-            new = _crown(x, y)
-            x, y = _narrowed(x, y, new, self._carried(which, tight, np.exp(new)))
-        y[1] = np.where(np.isfinite(np.stack(ratios)).all(axis=0), y[1], np.nan)
-        return np.where(inside, y[1], -np.inf), np.exp(x[1])
+            at = crown(x, y)
+            x, y = narrowed(x, y, at, self._carried(which, tight, np.exp(at)))
+        known = np.isfinite(ratios).all(axis=0)
+        return np.where(inside, np.where(known, y[1], np.nan), -np.inf), np.exp(x[1])
 
     def _cap_by_gross(self, parts: int) -> None:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""
@@ -459,29 +448,3 @@ class RowBatch:
             if parts & part:
                 self.found[capped, place] = self.found[capped, row.GROSS_CAPACITY]
                 self.left[capped] &= ~part
-
-
-def _crown(x: list[Array], y: list[Array]) -> Array:
-    """Top of the parabola through three points, kept between the outer two and off the middle."""
-    left, right = (x[1] - x[0]) * (y[1] - y[2]), (x[2] - x[1]) * (y[1] - y[0])
-    at = x[1] + 0.5 * ((x[2] - x[1]) * right - (x[1] - x[0]) * left) / np.maximum(
-        left + right, 1e-300
-    )
-    apart = 0.05 * (x[2] - x[0])
-    at = np.where(np.abs(at - x[1]) < apart, x[1] + np.where(at < x[1], -apart, apart), at)
-    return np.clip(at, x[0] + 0.5 * apart, x[2] - 0.5 * apart)
-
-
-def _narrowed(
-    x: list[Array], y: list[Array], at: Array, value: Array
-) -> tuple[list[Array], list[Array]]:
-    """Three points around the best of four."""
-    value = np.nan_to_num(value, nan=-np.inf)
-    after, better = at > x[1], value > y[1]
-    points = np.sort(np.stack([*x, at]), axis=0)
-    order = np.argsort(np.stack([*x, at]), axis=0)
-    values = np.take_along_axis(np.stack([*y, value]), order, 0)
-    middle = np.where(better, np.where(after, 2, 1), np.where(after, 1, 2))
-    pick = [np.take_along_axis(points, (middle + k)[None], 0)[0] for k in (-1, 0, 1)]
-    told = [np.take_along_axis(values, (middle + k)[None], 0)[0] for k in (-1, 0, 1)]
-    return pick, told

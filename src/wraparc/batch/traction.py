@@ -12,7 +12,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.traction import LEAST_CREEP, LEAST_SHARE, NEAR_PEAK
+from wraparc.arc.traction import LEAST_CREEP, LEAST_SHARE
 from wraparc.friction.compact import (
     KNOT_STRIDE,
     KNOTS,
@@ -24,10 +24,10 @@ from wraparc.friction.compact import (
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Flags = NDArray[np.bool_]
 
-#: Steps of Halley's method on the rise of the integral-log law: three leave 1e-11 at most, four
-#: 1e-14.
-RISE_STEPS = 4
+#: Of the rise of the integral-log law: its first guess, of what is too much, and steps.
+BELOW, RISE_STEPS = 0.4, 2
 
 
 class Stress(NamedTuple):
@@ -41,6 +41,8 @@ class Stress(NamedTuple):
 
 class Laws(Protocol):
     """Laws of a block of rows."""
+
+    row: Integers  # place of the law of each row
 
     def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
         """Traction at creeps of either sign; `shear` is h/G, shape (n,)."""
@@ -60,7 +62,7 @@ class Laws(Protocol):
     def edges(self) -> Array:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
 
-    def rows(self, which: NDArray[np.bool_] | Integers) -> Laws:
+    def rows(self, which: slice | Integers) -> Laws:
         """Laws of some of the rows."""
 
 
@@ -123,7 +125,7 @@ class IntegralLog:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
         return self.knots[:, self.row]
 
-    def rows(self, which: NDArray[np.bool_] | Integers) -> IntegralLog:
+    def rows(self, which: slice | Integers) -> IntegralLog:
         """Laws of some of the rows."""
         return IntegralLog(
             self.knots, self.cells, self.row[which], self.softens, self.pieces, self.ends
@@ -134,20 +136,21 @@ class IntegralLog:
         row, one = self.row, len(self.knots[0]) == 1
         first, last = (self.ends[:, 0]) if one else self.ends[:, row]
         at = np.minimum(np.maximum(pressure, first), last)
-        cell = np.zeros(at.shape, dtype=np.int64)
+        passed = np.zeros(at.shape, dtype=np.uint8)
         for edge in self.knots[1:-1]:
-            cell += at >= (edge[0] if one else edge[row])
+            passed += at >= (edge[0] if one else edge[row])
+        cell = passed.astype(np.int64)
         if not one:
             cell += row * self.cells.shape[2]
         return self.cells.reshape(self.cells.shape[0], -1), cell, at, first, last
 
-    def _columns(self, pressure: Array) -> tuple[_Columns, NDArray[np.bool_], Array]:
-        """Columns at pressures, held outside; whether a pressure lies below, and the top edge."""
+    def _columns(self, pressure: Array) -> tuple[_Columns, Array]:
+        """Columns at pressures, held outside the edges; the top edge."""
         flat, cell, at, first, last = self._cells(pressure)
-        inside = (pressure >= first) & (pressure < last)
         found = self._trends(flat, cell, at) if self.pieces else self._cubics(flat, cell, at)
-        slopes = tuple(np.where(inside, s, 0.0) for s in found[4:])
-        return _Columns(*found[:4], *slopes), pressure < first, last
+        inside = (pressure >= first) & (pressure < last)
+        slopes = found[4:] if inside.all() else [np.where(inside, s, 0.0) for s in found[4:]]
+        return _Columns(*found[:4], *slopes), last
 
     def _cubics(self, flat: Array, cell: Integers, at: Array) -> tuple[Array, ...]:
         base = self.knots[:-1].T.reshape(-1)
@@ -191,60 +194,47 @@ class IntegralLog:
         )
 
     def stress(self, shear: Array, pressure: Array, creep: Array) -> Stress:
-        """Traction at creeps of either sign."""
-        c, below, last = self._columns(pressure)
+        """Traction at creeps of either sign.
+
+        Choices are made by what is larger: by a mask they would cost ten times as much.
+        """
+        c, last = self._columns(pressure)
         held = np.minimum(pressure, last)  # traction is held above the last edge
-        size, sign = np.maximum(np.abs(creep), LEAST_CREEP), np.where(creep >= 0.0, 1.0, -1.0)
+        size = np.maximum(np.abs(creep), LEAST_CREEP)
         ease = shear * held
-        r = _risen(ease * c.friction / c.slip, size / c.slip)
-        log_r = np.log(r)
+        most = ease * c.friction
+        r, log_r = _risen(most / c.slip, size / c.slip)
         form = r - r * log_r
         mu, mu_x = c.friction * form, -c.friction * log_r / c.slip
         mu_p = c.friction_p * form + c.friction * log_r * r * c.slip_p / c.slip
+        past = np.maximum(size - c.slip - most, 0.0)
         x = r * c.slip
-        if self.softens:
-            mu, mu_x, mu_p, x = self._past(c, ease, size, (mu, mu_x, mu_p, x))
+        if self.softens and past.any():
+            # on the line past the peak, then on what is left
+            left = np.minimum(c.residual, c.friction)
+            d = past / (1.0 + ease * c.slope)
+            further = past + ease * (c.friction - left)
+            line = c.friction + c.slope * d
+            low = line < left
+            falls = (past > 0.0) ^ low
+            left_p = np.where(c.residual < c.friction, c.residual_p, c.friction_p)
+            mu += np.maximum(line, left) - c.friction
+            mu_x += falls * c.slope
+            mu_p += falls * (c.slope_p * d - c.slope * c.slip_p) + low * (left_p - c.friction_p)
+            x += np.minimum(d, further)
         else:
-            past = size - c.slip - ease * c.friction
-            over = past > 0.0
-            if over.any():
-                mu_x, mu_p = np.where(over, 0.0, mu_x), np.where(over, c.friction_p, mu_p)
-                x = np.where(over, c.slip + past, x)
+            x += past
         stiff = 1.0 / (1.0 + ease * mu_x)
-        by_pressure = np.where(pressure < last, mu + pressure * np.where(below, 0.0, mu_p), 0.0)
-        scale = sign * (np.abs(creep) / size)
+        by_pressure = (mu + pressure * mu_p) * (pressure < last)
+        scale = creep / size
         return Stress(
             scale * mu * held, held * mu_x * stiff, scale * by_pressure * stiff, scale * x
-        )
-
-    def _past(
-        self, c: _Columns, ease: Array, size: Array, rise: tuple[Array, Array, Array, Array]
-    ) -> tuple[Array, Array, Array, Array]:
-        """Friction past its peak: on the line, and on what is left."""
-        past = size - c.slip - ease * c.friction
-        over = past > 0.0
-        if not over.any():
-            return rise
-        left = np.minimum(c.residual, c.friction)
-        d = past / (1.0 + ease * c.slope)
-        line = c.friction + c.slope * d
-        done = line < left
-        left_p = np.where(c.residual < c.friction, c.residual_p, c.friction_p)
-        mu = np.where(done, left, line)
-        mu_x = np.where(done, 0.0, c.slope)
-        mu_p = np.where(done, left_p, c.friction_p + c.slope_p * d - c.slope * c.slip_p)
-        x = np.where(done, size - ease * left, c.slip + d)
-        return (
-            np.where(over, mu, rise[0]),
-            np.where(over, mu_x, rise[1]),
-            np.where(over, mu_p, rise[2]),
-            np.where(over, x, rise[3]),
         )
 
     def plateau(self, pressure: Array) -> Array:
         """Largest friction at any slip [-]."""
         if self.pieces:
-            c, _, last = self._columns(pressure)
+            c, last = self._columns(pressure)
             return np.asarray(c.friction * np.minimum(last / pressure, 1.0))
         flat, cell, at, _, last = self._cells(pressure)
         t = at - self.knots[:-1].T.reshape(-1).take(cell)
@@ -254,13 +244,13 @@ class IntegralLog:
 
     def residual(self, pressure: Array) -> Array:
         """Friction that is left at slips without bound [-]."""
-        c, _, last = self._columns(pressure)
+        c, last = self._columns(pressure)
         left = np.where(c.slope < 0.0, np.minimum(c.residual, c.friction), c.friction)
         return np.asarray(left * np.minimum(last / pressure, 1.0))
 
     def excess(self, pressure: Array) -> Array:
         """Friction beyond its residual over all slips [m]; up to the peak 3/4 mu_pk x_pk."""
-        c, _, last = self._columns(pressure)
+        c, last = self._columns(pressure)
         left = np.where(c.slope < 0.0, np.minimum(c.residual, c.friction), c.friction)
         fall = c.friction - left
         line = np.where(
@@ -274,21 +264,28 @@ class IntegralLog:
         return np.zeros_like(pressure)
 
 
-def _risen(k: Array, w: Array) -> Array:
-    """Slip over peak slip r <= 1 with r + k r (1 - ln r) = w: Halley's method.
+def _risen(k: Array, w: Array) -> tuple[Array, Array]:
+    """Slip over peak slip r with r + k r (1 - ln r) = w, at most 1, and ln r.
 
-    From what the slip would be at the slope for all of it; near the peak from the parabola there.
+    Between what the slope at w makes of it, which is too much, and the parabola at the peak, too
+    little; two steps of Householder's method of order four, and Newton's with what the last
+    logarithm tells: 1e-15.
     """
-    r = w / (1.0 + k * (1.0 - np.log(np.minimum(w, 1.0))))
-    short = np.maximum(1.0 + k - w, 0.0)
-    near = 2.0 * short / (1.0 + np.sqrt(1.0 + 2.0 * k * short))
-    r = np.minimum(np.where(near < NEAR_PEAK, 1.0 - near, r), 1.0)
+    w = np.minimum(w, 1.0 + k)
+    short = 1.0 + k - w
+    near = 1.0 - 2.0 * short / (1.0 + np.sqrt(1.0 + 2.0 * k * short))
+    far = BELOW * w / (1.0 + k * (1.0 - np.log(np.minimum(w, 1.0))))
+    r = np.minimum(np.maximum(near, far), 1.0)
     for _ in range(RISE_STEPS):
-        lr = np.log(r)
-        miss, slope = r + k * r * (1.0 - lr) - w, 1.0 - k * lr
-        r = r - miss / (slope + 0.5 * miss * k / (r * slope))
+        log_r = np.log(r)
+        slope = 1.0 - k * log_r
+        step = (r + k * r * (1.0 - log_r) - w) / slope
+        bend = k * step / (r * slope)
+        r -= step * (1.0 + 0.5 * bend) / (1.0 + bend * (1.0 + step / (6.0 * r)))
         r = np.minimum(np.maximum(r, LEAST_SHARE), 1.0)
-    return r
+    log_r = np.log(r)
+    part = (r + k * r * (1.0 - log_r) - w) / (r * (1.0 - k * log_r))
+    return np.minimum(r - r * part, 1.0), np.minimum(log_r - part, 0.0)
 
 
 class Limits:
@@ -310,7 +307,7 @@ class Limits:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
         return np.where(self.ends > 0.0, self.ends, np.inf)[:, self.row]
 
-    def rows(self, which: NDArray[np.bool_] | Integers) -> Limits:
+    def rows(self, which: slice | Integers) -> Limits:
         """Laws of some of the rows."""
         return Limits(self.numbers, self.ends, self.row[which])
 
@@ -381,7 +378,7 @@ class Tables:
         """Pressures where friction has kinks, shape (some, n) [Pa]; inf where there is none."""
         return self.knots[:, self.row]
 
-    def rows(self, which: NDArray[np.bool_] | Integers) -> Tables:
+    def rows(self, which: slice | Integers) -> Tables:
         """Laws of some of the rows."""
         return Tables(self.slips, self.knots, self.numbers, self.row[which])
 
