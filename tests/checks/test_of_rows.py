@@ -16,7 +16,7 @@ from checks.test_least_tension import random_drives
 from checks.test_rows import NONE, WIDE, lagging, quiet
 from wraparc import Drive, IntegralLog, Pulley, Tensions, load_lagging, solve
 from wraparc.arc import Distributed
-from wraparc.batch import solve_arcs
+from wraparc.batch import Setting, solve_arcs
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.result import BatchResult
 from wraparc.batch.row import EVERYTHING, TENSIONS
@@ -40,7 +40,9 @@ def of_rows(of: Drive, pulley: str = "head", document: Any = None) -> tuple[str,
     )
     softens = rows.arcs.laws.steepest_fall[0] < 0.0
     found = solve_precisely(rows.arcs, EVERYTHING if softens else TENSIONS)
-    level, governing = judge_rows(BatchResult(rows.arcs, found), rows.held, np.ones(1))
+    level, governing = judge_rows(
+        BatchResult(rows.arcs, found), rows.held, (np.ones(1), np.ones(1)), Setting.PRECISE
+    )
     return str(LEVELS[level[0]]), NAMES[governing[0]]
 
 
@@ -232,7 +234,7 @@ def test_compiled_lanes_know_whether_the_slip_speed_is_above_that_of_the_tests(
     of = quiet(lagging=replace(SOFT, law=law), criteria=NONE)
     rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
     solved = solve_arcs(rows.arcs, capacities=False)
-    level, governing = judge_rows(solved, rows.held, np.ones(1))
+    level, governing = judge_rows(solved, rows.held, (np.ones(1), np.ones(1)), Setting.PRECISE)
     missed = NAMES[governing[0]] == "tested_slip_speed" and str(LEVELS[level[0]]) == "ATTENTION"
     assert missed is (times < 1.0)
 

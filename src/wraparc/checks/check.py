@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.checks.numbers import AHEAD, BEHIND, kept, margin_of, order_of, times_of
+from wraparc.checks.numbers import AHEAD, BEHIND, beyond, kept, margin_of, order_of, times_of
 from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
@@ -79,15 +79,25 @@ NOWHERE = Place()
 class Miss(NamedTuple):
     """What a check says where it is not kept; see `Check`.
 
-    A value [SI] of more than `fails_beyond` fails, as `because` says.
+    A value [SI] on the far side of `fails_beyond` fails, as `because` says; one of at most
+    `tolerates` may be allowed, as `allows` says.
     """
 
     level: Level
     short: str
     says: str
     remedy: str
-    fails_beyond: float = math.inf
+    fails_beyond: float = math.nan
     because: str = ""
+    tolerates: float = math.nan
+    allows: str = ""
+
+    def at(self, value: float, at_most: bool) -> tuple[Level, str]:
+        """Return level and words for a value that misses its limit."""
+        if beyond(value, self.fails_beyond, at_most):
+            return Level.FAILS, f"{self.says} {self.because}".rstrip()
+        says = f"{self.says} {self.allows}" if value <= self.tolerates else self.says
+        return self.level, says.rstrip()
 
 
 @dataclass(frozen=True, kw_only=True)

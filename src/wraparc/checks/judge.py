@@ -125,7 +125,8 @@ def _train(result: TrainResult) -> Iterator[Check]:
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result()):
         if check.name == "gross_slip" and check.place.load_case in adrift:
-            yield of_drive.not_checked(check.name, check.title, NO_DIVISION, check.place)
+            title = of_arc.GRIP.format(result.train.case(check.place.load_case).kind)
+            yield of_drive.not_checked(check.name, title, NO_DIVISION, check.place)
         else:
             yield check
 

@@ -291,15 +291,16 @@ def judged(
     remedy: str = "",
     short: str = "",
     because: str = "",
+    allows: str = "",
     binding: bool = True,
     more: Mapping[str, tuple[float, Dimension]] | None = None,
 ) -> Check:
     """Return a check of a value against its limit: OK, or what its rule says where it misses."""
     kept = not math.isnan(value) and keeps(value, limit, at_most=rule.at_most)
-    miss = Miss(rule.missed, short, says, remedy, rule.fails_beyond, because)
-    level = rule.missed
-    if not kept and value > rule.fails_beyond:
-        level, says = Level.FAILS, f"{says} {because}".rstrip()
+    miss = Miss(
+        rule.missed, short, says, remedy, rule.fails_beyond, because, rule.tolerates, allows
+    )
+    level, says = miss.at(value, rule.at_most)
     return Check(
         name=rule.name,
         title=title,

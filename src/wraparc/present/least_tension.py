@@ -5,6 +5,7 @@ from typing import Any
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import RULES, Figure, LeastTension, Level, least_tension, margins_of
+from wraparc.checks.sliding import SLIDES
 from wraparc.present.sheet import NONE, Row, Table, named, quantity
 from wraparc.train import TrainResult
 from wraparc.units import System
@@ -101,7 +102,7 @@ def least_name(result: DriveResult | TrainResult) -> str:
 
 
 def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") -> Table | None:
-    """Return how much more pull an arc could take until gross slip, by what the take-up holds."""
+    """Return how much more pull an arc could take until it slides, by what the take-up holds."""
     if not arc.status.solved or abs(arc.arc.effective_tension) <= 1e-6 * arc.arc.entry_tension:
         return None
     if math.isnan(arc.capacities.gross_slip_capacity):
@@ -119,7 +120,11 @@ def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") ->
             "never" if math.isinf(value) else f"{quantity(value, 'number', system)} times the pull"
         )
         rows.append(Row(title, (text,), note=f"this drive{said}" if own else ""))
-    note = "Pull at which the belt slips as a whole: an extrapolation of the friction law."
+    slides = quantity(SLIDES, "length", system)
+    note = (
+        f"Pull at which the belt slides: a creep of {slides}, the end of the tested slip or the "
+        "largest friction, whichever comes first."
+    )
     return Table("Margin to gross slip", tuple(rows), note=note)
 
 

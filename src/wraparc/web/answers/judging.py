@@ -3,18 +3,20 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, replace
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from wraparc.arc import ArcResult, DriveResult, Energy, Profile, Status
 from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
-from wraparc.checks.check import Place
+from wraparc.checks.check import LEADING, Place
 from wraparc.checks.design_standard import asked, by_table, design_friction_of
 from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
-from wraparc.checks.of_arc import BALANCE
+from wraparc.checks.of_arc import BALANCE, FIRST, of_sliding
 from wraparc.checks.rules import start_factor, tension_factor
+from wraparc.checks.sliding import Sliding
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.present.least_tension import least_name
 from wraparc.schema.source import Document
@@ -35,10 +37,15 @@ class Miss(Plain):
     remedy: str
     fails_beyond: float
     because: str
+    tolerates: float
+    allows: str
 
 
 class Words(Plain):
-    """A check without its numbers; `when` names the outcome of the arc that it is for, if one."""
+    """A check without its numbers, and whether it leads where it fails.
+
+    `when` names the outcome of the arc that it is for, if one, and after a colon where it slides.
+    """
 
     name: str
     title: str
@@ -104,7 +111,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
     if odd or drive.pulleys[0].across or any(c.name in _SERVERS for c in verdict.checks):
         return None
     first, other = (_checks(result, status) for status in (Status.SOLVED, Status.BREAKAWAY))
-    cases, asks = [], _asks(result)
+    cases, asks, name = [], _asks(result), drive.pulleys[0].name
     for case in drive.load_cases:
         ready = prepared(document, drive, drive.pulleys[0], case)
         if ready is None:
@@ -117,7 +124,10 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
                 elsewhere=elsewhere(document, drive, case),
                 tested=None if law.tested is None else Tested.model_validate(law.tested),
                 criteria={k: float(v) for k, v in _criteria(drive, case)._asdict().items()},
-                checks=list(either(_of(first, case), _of(other, case))),
+                checks=[
+                    *sliding_words(drive.in_case(case), case, result.arc(name, case.name)),
+                    *either(_of(first, case), _of(other, case)),
+                ],
                 asks=asks[case.name],
             )
         )
@@ -185,7 +195,15 @@ def _ended(arc: ArcResult, status: Status) -> ArcResult:
 
 
 def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:
-    return [check for check in checks if check.place.load_case == case.name]
+    there = (check for check in checks if check.place.load_case == case.name)
+    return [check for check in there if check.name != "gross_slip"]
+
+
+def sliding_words(drive: Drive, case: LoadCase, arc: ArcResult) -> Iterator[Words]:
+    """Yield the words of the safety against gross slip, however an arc ends and it slides."""
+    for status, cause in product((Status.SOLVED, Status.BREAKAWAY), FIRST):
+        check = of_sliding(drive, case, replace(arc, status=status), Sliding(1.0, cause))
+        yield words_of(check, f"{'solved' if status.solved else 'breakaway'}:{cause}")
 
 
 def either(solved: Sequence[Check], broken: Sequence[Check]) -> Iterator[Words]:
@@ -207,12 +225,12 @@ def words_of(check: Check, when: str = "") -> Words:
     """Return a check without its numbers."""
     names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
     fields = {
-        name: getattr(check, name)
-        for name in (*names, "remedy", "binding", "advises", "leads", "numerical")
+        name: getattr(check, name) for name in (*names, "remedy", "binding", "advises", "numerical")
     }
     miss = None if check.miss is None else Miss(**check.miss._asdict())
     place = str(check.place)
-    return Words(**fields, place=place, more=dict(check.more), miss=miss, when=when)
+    leads = check.name in LEADING
+    return Words(**fields, leads=leads, place=place, more=dict(check.more), miss=miss, when=when)
 
 
 def _criteria(drive: Drive, case: LoadCase) -> Criteria:

@@ -2843,13 +2843,10 @@ export function arc_tables___gross_note(plain, creep, system) {
     return "the whole wrap slips";
   }
   if (Math.abs(creep) === Infinity) {
-    return "an extrapolation, approached as creep grows without bound";
+    return "extrapolated, approached as creep grows without bound";
   }
   return (
-    "" +
-    "an extrapolation, at " +
-    $text(sheet__named("gross_slip_creep", creep, system)) +
-    " of creep"
+    "" + "extrapolated, at " + $text(sheet__named("gross_slip_creep", creep, system)) + " of creep"
   );
 }
 
@@ -2889,7 +2886,7 @@ export function arc_tables__capacity_rows(c, of, system) {
     rows.push(ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note));
   }
   let gross = arc_tables___gross_note(of.plain, c.gross_slip_creep, system);
-  rows.push(ratio("gross_slip_capacity", c.gross_slip_capacity, c.gross_slip_margin, gross));
+  rows.push(row("gross_slip_capacity", c.gross_slip_capacity, gross));
   note =
     "" +
     "Ratios " +

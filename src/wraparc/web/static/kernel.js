@@ -513,19 +513,6 @@ export class Carried {
   }
 }
 
-export class Grip {
-  constructor(wrap_angle, area, offset) {
-    this.wrap_angle = wrap_angle;
-    this.area = area;
-    this.offset = offset;
-  }
-  *[Symbol.iterator]() {
-    yield this.wrap_angle;
-    yield this.area;
-    yield this.offset;
-  }
-}
-
 export class Compared {
   constructor(
     gross_slip,
@@ -585,6 +572,21 @@ export class Compared {
   }
 }
 
+export class Loaded {
+  constructor(law, geometry, load, peaks) {
+    this.law = law;
+    this.geometry = geometry;
+    this.load = load;
+    this.peaks = peaks;
+  }
+  *[Symbol.iterator]() {
+    yield this.law;
+    yield this.geometry;
+    yield this.load;
+    yield this.peaks;
+  }
+}
+
 export class Line {
   constructor(tight, slack, tight_rise, slack_rise) {
     this.tight = tight;
@@ -597,6 +599,28 @@ export class Line {
     yield this.slack;
     yield this.tight_rise;
     yield this.slack_rise;
+  }
+}
+
+export class Sliding {
+  constructor(place, cause) {
+    this.place = place;
+    this.cause = cause;
+  }
+  *[Symbol.iterator]() {
+    yield this.place;
+    yield this.cause;
+  }
+}
+
+export class Ends {
+  constructor(low, high) {
+    this.low = low;
+    this.high = high;
+  }
+  *[Symbol.iterator]() {
+    yield this.low;
+    yield this.high;
   }
 }
 
@@ -651,26 +675,12 @@ export class Pull {
   }
 }
 
-export class Safety {
-  constructor(factor, rise, softens) {
-    this.factor = factor;
-    this.rise = rise;
-    this.softens = softens;
-  }
-  *[Symbol.iterator]() {
-    yield this.factor;
-    yield this.rise;
-    yield this.softens;
-  }
-}
-
 export class Asked {
   constructor(
     creep,
     tested_slip,
     design_standard,
     gross_slip,
-    gross_slip_settled,
     tested_pressure_min,
     tested_pressure_max,
     face_pressure,
@@ -682,7 +692,6 @@ export class Asked {
     this.tested_slip = tested_slip;
     this.design_standard = design_standard;
     this.gross_slip = gross_slip;
-    this.gross_slip_settled = gross_slip_settled;
     this.tested_pressure_min = tested_pressure_min;
     this.tested_pressure_max = tested_pressure_max;
     this.face_pressure = face_pressure;
@@ -695,7 +704,6 @@ export class Asked {
     yield this.tested_slip;
     yield this.design_standard;
     yield this.gross_slip;
-    yield this.gross_slip_settled;
     yield this.tested_pressure_min;
     yield this.tested_pressure_max;
     yield this.face_pressure;
@@ -706,7 +714,7 @@ export class Asked {
 }
 
 export class Judged {
-  constructor(solved, summary, capacities, values, limits, held, asked) {
+  constructor(solved, summary, capacities, values, limits, held, asked, cause) {
     this.solved = solved;
     this.summary = summary;
     this.capacities = capacities;
@@ -714,6 +722,7 @@ export class Judged {
     this.limits = limits;
     this.held = held;
     this.asked = asked;
+    this.cause = cause;
   }
   *[Symbol.iterator]() {
     yield this.solved;
@@ -723,6 +732,7 @@ export class Judged {
     yield this.limits;
     yield this.held;
     yield this.asked;
+    yield this.cause;
   }
 }
 
@@ -859,13 +869,19 @@ const GROSS_SLIP = 16;
 const PRESSURES = 5;
 const PEAK_STEPS = 12;
 const EDGE = 0.0005;
-const _ROUNDS = 200;
-const _NO_SLACK = 50.0;
-const _TOLERANCE = 1e-9;
-const _GROWTH = 2.0;
+const _ROUNDS = 60;
+const SLIDES = 0.0635;
+const BY_CREEP = 2;
+const BY_SLIP = 4;
+const BY_LAW = 16;
 const _STEPS = 24;
-const _SETTLED = 0.0001;
-const ROUNDS = 6;
+const _ALIKE = 1e-9;
+const MOST = 2;
+const TESTED = 1;
+const _DIFFERENCE = 0.001;
+const _FARTHEST = 200.0;
+const _NEAR = 1e-8;
+const NOT_CARRIED = 0.999;
 const SEVERAL_PULLS = 1;
 const ALL_THREE = 2;
 const TOO_FEW = 3;
@@ -6195,23 +6211,6 @@ export function answer__find_capacities(law, geometry, load, parts, steps) {
   return answer__find_capacities_near(law, geometry, load, parts, steps, NO_BEGINNING);
 }
 
-/** ln(tight/slack) that an arc carries beyond that of the plateau of its law [-]. */
-export function numbers__grip_beyond(law, capacity, pressure, wrap_angle) {
-  return capacity - gross_slip__plateau_capacity(law, pressure, wrap_angle);
-}
-
-/** What the friction of an arc can carry, by ln(tight/slack) at gross slip. */
-export function in_page__grip_of(law, given, arc, gross_slip) {
-  let tight;
-  let area = arc.width * (0.5 * arc.diameter);
-  let beyond = 0.0;
-  if (given.steepest_fall < 0.0) {
-    tight = max(arc.entry_tension, arc.exit_tension);
-    beyond = numbers__grip_beyond(law, gross_slip, tight / area, arc.wrap_angle);
-  }
-  return new Grip(arc.wrap_angle, area, beyond);
-}
-
 /** Slack-side tension over effective tension, Cw = 1/(exp(mu phi) - 1) (CEMA) [-]. */
 export function constant_friction__wrap_factor(friction, wrap_angle) {
   return 1.0 / Math.expm1(friction * wrap_angle);
@@ -6255,101 +6254,113 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   );
 }
 
-/** Wrap angle over which ln T falls so far from the tight side at the plateau [rad]. */
-export function gross_slip___angle_needed(law, tight_pressure, fall) {
-  let segment, span;
-  let q = 0.0;
-  let angle = 0.0;
-  while (q < fall) {
-    const found1 = gross_slip___piece(law, tight_pressure * Math.exp(-q));
-    segment = found1[0];
-    span = found1[1];
-    span = min(span, fall - q);
-    angle += gross_slip___angle(law, tight_pressure, segment, q, span, false);
-    q += span;
-    if (span <= 1e-15 * q) {
-      break;
-    }
+/** Largest ln(tight/slack) before the belt slides with a tight side held [N], and the cause. */
+export function sliding__carried_at(of, tight) {
+  let driving = of.geometry.side > 0.0;
+  let load = Object.assign(Object.create(Object.getPrototypeOf(of.load)), of.load, {
+    entry_tension: driving ? tight : 0.5 * tight,
+    exit_tension: driving ? 0.5 * tight : tight,
+    creep_limit: SLIDES,
+  });
+  let parts = BY_CREEP + BY_SLIP + (of.peaks ? BY_LAW : 0);
+  let found = answer__find_capacities(of.law, of.geometry, load, parts, _STEPS);
+  let q = found.creep_limit;
+  let cause = 0;
+  let pressure = tight / (of.geometry.width * of.geometry.radius);
+  let most = gross_slip__plateau_capacity(of.law, pressure, of.geometry.wrap_angle);
+  if (q >= most * (1.0 - _ALIKE) || (of.peaks && q >= found.gross_slip * (1.0 - _ALIKE))) {
+    cause = MOST;
   }
-  return angle;
+  if (Number.isNaN(q) || found.tested_slip < q * (1.0 - _ALIKE)) {
+    q = found.tested_slip;
+    cause = TESTED;
+  }
+  return [q, cause];
 }
 
-/** Wrap angle that the tensions at a place of a line need less that of the arc, and its slope. */
-export function gross_slip___missing(law, grip, line, k) {
+/** What friction has to spare at a place of a line, over what, and about its slope. */
+export function sliding___spare(of, line, k, q, even) {
+  let kept;
   let tight = line.tight + (k - 1.0) * line.tight_rise;
   let slack = line.slack + (k - 1.0) * line.slack_rise;
-  if (tight <= 0.0 || slack <= 0.0) {
-    return [_NO_SLACK, 0.0];
+  if (even) {
+    kept = Math.exp(-q);
+    return [k, slack - tight * kept, line.slack_rise - line.tight_rise * kept];
   }
-  if (tight <= slack) {
-    return [-grip.wrap_angle, 0.0];
-  }
-  let top = tight / grip.area;
-  let fall = Math.log(tight / slack) - grip.offset;
-  let end = top * Math.exp(-fall);
-  let at_top = compact__plateau_at(law, compact__segment_of(law, top), top);
-  let at_end = compact__plateau_at(law, compact__segment_of(law, end), end);
-  let slope = line.tight_rise / (tight * at_top) - line.slack_rise / (slack * at_end);
-  return [gross_slip___angle_needed(law, top, fall) - grip.wrap_angle, slope];
+  let asked = Math.log(tight / slack);
+  let area = of.geometry.width * of.geometry.radius;
+  let wrap = of.geometry.wrap_angle;
+  let here = gross_slip__plateau_capacity(of.law, tight / area, wrap);
+  let there = gross_slip__plateau_capacity(of.law, (tight * (1.0 + _DIFFERENCE)) / area, wrap);
+  let fall = (((there - here) / (here * _DIFFERENCE)) * k * line.tight_rise) / tight;
+  let grows = (k * (line.tight_rise / tight - line.slack_rise / slack)) / asked;
+  return [Math.log(k), Math.log(q / asked), fall - grows];
 }
 
-/** Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards. */
-export function gross_slip__slip_place(law, grip, line, way, low) {
-  let f, new_, slope;
-  let step = max(low, 1.0);
-  let a = low;
-  let b = Infinity;
-  let most = 10000.0 * step;
-  if (way > 0.0 && line.slack_rise < 0.0) {
-    b = 1.0 - line.slack / line.slack_rise;
+/** A step to `new`, kept between the ends. */
+export function sliding___within(ends, new_, k) {
+  new_ = min(new_, _FARTHEST);
+  if (ends.low < new_ && new_ < ends.high) {
+    return new_;
   }
-  let k = a + step;
-  if (k >= b) {
-    k = 0.5 * (a + b);
-  }
+  return ends.high < Infinity ? 0.5 * (ends.low + ends.high) : min(4.0 * k + 1.0, _FARTHEST);
+}
+
+/** Place k of a line at which the belt begins to slide (way 1) or ends to (way -1). */
+export function sliding__slide_place(of, line, way, low, start) {
+  let at, new_, q, slope, spare;
+  let falls = line.slack_rise < 0.0;
+  let even = falls || way < 0.0;
+  let ends = new Ends(low, falls ? 1.0 - line.slack / line.slack_rise : Infinity);
+  let k = start >= ends.high ? 0.5 * (ends.low + ends.high) : start;
+  let last = NaN;
+  let spare_last = NaN;
+  let cause = 0;
   for (let each1 = 0, end1 = _ROUNDS; each1 < end1; each1++) {
-    const found2 = gross_slip___missing(law, grip, line, k);
-    f = found2[0];
-    slope = found2[1];
-    [f, slope] = [way * f, way * slope];
-    if (f < 0.0) {
-      a = k;
-      if (k >= most) {
-        return Infinity;
-      }
+    const found2 = sliding__carried_at(of, line.tight + (k - 1.0) * line.tight_rise);
+    q = found2[0];
+    cause = found2[1];
+    if (Number.isNaN(q)) {
+      return new Sliding(NaN, cause);
+    }
+    const found3 = sliding___spare(of, line, k, q, even);
+    at = found3[0];
+    spare = found3[1];
+    slope = found3[2];
+    if (last === last && at !== last) {
+      slope = (spare - spare_last) / (at - last);
+    }
+    if (spare < 0.0 === way > 0.0) {
+      ends = new Ends(ends.low, k);
+    } else if (k >= _FARTHEST) {
+      return new Sliding(Infinity, cause);
     } else {
-      b = k;
+      ends = new Ends(k, ends.high);
     }
-    new_ = slope > 0.0 ? k - f / slope : Infinity;
-    if (Math.abs(new_ - k) <= _TOLERANCE * k) {
-      return new_;
+    last = at;
+    spare_last = spare;
+    new_ = way * slope < 0.0 ? at - spare / slope : Infinity;
+    if (!even) {
+      new_ = Math.exp(min(new_, 30.0));
     }
-    new_ = min(new_, most);
-    if (!(a < new_ && new_ < b)) {
-      new_ = b < Infinity ? 0.5 * (a + b) : min(a + step, most);
-      step *= _GROWTH;
+    if (Math.abs(new_ - k) <= _NEAR * k) {
+      return new Sliding(new_, cause);
     }
-    if (Math.abs(new_ - k) <= 1e-15 * k) {
-      return k;
+    new_ = sliding___within(ends, new_, k);
+    if (Math.abs(new_ - k) <= 1e-14 * k) {
+      return new Sliding(new_, cause);
     }
     k = new_;
   }
-  return k;
+  return new Sliding(k, cause);
 }
 
-/** Pull at gross slip over the pull, tensions growing along a line; inf if it never slips. */
-export function numbers__pull_at_slip(law, grip, line) {
-  return line.tight === line.slack ? Infinity : gross_slip__slip_place(law, grip, line, 1.0, 0.0);
-}
-
-/** Pull at gross slip over the pull, with what the take-up holds [-]. */
-export function in_page__pull_factor_of(law, grip, arc, among) {
-  let entry = arc.entry_tension;
-  let leaving = arc.exit_tension;
-  let tight = max(entry, leaving);
-  let slack = min(entry, leaving);
-  let line = new Line(tight, slack, among.tight_rise, among.slack_rise);
-  return numbers__pull_at_slip(law, grip, line);
+/** Pull at which the belt slides over the pull, tensions growing along a line. */
+export function sliding__pull_at_sliding(of, line) {
+  if (line.tight === line.slack) {
+    return new Sliding(Infinity, 0);
+  }
+  return sliding__slide_place(of, line, 1.0, 0.0, 1.0);
 }
 
 /** Pressure of the belt on the pulley, 2 T/(B D) [Pa]. */
@@ -6481,57 +6492,43 @@ export function least_numbers__least_for_slip(law, geometry, of, limit) {
   return least_numbers___by_halving(law, geometry, of, limit);
 }
 
-/** Tension of the tight side that just carries a pull at gross slip [N]; inf if none. */
-export function least_numbers__tight_at_slip(law, grip, pull) {
+/** Least tension of the tight side with which a pull does not slide the belt [N]; inf if none. */
+export function sliding__tight_at_sliding(of, pull) {
   if (pull <= 0.0) {
     return 0.0;
   }
-  return pull * gross_slip__slip_place(law, grip, new Line(pull, 0.0, pull, pull), -1.0, 1.0);
+  let tight = max(of.load.entry_tension, of.load.exit_tension);
+  let line = new Line(pull, 0.0, pull, pull);
+  return pull * sliding__slide_place(of, line, -1.0, 1.0, max(tight / pull, 1.0 + 1e-6)).place;
 }
 
-/** How much all tensions must rise for the safety against gross slip [N]. */
-export function least_numbers__lift_for_grip(law, geometry, grip, of, safety, rounds) {
-  let beyond, found, i, known, raised, settled, tight;
-  let lift = 0.0;
-  for (let each1 = 0, end1 = rounds; each1 < end1; each1++) {
-    i = each1;
-    tight = least_numbers__tight_at_slip(law, grip, safety.factor * of.pull);
-    found = tight - of.tight - (safety.factor - 1.0) * safety.rise;
-    settled = !safety.softens || Math.abs(found - lift) <= _SETTLED * of.tight;
-    lift = found;
-    if (settled || lift === Infinity || i === rounds - 1) {
-      break;
-    }
-    raised = of.tight + lift;
-    known = gross_slip__largest_ratio(law, geometry, raised, true, _STEPS)[0];
-    beyond = numbers__grip_beyond(law, known, raised / grip.area, grip.wrap_angle);
-    grip = new Grip(grip.wrap_angle, grip.area, beyond);
-  }
-  return lift;
+/** How much all tensions must rise for a safety factor against sliding [N]. */
+export function sliding__lift_for_safety(of, factor, tight_rise) {
+  let tight = max(of.load.entry_tension, of.load.exit_tension);
+  let pull = Math.abs(of.load.entry_tension - of.load.exit_tension);
+  return sliding__tight_at_sliding(of, factor * pull) - tight - (factor - 1.0) * tight_rise;
 }
 
 /** What the checks of an arc ask of the take-up, its pull held. */
-export function in_page__asked_of(law, arc, grip, least, limits, given, factor, among) {
+export function in_page__asked_of(loaded, arc, least, limits, given, factor, among) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   let end = among.end;
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
-  let area = grip.area;
+  let area = arc.width * (0.5 * arc.diameter);
   let top = least_slack__highest_tight(limits.tested_pressure_max, area, tight);
   let of = new Pull(Math.abs(entry - leaving), tight, top);
   let by_slip = NaN;
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
   if (limits.tested_slip < given.creep_limit) {
-    by_slip = least_numbers__least_for_slip(law, geometry, of, limits.tested_slip);
+    by_slip = least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
-  let safety = new Safety(factor, among.tight_rise, given.steepest_fall < 0.0);
+  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise);
   return new Asked(
     end - slack + (least === least ? least : Infinity),
     end - slack + by_slip,
     end - slack + limits.design_standard,
-    end + least_numbers__lift_for_grip(law, geometry, grip, of, safety, 1),
-    end + least_numbers__lift_for_grip(law, geometry, grip, of, safety, ROUNDS),
+    end + (lift === lift ? lift : Infinity),
     end - slack + limits.tested_pressure_min * area,
     end - tight + limits.tested_pressure_max * area,
     end - tight + limits.face_pressure * area,
@@ -6579,11 +6576,24 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   let summary = summary__summary_of(law, arc, tested, found, out, count);
   let carried = answer__find_capacities(law, geometry, load, CAPACITIES, STEPS);
   let solved = found.outcome === SOLVED;
-  let grip = in_page__grip_of(law, given, arc, carried.gross_slip);
   let limits = in_page__limits_of(given, arc, tested, criteria);
-  let factor = in_page__pull_factor_of(law, grip, arc, others);
+  let loaded = new Loaded(
+    law,
+    geometry,
+    load,
+    given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
+  );
+  let tight = max(entry, leaving);
+  let slack = min(entry, leaving);
+  let sliding = sliding__pull_at_sliding(
+    loaded,
+    new Line(tight, slack, others.tight_rise, others.slack_rise),
+  );
+  if (sliding.place !== sliding.place) {
+    return null;
+  }
   let values = new Compared(
-    solved ? max(factor, 1.0) : min(factor, 1.0),
+    solved ? sliding.place : min(sliding.place, NOT_CARRIED),
     min(entry, leaving),
     Math.abs(summary.exit_creep),
     max(entry, leaving),
@@ -6621,7 +6631,8 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     values,
     limits,
     others.held,
-    in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
+    in_page__asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
+    sliding.cause,
   );
 }
 
@@ -6731,6 +6742,11 @@ export function compression__block_modulus(elastic_modulus, square, width, heigh
     return contact * elastic_modulus * (1.0 + 2.0 * k * s2);
   }
   return contact * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2);
+}
+
+/** Whether a value that misses its limit fails: nan where it never does. */
+export function numbers__beyond(value, fails, at_most) {
+  return at_most ? value > fails : value < fails;
 }
 
 /** Whether one take-up can hold both tensions. */

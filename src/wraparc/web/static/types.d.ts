@@ -145,7 +145,8 @@ export interface Prepared {
   given: Record<string, number | string>;
   inputs: Input[];
 }
-/** A check without its numbers; `when` names the end of the arc that it is for, if one. */
+/** A check without its numbers; `when` names the end of the arc that it is for, if one,
+ * and after a colon where it slides. */
 export interface Words {
   name: string;
   title: string;
@@ -167,7 +168,8 @@ export interface Words {
   when: string;
   pulley?: string;
 }
-/** What a check says that is not kept; far beyond its limit it fails, as `because` says. */
+/** What a check says that is not kept; far beyond its limit it fails, as `because` says, and up to
+ * what it tolerates more may be allowed, as `allows` says. */
 export interface Miss {
   level: Level;
   short: string;
@@ -175,6 +177,8 @@ export interface Miss {
   remedy: string;
   fails_beyond: number | string;
   because: string;
+  tolerates: number | string;
+  allows: string;
 }
 /** What a check asks of the slack side, but for the tension. */
 export interface Ask {

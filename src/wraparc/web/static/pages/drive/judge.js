@@ -2,6 +2,7 @@
 // translated; its words, with those numbers in them.
 import { words } from "../../base/units.js";
 import {
+  numbers__beyond as beyond,
   numbers__held_alike as heldAlike,
   numbers__kept as kept,
   numbers__margin_of as marginOf,
@@ -60,7 +61,8 @@ export function judge(judging, doc, all) {
   if (odd && !judging.odd) return null;
   const checks = found.flatMap(({ of, numbers }) => {
     const end = numbers.solved ? "solved" : "breakaway";
-    const made = of.checks.filter((w) => !w.when || w.when === end);
+    const ends = ["", end, `${end}:${numbers.cause}`];
+    const made = of.checks.filter((w) => ends.includes(w.when));
     return made.map((w) => check(w, numbers, of.load_case, judging.levels));
   });
   if (odd) checks.push(contradicts(judging, held));
@@ -81,10 +83,12 @@ function contradicts({ odd, cases, levels, names }, held) {
   words.more = { least: [least, "force"], most: [most, "force"] };
   return check(words, { values: {}, limits: {} }, "", levels);
 }
-/** What a check says that is not kept: it fails far beyond its limit, and says why.
- * @param {Miss} miss @param {number} value */
-function beyond(miss, value) {
-  if (!(value > +miss.fails_beyond)) return miss;
+/** What a check says that is not kept: it fails far beyond its limit, and says why; near to it
+ * more may be allowed.
+ * @param {Miss} miss @param {number} value @param {boolean} at_most */
+function told(miss, value, at_most) {
+  if (!beyond(value, +miss.fails_beyond, at_most))
+    return value <= +miss.tolerates ? { ...miss, says: `${miss.says} ${miss.allows}`.trimEnd() } : miss;
   return { ...miss, level: /** @type {Level} */ ("FAILS"), says: `${miss.says} ${miss.because}` };
 }
 /** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
@@ -96,13 +100,14 @@ export function check(w, { values, limits }, load_case, levels) {
     miss || !Number.isNaN(+known) ? (from[w.name] ?? +known) : Number.NaN;
   const [value, limit] = [now(values, w.value), now(limits, w.limit)];
   const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "" };
-  const said = miss ? (kept(value, limit, w.at_most) ? ok : beyond(miss, value)) : w;
+  const said = miss ? (kept(value, limit, w.at_most) ? ok : told(miss, value, w.at_most)) : w;
   const { level, short, says, remedy } = said;
   const rank = levels.indexOf(level);
   const missed = rank >= levels.indexOf("ATTENTION");
   const below = w.numerical && level === "OK"; // what rounding leaves
   const margin = below ? 1 : marginOf(value, limit, w.at_most);
-  const order = orderOf(margin, missed, w.binding, w.advises, w.leads);
+  const leads = w.leads && level === "FAILS";
+  const order = orderOf(margin, missed, w.binding, w.advises, leads);
   const more = Object.fromEntries(
     Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
   );

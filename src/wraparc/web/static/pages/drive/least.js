@@ -20,8 +20,7 @@ function figuresOf({ arcs }) {
       if (Number.isNaN(tension)) continue;
       const [high, low] = ask.at_least ? [tension, held?.tension] : [held?.tension, tension];
       if (held && !more(Number(high), Number(low))) continue;
-      const settled = asked[`${ask.name}_settled`] ?? tension;
-      worst.set(ask.name, { ...ask, tension, given: asked.given, ...{ settled } });
+      worst.set(ask.name, { ...ask, tension, given: asked.given });
     }
   return [...worst.values()];
 }
@@ -36,8 +35,6 @@ const governingOf = (all) =>
 export function leastOf(judged) {
   const all = figuresOf(judged);
   if (judged.of.adrift || !all.some((f) => f.binding && f.at_least)) return null;
-  const first = /** @type {any} */ (governingOf(all));
-  if (first.name === "gross_slip") first.tension = first.settled;
   const governing = governingOf(all);
   const above = all.filter((f) => !f.at_least);
   const highest = above.length

@@ -57,6 +57,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
   const names = {
     ...named(said),
     case: c.name,
+    kind: c.kind,
     rule: standard.rule,
     why: standard.why,
     start: plain(criteria.start),
@@ -70,7 +71,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
   const factor = Number.isNaN(belt.factor) ? "ungiven" : belt.factor === 1 ? "one" : "factor";
   const rated = Number.isNaN(belt.rating) ? "none" : c.kind === "running" ? "one" : factor;
   const keys = [
-    `gross_slip:${c.kind}:${held}`,
+    `gross_slip:${held}`,
     ...(standard.rule ? [standardKey(said, standard, c, criteria)] : []),
     `creep:${limit}`,
     `belt_tension:${c.kind === "running" ? "running" : "starting"}:${rated}`,

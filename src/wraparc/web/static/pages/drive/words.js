@@ -128,7 +128,7 @@ export function verdictOf({ checks: all, of }, load_case, pulley) {
   const levels = listed(checks)
     .filter((c) => c.level !== NOT_CHECKED)
     .map((c) => [c.name, c.level]);
-  const slips = checks.some((c) => c.when === "breakaway");
+  const slips = checks.some((c) => c.when.startsWith("breakaway"));
   const short = slips ? "breaks away" : worst?.missed ? worst.short : "carries";
   const words = { level, told, headline: headline(checks), sentences, short };
   return { ...words, levels: Object.fromEntries(levels) };
