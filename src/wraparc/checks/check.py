@@ -91,6 +91,7 @@ class Miss(NamedTuple):
     because: str = ""
     tolerates: float = math.nan
     allows: str = ""
+    otherwise: str = ""
 
     def at(self, value: float, at_most: bool) -> tuple[Level, str]:
         """Return level and words for a value that misses its limit."""
@@ -125,8 +126,9 @@ class Check:
     says
         What is wrong, ``{value}`` and ``{limit}`` and the names of `more` standing for quantities;
         empty where the check is kept and its title says enough.
-    remedy
-        What to do, with the same places.
+    remedy, otherwise
+        What to do, with the same places; and what where no other tension helps, empty where the
+        remedy asks for none.
     more
         Further quantities by name: value [SI] and dimension.
     binding
@@ -147,6 +149,7 @@ class Check:
     short: str = ""
     says: str = ""
     remedy: str = ""
+    otherwise: str = ""
     more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict, hash=False)
     binding: bool = True
     miss: Miss | None = None

@@ -64,7 +64,7 @@ class LeastTension:
     given
         The same tension of the load case that governs [N].
     counterweight
-        Mass of the counterweight for the least tension [kg].
+        Mass of the counterweight for the least tension, where the take-up stands [kg].
     """
 
     figures: tuple[Figure, ...]
@@ -150,8 +150,11 @@ def _of(result: DriveResult) -> LeastTension | None:
     if not any(f.at_least and f.binding for f in worst.values()):
         return None
     found = LeastTension(tuple(worst.values()), 0.0, 0.0)
-    weight = drive.criteria.take_up.counterweight(found.tension)
-    return LeastTension(found.figures, ends[found.governing.place.load_case], weight)
+    given, take_up = ends[found.governing.place.load_case], found.tension
+    if drive.conveyor is not None:  # its take-up stands elsewhere: what is raised there is the same
+        take_up = drive.conveyor.take_up + take_up - given
+    weight = drive.criteria.take_up.counterweight(take_up)
+    return LeastTension(found.figures, given, weight)
 
 
 def _pulls(result: ArcResult) -> bool:

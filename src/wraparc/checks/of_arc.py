@@ -34,6 +34,14 @@ BALANCE = 1e-4
 #: Title of the check of the interval that a fitted law leaves.
 INTERVAL = "Creep at exit, end of the 95 % interval of the law"
 OWN_FACTORS = "taken where the drive file says nothing"
+#: What helps against slip, with more tension and without.
+MORE_GRIP = (
+    "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."
+)
+NO_TENSION = (
+    "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more "
+    "friction."
+)
 GRIP = "Safety against gross slip, {}"
 #: What comes first where a belt slides: in a title, and as a sentence begins.
 FIRST = {
@@ -99,8 +107,8 @@ def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) 
         short="pull beyond tests" if found.cause == TESTED else "near gross slip",
         says=says,
         because="So it slides.",
-        remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
-        "more friction.",
+        remedy=MORE_GRIP,
+        otherwise=NO_TENSION,
         more={"slides": (SLIDES, "length")},
         place=place,
     )
@@ -158,6 +166,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
         f"for{start}.{chosen}",
         remedy="Raise the slack-side tension, or name the rule that you design by in "
         "[design_standard].",
+        otherwise="Name the rule that you design by in [design_standard].",
         binding=criteria.standard.binding,
         place=place,
     )
@@ -194,8 +203,8 @@ def creep(drive: Drive, result: ArcResult) -> Check:
         says="Creeps {value}, more than the limit of {limit}.",
         allows=_qualifies(drive, limit),
         because="A belt that creeps more than {slides} slides.",
-        remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
-        "more friction.",
+        remedy=MORE_GRIP,
+        otherwise=NO_TENSION,
     )
 
 
@@ -220,6 +229,7 @@ def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
         says=f"By the uncertainty of the friction law the creep {told} (95 % interval), beyond the "
         "limit of {limit}.",
         remedy="Raise the slack-side tension, or test more samples of the lagging.",
+        otherwise="Test more samples of the lagging.",
         binding=False,
     )
 
@@ -335,6 +345,7 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
         says="The slip {value} is beyond the {limit} that lagging "
         f"{escaped(pulley.lagging.name)} was tested to: there the friction is an extrapolation.",
         remedy="Raise the slack-side tension, or test the lagging to this slip.",
+        otherwise="Test the lagging to this slip.",
         place=place,
     )
     title = "Slip speed, tested"

@@ -35,6 +35,7 @@ def _untested(case: LoadCase, pulley: Pulley, state: str, part: str, says: str) 
         short=f"not tested {state}",
         says=escaped(f"Lagging {lagging.name} was not tested {state}: {says}."),
         remedy=f"Test the lagging {escaped(state)}, or keep more slack-side tension in hand.",
+        otherwise=f"Test the lagging {escaped(state)}.",
         binding=False,
     )
 
@@ -58,6 +59,7 @@ def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
             f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"
         ),
         remedy="Mend or repeat those tests and fit again, or keep more slack-side tension in hand.",
+        otherwise="Mend or repeat those tests and fit again.",
         binding=False,
     )
 

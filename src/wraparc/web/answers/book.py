@@ -126,7 +126,9 @@ def _bare(words: Words) -> Words:
     """Return words without those that the comparison of its numbers decides on."""
     if words.miss is None:
         return words
-    return words.model_copy(update={"level": Level.OK, "short": "", "says": "", "remedy": ""})
+    return words.model_copy(
+        update={"level": Level.OK, "short": "", "says": "", "remedy": "", "otherwise": ""}
+    )
 
 
 def key_of(condition: Any) -> str:

@@ -39,6 +39,7 @@ class Miss(Plain):
     because: str
     tolerates: float
     allows: str
+    otherwise: str
 
 
 class Words(Plain):
@@ -58,6 +59,7 @@ class Words(Plain):
     short: str
     says: str
     remedy: str
+    otherwise: str
     more: dict[str, tuple[float, Dimension]]
     binding: bool
     advises: bool
@@ -98,6 +100,7 @@ class Judging(Plain):
     take_up: bool
     least_name: str
     counterweight: float
+    held_at: float
     cases: list[JudgedCase]
     checks: list[Words]
 
@@ -137,6 +140,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
         take_up=bool(drive.criteria.take_up.kind),
         least_name=least_name(result),
         counterweight=drive.criteria.take_up.counterweight(1.0),
+        held_at=math.nan if drive.conveyor is None else drive.conveyor.take_up,
         cases=cases,
         checks=[words_of(c) for c in first if not c.place.load_case],
     )
@@ -225,7 +229,8 @@ def words_of(check: Check, when: str = "") -> Words:
     """Return a check without its numbers."""
     names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
     fields = {
-        name: getattr(check, name) for name in (*names, "remedy", "binding", "advises", "numerical")
+        name: getattr(check, name)
+        for name in (*names, "remedy", "otherwise", "binding", "advises", "numerical")
     }
     miss = None if check.miss is None else Miss(**check.miss._asdict())
     place = str(check.place)

@@ -159,6 +159,7 @@ export interface Words {
   short: string;
   says: string;
   remedy: string;
+  otherwise: string;
   more: Record<string, [number | string, string]>;
   binding: boolean;
   advises: boolean;
@@ -179,6 +180,7 @@ export interface Miss {
   because: string;
   tolerates: number | string;
   allows: string;
+  otherwise: string;
 }
 /** What a check asks of the slack side, but for the tension. */
 export interface Ask {
@@ -196,6 +198,8 @@ export interface Judging {
   take_up: boolean;
   least_name: string;
   counterweight: number;
+  /** What a take-up elsewhere on the conveyor holds [N]; nan where it is at the drives. */
+  held_at: number;
   checks: Words[];
   cases: {
     load_case: string;

@@ -375,6 +375,7 @@ export function judgingOf(said, law, cases, book) {
     take_up: Boolean(takeUp.kind),
     least_name: filled(book.least_names[held], names),
     counterweight: orUsual(takeUp.ratio, book.usual.sheave_ratio) / book.usual.gravity,
+    held_at: Number.NaN,
     checks,
     cases,
     odd: takeUp.kind

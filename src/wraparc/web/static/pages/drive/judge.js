@@ -8,6 +8,7 @@ import {
   numbers__margin_of as marginOf,
   numbers__order_of as orderOf,
 } from "../../kernel.js";
+import { leastOf } from "./least.js";
 import { moved, numbersOf } from "./own.js";
 import { put } from "./wording.js";
 import { headline, listed } from "./words.js";
@@ -25,6 +26,12 @@ import { headline, listed } from "./words.js";
  * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
  */
 
+/** Checks that more tension on the slack side helps against, and those that less does. */
+const RAISING = [
+  ...["gross_slip", "design_standard", "creep", "creep_interval", "tested_slip"],
+  ...["tested_pressure_min", "sag"],
+];
+const LOWERING = ["belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max"];
 /** Relative difference that counts as none. */
 const SAME = 1e-7;
 
@@ -72,7 +79,24 @@ export function judge(judging, doc, all) {
     const { load_case, pulley, asks } = of;
     return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
-  return { doc, checks, arcs, of: judging };
+  const judged = { doc, checks, arcs, of: judging };
+  return { ...judged, checks: sound(checks, leastOf(judged)) };
+}
+/** Checks that advise no tension which does not help, or works against another check.
+ * @param {Check[]} checks @param {ReturnType<typeof leastOf>} least */
+function sound(checks, least) {
+  const names = checks.filter((c) => c.missed).map((c) => c.name);
+  const both = [RAISING, LOWERING].every((some) => names.some((name) => some.includes(name)));
+  /** @param {Check} check */
+  const helps = ({ name }) => {
+    if (!least) return !both;
+    const own = least.all.find((f) => f.name === name);
+    const { highest: top, tension } = least;
+    return Number.isFinite(tension) && !(own?.at_least && top && own.tension > top.tension);
+  };
+  return checks.map((c) =>
+    c.missed && c.otherwise && !helps(c) ? { ...c, remedy: c.otherwise } : c,
+  );
 }
 /** That the take-up cannot hold what load cases give. @param {Judging} judging
  * @param {number[]} held */
@@ -99,9 +123,9 @@ export function check(w, { values, limits }, load_case, levels) {
   const now = (from, known) =>
     miss || !Number.isNaN(+known) ? (from[w.name] ?? +known) : Number.NaN;
   const [value, limit] = [now(values, w.value), now(limits, w.limit)];
-  const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "" };
+  const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "", otherwise: "" };
   const said = miss ? (kept(value, limit, w.at_most) ? ok : told(miss, value, w.at_most)) : w;
-  const { level, short, says, remedy } = said;
+  const { level, short, says, remedy, otherwise } = said;
   const rank = levels.indexOf(level);
   const missed = rank >= levels.indexOf("ATTENTION");
   const below = w.numerical && level === "OK"; // what rounding leaves
@@ -111,7 +135,7 @@ export function check(w, { values, limits }, load_case, levels) {
   const more = Object.fromEntries(
     Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
   );
-  const found = { level, short, says, remedy, value, limit, margin, order, rank, missed, below };
+  const found = { level, short, says, remedy, otherwise, value, limit, margin, order, rank, missed, below };
   return /** @type {Check} */ ({ ...w, ...found, load_case, more });
 }
 

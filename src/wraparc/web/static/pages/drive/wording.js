@@ -18,6 +18,7 @@ export function put(w, names) {
   const says = (/** @type {any} */ of) => ({
     says: filled(of.says, safe),
     remedy: filled(of.remedy, safe),
+    otherwise: filled(of.otherwise, safe),
     short: filled(of.short, names),
   });
   const [title, place] = [filled(w.title, names), filled(w.place, names)];

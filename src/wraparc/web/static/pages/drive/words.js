@@ -24,6 +24,17 @@ export function printed(v, n) {
   if (!plain(e)) return r.replace(/e([+-])(\d)$/, "e$10$2");
   return (+r).toFixed(Math.max(0, n - 1 - e));
 }
+/** The value that shows as a result does, rounded to the safe side: upwards, or down.
+ * @param {number} v @param {string} dimension @param {boolean} up */
+export function onSafeSide(v, dimension, up) {
+  const size = unit(dimension)[1];
+  const number = v / size;
+  if (!Number.isFinite(number) || Math.abs(number) < 1e-9) return v;
+  const r = +printed(number, DIGITS);
+  if (Math.abs(r - number) <= 1e-9 * Math.max(Math.abs(r), Math.abs(number))) return v;
+  const step = 10 ** (+r.toExponential(3).split("e")[1] - DIGITS + 1);
+  return size * (r < number === up ? r + (up ? step : -step) : r);
+}
 /** @param {number} v @param {string} dimension */
 export function quantity(v, dimension, n = DIGITS) {
   if (Number.isNaN(v)) return "";
