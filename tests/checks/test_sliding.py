@@ -80,7 +80,7 @@ def test_constant_friction_slides_where_all_of_it_is_used(fixed: bool, place: fl
 
 def test_the_largest_friction_of_a_law_that_falls_comes_first() -> None:
     """No pull beyond it is carried, and one just below it is."""
-    of = untested(drive(lagging=SOFTENING))
+    of = untested(drive(lagging=replace(load_lagging("diamond-rubber"), law=SOFTENING)))
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)
     rise = rises([arc], 0, of.criteria.take_up)
     found = sliding(arc, rise)
@@ -89,7 +89,7 @@ def test_the_largest_friction_of_a_law_that_falls_comes_first() -> None:
         assert abs(at_pull(of, rise, found.place * (1.0 - 1e-3)).exit_creep) < SLIDES
 
 
-@pytest.mark.parametrize("number", [0, 3, 6])
+@pytest.mark.parametrize("number", [1, 6, 9])
 def test_the_tension_for_a_safety_gives_that_safety(number: int) -> None:
     of = random_drives(10)[number]
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)

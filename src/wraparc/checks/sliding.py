@@ -25,7 +25,7 @@ CREEP, TESTED, MOST = 0, 1, 2
 #: The most that is told of a pull which no creep carries, over that pull [-].
 NOT_CARRIED = 0.999
 #: Relative difference of two capacities that is rounding.
-_ALIKE = 1e-9
+_ALIKE = 1e-6
 _STEPS, _ROUNDS, _FARTHEST = 24, 60, 200.0
 _NEAR, _DIFFERENCE = 1e-8, 1e-3  # last step over the place; of a tension, for a slope
 

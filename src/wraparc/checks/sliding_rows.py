@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 Codes = NDArray[np.int8]
 Integers = NDArray[np.int64]
 
-_ALIKE, _DIFFERENCE, _FARTHEST = 1e-9, 1e-3, 200.0
+_ALIKE, _DIFFERENCE, _FARTHEST = 1e-6, 1e-3, 200.0
 _ROUNDS = 60
 #: Last step over the place, over the accuracy of the arcs.
 _NEAR = 1e-2
@@ -96,7 +96,7 @@ class LoadedRows:
                 some = which[begin : begin + CHUNK]
                 found[some] = solve_rows(given.rows(some), parts, self.setting.accuracy)[0]
         q, slip = found[:, row.CREEP_CAPACITY], found[:, row.SLIP_CAPACITY]
-        near = 1.0 - _ALIKE
+        near = 1.0 - max(_ALIKE, self.setting.accuracy)
         most = (q >= self.plateau(tight) * near) | (
             self.peaks & (q >= found[:, row.GROSS_CAPACITY] * near)
         )
