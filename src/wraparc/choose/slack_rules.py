@@ -1,4 +1,4 @@
-"""What the safety against gross slip and a binding design standard ask of the slack side."""
+"""What the safety against gross slip and a design standard ask of the slack side."""
 
 from __future__ import annotations
 
@@ -45,15 +45,13 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
 
 
 def standard_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
-    """Tension behind the drives that a binding design standard asks for, by design; 0 for none."""
+    """Tension behind the drives that the design standard asks for, by design [N]; 0 for none."""
     offset = slack_offset(search, case)
 
     def least(lagging: int, wrap_angle: float) -> float:
         tension, rule = _asked(search, case, lagging, wrap_angle)
         return tension + offset if rule else 0.0
 
-    if not search.drive.criteria.standard.binding:
-        return np.zeros(len(grid))
     return _by_design(search, grid, condition, least)
 
 
