@@ -182,7 +182,8 @@ def _none(of: Drive) -> bool:
 
 @pytest.mark.parametrize(
     ("tension", "text"),
-    [(118.63e3, "119 kN"), (118.6e3, "118.6 kN"), (119.01e3, "120 kN"), (119e3, "119 kN"), (16.32e3, "16.32 kN"),
+    [(118.63e3, "119 kN"), (118.6e3, "118.6 kN"), (119.01e3, "120 kN"), (119e3, "119 kN"),
+     (16.32e3, "16.32 kN"),
      (9.996e3, "9.996 kN"), (9.9951e3, "10 kN"), (9.9949e3, "10 kN"), (1234.56e3, "1240 kN")],
 )  # fmt: skip
 def test_a_least_tension_is_rounded_upwards(tension: float, text: str) -> None:

@@ -250,9 +250,13 @@ class Verdict:
     ----------
     checks
         Every check at every place, in the order they are told.
+    wet
+        Largest creep when wet of a drive that was computed dry only [m]: infinite in gross slip,
+        nan if nothing is known of it; negative where it was not computed dry only.
     """
 
     checks: tuple[Check, ...]
+    wet: float = -1.0
 
     @cached_property
     def governing(self) -> Check | None:
@@ -318,7 +322,7 @@ class Verdict:
         if worst.missed:
             return placed(worst, system)
         kept = sum(c.level is Level.OK for c in self.listed)
-        text = f"All {kept} checks are kept"
+        text = f"All {kept} checks are kept{self._dry_only(system)}"
         if math.isnan(worst.margin) or math.isinf(worst.margin):
             return f"{text}."
         value, _ = worst.texts(system)
@@ -327,6 +331,15 @@ class Verdict:
             f"{text}; nearest to its limit is {_small(worst.title)}, {value}, "
             f"{worst.bound(system)}{where}."
         )
+
+    def _dry_only(self, system: System) -> str:
+        """Say that a drive was computed dry only, and what wet would give."""
+        if self.wet < 0.0:
+            return ""
+        told = "it slips through"
+        if math.isfinite(self.wet):
+            told = f"it creeps {quantity_text(self.wet, 'length', system)}"
+        return ", dry only" if math.isnan(self.wet) else f", dry only (wet {told})"
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""

@@ -10,9 +10,11 @@ from weakref import WeakKeyDictionary
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.gross_slip import loaded
 from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import pull_against
-from wraparc.checks.rules import RULES
+from wraparc.checks.rules import RULES, idle
+from wraparc.checks.sliding import wet_creep
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.train import CaseResult, Train, TrainResult, TrainStatus
 from wraparc.train.unsolved import unsolved_drive
@@ -49,8 +51,26 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     """
     if result not in _told:
         checks = _train(result) if isinstance(result, TrainResult) else _drive(result)
-        _told[result] = Verdict(sound(tuple(checks), least_tension(result)))
+        verdict = Verdict(sound(tuple(checks), least_tension(result)))
+        if verdict.level is Level.OK:
+            one = result.drive_result() if isinstance(result, TrainResult) else result
+            verdict = replace(verdict, wet=_wet(one))
+        _told[result] = verdict
     return _told[result]
+
+
+def _wet(result: DriveResult) -> float:
+    """Largest creep when wet of a drive that was computed dry only, see `Verdict.wet`."""
+    most, drive = 0.0, result.drive
+    for arc in result:
+        condition = drive.load_case(arc.arc.load_case).condition
+        factor = of_data.wet_factor(drive.pulley(arc.arc.pulley).lagging_in(condition))
+        if factor == 0.0:
+            return -1.0
+        if not idle(arc.arc):
+            creep = wet_creep(loaded(arc), factor)
+            most = creep if math.isnan(creep) else max(most, creep)
+    return most
 
 
 def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:

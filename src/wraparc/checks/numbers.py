@@ -157,6 +157,7 @@ class Criteria(NamedTuple):
     behind: bool  # whether it holds the tension behind the pulley
     customary: bool  # whether the creep limit is the customary one
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
+    wet: float = 0.0  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
 
 
 def rise_alone(pull: float, fixed: bool, behind: bool) -> tuple[float, float]:

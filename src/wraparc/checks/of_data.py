@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from wraparc.checks.check import Check, Level, Place
@@ -9,8 +10,19 @@ from wraparc.checks.of_drive import escaped, origin
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.changes import WORN
-from wraparc.drive.conditions import SCALED
+from wraparc.drive.conditions import DRY, SCALED, Condition
+from wraparc.errors import InputError
 from wraparc.provenance import Kind, Provenance
+
+
+def wet_factor(lagging: Lagging) -> float:
+    """What wet leaves of the friction of a lagging: nan if not known, 0 where it is not dry [-]."""
+    if lagging.condition != DRY:
+        return 0.0
+    try:
+        return Condition(name="wet").factor_of(lagging)[0]
+    except InputError:  # nothing is published on its surface
+        return math.nan
 
 
 def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:

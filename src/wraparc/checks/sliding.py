@@ -12,9 +12,9 @@ from typing import NamedTuple
 from wraparc.arc.kernel.answer import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.kernel.answer import GROSS_SLIP as BY_LAW
 from wraparc.arc.kernel.answer import TESTED_SLIP as BY_SLIP
-from wraparc.arc.kernel.answer import find_capacities
+from wraparc.arc.kernel.answer import answer, find_capacities
 from wraparc.arc.kernel.gross_slip import plateau_capacity
-from wraparc.arc.kernel.quantities import Geometry, Load
+from wraparc.arc.kernel.quantities import SOLVED, Geometry, Load
 from wraparc.drive import CREEP_LIMIT
 from wraparc.friction.compact import CompactLaw
 
@@ -164,6 +164,22 @@ def tight_at_sliding(of: Loaded, pull: float) -> float:
     # in units of the pull: T = k pull
     line = Line(pull, 0.0, pull, pull)
     return pull * slide_place(of, line, -1.0, 1.0, max(tight / pull, 1.0 + 1e-6)).place
+
+
+def wet_creep(of: Loaded, factor: float) -> float:
+    """Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor.
+
+    An arc under f mu is one under mu of f times the wrap, with a belt of 1/f and a lagging of f
+    times the compliance: exact.
+    """
+    if isnan(factor):
+        return nan
+    g = of.geometry
+    wet = g._replace(
+        wrap_angle=factor * g.wrap_angle, compliance=g.compliance / factor, shear=factor * g.shear
+    )
+    found = answer(of.law, wet, of.load, _STEPS)
+    return abs(found.shot.creep) if found.outcome == SOLVED else inf
 
 
 def lift_for_safety(of: Loaded, factor: float, tight_rise: float) -> float:

@@ -42,7 +42,14 @@ from wraparc.checks.numbers import (
     usual_tension,
     wrap_pressure_of,
 )
-from wraparc.checks.sliding import NOT_CARRIED, Line, Loaded, lift_for_safety, pull_at_sliding
+from wraparc.checks.sliding import (
+    NOT_CARRIED,
+    Line,
+    Loaded,
+    lift_for_safety,
+    pull_at_sliding,
+    wet_creep,
+)
 from wraparc.drive import CREEP_LIMIT
 from wraparc.drive.load_case import (
     LEAST_TENSION,
@@ -188,6 +195,7 @@ class Judged(NamedTuple):
     held: float  # what the take-up holds [N]
     asked: Asked
     cause: int  # what comes first where the belt slides
+    wet: float  # creep when wet: inf in gross slip, nan if not known, negative where not dry [m]
 
 
 class Among(NamedTuple):
@@ -281,6 +289,7 @@ def judged(
         others.held,
         asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
         sliding.cause,
+        wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
     )
 
 

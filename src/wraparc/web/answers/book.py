@@ -165,6 +165,7 @@ def _lagging(name: str, own: Document, conditions: Mapping[str, Any]) -> BookLag
         wear_coefficient=_number(first.wear_coefficient),
         bond_strength=_number(first.bond_strength),
         fatigue_limit=_number(first.fatigue_limit),
+        wet=of_data.wet_factor(first),
         block=_block(first),
         laws=laws,
     )

@@ -15,6 +15,7 @@ from wraparc.checks.design_standard import asked, by_table, design_friction_of
 from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
 from wraparc.checks.of_arc import BALANCE, FIRST, of_sliding
+from wraparc.checks.of_data import wet_factor
 from wraparc.checks.rules import start_factor, tension_factor
 from wraparc.checks.sliding import Sliding
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
@@ -263,6 +264,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         factor=math.nan if not table or rule is None else rule.wrap_factor,
         customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
         wrap_angle=pulley.wrap_angle if table else math.nan,
+        wet=wet_factor(pulley.lagging),
     )
 
 

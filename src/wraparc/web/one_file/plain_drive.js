@@ -39,7 +39,8 @@ export function assembled(design, book) {
   if (problems.length && !beyond(doc)) return { judging: null, problems };
   const found = assemble(doc, book);
   // what a take-up holds follows from the conveyor in every load case
-  if (found.judging && !Number.isNaN(held)) Object.assign(found.judging, { take_up: false, held_at: held });
+  if (found.judging && !Number.isNaN(held))
+    Object.assign(found.judging, { take_up: false, held_at: held });
   return found;
 }
 

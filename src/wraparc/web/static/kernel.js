@@ -714,7 +714,7 @@ export class Asked {
 }
 
 export class Judged {
-  constructor(solved, summary, capacities, values, limits, held, asked, cause) {
+  constructor(solved, summary, capacities, values, limits, held, asked, cause, wet) {
     this.solved = solved;
     this.summary = summary;
     this.capacities = capacities;
@@ -723,6 +723,7 @@ export class Judged {
     this.held = held;
     this.asked = asked;
     this.cause = cause;
+    this.wet = wet;
   }
   *[Symbol.iterator]() {
     yield this.solved;
@@ -733,6 +734,7 @@ export class Judged {
     yield this.held;
     yield this.asked;
     yield this.cause;
+    yield this.wet;
   }
 }
 
@@ -6538,6 +6540,21 @@ export function in_page__asked_of(loaded, arc, least, limits, given, factor, amo
   );
 }
 
+/** Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor. */
+export function sliding__wet_creep(of, factor) {
+  if (Number.isNaN(factor)) {
+    return NaN;
+  }
+  let g = of.geometry;
+  let wet = Object.assign(Object.create(Object.getPrototypeOf(g)), g, {
+    wrap_angle: factor * g.wrap_angle,
+    compliance: g.compliance / factor,
+    shear: factor * g.shear,
+  });
+  let found = answer__answer(of.law, wet, of.load, _STEPS);
+  return found.outcome === SOLVED ? Math.abs(found.shot.creep) : Infinity;
+}
+
 /** Numbers of the checks of one arc; None where they are for the server to find. */
 export function in_page__judged(law, given, tested, criteria, points, among = null) {
   let arc = in_page__description_of(given);
@@ -6633,6 +6650,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     others.held,
     in_page__asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
     sliding.cause,
+    criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
   );
 }
 

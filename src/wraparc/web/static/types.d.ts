@@ -385,6 +385,8 @@ export interface BookLagging {
   wear_coefficient: Number_;
   bond_strength: Number_;
   fatigue_limit: Number_;
+  /** What wet leaves of its dry friction: nan if not known, 0 where it was not tested dry. */
+  wet: Number_;
   block: {
     elastic_modulus: number;
     square: boolean;

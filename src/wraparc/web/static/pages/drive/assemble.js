@@ -336,6 +336,7 @@ export function caseOf(said, c, bookLaw, book) {
     behind: +Boolean(takeUp.after),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
+    wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
   };
   const of = { said, c, law: bookLaw, standard, criteria, share, book };
   const { checks, asks } = wordsOf(of);

@@ -23,7 +23,8 @@ import { headline, listed } from "./words.js";
  *   more: Record<string, [number, string]>}} Check
  * @typedef {{load_case: string, pulley?: string, solved: boolean,
  *   numbers: Record<string, number>, asks: Ask[], asked: Record<string, number>}} JudgedArc
- * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
+ * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging,
+ *   wet: number}} Judged
  */
 
 /** Checks that more tension on the slack side helps against, and those that less does. */
@@ -79,8 +80,10 @@ export function judge(judging, doc, all) {
     const { load_case, pulley, asks } = of;
     return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
-  const judged = { doc, checks, arcs, of: judging };
-  return { ...judged, checks: sound(checks, leastOf(judged)) };
+  const judged = { doc, checks, arcs, of: judging, wet: -1 };
+  const wet = all.map((n) => n.wet);
+  const told = { ...judged, checks: sound(checks, leastOf(judged)) };
+  return { ...told, wet: wet.some((v) => v < 0) ? -1 : Math.max(...wet) };
 }
 /** Checks that advise no tension which does not help, or works against another check.
  * @param {Check[]} checks @param {ReturnType<typeof leastOf>} least */
@@ -112,7 +115,9 @@ function contradicts({ odd, cases, levels, names }, held) {
  * @param {Miss} miss @param {number} value @param {boolean} at_most */
 function told(miss, value, at_most) {
   if (!beyond(value, +miss.fails_beyond, at_most))
-    return value <= +miss.tolerates ? { ...miss, says: `${miss.says} ${miss.allows}`.trimEnd() } : miss;
+    return value <= +miss.tolerates
+      ? { ...miss, says: `${miss.says} ${miss.allows}`.trimEnd() }
+      : miss;
   return { ...miss, level: /** @type {Level} */ ("FAILS"), says: `${miss.says} ${miss.because}` };
 }
 /** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
@@ -135,14 +140,27 @@ export function check(w, { values, limits }, load_case, levels) {
   const more = Object.fromEntries(
     Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
   );
-  const found = { level, short, says, remedy, otherwise, value, limit, margin, order, rank, missed, below };
+  const found = {
+    level,
+    short,
+    says,
+    remedy,
+    otherwise,
+    value,
+    limit,
+    margin,
+    order,
+    rank,
+    missed,
+    below,
+  };
   return /** @type {Check} */ ({ ...w, ...found, load_case, more });
 }
 
 /** In what a judgement of the page and the server's are not one.
  * @param {Judged} own @param {FullAnswer} found */
 export function misses(own, { verdict, checks, arcs }) {
-  const said = headline(own.checks) === words(verdict.headline);
+  const said = headline(own.checks, own.wet) === words(verdict.headline);
   const ours = listed(own.checks).filter((c) => c.rank > 0 && c.name !== "data");
   const rows = checks.rows.map((r) => r.level).join() === ours.map((c) => c.level).join();
   const far = own.arcs.flatMap((a) => differing(a, arcs));

@@ -111,12 +111,20 @@ export function listed(checks) {
   }
   return [...worst.values()];
 }
-/** @param {Check[]} checks */
-export function headline(checks) {
+/** That a drive was computed dry only, and its creep when wet. @param {number} wet */
+function dryOnly(wet) {
+  if (wet < 0) return "";
+  if (Number.isNaN(wet)) return ", dry only";
+  const told = Number.isFinite(wet) ? `it creeps ${quantity(wet, "length")}` : "it slips through";
+  return `, dry only (wet ${told})`;
+}
+/** @param {Check[]} checks @param {number} wet */
+export function headline(checks, wet) {
   const worst = worstOf(checks);
   if (!worst) return "Nothing could be checked.";
   if (worst.missed) return placed(worst);
-  const text = `All ${listed(checks).filter((c) => c.level === "OK").length} checks are kept`;
+  const count = listed(checks).filter((c) => c.level === "OK").length;
+  const text = `All ${count} checks are kept${dryOnly(wet)}`;
   if (!Number.isFinite(worst.margin)) return `${text}.`;
   const where = worst.place ? ` (${worst.place})` : "";
   const near = `${small(worst.title)}, ${texts(worst)[0]}, ${bound(worst)}${where}`;
@@ -126,7 +134,7 @@ export function headline(checks) {
 /** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
-export function verdictOf({ checks: all, of }, load_case, pulley) {
+export function verdictOf({ checks: all, of, wet }, load_case, pulley) {
   const here = (/** @type {Check} */ c) =>
     (!c.load_case || c.load_case === load_case) && (!c.pulley || c.pulley === pulley);
   const checks = load_case === undefined ? all : all.filter(here);
@@ -141,7 +149,13 @@ export function verdictOf({ checks: all, of }, load_case, pulley) {
     .map((c) => [c.name, c.level]);
   const slips = checks.some((c) => c.when.startsWith("breakaway"));
   const short = slips ? "breaks away" : worst?.missed ? worst.short : "carries";
-  const words = { level, told, headline: headline(checks), sentences, short };
+  const words = {
+    level,
+    told,
+    headline: headline(checks, checks.length === all.length ? wet : -1),
+    sentences,
+    short,
+  };
   return { ...words, levels: Object.fromEntries(levels) };
 }
 
