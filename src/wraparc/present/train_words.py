@@ -240,15 +240,19 @@ def _to_set(matching: Matching, name: str) -> str:
 
 def _steepest(of: CaseResult, cases: Sequence[CaseResult], drive: int) -> float:
     """Share that a trim of 0.1 % moves at most of a load, in any condition [-]; 0 if not known."""
-    most, load = 0.0, of.case
+    most = 0.0
     for one in cases:
-        alike = one.case.entry_tension == load.entry_tension
-        alike = alike and one.case.exit_tension == load.exit_tension
-        solved = alike and one.status is TrainStatus.SOLVED
+        solved = one.status is TrainStatus.SOLVED and _load(one) == _load(of)
         slope = abs(one.share_per_trim(drive)) if solved else 0.0
         if isfinite(slope):
             most = max(most, slope)
     return most
+
+
+def _load(case: CaseResult) -> str:
+    """Tensions at both ends of a train, in the digits that loads are told apart by."""
+    last = case.members[len(case.members) - 1]
+    return f"{case.members[0].arc.entry_tension:.6e} {last.arc.exit_tension:.6e}"
 
 
 def _needed(slope: float) -> str:

@@ -2515,16 +2515,24 @@ export function train_words___speed_sentence(case_, m) {
   );
 }
 
+/** Tensions at both ends of a train, in the digits that loads are told apart by. */
+export function train_words___load(case_) {
+  let last = case_.members[case_.members.length - 1];
+  return (
+    "" +
+    $told(case_.members[0].arc.entry_tension, false, 6, "e") +
+    " " +
+    $told(last.arc.exit_tension, false, 6, "e")
+  );
+}
+
 /** Share that a trim of 0.1 % moves at most of a load, in any condition [-]; 0 if not known. */
 export function train_words___steepest(of, cases, drive) {
-  let alike, one, slope, solved;
+  let one, slope, solved;
   let most = 0.0;
-  let load = of.case;
   for (const each1 of cases) {
     one = each1;
-    alike = one.case.entry_tension === load.entry_tension;
-    alike = alike && one.case.exit_tension === load.exit_tension;
-    solved = alike && one.status === SOLVED;
+    solved = one.status === SOLVED && train_words___load(one) === train_words___load(of);
     slope = solved ? Math.abs(one.share_per_trim(drive)) : 0.0;
     if (Number.isFinite(slope)) {
       most = max(most, slope);
