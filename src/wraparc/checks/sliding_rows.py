@@ -21,9 +21,9 @@ Codes = NDArray[np.int8]
 Integers = NDArray[np.int64]
 
 _ALIKE, _DIFFERENCE, _FARTHEST = 1e-6, 1e-3, 200.0
-_ROUNDS = 60
+_ROUNDS, _FIRST = 60, 0.8
 #: Last step over the place, over the accuracy of the arcs.
-_NEAR = 1e-2
+_NEAR = 10.0  # the last step of a secant leaves its square
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -88,21 +88,35 @@ class LoadedRows:
         }
         f, s = self.friction_factor, self.slip_factor
         given = Unscaled(laws=arcs.laws, law=arcs.law, friction_factor=f, slip_factor=s, **columns)
-        found = np.empty((n, row.FOUND_NUMBERS))
-        for peaks in (False, True):
-            which = np.flatnonzero(self.peaks == peaks)
-            parts = BY_CREEP + BY_SLIP + (BY_LAW if peaks else 0)
-            for begin in range(0, len(which), CHUNK):
+        found = np.full((n, row.FOUND_NUMBERS), np.nan)
+        parts = np.where(self.peaks, BY_CREEP + BY_SLIP + BY_LAW, BY_CREEP + BY_SLIP)
+        parts[~self.peaks & (self._creep_at_end(tight) < _FIRST * SLIDES)] = BY_SLIP
+        for part in np.unique(parts).tolist():
+            which = np.flatnonzero(parts == part)
+            for begin in range(0, n, CHUNK):
                 some = which[begin : begin + CHUNK]
-                found[some] = solve_rows(given.rows(some), parts, self.setting.accuracy)[0]
+                if len(some):
+                    found[some] = solve_rows(given.rows(some), part, self.setting.accuracy)[0]
         q, slip = found[:, row.CREEP_CAPACITY], found[:, row.SLIP_CAPACITY]
         near = 1.0 - max(_ALIKE, self.setting.accuracy)
+        first = np.isnan(q) | (slip < q * near)
+        q = np.where(first, slip, q)
         most = (q >= self.plateau(tight) * near) | (
             self.peaks & (q >= found[:, row.GROSS_CAPACITY] * near)
         )
-        first = np.isnan(q) | (slip < q * near)
-        cause = np.where(first, TESTED, np.where(most, MOST, CREEP)).astype(np.int8)
-        return np.where(first, slip, q), cause
+        return q, np.where(most, MOST, np.where(first, TESTED, CREEP)).astype(np.int8)
+
+    def _creep_at_end(self, tight: Array) -> Array:
+        """Creep where the tests end: their slip and what the lagging shears, shape (n,) [m]."""
+        arcs, friction = self.arcs, np.empty(len(tight))
+        pressure = 2.0 * tight / (arcs.belt_width * arcs.diameter)
+        kinds = arcs.laws.kind[arcs.law]
+        for kind in np.unique(kinds).tolist():
+            at = np.flatnonzero(kinds == kind)
+            friction[at] = arcs.laws.traction(arcs.law[at]).plateau(pressure[at])
+        stress = self.friction_factor * friction * pressure
+        slip = arcs.laws.tested[arcs.law].T[2]
+        return np.asarray(slip + arcs.shear_compliance * stress)
 
 
 @dataclass(eq=False)

@@ -876,10 +876,11 @@ const SLIDES = 0.0635;
 const BY_CREEP = 2;
 const BY_SLIP = 4;
 const BY_LAW = 16;
+const _FIRST = 0.8;
 const _STEPS = 24;
 const _ALIKE = 1e-6;
-const MOST = 2;
 const TESTED = 1;
+const MOST = 2;
 const _DIFFERENCE = 0.001;
 const _FARTHEST = 200.0;
 const _NEAR = 1e-8;
@@ -6264,18 +6265,23 @@ export function sliding__carried_at(of, tight) {
     exit_tension: driving ? 0.5 * tight : tight,
     creep_limit: SLIDES,
   });
+  let pressure = tight / (of.geometry.width * of.geometry.radius);
+  let most = gross_slip__plateau_capacity(of.law, pressure, of.geometry.wrap_angle);
+  let friction = compact__plateau_at(of.law, compact__segment_of(of.law, pressure), pressure);
+  let at_end = load.slip_max + of.geometry.shear * friction * pressure;
   let parts = BY_CREEP + BY_SLIP + (of.peaks ? BY_LAW : 0);
+  if (!of.peaks && at_end < _FIRST * SLIDES) {
+    parts = BY_SLIP;
+  }
   let found = answer__find_capacities(of.law, of.geometry, load, parts, _STEPS);
   let q = found.creep_limit;
   let cause = 0;
-  let pressure = tight / (of.geometry.width * of.geometry.radius);
-  let most = gross_slip__plateau_capacity(of.law, pressure, of.geometry.wrap_angle);
-  if (q >= most * (1.0 - _ALIKE) || (of.peaks && q >= found.gross_slip * (1.0 - _ALIKE))) {
-    cause = MOST;
-  }
   if (Number.isNaN(q) || found.tested_slip < q * (1.0 - _ALIKE)) {
     q = found.tested_slip;
     cause = TESTED;
+  }
+  if (q >= most * (1.0 - _ALIKE) || (of.peaks && q >= found.gross_slip * (1.0 - _ALIKE))) {
+    cause = MOST;
   }
   return [q, cause];
 }
