@@ -8,13 +8,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.kernel.answer import CREEP_LIMIT as BY_CREEP
+from wraparc.arc.kernel.answer import GROSS_SLIP as BY_LAW
+from wraparc.arc.kernel.answer import TESTED_SLIP as BY_SLIP
 from wraparc.batch import Setting, row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.gross_slip import ratio_at_gross_slip
 from wraparc.batch.rows import solve_rows
 from wraparc.batch.scaled import Unscaled
 from wraparc.batch.solve import CHUNK
-from wraparc.checks.sliding import BY_CREEP, BY_LAW, BY_SLIP, CREEP, MOST, SLIDES, TESTED
+from wraparc.checks.sliding import CREEP, MOST, SLIDES, TESTED
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int8]
@@ -59,10 +62,13 @@ class LoadedRows:
 
     def rows(self, which: Integers) -> LoadedRows:
         """Return some of the rows."""
-        columns = (self.friction_factor, self.slip_factor, self.peaks)
-        f, s, peaks = (column[which] for column in columns)
-        arcs = self.arcs.rows(which)
-        return replace(self, arcs=arcs, friction_factor=f, slip_factor=s, peaks=peaks)
+        return replace(
+            self,
+            arcs=self.arcs.rows(which),
+            friction_factor=self.friction_factor[which],
+            slip_factor=self.slip_factor[which],
+            peaks=self.peaks[which],
+        )
 
     def plateau(self, tight: Array) -> Array:
         """ln(tight/slack) with the largest friction everywhere, shape (n,) [-]."""

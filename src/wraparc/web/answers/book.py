@@ -18,7 +18,7 @@ from wraparc.checks import RULES, Check, Level, judge, of_data, of_drive
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
-from wraparc.checks.of_arc import BALANCE, INTERVAL
+from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import (
     CASE_KINDS,
@@ -106,6 +106,7 @@ def _whole() -> Book:
         weak_kinds=list(of_data.WEAK_KINDS),
         more_creep=of_drive.MORE_CREEP,
         least_names={h: least_name(with_criteria(result, take_up=t)) for h, t in HELD.items()},
+        held={key: held_words(take_up) for key, take_up in HELD.items()},
         heads=_heads(),
         usual={
             "creep_limit": CREEP_LIMIT,

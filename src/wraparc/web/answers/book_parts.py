@@ -126,6 +126,7 @@ class Book(Plain):
     weak_kinds: list[str]
     more_creep: dict[str, float]
     least_names: dict[str, str]
+    held: dict[str, str]
     heads: Heads
     usual: dict[str, float]
     belt_keys: list[str]

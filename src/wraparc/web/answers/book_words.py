@@ -18,6 +18,7 @@ from wraparc.checks.judge import (
     operating_point,
     train_balance,
 )
+from wraparc.checks.of_arc import held_words
 from wraparc.drive import (
     TAKE_UPS,
     Criteria,
@@ -119,10 +120,13 @@ def _key(name: str, *parts: str | bool) -> str:
 
 
 def _grip(drive: Drive, case: LoadCase, arc: ArcResult) -> Found:
-    open_ = {case.kind: "kind", drive.pulleys[0].lagging.name: "lagging"}
-    for held, take_up in HELD.items():
-        of = replace(drive, criteria=Criteria(take_up=take_up))
-        yield _key("gross_slip", held), (_open(w, open_) for w in sliding_words(of, case, arc))
+    open_ = {
+        case.kind: "kind",
+        drive.pulleys[0].lagging.name: "lagging",
+        held_words(TakeUp()): "take_up",
+    }
+    of = replace(drive, criteria=Criteria())
+    yield "gross_slip", (_open(w, open_) for w in sliding_words(of, case, arc))
 
 
 def _standard(drive: Drive, case: LoadCase, arc: ArcResult) -> Found:

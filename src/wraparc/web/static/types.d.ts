@@ -361,6 +361,7 @@ export interface Book {
   weak_kinds: string[];
   more_creep: Record<string, number>;
   least_names: Record<string, string>;
+  held: Record<string, string>;
   heads: { checks: Table; least: Record<string, Table> };
   usual: Record<string, number>;
   belt_keys: string[];

@@ -67,12 +67,13 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
     safety: plain(criteria.safety),
   };
   const held = takeUp.kind === "fixed" ? "fixed" : takeUp.after ? "behind" : "slack";
+  Object.assign(names, { take_up: filled(book.held[held], names) });
   const moving = Number.isNaN(belt.speed) ? "still" : "moving";
   const limit = criteria.customary ? quality(belt, book) : "given";
   const factor = Number.isNaN(belt.factor) ? "ungiven" : belt.factor === 1 ? "one" : "factor";
   const rated = Number.isNaN(belt.rating) ? "none" : c.kind === "running" ? "one" : factor;
   const keys = [
-    `gross_slip:${held}`,
+    "gross_slip",
     ...(standard.rule ? [standardKey(said, standard, c, criteria)] : []),
     `creep:${limit}`,
     `belt_tension:${c.kind === "running" ? "running" : "starting"}:${rated}`,
