@@ -61,7 +61,7 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
 
 def _wet(result: DriveResult) -> float:
     """Largest creep when wet of a drive that was computed dry only, see `Verdict.wet`."""
-    most, drive = 0.0, result.drive
+    most, drive = -1.0, result.drive
     for arc in result:
         condition = drive.load_case(arc.arc.load_case).condition
         factor = of_data.wet_factor(drive.pulley(arc.arc.pulley).lagging_in(condition))
