@@ -47,6 +47,7 @@ ENTRIES: tuple[Callable[..., object], ...] = (
     in_page.described,
     in_page.unjudged,
     compression.block_modulus,
+    numbers.beyond,
     numbers.held_alike,
     numbers.kept,
     numbers.margin_of,

@@ -161,9 +161,9 @@ def test_a_fixed_take_up_holds_the_sum_of_the_whole_train() -> None:
     At k times the pull the slack end falls by 30 (k - 1) kN, and the second drum, with 30 k on it,
     keeps its tight side: it slips where 90/(60 - 30 (k - 1)) is exp(0.4 pi).
     """
-    from checks.test_rows import lagging
+    from checks.test_rows import rigid
 
-    drum = Pulley(name="one", diameter=0.8, wrap_angle=math.pi, lagging=lagging(0.4), overrun=0.0)
+    drum = Pulley(name="one", diameter=0.8, wrap_angle=math.pi, lagging=rigid(0.4), overrun=0.0)
     case = TrainCase(name="full", entry_tension=120e3, exit_tension=60e3,
                      division=Shares((0.5, 0.5)))  # fmt: skip
     fixed = replace(NONE, take_up=TakeUp(kind="fixed"))

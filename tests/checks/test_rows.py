@@ -31,6 +31,11 @@ def lagging(friction: float = 0.8, **of: Any) -> Lagging:
     return Lagging(name="plain", law=law, **{**basis, **of})
 
 
+def rigid(friction: float) -> Lagging:
+    """Return a lagging that hardly shears: at the creep of sliding all its friction is used."""
+    return lagging(friction, shear_modulus=1e12)
+
+
 def quiet(**of: Any) -> Drive:
     """Return a drive that keeps every check, with some of it changed."""
     lag = of.pop("lagging", lagging())
@@ -60,7 +65,7 @@ STEEL = {"kind": "steel cord", "name": "ST2000"}
 ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
     # mu = 0.35 over pi carries exp(0.35 pi) = 3.003; T2 = 20 kN held: 40.06 kN, 1.0144 of 39.5
     (
-        "gross_slip", lambda: quiet(entry=59.5e3, leaving=20e3, lagging=lagging(0.35)),
+        "gross_slip", lambda: quiet(entry=59.5e3, leaving=20e3, lagging=rigid(0.35)),
         Level.ATTENTION, 20e3 * math.expm1(0.35 * math.pi) / 39.5e3, 1.25, "T2 held",
     ),
     # CEMA, rubber 0.35: Cw = 0.4993 of 90 kN
@@ -145,7 +150,9 @@ def test_a_row_alone_governs(
     verdict = judged(make())
     governing = verdict.governing
     assert governing is not None
-    assert [c.name for c in verdict.missed] == [name]
+    # what slips farther than was tested has no safety within the tests either
+    others = ["gross_slip"] if name == "tested_slip" else []
+    assert [c.name for c in verdict.missed] == [name, *others]
     assert (governing.name, governing.level, verdict.level) == (name, level, level)
     assert governing.limit == pytest.approx(limit, rel=1e-9)
     if not math.isnan(value):
@@ -196,7 +203,7 @@ def test_a_bare_pulley_near_gross_slip_is_no_bare_ok() -> None:
 
 def test_safety_factors_go_by_the_kind_of_load_case() -> None:
     """1.25 running, 1.1 starting and braking unless given, and the source says which."""
-    near = {"entry": 52e3, "leaving": 20e3, "lagging": lagging(0.35)}  # a factor of 1.2518
+    near = {"entry": 52e3, "leaving": 20e3, "lagging": rigid(0.35)}  # a factor of 1.2518
     less = {**near, "entry": 55e3}  # 1.1446
     assert named(quiet(**near), "gross_slip").level is Level.OK
     assert named(quiet(**less), "gross_slip").level is Level.ATTENTION
@@ -212,7 +219,7 @@ def test_safety_factors_go_by_the_kind_of_load_case() -> None:
 def test_a_fixed_take_up_holds_both_sides() -> None:
     """T1 + T2 held: (R - 1)/(R + 1) over (r - 1)/(r + 1), R = exp(mu phi)."""
     fixed = replace(NONE, take_up=TakeUp(kind="fixed"))
-    check = named(quiet(entry=59.5e3, leaving=20e3, lagging=lagging(0.35), criteria=fixed),
+    check = named(quiet(entry=59.5e3, leaving=20e3, lagging=rigid(0.35), criteria=fixed),
                   "gross_slip")  # fmt: skip
     r, most = 59.5 / 20.0, math.exp(0.35 * math.pi)
     expected = (most - 1.0) / (most + 1.0) * (r + 1.0) / (r - 1.0)
@@ -248,10 +255,10 @@ def test_creep_is_compared_in_the_digits_shown() -> None:
 @pytest.mark.parametrize(
     ("of", "said"),
     [
-        (STEEL, "qualifies for a larger limit"),
+        (STEEL, "Practice may allow this belt up to 12.7 mm"),
         ({"kind": "steel cord", "name": "ST1600"}, "does not qualify"),
         ({"kind": "steel cord", "name": "heavy"}, "does not tell its strength"),
-        ({"kind": "fabric", "rating": 141e3}, "qualifies for a larger limit"),
+        ({"kind": "fabric", "rating": 141e3}, "Practice may allow this belt up to 12.7 mm"),
         ({"kind": "fabric", "rating": 140e3}, "does not qualify"),
         ({"kind": ""}, "is not known"),
     ],
@@ -260,6 +267,10 @@ def test_creep_says_whether_the_belt_qualifies_for_more(of: dict[str, Any], said
     assert said in named(replace(drive(belt=replace(BELT, **of))), "creep").sentence()
     own = replace(drive(belt=replace(BELT, **of)), creep_limit=7e-3)
     assert said not in named(own, "creep").sentence()
+    # nothing of it where the creep is beyond twice the limit
+    far = named(drive(150e3, 20e3, belt=replace(BELT, **of)), "creep")
+    assert far.value > 2.0 * 6.35e-3
+    assert said not in far.sentence()
 
 
 def test_the_ok_says_once_what_data_it_stands_on() -> None:

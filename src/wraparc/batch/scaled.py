@@ -48,7 +48,7 @@ FOUND_POWERS = {
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class _Unscaled(Arcs):
+class Unscaled(Arcs):
     """Arcs as the unscaled laws see them; f and s of each, shape (n,) [-]."""
 
     friction_factor: Array
@@ -93,7 +93,7 @@ def solve_scaled(
     """
     f, s = friction_factor, slip_factor
     columns: dict[str, Any] = dict(arcs.columns())
-    unscaled = _Unscaled(laws=arcs.laws, law=arcs.law, friction_factor=f, slip_factor=s, **columns)
+    unscaled = Unscaled(laws=arcs.laws, law=arcs.law, friction_factor=f, slip_factor=s, **columns)
     found = solve_arcs(
         unscaled, setting=setting, capacities=capacities, threads=threads, progress=progress
     ).found

@@ -109,7 +109,8 @@ class FieldNumbers:
     @property
     def wear_to_alarm(self) -> float:
         """Depth worn since the diameter was measured that alarms by itself [m]."""
-        return 0.5 * self.diameter * (1.0 - (1.0 - self.alarm) / (1.0 - self.worst))
+        worn = 0.5 * self.diameter * (1.0 - (1.0 - self.alarm) / (1.0 - self.worst))
+        return max(worn, 0.0)
 
 
 def passes(speed: float, diameter: float, hours: float) -> float:
@@ -162,9 +163,9 @@ def field_numbers(
 
     The healthy difference of drum and belt speed lies between the entry and the exit creep ratio
     of the worst load case, depending on the nip the belt is measured at. The **alarm** is set at
-    the exit creep ratio at the creep limit, but not below the healthy one with a quarter more;
-    the **trip** at gross slip or twice the alarm, whichever is less. The factors are this
-    program's choice.
+    the exit creep ratio at the creep limit, and where that is not found at the healthy one with a
+    quarter more; the **trip** at gross slip or twice the alarm, whichever is less. The factors are
+    this program's choice.
 
     Parameters
     ----------
@@ -194,7 +195,7 @@ def field_numbers(
         if math.isfinite(r.capacities.gross_slip_creep)
     ]
     at_breakaway = min(gross, default=None)
-    alarm = max(1.25 * worst, at_limit or 0.0)
+    alarm = 1.25 * worst if at_limit is None else at_limit
     trip = 2.0 * alarm
     if at_breakaway is not None:
         trip = max(min(trip, at_breakaway), alarm)

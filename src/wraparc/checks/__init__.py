@@ -17,7 +17,7 @@ binding check is kept.
 """
 
 from wraparc.checks.check import Check, Level, Place, Verdict, keeps, placed
-from wraparc.checks.gross_slip import Margins, margins, margins_of
+from wraparc.checks.gross_slip import Margins, margins_of
 from wraparc.checks.judge import TRAIN_BALANCE, before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
 from wraparc.checks.of_run import judge_run
@@ -39,7 +39,6 @@ __all__ = [
     "judge_run",
     "keeps",
     "least_tension",
-    "margins",
     "margins_of",
     "placed",
 ]

@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.checks.numbers import AHEAD, BEHIND, kept, margin_of, order_of, times_of
+from wraparc.checks.numbers import AHEAD, BEHIND, beyond, kept, margin_of, order_of, times_of
 from wraparc.units import RESULT_DIGITS, Dimension, System, display
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
@@ -81,15 +81,26 @@ NOWHERE = Place()
 class Miss(NamedTuple):
     """What a check says where it is not kept; see `Check`.
 
-    A value [SI] of more than `fails_beyond` fails, as `because` says.
+    A value [SI] on the far side of `fails_beyond` fails, as `because` says; one of at most
+    `tolerates` may be allowed, as `allows` says.
     """
 
     level: Level
     short: str
     says: str
     remedy: str
-    fails_beyond: float = math.inf
+    fails_beyond: float = math.nan
     because: str = ""
+    tolerates: float = math.nan
+    allows: str = ""
+    otherwise: str = ""
+
+    def at(self, value: float, at_most: bool) -> tuple[Level, str]:
+        """Return level and words for a value that misses its limit."""
+        if beyond(value, self.fails_beyond, at_most):
+            return Level.FAILS, f"{self.says} {self.because}".rstrip()
+        says = f"{self.says} {self.allows}" if value <= self.tolerates else self.says
+        return self.level, says.rstrip()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,8 +128,9 @@ class Check:
     says
         What is wrong, ``{value}`` and ``{limit}`` and the names of `more` standing for quantities;
         empty where the check is kept and its title says enough.
-    remedy
-        What to do, with the same places.
+    remedy, otherwise
+        What to do, with the same places; and what where no other tension helps, empty where the
+        remedy asks for none.
     more
         Further quantities by name: value [SI] and dimension.
     binding
@@ -139,6 +151,7 @@ class Check:
     short: str = ""
     says: str = ""
     remedy: str = ""
+    otherwise: str = ""
     more: Mapping[str, tuple[float, Dimension]] = field(default_factory=dict, hash=False)
     binding: bool = True
     miss: Miss | None = None
@@ -244,9 +257,13 @@ class Verdict:
     ----------
     checks
         Every check at every place, in the order they are told.
+    wet
+        Largest creep when wet of a drive that was computed dry only [m]: infinite in gross slip,
+        nan if nothing is known of it; negative where it was not computed dry only.
     """
 
     checks: tuple[Check, ...]
+    wet: float = -1.0
 
     @cached_property
     def governing(self) -> Check | None:
@@ -322,7 +339,8 @@ class Verdict:
             return "Nothing could be checked."
         if worst.missed:
             return f"{placed(worst, system)}{self._sense()}"
-        text = f"All {sum(c.compares for c in self.listed)} checks are kept"
+        kept = sum(c.compares for c in self.listed)
+        text = f"All {kept} checks are kept{self._dry_only(system)}"
         if math.isnan(worst.margin) or math.isinf(worst.margin):
             return f"{text}.{self._sense()}"
         value, _ = worst.texts(system)
@@ -342,6 +360,15 @@ class Verdict:
             some = f" in {len(here)} of {len(every)} load cases" if len(here) < len(every) else ""
             told += f" {title}{some}."
         return told
+
+    def _dry_only(self, system: System) -> str:
+        """Say that a drive was computed dry only, and what wet would give."""
+        if self.wet < 0.0:
+            return ""
+        told = "it slips through"
+        if math.isfinite(self.wet):
+            told = f"it creeps {quantity_text(self.wet, 'length', system)}"
+        return ", dry only" if math.isnan(self.wet) else f", dry only (wet {told})"
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""

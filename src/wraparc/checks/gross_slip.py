@@ -1,77 +1,32 @@
-"""How much more pull until gross slip: by what the take-up holds."""
+"""How much more pull until the belt slides: by what the take-up holds."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.arc import gross_slip as kernel
-from wraparc.arc.capacity import largest_ratio
-from wraparc.checks.least_numbers import tight_at_slip
 from wraparc.checks.numbers import rise_among
+from wraparc.checks.sliding import Line, Loaded, Sliding, pull_at_sliding
 from wraparc.drive import TakeUp
 
 Array = NDArray[np.float64]
 
-nan, inf = math.nan, math.inf
+
+def loaded(result: ArcResult) -> Loaded:
+    """Return an arc as it is asked when its belt slides."""
+    return loaded_arc(result.arc, result.capacities.gross_slip_creep)
 
 
-class Grip:
-    """Largest ln(tight/slack) that the friction of an arc can carry, by tension of the tight side.
-
-    A law flat past its peak has it in closed form. Where friction falls past its peak the largest
-    ratio is sought at one tension, and taken from there to others as the plateau changes.
-
-    Parameters
-    ----------
-    arc
-        The arc; its tensions say where to seek.
-    ratio
-        Its gross-slip capacity where that is known already [-].
-    """
-
-    def __init__(self, arc: WrapArc, ratio: float = nan) -> None:
-        self.law, self._arc = arc.law.compact(), arc
-        #: Pull factors that were found, by how the tensions grow.
-        self.places: dict[kernel.Line, float] = {}
-        #: Whether friction falls past its peak, so that the offset holds near one tension only.
-        self.softens = arc.law.steepest_fall() < 0.0
-        self._known = math.log(ratio) if ratio > 0.0 else nan
-        self._at = max(arc.entry_tension, arc.exit_tension)
-
-    @cached_property
-    def _offset(self) -> float:
-        if not self.softens:
-            return 0.0
-        known = self._known
-        if math.isnan(known):
-            known = largest_ratio(self.law, self._arc.geometry(), self._at, True)[0]
-        pressure = self._at / (self._arc.width * self._arc.radius)
-        return known - kernel.plateau_capacity(self.law, pressure, self._arc.wrap_angle)
-
-    @cached_property
-    def numbers(self) -> kernel.Grip:
-        """What the kernel knows of it."""
-        arc = self._arc
-        return kernel.Grip(arc.wrap_angle, arc.width * arc.radius, self._offset)
-
-    def __call__(self, tight: float) -> float:
-        """Return ln(tight/slack) at gross slip for a tension of the tight side [N]."""
-        return kernel.carried_log(self.law, self.numbers, tight)
-
-    def tight_for(self, pull: float) -> float:
-        """Return the tension of the tight side that just carries a pull at gross slip [N].
-
-        The root of ln(T/(T - pull)) = q(T); inf if no tension carries it.
-        """
-        return tight_at_slip(self.law, self.numbers, pull)
+def loaded_arc(arc: WrapArc, most_creep: float = math.nan) -> Loaded:
+    """Return the same of an arc whose creep at the largest ratio may be known [m]."""
+    peaks = arc.law.steepest_fall() < 0.0 and most_creep != math.inf
+    return Loaded(arc.law.compact(), arc.geometry(), arc.load(), peaks)
 
 
 @dataclass(frozen=True)
@@ -159,24 +114,23 @@ def rises_of(pulls: Array, index: int, lost: Array) -> tuple[Array, Array]:
     return np.where(driving, entry, leaving), np.where(driving, leaving, entry)
 
 
-def pull_factor(arc: WrapArc, grip: Grip, rise: Rise) -> float:
-    """Pull at gross slip over the pull of the load case, the whole drive growing alike [-].
-
-    The root k of ln(T_tight(k)/T_slack(k)) = q(T_tight(k)); inf if it never slips.
-    """
+def sliding(result: ArcResult, rise: Rise) -> Sliding:
+    """Return the pull at which the belt of an arc slides over its pull, the whole growing alike."""
+    arc = result.arc
     tight = max(arc.entry_tension, arc.exit_tension)
     slack = min(arc.entry_tension, arc.exit_tension)
-    if tight == slack:
-        return inf
-    line = kernel.Line(tight, slack, rise.tight, rise.slack)
-    if line not in grip.places:  # it is asked for every table, in both systems of units
-        grip.places[line] = kernel.slip_place(grip.law, grip.numbers, line, 1.0, 0.0)
-    return grip.places[line]
+    line, known = Line(tight, slack, rise.tight, rise.slack), _slidings.setdefault(result, {})
+    if line not in known:  # it is asked for every table, in both systems of units
+        known[line] = pull_at_sliding(loaded(result), line)
+    return known[line]
+
+
+_slidings: WeakKeyDictionary[ArcResult, dict[Line, Sliding]] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True)
 class Margins:
-    """Pull at gross slip over the pull, by what the take-up holds [-].
+    """Pull at which the belt slides over the pull, by what the take-up holds [-].
 
     Attributes
     ----------
@@ -198,29 +152,12 @@ class Margins:
         return self.both_held if fixed else self.slack_held
 
 
-def margins(arcs: Sequence[ArcResult], index: int, grip: Grip, after: str = "") -> Margins:
-    """Return the margins of one of the arcs of a load case to gross slip.
-
-    `after` is the pulley behind which a gravity take-up stands, see `TakeUp`.
-    """
+def margins_of(result: DriveResult, arc: ArcResult) -> Margins:
+    """Return the margins to sliding of an arc among the others of its load case."""
+    arcs = [a for a in result if a.arc.load_case == arc.arc.load_case]
+    index, after = arcs.index(arc), result.drive.criteria.take_up.after
     pulls, names = _pulls_of(arcs), [r.arc.pulley for r in arcs]
     total = np.abs(pulls.sum(axis=0))
     held = given_up(pulls, names, TakeUp(after=after))
     rise = (_rise(pulls, index, lost) for lost in (held, 0.5 * total, total))
-    return Margins(*(pull_factor(arcs[index].arc, grip, r) for r in rise))
-
-
-def grip_of(result: ArcResult) -> Grip:
-    """Return what the friction of a solved arc can carry: the same one whenever it is asked."""
-    if result not in _grips:
-        _grips[result] = Grip(result.arc, result.capacities.gross_slip_capacity)
-    return _grips[result]
-
-
-_grips: WeakKeyDictionary[ArcResult, Grip] = WeakKeyDictionary()
-
-
-def margins_of(result: DriveResult, arc: ArcResult) -> Margins:
-    """Return the margins to gross slip of an arc among the others of its load case."""
-    arcs = [a for a in result if a.arc.load_case == arc.arc.load_case]
-    return margins(arcs, arcs.index(arc), grip_of(arc), result.drive.criteria.take_up.after)
+    return Margins(*(sliding(arc, r).place for r in rise))

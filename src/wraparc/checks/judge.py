@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.gross_slip import loaded
+from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import USUAL_MOTORS, compared_motor, pull_against, usual
 from wraparc.checks.rules import RULES, idle
+from wraparc.checks.sliding import wet_creep
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.train import (
     CaseResult,
@@ -28,6 +32,21 @@ from wraparc.train import (
 from wraparc.train.unsolved import unsolved_drive
 from wraparc.units import Dimension
 
+#: Checks that more tension on the slack side helps against, and those that less does.
+RAISING = frozenset({
+    "gross_slip", "design_standard", "creep", "creep_interval", "tested_slip",
+    "tested_pressure_min", "sag", "uneven_creep",
+})  # fmt: skip
+LOWERING = frozenset({
+    "belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max", "edge_tension",
+    "uneven_pressure", "uneven_face_pressure",
+})  # fmt: skip
+#: The check of an even pulley that stands beside one across the width.
+EVEN = {
+    "uneven_creep": "creep", "uneven_pressure": "tested_pressure_max",
+    "uneven_face_pressure": "face_pressure", "uneven_bond_stress": "bond_stress",
+    "uneven_fatigue_stress": "fatigue_stress", "edge_tension": "belt_tension",
+}  # fmt: skip
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
 #: Titles of the checks that only a train has.
@@ -52,8 +71,56 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     """
     if result not in _told:
         checks = _train(result) if isinstance(result, TrainResult) else _drive(result)
-        _told[result] = Verdict(tuple(checks))
+        verdict = Verdict(sound(tuple(checks), least_tension(result)))
+        if verdict.level is Level.OK:
+            one = result.drive_result() if isinstance(result, TrainResult) else result
+            verdict = replace(verdict, wet=_wet(one))
+        _told[result] = verdict
     return _told[result]
+
+
+def _wet(result: DriveResult) -> float:
+    """Largest creep when wet of a drive that was computed dry only, see `Verdict.wet`."""
+    most, drive = -1.0, result.drive
+    for arc in result:
+        condition = drive.load_case(arc.arc.load_case).condition
+        factor = of_data.wet_factor(drive.pulley(arc.arc.pulley).lagging_in(condition))
+        if factor == 0.0:
+            return -1.0
+        if not idle(arc.arc):
+            creep = wet_creep(loaded(arc), factor)
+            most = creep if math.isnan(creep) else max(most, creep)
+    return most
+
+
+def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:
+    """Return checks that advise nothing which does not help, or works against another check.
+
+    A tension is raised or lowered only where one keeps every binding check, and a pulley is evened
+    out only where an even one would do.
+    """
+    missed = {(c.name, c.place) for c in checks if c.missed}
+    names = {name for name, _ in missed}
+    both = bool(names & RAISING) and bool(names & LOWERING)
+
+    def advised(check: Check) -> Check:
+        if (EVEN.get(check.name, ""), check.place) in missed:
+            return replace(check, remedy="An even pulley fails too.")
+        if check.missed and check.otherwise and not _helps(check, least, both):
+            return replace(check, remedy=check.otherwise)
+        return check
+
+    return tuple(map(advised, checks))
+
+
+def _helps(check: Check, least: LeastTension | None, both: bool) -> bool:
+    """Whether another tension helps against what a check misses."""
+    if least is None:
+        return not both
+    own = next((f for f in least.figures if f.name == check.name), None)
+    top = least.highest
+    too_much = own is not None and top is not None and own.at_least and own.tension > top.tension
+    return math.isfinite(least.tension) and not too_much
 
 
 def before(described: Drive | Train) -> Verdict:
@@ -159,7 +226,8 @@ def _train(result: TrainResult) -> Iterator[Check]:
     adrift = {case.case.name for case in result if case.adrift}
     for check in _drive(result.drive_result()):
         if check.name == "gross_slip" and check.place.load_case in adrift:
-            yield of_drive.not_checked(check.name, check.title, NO_DIVISION, check.place)
+            title = of_arc.GRIP.format(result.train.case(check.place.load_case).kind)
+            yield of_drive.not_checked(check.name, title, NO_DIVISION, check.place)
         else:
             yield check
 

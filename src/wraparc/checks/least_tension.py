@@ -13,10 +13,11 @@ from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import grip_of, rises
-from wraparc.checks.least_numbers import ROUNDS, Pull, Safety, least_for_slip, lift_for_grip
+from wraparc.checks.gross_slip import loaded, rises
+from wraparc.checks.least_numbers import Pull, least_for_slip
 from wraparc.checks.of_arc import design_slack
 from wraparc.checks.rules import idle, tension_factor
+from wraparc.checks.sliding import lift_for_safety
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
@@ -63,7 +64,7 @@ class LeastTension:
     given
         The same tension of the load case that governs [N].
     counterweight
-        Mass of the counterweight for the least tension [kg].
+        Mass of the counterweight for the least tension, where the take-up stands [kg].
     """
 
     figures: tuple[Figure, ...]
@@ -103,7 +104,7 @@ _found: WeakKeyDictionary[DriveResult, LeastTension | None] = WeakKeyDictionary(
 
 
 #: Lifts that were found: a load case is judged among all, alone and for the page.
-_lifts: WeakKeyDictionary[ArcResult, dict[tuple[Safety, int], float]] = WeakKeyDictionary()
+_lifts: WeakKeyDictionary[ArcResult, dict[tuple[float, float], float]] = WeakKeyDictionary()
 
 
 def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
@@ -141,9 +142,8 @@ def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
 
 
 def _of(result: DriveResult) -> LeastTension | None:
-    drive, by_case = result.drive, _by_case(result)
-    cases = {case.name: case for case in drive.load_cases}
-    ends = {name: drive.take_up_tension(case) for name, case in cases.items()}
+    drive = result.drive
+    ends = {case.name: drive.take_up_tension(case) for case in drive.load_cases}
     if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in result):
         return None
     worst: dict[str, Figure] = {}
@@ -154,15 +154,11 @@ def _of(result: DriveResult) -> LeastTension | None:
     if not any(f.at_least and f.binding for f in worst.values()):
         return None
     found = LeastTension(tuple(worst.values()), 0.0, 0.0)
-    if found.governing.name == "gross_slip":
-        place = found.governing.place
-        arcs = by_case[place.load_case]
-        index = [a.arc.pulley for a in arcs].index(place.pulley)
-        end = ends[place.load_case]
-        worst["gross_slip"] = _gross_slip(drive, cases[place.load_case], arcs, index, end, ROUNDS)
-        found = LeastTension(tuple(worst.values()), 0.0, 0.0)
-    weight = drive.criteria.take_up.counterweight(found.tension)
-    return LeastTension(found.figures, ends[found.governing.place.load_case], weight)
+    given, take_up = ends[found.governing.place.load_case], found.tension
+    if drive.conveyor is not None:  # its take-up stands elsewhere: what is raised there is the same
+        take_up = drive.conveyor.take_up + take_up - given
+    weight = drive.criteria.take_up.counterweight(take_up)
+    return LeastTension(found.figures, given, weight)
 
 
 def _pulls(result: ArcResult) -> bool:
@@ -240,25 +236,15 @@ def _pull_of(arc: WrapArc) -> Pull:
 
 
 def _gross_slip(
-    drive: Drive,
-    case: LoadCase,
-    arcs: Sequence[ArcResult],
-    index: int,
-    end: float,
-    rounds: int = 1,
+    drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int, end: float
 ) -> Figure:
-    """Return what the safety factor on gross slip asks for, with what the take-up holds.
-
-    See `lift_for_grip`.
-    """
+    """Return what the safety factor on gross slip asks for, with what the take-up holds."""
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
-    rise, grip = rises(arcs, index, drive.criteria.take_up), grip_of(arcs[index])
-    safety = Safety(factor, rise.tight, grip.softens)
+    rise = rises(arcs, index, drive.criteria.take_up)
     known = _lifts.setdefault(arcs[index], {})
-    if (safety, rounds) not in known:
-        found = lift_for_grip(grip.law, arc.geometry(), grip.numbers, _pull_of(arc), safety, rounds)
-        known[safety, rounds] = found
-    lift = known[safety, rounds]
+    if (factor, rise.tight) not in known:  # it is asked for every table, in both systems of units
+        known[factor, rise.tight] = lift_for_safety(loaded(arcs[index]), factor, rise.tight)
+    lift = known[factor, rise.tight]
     title = f"Safety {factor:g} against gross slip"
-    place = Place(arc.pulley, case.name)
-    return Figure("gross_slip", title, end + lift, place)
+    lift = inf if math.isnan(lift) else lift
+    return Figure("gross_slip", title, end + lift, Place(arc.pulley, case.name))

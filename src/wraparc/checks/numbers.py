@@ -10,9 +10,7 @@ from collections.abc import Sequence
 from math import floor, inf, isfinite, isnan, nan, pi
 from typing import NamedTuple
 
-from wraparc.arc.gross_slip import Grip, Line, plateau_capacity, slip_place
 from wraparc.arc.quantities import Buffer
-from wraparc.friction.compact import CompactLaw
 
 #: Pull over tension that counts as none [-].
 IDLE = 1e-6
@@ -75,6 +73,11 @@ def kept(value: float, limit: float, at_most: bool) -> bool:
         return False
     within = value <= limit if at_most else value >= limit
     return within or same_shown(value, limit)
+
+
+def beyond(value: float, fails: float, at_most: bool) -> bool:
+    """Whether a value that misses its limit fails: nan where it never does."""
+    return value > fails if at_most else value < fails
 
 
 def margin_of(value: float, limit: float, at_most: bool) -> float:
@@ -235,6 +238,7 @@ class Criteria(NamedTuple):
     alone: bool  # whether no other pulley pulls the belt
     printed: bool  # whether a factor of the standard is printed with two decimals
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
+    wet: float = 0.0  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
 
 
 def rise_alone(pull: float, fixed: bool, behind: bool) -> tuple[float, float]:
@@ -269,16 +273,6 @@ def pull_against(pulls: Sequence[float]) -> float:
     if not (min(pulls) < -small and max(pulls) > small):
         return 0.0
     return min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
-
-
-def grip_beyond(law: CompactLaw, capacity: float, pressure: float, wrap_angle: float) -> float:
-    """ln(tight/slack) that an arc carries beyond that of the plateau of its law [-]."""
-    return capacity - plateau_capacity(law, pressure, wrap_angle)
-
-
-def pull_at_slip(law: CompactLaw, grip: Grip, line: Line) -> float:
-    """Pull at gross slip over the pull, tensions growing along a line; inf if it never slips."""
-    return inf if line.tight == line.slack else slip_place(law, grip, line, 1.0, 0.0)
 
 
 def wrap_pressure_of(tension: float, width: float, diameter: float) -> float:

@@ -104,6 +104,7 @@ def _edge(
         says=f"The belt carries {{value}} where it is tightest, {share:.3g} % of the rating and "
         "more than the {limit} that an edge may; its tightest strip carries {strip}.",
         remedy="Even out the pulley, lengthen the transition, or lower the tension.",
+        otherwise="Even out the pulley, or lengthen the transition.",
         more={"strip": (strip, "force_per_width")},
         place=place,
         binding=False,
@@ -171,6 +172,11 @@ def _worst_place(
     lagging, tested = pulley.lagging, pulley.lagging.law.tested
     strip = "The strip that comes off worst"
     even = "Even out the pulley, or choose a larger pulley or less tension."
+    plain = "Even out the pulley, or choose a larger pulley."
+    slips = (
+        "Even out the pulley, raise the slack-side tension, or choose a lagging with more friction."
+    )
+    no_tension = "Even out the pulley, or choose a lagging with more friction."
     limits = [
         ("uneven_pressure", "Largest wrap pressure across the width, tested",
          result.largest_pressure, None if tested is None else tested.pressure_max, "pressure",
@@ -200,7 +206,9 @@ def _worst_place(
         if limit is not None:
             yield judged(
                 ACROSS_RULES[name], title, value, limit, dimension,  # type: ignore[arg-type]
-                source=source, says=says, remedy=even, short=short, place=place,
+                source=source, says=says, short=short, place=place,
+                remedy=slips if name == "uneven_creep" else even,
+                otherwise=no_tension if name == "uneven_creep" else plain,
                 binding=False,
             )  # fmt: skip
     yield from _crown(drive, pulley)

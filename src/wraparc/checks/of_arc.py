@@ -12,7 +12,7 @@ from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
 from wraparc.checks.check import Check, Level, Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import grip_of, pull_factor, rises
+from wraparc.checks.gross_slip import rises, sliding
 from wraparc.checks.numbers import asked_slack, balance_miss, passes_an_hour, steepest
 from wraparc.checks.of_drive import (
     MORE_CREEP,
@@ -22,8 +22,9 @@ from wraparc.checks.of_drive import (
     origin,
     tests_of,
 )
-from wraparc.checks.rules import NO_GRIP, RULES, SLIDES, idle, standard_rule, start_factor
-from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
+from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
+from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
+from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley, TakeUp
 from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
@@ -32,6 +33,21 @@ BALANCE = 1e-4
 #: Title of the check of the interval that a fitted law leaves.
 INTERVAL = "Creep at exit, end of the 95 % interval of the law"
 OWN_FACTORS = "taken where the drive file says nothing"
+#: What helps against slip, with more tension and without.
+MORE_GRIP = (
+    "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."
+)
+NO_TENSION = (
+    "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more "
+    "friction."
+)
+GRIP = "Safety against gross slip, {}"
+#: What comes first where a belt slides: in a title, and as a sentence begins.
+FIRST = {
+    CREEP: ("by creep", "The belt slides (creep of {slides})"),
+    TESTED: ("by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"),
+    MOST: ("by the largest friction", "The friction of the whole wrap is used up"),
+}
 
 
 def no_state(result: ArcResult) -> str:
@@ -51,12 +67,9 @@ def _known(check: Check, result: ArcResult) -> Check:
 def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
     """Check whether an arc carries its load, and with which factor in hand."""
     result = arcs[index]
-    safety, take_up = drive.criteria.safety, drive.criteria.take_up
-    factor = safety.of(case.kind)
-    rule, title = RULES["gross_slip"], f"Safety against gross slip, {case.kind}"
-    name = rule.name
+    take_up, name = drive.criteria.take_up, RULES["gross_slip"].name
     place = Place(result.arc.pulley, case.name)
-    source = f"safety factor {case.kind}: {safety.source or OWN_FACTORS}"
+    title = GRIP.format(case.kind)
     if result.status is Status.UNSOLVED:
         return Check(
             name=name, title=title, level=Level.FAULT, short="not solved",
@@ -66,33 +79,50 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         return Check(
             name=name, title="No pull to carry", level=Level.OK, short="not driven", place=place
         )
-    k = pull_factor(result.arc, grip_of(result), rises(arcs, index, take_up))
-    if result.status is Status.BREAKAWAY:
-        return Check(
-            name=name, title=title, level=NO_GRIP, value=min(k, 1.0), limit=factor,
-            at_most=False, source=source, short="gross slip",
-            says="Gross slip: the friction carries at most {value} times the pull, whatever the "
-            "creep.",
-            remedy="Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a "
-            "lagging with more friction.",
-            place=place,
-        )  # fmt: skip
-    where = f"tension behind pulley {take_up.after}" if take_up.after else "T2"
-    kept = "T1 + T2 held (fixed take-up)" if take_up.fixed else f"{where} held (gravity take-up)"
-    return judged(
+    return of_sliding(drive, case, result, sliding(result, rises(arcs, index, take_up)))
+
+
+def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) -> Check:
+    """Return the check of the pull at which the belt slides, by what comes first there."""
+    safety, take_up, lagging = drive.criteria.safety, drive.criteria.take_up, result.arc.pulley
+    rule, factor, gone = RULES["gross_slip"], safety.of(case.kind), not result.status.solved
+    by, first = FIRST[found.cause]
+    title = f"{GRIP.format(case.kind)}, {by}"
+    place = Place(result.arc.pulley, case.name)
+    if math.isnan(found.place) and not gone:
+        return not_checked(rule.name, title, "where the belt slides was not found", place)
+    if found.cause == TESTED:  # what is not known to slide needs attention, and does not fail
+        rule = replace(rule, fails_beyond=math.nan)
+    first = first.replace("⟦lagging⟧", escaped(drive.pulley(lagging).lagging.name))
+    says = f"{first} at {{value}} times the pull, {held_words(take_up)}; the safety factor "
+    says += f"{case.kind} is {{limit}}."
+    check = judged(
         rule,
         title,
-        max(k, 1.0),
+        min(found.place, NOT_CARRIED) if gone else found.place,
         factor,
         "number",
-        source=source,
-        short="near gross slip",
-        says=f"Gross slip comes at {{value}} times the pull, {escaped(kept)}: less than the safety "
-        f"factor {{limit}} for {case.kind}.",
-        remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
-        "more friction.",
+        source=f"safety factor {case.kind}: {safety.source or OWN_FACTORS}",
+        short="pull beyond tests" if found.cause == TESTED else "near gross slip",
+        says=says,
+        because="So it slides.",
+        remedy=MORE_GRIP,
+        otherwise=NO_TENSION,
+        more={"slides": (SLIDES, "length")},
         place=place,
     )
+    if not gone:
+        return check
+    says = f"Gross slip: no creep carries the pull. {says}"
+    return replace(check, level=NO_GRIP, says=says, short="gross slip", miss=None)
+
+
+def held_words(take_up: TakeUp) -> str:
+    """Return what a take-up holds, in words."""
+    if take_up.fixed:
+        return "T1 + T2 held (fixed take-up)"
+    where = f"tension behind pulley {take_up.after}" if take_up.after else "T2"
+    return f"{escaped(where)} held (gravity take-up)"
 
 
 def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
@@ -135,6 +165,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
         f"for{start}.{chosen}",
         remedy="Raise the slack-side tension, or name the rule that you design by in "
         "[design_standard].",
+        otherwise="Name the rule that you design by in [design_standard].",
         binding=criteria.standard.binding,
         place=place,
     )
@@ -163,11 +194,16 @@ def creep(drive: Drive, result: ArcResult) -> Check:
         if limit == CREEP_LIMIT
         else "given",
         short="over creep limit",
-        more={"fabric": (MORE_CREEP["fabric"], "force_per_width"), "slides": (SLIDES, "length")},
-        says=f"Creeps {{value}}, more than the limit of {{limit}}.{_qualifies(drive, limit)}",
+        more={
+            "fabric": (MORE_CREEP["fabric"], "force_per_width"),
+            "slides": (SLIDES, "length"),
+            "allowed": (RULES["creep"].tolerates, "length"),
+        },
+        says="Creeps {value}, more than the limit of {limit}.",
+        allows=_qualifies(drive, limit),
         because="A belt that creeps more than {slides} slides.",
-        remedy="Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with "
-        "more friction.",
+        remedy=MORE_GRIP,
+        otherwise=NO_TENSION,
     )
 
 
@@ -192,6 +228,7 @@ def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
         says=f"By the uncertainty of the friction law the creep {told} (95 % interval), beyond the "
         "limit of {limit}.",
         remedy="Raise the slack-side tension, or test more samples of the lagging.",
+        otherwise="Test more samples of the lagging.",
         binding=False,
     )
 
@@ -208,8 +245,8 @@ def _qualifies(drive: Drive, limit: float) -> str:
     over = strong > least if belt.kind == "steel cord" else belt.rating > least * (1.0 + 1e-9)
     if over:
         return (
-            " This belt qualifies for a larger limit, as steel cord above ST1600 and fabric above "
-            "{fabric} do (B. DeVries)."
+            "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and "
+            "fabric above {fabric} (B. DeVries)."
         )
     if belt.kind == "steel cord" and not strong:
         return " Steel cord above ST1600 may creep more; the name does not tell its strength."
@@ -301,6 +338,7 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
         says="The slip {value} is beyond the {limit} that lagging "
         f"{escaped(pulley.lagging.name)} was tested to: there the friction is an extrapolation.",
         remedy="Raise the slack-side tension, or test the lagging to this slip.",
+        otherwise="Test the lagging to this slip.",
         place=place,
     )
     title = "Slip speed, tested"

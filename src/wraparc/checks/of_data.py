@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from wraparc.checks.check import Check, Level, Place
@@ -9,8 +10,19 @@ from wraparc.checks.of_drive import escaped, origin
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.changes import WORN
-from wraparc.drive.conditions import SCALED
+from wraparc.drive.conditions import DRY, SCALED, Condition
+from wraparc.errors import InputError
 from wraparc.provenance import Kind, Provenance
+
+
+def wet_factor(lagging: Lagging) -> float:
+    """What wet leaves of the friction of a lagging: nan if not known, 0 where it is not dry [-]."""
+    if lagging.condition != DRY:
+        return 0.0
+    try:
+        return Condition(name="wet").factor_of(lagging)[0]
+    except InputError:  # nothing is published on its surface
+        return math.nan
 
 
 def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
@@ -38,6 +50,7 @@ def _untested(case: LoadCase, pulley: Pulley, state: str, part: str, says: str) 
         short=f"not tested {state}",
         says=escaped(f"Lagging {lagging.name} was not tested {state}: {says}."),
         remedy=f"Test the lagging {escaped(state)}, or keep more slack-side tension in hand.",
+        otherwise=f"Test the lagging {escaped(state)}.",
         binding=False,
     )
 
@@ -61,6 +74,7 @@ def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
             f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"
         ),
         remedy="Mend or repeat those tests and fit again, or keep more slack-side tension in hand.",
+        otherwise="Mend or repeat those tests and fit again.",
         binding=False,
     )
 

@@ -168,12 +168,13 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
     limit = factor * belt.rating * belt.width
     said = f"its rating times {factor:g}" if factor != 1.0 else "its rating"
     remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or "
-    remedy += "stronger belt."
+    remedy, otherwise = f"{remedy}stronger belt.", "Take a wider or stronger belt."
     if momentary and belt.momentary_factor is None:
         remedy = (
             "Give momentary_factor in [belt] if the maker allows more while starting and braking; "
             "else take a stronger belt."
         )
+        otherwise = ""
     share = 100.0 * value / (belt.rating * belt.width)
     return judged(
         rule,
@@ -187,6 +188,7 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         says="The belt tension {value} is {share} % of the rating of the belt and more than "
         f"{said} allows, {{limit}}.",
         remedy=remedy,
+        otherwise=otherwise,
         more={"share": (share, "number")},
         place=place,
     )
@@ -236,6 +238,7 @@ def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         short="face pressure",
         says="The belt presses on the pulley face with {value}, more than the {limit} that it may.",
         remedy="Take a larger or wider pulley, or less tension.",
+        otherwise="Take a larger or wider pulley.",
         place=place,
     )
 
@@ -249,13 +252,14 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
         yield not_checked("tested_pressure", "Wrap pressure within the tests", why, place)
         return
     tensions = case.tensions[pulley.name]
-    for name, title, tension, limit, remedy in (
+    for name, title, tension, limit, of_tension, otherwise in (
         ("tested_pressure_max", "Largest wrap pressure, tested",
          max(tensions.entry, tensions.exit), tested.pressure_max,
-         "Lower the tension, take a larger or wider pulley, or test the lagging at this pressure."),
+         "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this "
+         "pressure."),
         ("tested_pressure_min", "Least wrap pressure, tested",
          min(tensions.entry, tensions.exit), tested.pressure_min,
-         "Raise the slack-side tension, or test the lagging at this pressure."),
+         "Raise the slack-side tension, or test", "Test the lagging at this pressure."),
     ):  # fmt: skip
         more = "above" if RULES[name].at_most else "below"
         yield judged(
@@ -269,7 +273,8 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
             says=f"The wrap pressure {{value}} is {more} the {{limit}} that lagging "
             f"{escaped(pulley.lagging.name)} was tested to: there the friction is an "
             "extrapolation.",
-            remedy=remedy,
+            remedy=f"{of_tension}{otherwise[4:]}",
+            otherwise=otherwise,
             place=place,
         )
 
@@ -360,6 +365,7 @@ def sags(drive: Drive, tension: float, place: Place) -> Check:
         says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "
         "spacing, which takes {limit}.",
         remedy="Raise the slack-side tension, or set the idlers closer.",
+        otherwise="Set the idlers closer.",
     )
 
 
@@ -401,17 +407,27 @@ def judged(
     source: str = "",
     says: str = "",
     remedy: str = "",
+    otherwise: str = "",
     short: str = "",
     because: str = "",
+    allows: str = "",
     binding: bool = True,
     more: Mapping[str, tuple[float, Dimension]] | None = None,
 ) -> Check:
     """Return a check of a value against its limit: OK, or what its rule says where it misses."""
     kept = not math.isnan(value) and keeps(value, limit, at_most=rule.at_most)
-    miss = Miss(rule.missed, short, says, remedy, rule.fails_beyond, because)
-    level = rule.missed
-    if not kept and value > rule.fails_beyond:
-        level, says = Level.FAILS, f"{says} {because}".rstrip()
+    miss = Miss(
+        rule.missed,
+        short,
+        says,
+        remedy,
+        rule.fails_beyond,
+        because,
+        rule.tolerates,
+        allows,
+        otherwise,
+    )
+    level, says = miss.at(value, rule.at_most)
     return Check(
         name=rule.name,
         title=title,
@@ -423,6 +439,7 @@ def judged(
         at_most=rule.at_most,
         says="" if kept else says,
         remedy="" if kept else remedy,
+        otherwise="" if kept else otherwise,
         short="" if kept else short,
         place=place,
         source=source,

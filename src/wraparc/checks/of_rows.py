@@ -11,9 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
-from wraparc.batch import BatchResult
+from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import Arcs
-from wraparc.batch.pull_factors import pull_factors
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
@@ -26,6 +25,8 @@ from wraparc.checks.rules import (
     tension_factor,
     wrap_pressure,
 )
+from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
+from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
@@ -224,7 +225,9 @@ def _factors(
     return found
 
 
-def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple[Codes, Codes]:
+def judge_rows(
+    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
+) -> tuple[Codes, Codes]:
     """Return the verdict of every arc and the check that governs it.
 
     As `judge` finds them for one pulley in one load case, but for the energy balance of the
@@ -233,29 +236,31 @@ def judge_rows(solved: BatchResult, held: Held, friction_factor: Array) -> tuple
     Parameters
     ----------
     solved
-        The arcs, solved, with capacities where friction falls past its peak.
+        The arcs, solved.
     held
         What they are held against.
-    friction_factor
-        Factor on the friction of each law, shape (n,) [-].
+    factors
+        Factors on the friction and the slips of each law, shape (n,) each [-].
+    setting
+        How accurately the pull at which a belt slides is found.
 
     Returns
     -------
     level, governing
         Places in `LEVELS` and `NAMES`, shape (n,) each.
     """
-    level, governing, _ = worst_of_rows(solved, held, friction_factor)
+    level, governing, _ = worst_of_rows(solved, held, factors, setting)
     return level, governing
 
 
 def worst_of_rows(
-    solved: BatchResult, held: Held, friction_factor: Array
+    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> tuple[Codes, Codes, Array]:
     """Return what `judge_rows` does, and by which margin the check governs, shape (n,)."""
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)
-    for name, ranks, margins in _checks(solved, held, friction_factor):
+    for name, ranks, margins in _checks(solved, held, factors, setting):
         worse = (ranks > level) | ((ranks == level) & (ranks > 0) & (margins < least))
         worse |= (ranks > 0) & (governing == 0)
         level = np.where(worse, ranks, level).astype(np.int8)
@@ -267,15 +272,15 @@ def worst_of_rows(
 
 
 def _checks(
-    solved: BatchResult, held: Held, friction_factor: Array
+    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> Iterator[tuple[str, Array, Array]]:
     """Yield name, rank of the level and margin of every check in the order of `RULES`."""
-    yield _gross_slip(solved, held, friction_factor)
+    yield _gross_slip(solved, held, factors, setting)
     for name, value, limit in _compared(solved, held):
         missed = np.full(len(value), RULES[name].missed.rank)
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
-        missed[value > RULES[name].fails_beyond] = Level.FAILS.rank
+        missed[value > RULES[name].fails_beyond] = Level.FAILS.rank  # all but gross slip at most
         never = np.isinf(limit) & (name == "design_standard")
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
@@ -351,22 +356,28 @@ def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple
 
 
 def _gross_slip(
-    solved: BatchResult, held: Held, friction_factor: Array
+    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the safety against gross slip."""
     arcs, status, limit = solved.arcs, solved["status"], held.safety
-    capacity = solved["gross_slip_capacity"]
-    factor = pull_factors(arcs, friction_factor, capacity, (held.tight_rise, held.slack_rise))
-    gone = status == BREAKAWAY
-    factor = np.where(gone, np.minimum(factor, 1.0), np.maximum(factor, 1.0))
+    gone, idle, fault = status == BREAKAWAY, _idle(arcs) & (status == SOLVED), status == UNSOLVED
+    factor, cause = np.full(len(arcs), math.inf), np.full(len(arcs), CREEP, dtype=np.int8)
+    which = np.flatnonzero(~(idle | fault) & (status != REFUSED))
+    friction, slip = factors
+    of = LoadedRows.of(arcs, friction_factor=friction, slip_factor=slip, setting=setting)
+    of = replace(of, peaks=of.peaks & ~np.isposinf(solved["gross_slip_creep"]))
+    rises = held.tight_rise[which], held.slack_rise[which]
+    factor[which], cause[which] = pulls_at_sliding(of.rows(which), rises)
+    factor = np.where(gone, np.minimum(factor, NOT_CARRIED), factor)
     missed = np.full(len(factor), RULES["gross_slip"].missed.rank)
+    missed[(factor < RULES["gross_slip"].fails_beyond) & (cause != TESTED)] = Level.FAILS.rank
     ranks, margins = _ranks(factor, limit, missed, at_most=False)
-    ranks = np.where(gone, NO_GRIP.rank, ranks)
-    idle = _idle(arcs) & (status == SOLVED)
     ranks, margins = np.where(idle, Level.OK.rank, ranks), np.where(idle, math.inf, margins)
-    fault = status == UNSOLVED
+    ranks = np.where(np.isnan(factor), 0, ranks)
+    ranks = np.where(gone, NO_GRIP.rank, ranks)
     ranks = np.where(fault, Level.FAULT.rank, ranks)
-    return "gross_slip", ranks, np.where(gone, ahead(margins), margins)
+    leads = ranks == Level.FAILS.rank
+    return "gross_slip", ranks, np.where(leads, ahead(margins), margins)
 
 
 def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:

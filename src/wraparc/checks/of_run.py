@@ -17,7 +17,8 @@ from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.judge import motor_load
 from wraparc.checks.of_drive import judged, not_checked, origin
-from wraparc.checks.rules import RULES, SLIDES, tension_factor, tension_rule
+from wraparc.checks.rules import RULES, tension_factor, tension_rule
+from wraparc.checks.sliding import SLIDES
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Motor, Motors

@@ -15,12 +15,10 @@ from numpy.typing import NDArray
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
 from wraparc.checks.numbers import idles
+from wraparc.checks.sliding import SLIDES
 from wraparc.drive import CREEP_LIMIT, Belt, Criteria
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
-
-#: Creep beyond which a belt slides and does not creep any more: ten customary limits [m]; ours.
-SLIDES = 10.0 * CREEP_LIMIT
 
 
 @dataclass(frozen=True)
@@ -36,7 +34,9 @@ class Rule:
     missed
         Level where it is not kept.
     fails_beyond
-        Value beyond which a miss fails [SI].
+        Value beyond which a miss fails [SI]; nan for none.
+    tolerates
+        Value up to which practice may allow a miss [SI]; nan for none.
     at_most
         Whether the limit is an upper one.
     """
@@ -45,16 +45,17 @@ class Rule:
     what: str
     missed: Level = Level.ATTENTION
     at_most: bool = True
-    fails_beyond: float = math.inf
+    fails_beyond: float = math.nan
+    tolerates: float = math.nan
 
 
 #: The checks of an arc in the order they are told; the balance of the solution is none of a row.
 RULES = {
     rule.name: rule
     for rule in (
-        Rule("gross_slip", "the safety against gross slip", at_most=False),
+        Rule("gross_slip", "the safety against gross slip", at_most=False, fails_beyond=1.0),
         Rule("design_standard", "the design standard", at_most=False),
-        Rule("creep", "the creep limit", fails_beyond=SLIDES),
+        Rule("creep", "the creep limit", fails_beyond=SLIDES, tolerates=2.0 * CREEP_LIMIT),
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),

@@ -129,6 +129,8 @@ def _of_slack(
     """Add what safety against gross slip and a binding standard ask of the slack side."""
     slack, _ = grid.ends(case)
     for name, rule in (("gross_slip", gross_slip_slack), ("design_standard", standard_slack)):
+        if name == "design_standard" and not search.drive.criteria.standard.binding:
+            continue
         least = rule(search, grid, case, condition)
         if least.any():
             parts[name].append((-slack, -np.minimum(least, NO_TENSION)))

@@ -197,9 +197,9 @@ def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.
 def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tuple[Array, Array]:
     """Least slack-side tension with which each design keeps every check in every load case.
 
-    The rule of `wraparc.checks.least_tension`: creep, the safety factor on gross slip, a binding
-    design standard, and the lowest tested wrap pressure and the sag of the belt where these are
-    limits.
+    The rule of `wraparc.checks.least_tension`: creep, the safety factor on gross slip, the design
+    standard even where it does not bind, as what is recommended is never below it, and the lowest
+    tested wrap pressure and the sag of the belt where these are limits.
 
     Returns
     -------

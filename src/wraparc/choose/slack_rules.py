@@ -1,17 +1,20 @@
-"""What the safety against gross slip and a binding design standard ask of the slack side."""
+"""What the safety against gross slip and a design standard ask of the slack side."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import WrapArc, solve
+from wraparc.arc import solve
+from wraparc.batch import Setting
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import Grip, given_up, rises_of
+from wraparc.checks.gross_slip import given_up, rises_of
 from wraparc.checks.least_tension import figures
+from wraparc.checks.sliding_rows import LoadedRows, tight_at_sliding
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import LoadCase
 
@@ -21,50 +24,34 @@ Array = NDArray[np.float64]
 def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
     """Least tension behind the drives with the safety factor on gross slip, by design [N].
 
-    As `wraparc.checks` judges it: the pull of the whole drive times the factor is just carried with
-    its slack side held (gravity take-up), or the sum of both sides (fixed take-up). 0 without a
-    pull, inf where no tension carries it.
+    As `wraparc.checks` judges it: the pull of the whole drive times the factor just does not slide
+    the belt with its slack side held (gravity take-up), or the sum of both sides (fixed take-up).
+    0 without a pull, inf where no tension carries it.
     """
     tensions = case.tensions[search.pulley]
     pull, tight = abs(tensions.effective), max(tensions.entry, tensions.exit)
+    if pull == 0.0:
+        return np.zeros(len(grid))
     factor = search.drive.criteria.safety.of(case.kind)
     names = [p.name for p in search.drive.pulleys]
     pulls = np.array([[case.tensions[name].effective] for name in names])
     lost = given_up(pulls, names, search.drive.criteria.take_up)
     rise = rises_of(pulls, names.index(search.pulley), lost)[0][0]
     lifted = tight - search.drive.slack_end(case) + (factor - 1.0) * float(rise)
-
-    def least(lagging: int, diameter: float, wrap_angle: float, thickness: float) -> float:
-        law = search.conditioned()[lagging]
-        arc = WrapArc(
-            law=law.law,
-            entry_tension=tensions.entry,
-            exit_tension=tensions.exit,
-            diameter=diameter,
-            wrap_angle=wrap_angle,
-            width=search.drive.belt.width,
-            axial_stiffness=search.drive.belt.axial_stiffness,
-            thickness=thickness,
-            shear_modulus=law.shear_modulus,
-            compression_modulus=law.compression_modulus,
-            overrun=search.base.overrun,
-            recovery=search.base.recovery,
-        )
-        return Grip(arc).tight_for(factor * pull) - lifted
-
-    return _by_design(search, grid, condition, least) if pull > 0.0 else np.zeros(len(grid))
+    own = replace(grid, slack=np.full(len(grid), np.nan))  # each by the tensions of the drive
+    of = LoadedRows.of(own.arcs(case, condition), setting=Setting.PRECISE)
+    found = tight_at_sliding(of, np.full(len(grid), factor * pull)) - lifted
+    return np.where(np.isnan(found), np.inf, found)
 
 
 def standard_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
-    """Tension behind the drives that a binding design standard asks for, by design; 0 for none."""
+    """Tension behind the drives that the design standard asks for, by design [N]; 0 for none."""
     offset = slack_offset(search, case)
 
-    def least(lagging: int, _diameter: float, wrap_angle: float, _thickness: float) -> float:
+    def least(lagging: int, wrap_angle: float) -> float:
         tension, rule = _asked(search, case, lagging, wrap_angle)
         return tension + offset if rule else 0.0
 
-    if not search.drive.criteria.standard.binding:
-        return np.zeros(len(grid))
     return _by_design(search, grid, condition, least)
 
 
@@ -115,14 +102,11 @@ def _by_design(
     search: Search,
     grid: Grid,
     condition: int,
-    least: Callable[[int, float, float, float], float],
+    least: Callable[[int, float], float],
 ) -> Array:
     """Return a number for each design, found once for those that do not differ in it."""
     lagging = grid.places[0] + condition * len(search.laggings)
-    softens = np.array([lag.law.steepest_fall() < 0.0 for lag in search.laggings])
-    # only where friction falls past its peak does the thickness tell
-    thickness = np.where(softens[grid.places[0]], grid.thickness, 0.0)
-    keys = np.stack([lagging.astype(float), grid.diameter, grid.wrap_angle, thickness])
+    keys = np.stack([lagging.astype(float), grid.wrap_angle])
     different, place = np.unique(keys, axis=1, return_inverse=True)
-    found = np.array([least(int(lag), d, phi, h) for lag, d, phi, h in different.T.tolist()])
+    found = np.array([least(int(lag), wrap_angle) for lag, wrap_angle in different.T.tolist()])
     return np.asarray(found[place.ravel()])

@@ -19,6 +19,8 @@ from wraparc.provenance import Kind, Provenance
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
 DRY = "dry"
+#: Whose table of design values gives the ratios of conditions before others.
+MAIN = "DIN 22101"
 #: Part of a lagging that says where the factor on its tested law came from.
 SCALED = "condition"
 
@@ -38,7 +40,7 @@ class Condition:
         The same by surface (``rubber``, ``ceramic`` ...), before `factor`.
     standard
         Whose design values give the factor, as the ratio of this condition over the tested one;
-        `source` is then theirs. Without one, the least ratio that is published.
+        `source` is then theirs. Without one, DIN 22101 where it covers the surface.
     source
         Where the factors came from.
     """
@@ -74,8 +76,13 @@ class Condition:
             sources={**lagging.sources, SCALED: source},
             fit=None,
             factors=None,
-            notes=(*lagging.notes, f"{self.name}: friction {factor:.3g} of {lagging.condition}"),
+            notes=(*lagging.notes, self._told(lagging, factor, source)),
         )
+
+    def _told(self, lagging: Lagging, factor: float, source: Provenance) -> str:
+        """Say what is left of the friction, and by whom."""
+        by = f", {source.source.partition(' and ')[0]}" if source.kind is Kind.PUBLISHED else ""
+        return f"{self.name}: friction {factor:.3g} of {lagging.condition}{by}"
 
     def of(self, laws: Sequence[Lagging]) -> Lagging:
         """Return the one of a lagging's laws for this condition, else its dry law scaled.
@@ -103,23 +110,21 @@ class Condition:
             return self.factor, self.source
         if self.name == DRY == lagging.condition:
             return 1.0, Provenance()
-        return self._least_published(lagging)
+        return self._published(lagging)
 
-    def _least_published(self, lagging: Lagging) -> tuple[float, Provenance]:
-        """Least ratio that any publication gives for the surface of a lagging [-]."""
-        ratios = []
-        for standard in dict.fromkeys(d.standard for d in design_friction() if d.condition):
+    def _published(self, lagging: Lagging) -> tuple[float, Provenance]:
+        """Ratio by the first table that has both conditions for the surface of a lagging [-].
+
+        Wet and dry of one table and one surface: those of different tables are of different kinds,
+        and their ratios turn the order of the wet values round.
+        """
+        tables = dict.fromkeys(d.standard for d in design_friction() if d.condition)
+        for standard in sorted(tables, key=lambda name: name != MAIN):
             try:
-                args = standard, lagging.surface, self.name, lagging.condition
-                ratios.append((*design_ratio(*args), standard))
+                return design_ratio(standard, lagging.surface, self.name, lagging.condition)
             except InputError:  # it says nothing of this surface or condition
                 continue
-        if not ratios:
-            raise InputError(self._uncovered(lagging))
-        factor, source, of = min(ratios, key=lambda found: found[0])
-        others = [f"{name} gives {ratio:.3g}" for ratio, _, name in ratios if name != of]
-        note = "; ".join([f"{source.note}; the least of the published ratios", *others])
-        return factor, replace(source, note=note if others else source.note)
+        raise InputError(self._uncovered(lagging))
 
     def _uncovered(self, lagging: Lagging) -> Problem:
         known = published_conditions(lagging.surface)
@@ -198,9 +203,11 @@ def design_ratio(
                 remedy=f"{', '.join(known)} have dry, wet, and wet and dirty; or state a factor.",
             )
         )
+    low, high = here.friction[0] / dry.friction[1], here.friction[1] / dry.friction[0]
+    band = f", {low:.3g} to {high:.3g}" if low < high else ""
     note = (
-        f"{surface} {condition} {_ends(here)} over {tested} {_ends(dry)}, middle values; a ratio "
-        "of constant design values applied to the whole law"
+        f"{surface} {condition} {_ends(here)} over {tested} {_ends(dry)}, middle values{band}; a "
+        "ratio of constant design values applied to the whole law"
     )
     source = Provenance(Kind.PUBLISHED, here.provenance.source, here.provenance.date, note)
     return sum(here.friction) / sum(dry.friction), source

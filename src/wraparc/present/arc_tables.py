@@ -202,7 +202,7 @@ def capacity_rows(c: Capacities, of: Carrying, system: System) -> Table:
             ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note)
         )
     gross = _gross_note(of.plain, c.gross_slip_creep, system)
-    rows.append(ratio("gross_slip_capacity", c.gross_slip_capacity, c.gross_slip_margin, gross))
+    rows.append(row("gross_slip_capacity", c.gross_slip_capacity, gross))
     note = (
         f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
         f"actual ratio, {named('tension_ratio', actual, system)}."
@@ -214,8 +214,8 @@ def _gross_note(plain: bool, creep: float, system: System) -> str:
     if plain:
         return "the whole wrap slips"
     if math.isinf(creep):
-        return "an extrapolation, approached as creep grows without bound"
-    return f"an extrapolation, at {named('gross_slip_creep', creep, system)} of creep"
+        return "extrapolated, approached as creep grows without bound"
+    return f"extrapolated, at {named('gross_slip_creep', creep, system)} of creep"
 
 
 def energy_table(result: ArcResult, system: System) -> Table:

@@ -22,6 +22,7 @@ from wraparc.present.choose_words import (
     reasons,
     saving_words,
 )
+from wraparc.present.least_tension import at_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, number, percent, quantity
 from wraparc.provenance import Kind
 from wraparc.units import System, display_unit
@@ -97,7 +98,7 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
     currency, years = selection.search.costing.currency, selection.search.costing.years
     headline = (
         f"Choose {design_name(selection, best, system)} with a slack-side tension of "
-        f"{named('tension', float(selection.slack_tension[best]), system)}"
+        f"{at_least(float(selection.slack_tension[best]), system)}"
         f"{below_standard(selection, best, system)}: "
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
         f"worst creep {named('exit_creep', float(selection.creep[best]), system)}."
@@ -229,6 +230,8 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
     asked = ["creep", "the safety against gross slip"] + [
         "the lowest tested wrap pressure"
     ] * search.limits.tested_pressure
+    if search.drive.criteria.standard.name != "none":
+        asked.append("the design standard")
     if selection.grid.others > 0.0:
         least = quantity(selection.grid.others, "force")
         asked.append(f"the checks of the other pulleys ({least})")

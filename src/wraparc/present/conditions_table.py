@@ -8,8 +8,8 @@ from typing import Any
 
 from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge, least_tension
-from wraparc.present.least_tension import least_name
-from wraparc.present.sheet import NONE, Row, Table, named
+from wraparc.present.least_tension import at_least, least_name
+from wraparc.present.sheet import NONE, Row, Table
 from wraparc.units import System
 
 _NOTE = "Each check at the load case and pulley where it comes off worst in that condition."
@@ -102,4 +102,4 @@ def _least(result: DriveResult, system: System) -> str:
     found = least_tension(result)
     if found is None:
         return NONE
-    return "none" if math.isinf(found.tension) else named("tension", found.tension, system)
+    return "none" if math.isinf(found.tension) else at_least(found.tension, system)

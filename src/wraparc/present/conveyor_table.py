@@ -86,7 +86,10 @@ def _states(drive: Drive) -> tuple[State, ...]:
     if drive.conveyor is None or len(drive.pulleys) != 1:
         return ()
     name = drive.pulleys[0].name
-    given = {case.name: case.tensions[name] for case in drive.load_cases}
+    given = {
+        case.name.removesuffix(f", {case.condition}"): case.tensions[name]
+        for case in drive.load_cases  # once for each of several conditions
+    }
     return tuple(
         state
         for state in drive.conveyor.states()

@@ -55,9 +55,10 @@ def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
         where = f" ({governing.place})" if str(governing.place) else ""
         why = f"As it is: {governing.short}{where}. "
         as_is = [as_it_is(judged, system)]
+    who = "A healthy drive" if found.alarm > worst else "The drive as described"
     return Verdict(
         judged.level,
-        f"{why}A healthy drive shows at most {percent(worst)} between drum and belt; alarm at "
+        f"{why}{who} shows at most {percent(worst)} between drum and belt; alarm at "
         f"{percent(found.alarm)}, trip at {percent(found.trip)}.",
         (*as_is, *_rules(found, worst), _circumference(found, system)),
         judged.word,
@@ -80,8 +81,8 @@ def _circumference(found: FieldNumbers, system: System) -> str:
 def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
     if found.at_limit is not None and worst > found.at_limit:
         yield (
-            f"As described, the drive already creeps beyond its limit, which corresponds to "
-            f"{percent(found.at_limit)}; the levels are relative to the drive as described."
+            "As described, the drive already creeps beyond its limit, where the alarm is set: it "
+            "alarms at once."
         )
     for rule in TRIP_RULES:
         slack = 1.0 - rule.speed_share
@@ -99,7 +100,7 @@ def _levels(found: FieldNumbers, system: System) -> Table:
     rows = [row("Healthy, at most", found.worst)]
     if found.at_limit is not None:
         rows.append(row("At the creep limit", found.at_limit, "g2"))
-    rows.append(row("Alarm", found.alarm, note="at the creep limit, or 1.25 healthy"))
+    rows.append(row("Alarm", found.alarm, note="at the creep limit"))
     rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
     if found.at_breakaway is not None:
         note = "creep at gross slip over the wrap length; an extrapolation"

@@ -4,10 +4,11 @@ import math
 from typing import Any
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import RULES, Figure, LeastTension, Level, least_tension, margins_of
+from wraparc.checks import RULES, LeastTension, Level, least_tension, margins_of
+from wraparc.checks.sliding import SLIDES
 from wraparc.present.sheet import NONE, Row, Table, named, quantity
 from wraparc.train import TrainResult
-from wraparc.units import System
+from wraparc.units import System, on_safe_side
 
 
 def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> str:
@@ -15,7 +16,7 @@ def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> 
     found = least_tension(result)
     if found is None:
         return ""
-    least, given = (named("tension", value, system) for value in (found.tension, found.given))
+    least, given = at_least(found.tension, system), named("tension", found.given, system)
     governs = found.governing
     why = RULES[governs.name].what
     if math.isinf(found.tension):
@@ -28,9 +29,19 @@ def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> 
     )
     standard = found.standard
     if standard is not None and found.tension < standard.tension * (1.0 - 1e-9):
-        asked = named("tension", standard.tension, system)
+        asked = at_least(standard.tension, system)
         text += f"; that is below the {asked} that {standard.title} asks for"
     return f"{text}."
+
+
+def at_least(tension: float, system: System = "si") -> str:
+    """Return a least tension so that it holds as it is shown: rounded upwards."""
+    return named("tension", on_safe_side(tension, "force", system), system)
+
+
+def at_most(tension: float, system: System = "si") -> str:
+    """Return a largest tension so that it holds as it is shown: rounded down."""
+    return named("tension", on_safe_side(tension, "force", system, up=False), system)
 
 
 def divides_anew(result: DriveResult | TrainResult) -> bool:
@@ -43,23 +54,14 @@ def _none(found: LeastTension, result: DriveResult | TrainResult, system: System
     if math.isinf(governs.tension) or top is None:
         return (
             f"No {least_name(result)} with wrap pressures in the tested range keeps "
-            f"{RULES[governs.name].what} ({governs.place}){_most(result, governs, system)}."
+            f"{RULES[governs.name].what} ({governs.place})."
         )
-    asked, most = (named("tension", f.tension, system) for f in (governs, top))
+    asked, most = at_least(governs.tension, system), at_most(top.tension, system)
     return (
         f"No {least_name(result)} keeps every binding check: "
         f"{RULES[governs.name].what} asks for {asked} "
         f"({governs.place}), and {RULES[top.name].what} allows {most} ({top.place})."
     )
-
-
-def _most(result: DriveResult | TrainResult, governs: Figure, system: System) -> str:
-    one = result.drive_result() if isinstance(result, TrainResult) else result
-    arc = one.arc(governs.place.pulley, governs.place.load_case)
-    most = arc.capacities.largest_effective_tension
-    if governs.name != "creep" or math.isnan(most):
-        return ""
-    return f"; the largest pull carried so is {named('tension', most, system)}"
 
 
 def least_table(result: DriveResult | TrainResult, system: System = "si") -> Table | None:
@@ -69,15 +71,16 @@ def least_table(result: DriveResult | TrainResult, system: System = "si") -> Tab
         return None
     rows, after = [], _after(result)
     if not math.isinf(found.tension):
-        weight = quantity(found.counterweight, "mass", system)
+        weight = quantity(on_safe_side(found.counterweight, "mass", system), "mass", system)
         given = f"given {named('tension', found.given, system)}"
-        least = named("tension", found.tension, system)
+        least = at_least(found.tension, system)
         symbol = "" if after else "T2_min"
         rows.append(Row(f"Least {least_name(result)}", (least,), symbol, given))
         rows.append(Row("Counterweight for it", (weight,), "", "if the take-up is a weight"))
     for figure in sorted(found.figures, key=lambda f: (not f.at_least, -f.tension)):
         bound = "at least" if figure.at_least else "at most"
-        text = "none" if math.isinf(figure.tension) else named("tension", figure.tension, system)
+        shown = at_least if figure.at_least else at_most
+        text = "none" if math.isinf(figure.tension) else shown(figure.tension, system)
         governs = figure is found.governing
         note = "governs" if governs else "" if figure.binding else "not binding"
         note = ", ".join(part for part in (note, str(figure.place)) if part)
@@ -101,7 +104,7 @@ def least_name(result: DriveResult | TrainResult) -> str:
 
 
 def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") -> Table | None:
-    """Return how much more pull an arc could take until gross slip, by what the take-up holds."""
+    """Return how much more pull an arc could take until it slides, by what the take-up holds."""
     if not arc.status.solved or abs(arc.arc.effective_tension) <= 1e-6 * arc.arc.entry_tension:
         return None
     if math.isnan(arc.capacities.gross_slip_capacity):
@@ -119,7 +122,11 @@ def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") ->
             "never" if math.isinf(value) else f"{quantity(value, 'number', system)} times the pull"
         )
         rows.append(Row(title, (text,), note=f"this drive{said}" if own else ""))
-    note = "Pull at which the belt slips as a whole: an extrapolation of the friction law."
+    slides = quantity(SLIDES, "length", system)
+    note = (
+        f"Pull at which the belt slides: a creep of {slides}, the end of the tested slip or the "
+        "largest friction, whichever comes first."
+    )
     return Table("Margin to gross slip", tuple(rows), note=note)
 
 
@@ -158,5 +165,5 @@ def shown_least(result: DriveResult | TrainResult, system: System = "si") -> str
         if found is None
         else "none"
         if math.isinf(found.tension)
-        else named("tension", found.tension, system)
+        else at_least(found.tension, system)
     )

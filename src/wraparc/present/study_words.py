@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from wraparc.checks import RULES, Level
@@ -75,6 +75,9 @@ def verdict(summary: Summary, system: System = "si") -> Verdict:
         sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
     if level is Level.OK:
         ground = ground or ", ".join(f"without {what}" for what in left)
+    weighted = _weighted(summary, lambda group: group.over_limit.value)
+    if not math.isnan(weighted):
+        beyond = _over_time(weighted, summary, what, system)
     headline = f"{beyond}{_among(lost)}; {_ends(summary)}."
     return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
 
@@ -86,9 +89,41 @@ def _unanswered(summary: Summary) -> int:
 def _ends(summary: Summary) -> str:
     """Say which part of all rows fails, needs attention, keeps every check."""
     total = sum(summary.counts.values())
+    over_time = [
+        (_weighted(summary, lambda group, level=level: group.judged.share(level).value), one)  # type: ignore[misc]
+        for level, one in _ENDS
+    ]
+    if not math.isnan(over_time[0][0]) and summary.judged.total == total:
+        return ", ".join(f"{_of_time(share)} {one}" for share, one in over_time if share > 0.0)
     ends = [(summary.judged.share(level).count, one) for level, one in _ENDS]
     ends.insert(2, (total - summary.judged.total, "could not be judged"))
     return ", ".join(f"{part(count, total)} {one}" for count, one in ends if count)
+
+
+def _weighted(summary: Summary, value: Callable[[Group], float]) -> float:
+    """Mean of a share over levels and load cases, each condition by its time; nan without times."""
+    sums: dict[tuple[float | str, ...], float] = {}
+    for group in summary.groups:
+        if group.share is None:
+            return math.nan
+        key = (*group.levels.values(), group.load_case)
+        sums[key] = sums.get(key, 0.0) + group.share * value(group)
+    return sum(sums.values()) / len(sums) if sums else math.nan
+
+
+def _of_time(share: float) -> str:
+    told = percent(share)
+    return "all" if share >= 1.0 else "none" if share <= 0.0 else told
+
+
+def _over_time(share: float, summary: Summary, what: str, system: System) -> str:
+    """Say how much of the time the creep limit is not kept."""
+    total = summary.over_limit.total
+    count = 0 if share <= 0.0 else total if share >= 1.0 else 1  # for none, all and the verb
+    text = _exceed("exit_creep", count, total, what, summary.creep_limit, system)
+    rest = text.partition(f" of {total:,} ")[2]
+    weighted = "each condition by its share of the time"
+    return f"{started(_of_time(share))} of {total:,} {rest}, {weighted}"
 
 
 def part(count: int, total: int) -> str:

@@ -1,7 +1,7 @@
 """The answer for a train in words: who carries more and why, and how exactly speeds must match."""
 
-from collections.abc import Iterator
-from math import isfinite, isnan
+from collections.abc import Iterator, Sequence
+from math import floor, isfinite, isnan, log10
 
 from wraparc.checks import idle, judge
 from wraparc.checks.numbers import pull_against
@@ -35,7 +35,7 @@ def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     sentences = [
         *([least] if least else []),
         *told.sentences(system),
-        *case_sentences(worst, system),
+        *case_sentences(worst, result.cases, system),
     ]
     for case in result:
         if case is not worst:
@@ -52,7 +52,7 @@ def _against(case: CaseResult) -> float:
     return pull_against([m.arc.effective_tension for m in case.members])
 
 
-def case_sentences(case: CaseResult, system: System) -> Iterator[str]:
+def case_sentences(case: CaseResult, cases: Sequence[CaseResult], system: System) -> Iterator[str]:
     """Tell of the load case that governs: who carries what, how the drums turn, what is lost."""
     if case.status is not TrainStatus.SOLVED:
         yield f"Load case {case.case.name}: {case.reason}"
@@ -69,7 +69,7 @@ def case_sentences(case: CaseResult, system: System) -> Iterator[str]:
     if len(case.members) > 1:
         for m in case.members[1:]:
             yield _speed_sentence(case, m)
-        yield from _matching(case)
+        yield from _matching(case, cases)
     loss = percent(case.loss_ratio)
     power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss, system)},"
     yield f"Creep costs{power} {loss} of the power."
@@ -186,19 +186,18 @@ def _reason(m: MemberResult, ratio: float) -> str:
     return "the belt is as tight there as at the first drive, or tighter"
 
 
-def _matching(case: CaseResult) -> Iterator[str]:
-    """Say how much load a trim moves."""
+def _matching(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[str]:
+    """Say how much load a trim moves, in the condition where it moves most."""
     own_way = case.case.on_motors
     for i, m in enumerate(case.members):
-        slope = case.share_per_trim(i)
-        if i == 0 or slope == 0.0 or not isfinite(slope):
+        slope = _steepest(case, cases, i)
+        if i == 0 or slope == 0.0:
             continue
-        needed = 100.0 * abs(_TOLERATED / (slope * 1000.0))
         how = " with its motors as they are" if own_way else ""
         yield (
-            f"A trim of 0.1 % on {m.name} moves {percent(abs(slope), 2)} of the load{how}: to keep "
+            f"A trim of 0.1 % on {m.name} moves {percent(slope, 2)} of the load{how}: to keep "
             f"its share within {percent(_TOLERATED)}, speeds and diameters must match within "
-            f"{needed:.2g} %."
+            f"{_needed(slope)} %."
         )
 
 
@@ -207,10 +206,15 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
     case, drive = matching.case, matching.drive
     name = case.members[drive].name
     what = GLOSSARY[matching.trim.quantity].title.lower()
-    slope = case.share_per_trim(drive)
     headline = f"{name} carries {percent(case.members[drive].share)} of load case {case.case.name}"
-    if slope:
-        headline += f"; 0.1 % of {what} moves {percent(abs(slope), 2)} of the load"
+    if not case.case.on_motors and matching.equal.status.solved:
+        headline = f"{_to_set(matching, name)}: {headline}"
+    slope = _steepest(case, result.cases, drive)
+    if slope > 0.0:
+        headline += (
+            f"; 0.1 % of {what} moves {percent(slope, 2)} of the load, so hold it within "
+            f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
+        )
     judged = judge(result)
     sentences = [
         *([as_it_is(judged, system)] if judged.missed else []),
@@ -221,6 +225,41 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
         *_losses(matching),
     ]
     return Verdict(judged.level, f"{headline}.", tuple(sentences), judged.word)
+
+
+def _to_set(matching: Matching, name: str) -> str:
+    """Say what trim to set for equal shares, or that it is set."""
+    now, even = (c.members[matching.drive].speed_trim for c in (matching.case, matching.equal))
+    if abs(now - even) < _AS_FAST:
+        return f"Keep {name} at a trim of {100.0 * even:.3f} %, which equalises the load"
+    return (
+        f"Set {name} to a trim of {100.0 * even:.3f} %, which equalises the load, in the place of "
+        f"{100.0 * now:.3f} %"
+    )
+
+
+def _steepest(of: CaseResult, cases: Sequence[CaseResult], drive: int) -> float:
+    """Share that a trim of 0.1 % moves at most of a load, in any condition [-]; 0 if not known."""
+    most = 0.0
+    for one in cases:
+        solved = one.status is TrainStatus.SOLVED and _load(one) == _load(of)
+        slope = abs(one.share_per_trim(drive)) if solved else 0.0
+        if isfinite(slope):
+            most = max(most, slope)
+    return most
+
+
+def _load(case: CaseResult) -> str:
+    """Tensions at both ends of a train, in the digits that loads are told apart by."""
+    last = case.members[len(case.members) - 1]
+    return f"{case.members[0].arc.entry_tension:.6e} {last.arc.exit_tension:.6e}"
+
+
+def _needed(slope: float) -> str:
+    """How well speeds must match for a tolerated share, rounded down [%]."""
+    needed = 0.1 * _TOLERATED / slope
+    step = 10.0 ** (floor(log10(needed)) - 1)
+    return f"{floor(needed / step + 1e-9) * step:.2g}"
 
 
 def _who_and_why(matching: Matching) -> Iterator[str]:

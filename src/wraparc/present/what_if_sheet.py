@@ -1,18 +1,18 @@
 """Before and after a change: one table, and the reason for each change in words."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from wraparc.across import across_of
 from wraparc.alike import alike
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Level, Place, judge, placed
+from wraparc.checks import Level, Place, judge, least_tension, placed
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
-from wraparc.present.least_tension import least_name, shown_least
-from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, row_of
+from wraparc.present.least_tension import at_least, least_name, shown_least
+from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, row_of
 from wraparc.present.words import alone, as_it_is, short
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
@@ -60,6 +60,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     behind = ", behind the drives" if several and not first.criteria.take_up.after else ""
     note = f"for every binding check to be kept{behind}"
     rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
+    rows += _standards(wholes, system)
     across = compared_table(_by_itself(found), heads, system)
     as_is = judge(wholes[0])
     sentences = [as_it_is(as_is, system)] if as_is.missed else []
@@ -78,6 +79,16 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
     )
+
+
+def _standards(wholes: Sequence[Whole], system: System) -> Iterator[Row]:
+    """Yield what a design standard that does not bind asks for beside the least tension."""
+    found = [least_tension(whole) for whole in wholes]
+    asked = [None if f is None else f.standard for f in found]
+    some = [f for f in asked if f is not None and not f.binding]
+    if some:
+        texts = (NONE if f is None else at_least(f.tension, system) for f in asked)
+        yield Row(f"The same by {some[0].title}", tuple(texts), note="not binding")
 
 
 def _value(result: ArcResult, name: str) -> float:
@@ -135,9 +146,7 @@ def reasons(
     """
     yield from _tension_words(before.arc, after.arc, system, several)
     if not after.status.solved:
-        most = named("tension_ratio", after.capacities.gross_slip_capacity)
-        asked = named("tension_ratio", after.arc.entry_tension / after.arc.exit_tension)
-        yield f"its friction carries a tension ratio of {most} at most, and {asked} is asked for."
+        yield "no creep carries its pull."
         return
     if not before.status.solved:
         yield "it carries the load, which it did not before."

@@ -9,7 +9,6 @@ from wraparc.arc import ArcResult, DriveResult, Status
 from wraparc.checks import Level, idle, judge
 from wraparc.checks import Verdict as Judgement
 from wraparc.drive import Drive, LoadCase, Tensions
-from wraparc.present.arc_tables import independent_of_slip
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named
 from wraparc.units import System
@@ -22,7 +21,7 @@ def verdict(result: DriveResult, system: System = "si") -> Verdict:
     least = least_sentence(result, system)
     sentences = [*([least] if least else []), *told.sentences(system)]
     if worst.status is Status.BREAKAWAY:
-        sentences += _breakaway(worst, system)
+        sentences += _breakaway(worst)
     return in_words(told, system, sentences)
 
 
@@ -77,24 +76,12 @@ def alone_of(result: DriveResult, arc: ArcResult) -> DriveResult:
     return known[arc]
 
 
-def _breakaway(result: ArcResult, system: System) -> Iterator[str]:
+def _breakaway(result: ArcResult) -> Iterator[str]:
     c, arc = result.capacities, result.arc
-    if math.isnan(c.gross_slip_capacity):
+    if math.isnan(c.creep_limit_capacity):
         return  # the paper's march finds no capacities
-    ratio, creep = c.gross_slip_capacity, c.gross_slip_creep
-    if arc.side < 0.0:
-        ratio = 1.0 / ratio
-    end = "approached as creep grows without bound (an extrapolation of the friction law)"
-    if independent_of_slip(arc.law):
-        end = "with the whole wrap slipping"
-    elif math.isfinite(creep):
-        creep_text = named("exit_creep", abs(creep), system)
-        end = f"at a creep of {creep_text} (an extrapolation of the friction law)"
-    most = "largest" if arc.side > 0.0 else "smallest"
+    ratio = c.creep_limit_capacity if arc.side > 0.0 else 1.0 / c.creep_limit_capacity
     yield (
-        f"Asked for T1/T2 = {named('tension_ratio', result.tension_ratio)}; "
-        f"the {most} the friction can carry is {named('tension_ratio', ratio)}, {end}."
+        f"Asked for T1/T2 = {named('tension_ratio', result.tension_ratio)}; at the creep limit it "
+        f"carries T1/T2 = {named('tension_ratio', ratio)}."
     )
-    if not math.isnan(c.creep_limit_capacity):
-        limit = c.creep_limit_capacity if arc.side > 0.0 else 1.0 / c.creep_limit_capacity
-        yield f"At the creep limit it carries T1/T2 = {named('tension_ratio', limit)}."

@@ -301,9 +301,7 @@ class Study:
         wanted = dict.fromkeys((STATUS, "exit_creep", *self.outputs))
         own = len(arcs.laws) > _MOST_OWN_LAWS
         size = _MOST_OWN_LAWS if own else max(1, len(good))
-        # the verdict asks for the capacity at gross slip, which has no closed form where it falls
         capacities = not CAPACITY_OUTPUTS.isdisjoint(self.outputs)
-        capacities |= bool(np.any(arcs.laws.steepest_fall < 0.0))
         found = []
         for begin in range(0, max(1, len(good)), size):
             some = good[begin : begin + size]
@@ -318,7 +316,8 @@ class Study:
                 capacities=capacities,
                 progress=progress,
             )
-            judged = worst_of_rows(solved, rows.held.rows(some), friction)
+            factors = friction, rows.slip_factor[some]
+            judged = worst_of_rows(solved, rows.held.rows(some), factors, self.setting)
             uneven = solve_rows(
                 rows.drives,
                 rows.which[some],

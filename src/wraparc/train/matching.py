@@ -119,17 +119,17 @@ def match_drives(
 
 
 def wet_laggings(train: Train) -> dict[str, Lagging]:
-    """Return laggings of the pulleys when wet, by the design values of DIN 22101 where it has some.
+    """Return laggings of the pulleys when wet, as `Condition` has them for a drive that asks.
 
-    Pulleys that are wet already, and those of surfaces that the standard says nothing about, are
-    left out.
+    Pulleys that are wet already, and those of which nothing is known when wet, are left out.
     """
-    wet = Condition(name="wet", standard="DIN 22101")
+    wet = Condition(name="wet")
     found = {}
     for pulley in train.pulleys:
-        if pulley.lagging.condition != wet.name and pulley.lagging.surface:
+        asked = next((lag for lag in pulley.conditions if lag.condition == wet.name), None)
+        if pulley.lagging.condition != wet.name:
             try:
-                found[pulley.name] = wet.lagging(pulley.lagging)
-            except InputError:  # the standard says nothing about this surface
+                found[pulley.name] = asked or wet.lagging(pulley.lagging)
+            except InputError:  # nothing is published on its surface
                 continue
     return found

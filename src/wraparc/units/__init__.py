@@ -8,6 +8,7 @@ from wraparc.units.display import (
     System,
     display,
     display_unit,
+    on_safe_side,
 )
 from wraparc.units.numbers import parse_number
 from wraparc.units.parse import dimension_of, meant_by, parse_quantity, unit_factor, unit_names
@@ -27,6 +28,7 @@ __all__ = [
     "display",
     "display_unit",
     "meant_by",
+    "on_safe_side",
     "parse_number",
     "parse_quantity",
     "unit_factor",

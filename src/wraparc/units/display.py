@@ -110,6 +110,27 @@ def display(
     return _shown(value, dimension, system, digits)
 
 
+def on_safe_side(
+    value: float, dimension: Dimension, system: System = "si", *, up: bool = True
+) -> float:
+    """Return the value that shows as a result does, rounded to the safe side: upwards, or down.
+
+    What is recommended holds as it is shown: a least tension of 118.6 kN is 119 kN, a largest one
+    118 kN.
+    """
+    _, size = display_unit(dimension, system)
+    number = value / size
+    if not math.isfinite(number) or abs(number) < NOTHING:
+        return value
+    shown = float(_rounded(number, RESULT_DIGITS))
+    if math.isclose(shown, number, rel_tol=_EXACT):
+        return value
+    if (shown < number) == up:
+        step = 10.0 ** (_exponent(f"{shown:.3e}") - RESULT_DIGITS + 1)
+        shown += step if up else -step
+    return shown * size
+
+
 @lru_cache(maxsize=1024)  # limits and what was given come again and again
 def _shown(value: float, dimension: Dimension, system: System, digits: int) -> str:
     unit, larger = _ROWS[system][dimension]

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.constant_friction import wrap_factor
-from wraparc.arc.gross_slip import Grip, Line
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
     CapacityNumbers,
@@ -27,7 +26,7 @@ from wraparc.arc.summary import (
     summary_of,
     too_steep,
 )
-from wraparc.checks.least_numbers import ROUNDS, Pull, Safety, least_for_slip, lift_for_grip
+from wraparc.checks.least_numbers import Pull, least_for_slip
 from wraparc.checks.numbers import (
     Compared,
     Criteria,
@@ -35,15 +34,21 @@ from wraparc.checks.numbers import (
     as_printed,
     asked_slack,
     balance_miss,
-    grip_beyond,
     idles,
     largest,
     passes_an_hour,
-    pull_at_slip,
     rise_alone,
     steepest,
     usual_sizes,
     wrap_pressure_of,
+)
+from wraparc.checks.sliding import (
+    NOT_CARRIED,
+    Line,
+    Loaded,
+    lift_for_safety,
+    pull_at_sliding,
+    wet_creep,
 )
 from wraparc.drive import CREEP_LIMIT
 from wraparc.drive.load_case import (
@@ -215,6 +220,8 @@ class Judged(NamedTuple):
     held: float  # what the take-up holds [N]
     asked: Asked
     loads: Resultant
+    cause: int  # what comes first where the belt slides
+    wet: float  # creep when wet: inf in gross slip, nan if not known, negative where not dry [m]
 
 
 class Among(NamedTuple):
@@ -265,11 +272,14 @@ def judged(
     summary = summary_of(geometry, arc, tested, found)
     carried = find_capacities(law, geometry, load, CAPACITIES)
     solved = found.outcome == SOLVED
-    grip = grip_of(law, given, arc, carried.gross_slip)
     limits = limits_of(given, arc, tested, criteria)
-    factor = pull_factor_of(law, grip, arc, others)
+    loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
+    tight, slack = max(entry, leaving), min(entry, leaving)
+    sliding = pull_at_sliding(loaded, Line(tight, slack, others.tight_rise, others.slack_rise))
+    if sliding.place != sliding.place:
+        return None
     values = Compared(
-        gross_slip=max(factor, 1.0) if solved else min(factor, 1.0),
+        gross_slip=sliding.place if solved else min(sliding.place, NOT_CARRIED),
         design_standard=min(entry, leaving),
         creep=abs(summary.exit_creep),
         belt_tension=max(entry, leaving),
@@ -301,18 +311,11 @@ def judged(
         values,
         limits,
         others.held,
-        asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
+        asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
         resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+        sliding.cause,
+        wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
     )
-
-
-def grip_of(law: CompactLaw, given: Given, arc: Description, gross_slip: float) -> Grip:
-    """What the friction of an arc can carry, by ln(tight/slack) at gross slip."""
-    area, beyond = arc.width * (0.5 * arc.diameter), 0.0
-    if given.steepest_fall < 0.0:
-        tight = max(arc.entry_tension, arc.exit_tension)
-        beyond = grip_beyond(law, gross_slip, tight / area, arc.wrap_angle)
-    return Grip(arc.wrap_angle, area, beyond)
 
 
 class Asked(NamedTuple):
@@ -322,7 +325,6 @@ class Asked(NamedTuple):
     tested_slip: float
     design_standard: float
     gross_slip: float
-    gross_slip_settled: float
     tested_pressure_min: float
     tested_pressure_max: float
     face_pressure: float
@@ -332,24 +334,23 @@ class Asked(NamedTuple):
 
 
 def asked_of(
-    law: CompactLaw, arc: Description, grip: Grip, least: float, limits: Compared, given: Given,
+    loaded: Loaded, arc: Description, least: float, limits: Compared, given: Given,
     factor: float, among: Among,
 ) -> Asked:  # fmt: skip
     """What the checks of an arc ask of the take-up, its pull held."""
     entry, leaving, end = arc.entry_tension, arc.exit_tension, among.end
-    tight, slack, area = max(entry, leaving), min(entry, leaving), grip.area
+    tight, slack = max(entry, leaving), min(entry, leaving)
+    area = arc.width * (0.5 * arc.diameter)
     top = highest_tight(limits.tested_pressure_max, area, tight)
     of, by_slip = Pull(abs(entry - leaving), tight, top), nan
-    geometry = geometry_of(arc, law.onset_compliance)
     if limits.tested_slip < given.creep_limit:
-        by_slip = least_for_slip(law, geometry, of, limits.tested_slip)
-    safety = Safety(factor, among.tight_rise, given.steepest_fall < 0.0)
+        by_slip = least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
+    lift = lift_for_safety(loaded, factor, among.tight_rise)
     return Asked(
         creep=end - slack + (least if least == least else inf),
         tested_slip=end - slack + by_slip,
         design_standard=end - slack + limits.design_standard,
-        gross_slip=end + lift_for_grip(law, geometry, grip, of, safety, 1),
-        gross_slip_settled=end + lift_for_grip(law, geometry, grip, of, safety, ROUNDS),
+        gross_slip=end + (lift if lift == lift else inf),
         tested_pressure_min=end - slack + limits.tested_pressure_min * area,
         tested_pressure_max=end - tight + limits.tested_pressure_max * area,
         face_pressure=end - tight + limits.face_pressure * area,
@@ -357,14 +358,6 @@ def asked_of(
         sag=limits.sag + end - among.slack_end,
         given=end,
     )
-
-
-def pull_factor_of(law: CompactLaw, grip: Grip, arc: Description, among: Among) -> float:
-    """Pull at gross slip over the pull, with what the take-up holds [-]."""
-    entry, leaving = arc.entry_tension, arc.exit_tension
-    tight, slack = max(entry, leaving), min(entry, leaving)
-    line = Line(tight, slack, among.tight_rise, among.slack_rise)
-    return pull_at_slip(law, grip, line)
 
 
 def limits_of(

@@ -18,7 +18,7 @@ from wraparc.checks import RULES, Check, Level, judge, of_data, of_drive
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
-from wraparc.checks.of_arc import BALANCE, INTERVAL
+from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import (
     CASE_KINDS,
@@ -106,6 +106,7 @@ def _whole() -> Book:
         weak_kinds=list(of_data.WEAK_KINDS),
         more_creep=of_drive.MORE_CREEP,
         least_names={h: least_name(with_criteria(result, take_up=t)) for h, t in HELD.items()},
+        held={key: held_words(take_up) for key, take_up in HELD.items()},
         heads=_heads(),
         usual={
             "creep_limit": CREEP_LIMIT,
@@ -126,7 +127,9 @@ def _bare(words: Words) -> Words:
     """Return words without those that the comparison of its numbers decides on."""
     if words.miss is None:
         return words
-    return words.model_copy(update={"level": Level.OK, "short": "", "says": "", "remedy": ""})
+    return words.model_copy(
+        update={"level": Level.OK, "short": "", "says": "", "remedy": "", "otherwise": ""}
+    )
 
 
 def key_of(condition: Any) -> str:
@@ -163,6 +166,7 @@ def _lagging(name: str, own: Document, conditions: Mapping[str, Any]) -> BookLag
         wear_coefficient=_number(first.wear_coefficient),
         bond_strength=_number(first.bond_strength),
         fatigue_limit=_number(first.fatigue_limit),
+        wet=of_data.wet_factor(first),
         block=_block(first),
         laws=laws,
     )

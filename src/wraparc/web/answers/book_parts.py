@@ -60,7 +60,10 @@ class BookBlock(Plain):
 
 
 class BookLagging(Plain):
-    """A lagging [SI], its laws by condition; `first` is the one it has where none is named."""
+    """A lagging [SI], its laws by condition; `first` is the one it has where none is named.
+
+    `wet` is what wet leaves of its dry friction, see `Criteria`.
+    """
 
     name: str
     surface: str
@@ -71,6 +74,7 @@ class BookLagging(Plain):
     wear_coefficient: float
     bond_strength: float
     fatigue_limit: float
+    wet: float
     block: BookBlock | None
     laws: dict[str, BookLaw]
 
@@ -122,6 +126,7 @@ class Book(Plain):
     weak_kinds: list[str]
     more_creep: dict[str, float]
     least_names: dict[str, str]
+    held: dict[str, str]
     heads: Heads
     usual: dict[str, float]
     belt_keys: list[str]

@@ -20,6 +20,7 @@ from wraparc.checks.judge import (
     train_balance,
     unrated,
 )
+from wraparc.checks.of_arc import held_words
 from wraparc.drive import (
     TAKE_UPS,
     Criteria,
@@ -34,7 +35,7 @@ from wraparc.drive.criteria import CaseKind
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document
 from wraparc.train import TrainStatus
-from wraparc.web.answers.judging import BRAKES, Words, either, words_of
+from wraparc.web.answers.judging import BRAKES, Words, either, sliding_words, words_of
 
 PULLEY, CASE = "⟦pulley⟧", "⟦case⟧"
 #: A drive that nothing is special of.
@@ -122,13 +123,13 @@ def _key(name: str, *parts: str | bool) -> str:
 
 
 def _grip(drive: Drive, case: LoadCase, arc: ArcResult) -> Found:
-    slips = replace(arc, status=Status.BREAKAWAY)
-    kinds: Sequence[CaseKind] = get_args(CaseKind)
-    for kind, (held, take_up) in product(kinds, HELD.items()):
-        of = replace(drive, criteria=Criteria(take_up=take_up)), replace(case, kind=kind)
-        ends = {"breakaway": slips, "solved": arc}
-        found = (words_of(of_arc.grip(*of, [end], 0), when) for when, end in ends.items())
-        yield _key("gross_slip", kind, held), found
+    open_ = {
+        case.kind: "kind",
+        drive.pulleys[0].lagging.name: "lagging",
+        held_words(TakeUp()): "take_up",
+    }
+    of = replace(drive, criteria=Criteria())
+    yield "gross_slip", (_open(w, open_) for w in sliding_words(of, case, arc))
 
 
 def _standard(drive: Drive, case: LoadCase, arc: ArcResult) -> Found:
@@ -255,7 +256,7 @@ def train_words() -> dict[str, list[Words]]:
         "operating_point": operating_point(TrainStatus.BEYOND_MOTOR, "⟦reason⟧", place),
         "operating_point:adrift": operating_point(TrainStatus.BREAKAWAY, "⟦reason⟧", place),
         "gross_slip:adrift": of_drive.not_checked(
-            "gross_slip", "⟦title⟧", NO_DIVISION, Place(PULLEY, CASE)
+            "gross_slip", of_arc.GRIP.format("⟦kind⟧"), NO_DIVISION, Place(PULLEY, CASE)
         ),
         **{f"{check.name}:none": check for check in not_working(place)},
     }

@@ -3,19 +3,22 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, replace
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from wraparc.arc import ArcResult, DriveResult, Energy, Profile, Status
 from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
-from wraparc.checks.check import Place
+from wraparc.checks.check import LEADING, Place
 from wraparc.checks.design_standard import asked, by_table, design_friction_of, prints
 from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
-from wraparc.checks.of_arc import BALANCE
+from wraparc.checks.of_arc import BALANCE, FIRST, of_sliding
+from wraparc.checks.of_data import wet_factor
 from wraparc.checks.of_drive import sense
 from wraparc.checks.rules import start_factor, tension_factor
+from wraparc.checks.sliding import Sliding
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.present.least_tension import least_name
 from wraparc.schema.source import Document
@@ -37,10 +40,16 @@ class Miss(Plain):
     remedy: str
     fails_beyond: float
     because: str
+    tolerates: float
+    allows: str
+    otherwise: str
 
 
 class Words(Plain):
-    """A check without its numbers; `when` names the outcome of the arc that it is for, if one."""
+    """A check without its numbers, and whether it leads where it fails.
+
+    `when` names the outcome of the arc that it is for, if one, and after a colon where it slides.
+    """
 
     name: str
     title: str
@@ -53,6 +62,7 @@ class Words(Plain):
     short: str
     says: str
     remedy: str
+    otherwise: str
     more: dict[str, tuple[float, Dimension]]
     binding: bool
     advises: bool
@@ -93,6 +103,7 @@ class Judging(Plain):
     take_up: bool
     least_name: str
     counterweight: float
+    held_at: float
     cases: list[JudgedCase]
     checks: list[Words]
 
@@ -106,7 +117,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
     if odd or drive.pulleys[0].across or any(c.name in _SERVERS for c in verdict.checks):
         return None
     first, other = (_checks(result, status) for status in (Status.SOLVED, Status.BREAKAWAY))
-    cases, asks = [], _asks(result)
+    cases, asks, name = [], _asks(result), drive.pulleys[0].name
     for case in drive.load_cases:
         ready = prepared(document, drive, drive.pulleys[0], case)
         if ready is None:
@@ -120,6 +131,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
                 tested=None if law.tested is None else Tested.model_validate(law.tested),
                 criteria={k: float(v) for k, v in _criteria(drive, case)._asdict().items()},
                 checks=[
+                    *sliding_words(drive.in_case(case), case, result.arc(name, case.name)),
                     *either(_of(first, case), _of(other, case)),
                     words_of(sense(case, drive.pulleys[0]), BRAKES),
                 ],
@@ -132,6 +144,7 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
         take_up=bool(drive.criteria.take_up.kind),
         least_name=least_name(result),
         counterweight=drive.criteria.take_up.counterweight(1.0),
+        held_at=math.nan if drive.conveyor is None else drive.conveyor.take_up,
         cases=cases,
         checks=[words_of(c) for c in first if not c.place.load_case],
     )
@@ -191,7 +204,14 @@ def _ended(arc: ArcResult, status: Status) -> ArcResult:
 
 def _of(checks: tuple[Check, ...], case: LoadCase) -> list[Check]:
     here = [check for check in checks if check.place.load_case == case.name]
-    return [check for check in here if check.name != "sense"]
+    return [check for check in here if check.name not in ("sense", "gross_slip")]
+
+
+def sliding_words(drive: Drive, case: LoadCase, arc: ArcResult) -> Iterator[Words]:
+    """Yield the words of the safety against gross slip, however an arc ends and it slides."""
+    for status, cause in product((Status.SOLVED, Status.BREAKAWAY), FIRST):
+        check = of_sliding(drive, case, replace(arc, status=status), Sliding(1.0, cause))
+        yield words_of(check, f"{'solved' if status.solved else 'breakaway'}:{cause}")
 
 
 def either(solved: Sequence[Check], broken: Sequence[Check]) -> Iterator[Words]:
@@ -214,11 +234,12 @@ def words_of(check: Check, when: str = "") -> Words:
     names = ("name", "title", "level", "value", "limit", "dimension", "at_most", "short", "says")
     fields = {
         name: getattr(check, name)
-        for name in (*names, "remedy", "binding", "advises", "leads", "numerical")
+        for name in (*names, "remedy", "otherwise", "binding", "advises", "numerical")
     }
     miss = None if check.miss is None else Miss(**check.miss._asdict())
     place = str(check.place)
-    return Words(**fields, place=place, more=dict(check.more), miss=miss, when=when)
+    leads = check.name in LEADING
+    return Words(**fields, leads=leads, place=place, more=dict(check.more), miss=miss, when=when)
 
 
 def _criteria(drive: Drive, case: LoadCase) -> Criteria:
@@ -249,6 +270,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         printed=prints(criteria.standard),
         customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
         wrap_angle=pulley.wrap_angle if table else math.nan,
+        wet=wet_factor(pulley.lagging),
     )
 
 

@@ -18,7 +18,8 @@ const isTable = (v) => typeof v === "object" && v !== null && !Array.isArray(v);
 
 /**
  * The same drive with tensions and wrap angles in its file.
- * @param {any} doc @returns {{doc: any, problems: Problem[], conveyor: boolean}}
+ * @param {any} doc @returns {{doc: any, problems: Problem[], held: number}} with what the take-up
+ *   of its conveyor holds, nan without one
  */
 export function plainDrive(doc) {
   const r = new Reader(doc);
@@ -29,16 +30,17 @@ export function plainDrive(doc) {
   });
   const turned = { ...doc, pulley };
   const one = doc.conveyor && !doc.train && doc.pulley.length === 1;
-  const found = one ? fromConveyor(r, turned) : turned;
-  return { doc: found, problems: r.problems, conveyor: Boolean(one) };
+  const [found, held] = one ? fromConveyor(r, turned) : [turned, Number.NaN];
+  return { doc: found, problems: r.problems, held };
 }
 /** As `assemble`, of any drive of one pulley. @param {Design} design @param {Book} book */
 export function assembled(design, book) {
-  const { doc, problems, conveyor } = plainDrive(design);
+  const { doc, problems, held } = plainDrive(design);
   if (problems.length && !beyond(doc)) return { judging: null, problems };
   const found = assemble(doc, book);
   // what a take-up holds follows from the conveyor in every load case
-  if (found.judging && conveyor) found.judging.take_up = false;
+  if (found.judging && !Number.isNaN(held))
+    Object.assign(found.judging, { take_up: false, held_at: held });
   return found;
 }
 
@@ -92,7 +94,8 @@ function lengthAt(r, path, least, most, needed) {
   const allowed = `must be a length between ${least} m and ${most} m`;
   return read >= least && read <= most ? read : r.wrong(path, allowed);
 }
-/** A drive with the load cases of its conveyor. @param {Reader} r @param {any} doc */
+/** A drive with the load cases of its conveyor, and what its take-up holds.
+ * @param {Reader} r @param {any} doc @returns {[any, number]} */
 function fromConveyor(r, doc) {
   const { conveyor: table, take_up: takeUp, load_case: cases, ...rest } = doc;
   const [pulley] = doc.pulley;
@@ -111,20 +114,21 @@ function fromConveyor(r, doc) {
       "the [conveyor] table says where its take-up stands, take_up_distance",
       "Leave it out.",
     );
-  const states = statesOf(r, table);
-  if (r.problems.length) return rest; // what is wrong with it is told, and no more of it
+  const { found: states, held } = statesOf(r, table);
+  if (r.problems.length) return [rest, Number.NaN]; // what is wrong with it is told, and no more of it
   const given = states.map((s) => ({
     name: s.name,
     kind: s.kind,
     pulley: { [pulley.name]: { entry_tension: `${s.entry} N`, exit_tension: `${s.exit} N` } },
   }));
-  return { ...rest, ...(takeUp && { take_up: takeUp }), load_case: given };
+  return [{ ...rest, ...(takeUp && { take_up: takeUp }), load_case: given }, held];
 }
-/** @param {Reader} r @param {any} table @returns {any[]} */
+/** @param {Reader} r @param {any} table @returns {{found: any[], held: number}} */
 function statesOf(r, table) {
+  const none = { found: [], held: Number.NaN };
   if (!isTable(table)) {
     r.wrong(["conveyor"], "must be a table");
-    return [];
+    return none;
   }
   const keys = section("conveyor").map((s) => s.key);
   const other = Object.keys(table).find((key) => !keys.includes(key));
@@ -142,11 +146,11 @@ function statesOf(r, table) {
     for (const p of of) r.wrong(["conveyor", p.key], p.message, p.remedy);
     return of.length > 0;
   };
-  if (tell(K.conveyor__choices(Object.keys(known))) || r.problems.length) return [];
+  if (tell(K.conveyor__choices(Object.keys(known))) || r.problems.length) return none;
   const made = new /** @type {any} */ (K.Conveyor)();
   const of = Object.assign(made, known, drive && { drive_at: drive });
-  if (tell(K.in_page_conveyor__misfits(of))) return [];
+  if (tell(K.in_page_conveyor__misfits(of))) return none;
   const found = K.in_page_conveyor__states(of);
   tell(K.in_page_conveyor__unfit(of, found));
-  return found;
+  return { found, held: of.take_up };
 }

@@ -129,7 +129,7 @@ function wholeTrain({ judged, judging, results }, book) {
   const worst = governingOf(results);
   const others = results.filter((/** @type {any} */ r) => r !== worst);
   whole.verdict.sentences.push(
-    ...K.train_words__case_sentences(worst, app.units),
+    ...K.train_words__case_sentences(worst, results, app.units),
     ...others.flatMap((/** @type {any} */ r) => [...K.train_words__short_sentences(r, app.units)]),
   );
   return { ...whole, kind: "train" };

@@ -2644,29 +2644,61 @@ export function train_words___speed_sentence(case_, m) {
   );
 }
 
-/** Say how much load a trim moves. */
-export function* train_words___matching(case_) {
-  let how, i, m, needed, slope;
+/** Tensions at both ends of a train, in the digits that loads are told apart by. */
+export function train_words___load(case_) {
+  let last = case_.members[case_.members.length - 1];
+  return (
+    "" +
+    $told(case_.members[0].arc.entry_tension, false, 6, "e") +
+    " " +
+    $told(last.arc.exit_tension, false, 6, "e")
+  );
+}
+
+/** Share that a trim of 0.1 % moves at most of a load, in any condition [-]; 0 if not known. */
+export function train_words___steepest(of, cases, drive) {
+  let one, slope, solved;
+  let most = 0.0;
+  for (const each1 of cases) {
+    one = each1;
+    solved = one.status === SOLVED && train_words___load(one) === train_words___load(of);
+    slope = solved ? Math.abs(one.share_per_trim(drive)) : 0.0;
+    if (Number.isFinite(slope)) {
+      most = max(most, slope);
+    }
+  }
+  return most;
+}
+
+/** How well speeds must match for a tolerated share, rounded down [%]. */
+export function train_words___needed(slope) {
+  let needed = (0.1 * _TOLERATED) / slope;
+  let step = 10.0 ** (Math.floor(Math.log10(needed)) - 1);
+  return "" + $told(Math.floor(needed / step + 1e-9) * step, false, 2, "g");
+}
+
+/** Say how much load a trim moves, in the condition where it moves most. */
+export function* train_words___matching(case_, cases) {
+  let how, i, m, slope;
   let own_way = case_.case.on_motors;
   for (const each1 of $enumerate(case_.members)) {
     [i, m] = each1;
-    slope = case_.share_per_trim(i);
-    if (i === 0 || slope === 0.0 || !Number.isFinite(slope)) {
+    slope = train_words___steepest(case_, cases, i);
+    if (i === 0 || slope === 0.0) {
       continue;
     }
-    needed = 100.0 * Math.abs(_TOLERATED / (slope * 1000.0));
     how = own_way ? " with its motors as they are" : "";
     yield "" +
       "A trim of 0.1 % on " +
       $text(m.name) +
       " moves " +
-      $text(sheet__percent(Math.abs(slope), 2)) +
+      $text(sheet__percent(slope, 2)) +
       " of the load" +
       $text(how) +
       ": to keep its share within " +
       $text(sheet__percent(_TOLERATED)) +
       ", speeds and diameters must match within " +
-      $told(needed, false, 2, "g") +
+      $text(train_words___needed(slope)) +
       " %.";
   }
 }
@@ -2714,7 +2746,7 @@ export function* train_words___motor_losses(case_, system) {
 }
 
 /** Tell of the load case that governs: who carries what, how the drums turn, what is lost. */
-export function* train_words__case_sentences(case_, system) {
+export function* train_words__case_sentences(case_, cases, system) {
   let listed, m;
   if (case_.status !== SOLVED) {
     yield "" + "Load case " + $text(case_.case.name) + ": " + $text(case_.reason);
@@ -2743,7 +2775,7 @@ export function* train_words__case_sentences(case_, system) {
       m = each1;
       yield train_words___speed_sentence(case_, m);
     }
-    yield* train_words___matching(case_);
+    yield* train_words___matching(case_, cases);
   }
   let loss = sheet__percent(case_.loss_ratio);
   let power = Number.isNaN(case_.power_loss)
@@ -2972,13 +3004,10 @@ export function arc_tables___gross_note(plain, creep, system) {
     return "the whole wrap slips";
   }
   if (Math.abs(creep) === Infinity) {
-    return "an extrapolation, approached as creep grows without bound";
+    return "extrapolated, approached as creep grows without bound";
   }
   return (
-    "" +
-    "an extrapolation, at " +
-    $text(sheet__named("gross_slip_creep", creep, system)) +
-    " of creep"
+    "" + "extrapolated, at " + $text(sheet__named("gross_slip_creep", creep, system)) + " of creep"
   );
 }
 
@@ -3018,7 +3047,7 @@ export function arc_tables__capacity_rows(c, of, system) {
     rows.push(ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note));
   }
   let gross = arc_tables___gross_note(of.plain, c.gross_slip_creep, system);
-  rows.push(ratio("gross_slip_capacity", c.gross_slip_capacity, c.gross_slip_margin, gross));
+  rows.push(row("gross_slip_capacity", c.gross_slip_capacity, gross));
   note =
     "" +
     "Ratios " +

@@ -190,8 +190,8 @@ export function trainOf(design, book, known) {
     const { system, divided, quicks, motors, nominal } = one;
     const told = K.in_page_train__told(system, names, divided, quicks, nominal ?? [], motors);
     const adrift = told.status.startsWith("Breakaway") && !c.division.parts;
-    const unknown = (/** @type {any} */ { title }, /** @type {number} */ i) =>
-      put(known.words["gross_slip:adrift"][0], { title, pulley: names[i], case: c.name });
+    const unknown = (/** @type {number} */ i) =>
+      put(known.words["gross_slip:adrift"][0], { kind: c.kind, pulley: names[i], case: c.name });
     const sags = c.entry >= c.exit ? names.length - 1 : 0;
     const arcs = one.arcs.map((/** @type {any} */ arc, /** @type {number} */ i) => ({
       ...arc,
@@ -200,8 +200,8 @@ export function trainOf(design, book, known) {
       among: K.in_page_train__among(divided.pairs, i, fixed, after),
       checks: arc.checks
         .filter((/** @type {any} */ w) => w.name !== "sag" || i === sags)
-        .filter((/** @type {any} */ w) => !(adrift && isGrip(w) && w.when === "solved"))
-        .map((/** @type {any} */ w) => (adrift && isGrip(w) ? unknown(w, i) : w))
+        .filter((/** @type {any} */ w) => !(adrift && isGrip(w) && w.when !== "breakaway:0"))
+        .map((/** @type {any} */ w) => (adrift && isGrip(w) ? unknown(i) : w))
         .map((/** @type {any} */ w) => ({ ...w, pulley: names[i] })),
     }));
     cases.push({ ...one, told, arcs, adrift });

@@ -145,7 +145,8 @@ export interface Prepared {
   given: Record<string, number | string>;
   inputs: Input[];
 }
-/** A check without its numbers; `when` names the end of the arc that it is for, if one. */
+/** A check without its numbers; `when` names the end of the arc that it is for, if one,
+ * and after a colon where it slides. */
 export interface Words {
   name: string;
   title: string;
@@ -158,6 +159,7 @@ export interface Words {
   short: string;
   says: string;
   remedy: string;
+  otherwise: string;
   more: Record<string, [number | string, string]>;
   binding: boolean;
   advises: boolean;
@@ -167,7 +169,8 @@ export interface Words {
   when: string;
   pulley?: string;
 }
-/** What a check says that is not kept; far beyond its limit it fails, as `because` says. */
+/** What a check says that is not kept; far beyond its limit it fails, as `because` says, and up to
+ * what it tolerates more may be allowed, as `allows` says. */
 export interface Miss {
   level: Level;
   short: string;
@@ -175,6 +178,9 @@ export interface Miss {
   remedy: string;
   fails_beyond: number | string;
   because: string;
+  tolerates: number | string;
+  allows: string;
+  otherwise: string;
 }
 /** What a check asks of the slack side, but for the tension. */
 export interface Ask {
@@ -192,6 +198,8 @@ export interface Judging {
   take_up: boolean;
   least_name: string;
   counterweight: number;
+  /** What a take-up elsewhere on the conveyor holds [N]; nan where it is at the drives. */
+  held_at: number;
   checks: Words[];
   cases: {
     load_case: string;
@@ -353,6 +361,7 @@ export interface Book {
   weak_kinds: string[];
   more_creep: Record<string, number>;
   least_names: Record<string, string>;
+  held: Record<string, string>;
   heads: { checks: Table; least: Record<string, Table> };
   usual: Record<string, number>;
   belt_keys: string[];
@@ -377,6 +386,8 @@ export interface BookLagging {
   wear_coefficient: Number_;
   bond_strength: Number_;
   fatigue_limit: Number_;
+  /** What wet leaves of its dry friction: nan if not known, 0 where it was not tested dry. */
+  wet: Number_;
   block: {
     elastic_modulus: number;
     square: boolean;

@@ -345,6 +345,7 @@ export function caseOf(said, c, bookLaw, book) {
     printed: +["", "CEMA"].includes(said.standard.name),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
+    wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
   };
   const of = { said, c, law: bookLaw, standard, criteria, share, book };
   const { checks, asks } = wordsOf(of);
@@ -384,6 +385,7 @@ export function judgingOf(said, law, cases, book) {
     take_up: Boolean(takeUp.kind),
     least_name: filled(book.least_names[held], names),
     counterweight: orUsual(takeUp.ratio, book.usual.sheave_ratio) / book.usual.gravity,
+    held_at: Number.NaN,
     checks,
     cases,
     odd: takeUp.kind

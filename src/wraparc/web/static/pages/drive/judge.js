@@ -2,11 +2,13 @@
 // translated; its words, with those numbers in them.
 import { words } from "../../base/units.js";
 import {
+  numbers__beyond as beyond,
   numbers__held_alike as heldAlike,
   numbers__kept as kept,
   numbers__margin_of as marginOf,
   numbers__order_of as orderOf,
 } from "../../kernel.js";
+import { leastOf } from "./least.js";
 import { moved, numbersOf } from "./own.js";
 import { put } from "./wording.js";
 import { headline, listed } from "./words.js";
@@ -21,9 +23,16 @@ import { headline, listed } from "./words.js";
  *   more: Record<string, [number, string]>}} Check
  * @typedef {{load_case: string, pulley?: string, solved: boolean,
  *   numbers: Record<string, number>, asks: Ask[], asked: Record<string, number>}} JudgedArc
- * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging}} Judged
+ * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging,
+ *   wet: number}} Judged
  */
 
+/** Checks that more tension on the slack side helps against, and those that less does. */
+const RAISING = [
+  ...["gross_slip", "design_standard", "creep", "creep_interval", "tested_slip"],
+  ...["tested_pressure_min", "sag"],
+];
+const LOWERING = ["belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max"];
 /** Relative difference that counts as none. */
 const SAME = 1e-7;
 
@@ -61,7 +70,8 @@ export function judge(judging, doc, all) {
   const checks = found.flatMap(({ of, numbers }) => {
     const end = numbers.solved ? "solved" : "breakaway";
     const turn = numbers.summary.effective_tension < 0 ? "brakes" : "";
-    const made = of.checks.filter((w) => !w.when || w.when === end || w.when === turn);
+    const ends = ["", end, `${end}:${numbers.cause}`, turn];
+    const made = of.checks.filter((w) => ends.includes(w.when));
     return made.map((w) => check(w, numbers, of.load_case, judging.levels));
   });
   if (odd) checks.push(contradicts(judging, held));
@@ -71,7 +81,26 @@ export function judge(judging, doc, all) {
     const { load_case, pulley, asks } = of;
     return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
-  return { doc, checks, arcs, of: judging };
+  const judged = { doc, checks, arcs, of: judging, wet: -1 };
+  const wet = all.map((n) => n.wet);
+  const told = { ...judged, checks: sound(checks, leastOf(judged)) };
+  return { ...told, wet: wet.some((v) => v < 0) ? -1 : Math.max(...wet) };
+}
+/** Checks that advise no tension which does not help, or works against another check.
+ * @param {Check[]} checks @param {ReturnType<typeof leastOf>} least */
+function sound(checks, least) {
+  const names = checks.filter((c) => c.missed).map((c) => c.name);
+  const both = [RAISING, LOWERING].every((some) => names.some((name) => some.includes(name)));
+  /** @param {Check} check */
+  const helps = ({ name }) => {
+    if (!least) return !both;
+    const own = least.all.find((f) => f.name === name);
+    const { highest: top, tension } = least;
+    return Number.isFinite(tension) && !(own?.at_least && top && own.tension > top.tension);
+  };
+  return checks.map((c) =>
+    c.missed && c.otherwise && !helps(c) ? { ...c, remedy: c.otherwise } : c,
+  );
 }
 /** That the take-up cannot hold what load cases give. @param {Judging} judging
  * @param {number[]} held */
@@ -82,10 +111,14 @@ function contradicts({ odd, cases, levels, names }, held) {
   words.more = { least: [least, "force"], most: [most, "force"] };
   return check(words, { values: {}, limits: {} }, "", levels);
 }
-/** What a check says that is not kept: it fails far beyond its limit, and says why.
- * @param {Miss} miss @param {number} value */
-function beyond(miss, value) {
-  if (!(value > +miss.fails_beyond)) return miss;
+/** What a check says that is not kept: it fails far beyond its limit, and says why; near to it
+ * more may be allowed.
+ * @param {Miss} miss @param {number} value @param {boolean} at_most */
+function told(miss, value, at_most) {
+  if (!beyond(value, +miss.fails_beyond, at_most))
+    return value <= +miss.tolerates
+      ? { ...miss, says: `${miss.says} ${miss.allows}`.trimEnd() }
+      : miss;
   return { ...miss, level: /** @type {Level} */ ("FAILS"), says: `${miss.says} ${miss.because}` };
 }
 /** @param {Words} w @param {any} numbers @param {string} load_case @param {Level[]} levels
@@ -96,25 +129,39 @@ export function check(w, { values, limits }, load_case, levels) {
   const now = (from, known) =>
     miss || !Number.isNaN(+known) ? (from[w.name] ?? +known) : Number.NaN;
   const [value, limit] = [now(values, w.value), now(limits, w.limit)];
-  const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "" };
-  const said = miss ? (kept(value, limit, w.at_most) ? ok : beyond(miss, value)) : w;
-  const { level, short, says, remedy } = said;
+  const ok = { level: /** @type {Level} */ ("OK"), short: "", says: "", remedy: "", otherwise: "" };
+  const said = miss ? (kept(value, limit, w.at_most) ? ok : told(miss, value, w.at_most)) : w;
+  const { level, short, says, remedy, otherwise } = said;
   const rank = levels.indexOf(level);
   const missed = rank >= levels.indexOf("ATTENTION");
   const below = w.numerical && level === "OK"; // what rounding leaves
   const margin = below ? 1 : marginOf(value, limit, w.at_most);
-  const order = orderOf(margin, missed, w.binding, w.advises, w.leads);
+  const leads = w.leads && level === "FAILS";
+  const order = orderOf(margin, missed, w.binding, w.advises, leads);
   const more = Object.fromEntries(
     Object.entries(w.more).map(([name, [v, d]]) => [name, [values[name] ?? +v, d]]),
   );
-  const found = { level, short, says, remedy, value, limit, margin, order, rank, missed, below };
+  const found = {
+    level,
+    short,
+    says,
+    remedy,
+    otherwise,
+    value,
+    limit,
+    margin,
+    order,
+    rank,
+    missed,
+    below,
+  };
   return /** @type {Check} */ ({ ...w, ...found, load_case, more });
 }
 
 /** In what a judgement of the page and the server's are not one.
  * @param {Judged} own @param {FullAnswer} found */
 export function misses(own, { verdict, checks, arcs }) {
-  const said = headline(own.checks) === words(verdict.headline);
+  const said = headline(own.checks, own.wet) === words(verdict.headline);
   const ours = listed(own.checks).filter((c) => c.rank > 0 && !["data", "sense"].includes(c.name));
   const rows = checks.rows.map((r) => r.level).join() === ours.map((c) => c.level).join();
   const far = own.arcs.flatMap((a) => differing(a, arcs));

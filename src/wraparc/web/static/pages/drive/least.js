@@ -1,5 +1,5 @@
 // The least slack-side tension while a slider moves: what the checks ask for, and its words.
-import { quantity } from "./words.js";
+import { onSafeSide, quantity } from "./words.js";
 
 /** @import { Ask, Level, Table, TableRow } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
@@ -20,8 +20,7 @@ function figuresOf({ arcs }) {
       if (Number.isNaN(tension)) continue;
       const [high, low] = ask.at_least ? [tension, held?.tension] : [held?.tension, tension];
       if (held && !more(Number(high), Number(low))) continue;
-      const settled = asked[`${ask.name}_settled`] ?? tension;
-      worst.set(ask.name, { ...ask, tension, given: asked.given, ...{ settled } });
+      worst.set(ask.name, { ...ask, tension, given: asked.given });
     }
   return [...worst.values()];
 }
@@ -36,8 +35,6 @@ const governingOf = (all) =>
 export function leastOf(judged) {
   const all = figuresOf(judged);
   if (judged.of.adrift || !all.some((f) => f.binding && f.at_least)) return null;
-  const first = /** @type {any} */ (governingOf(all));
-  if (first.name === "gross_slip") first.tension = first.settled;
   const governing = governingOf(all);
   const above = all.filter((f) => !f.at_least);
   const highest = above.length
@@ -50,30 +47,31 @@ export function leastOf(judged) {
 
 /** @param {number} v */
 const force = (v) => quantity(v, "force");
+/** What is recommended, rounded to the safe side: it holds as it is shown. @param {number} v */
+const atLeast = (v) => quantity(onSafeSide(v, "force", true), "force");
+/** @param {number} v */
+const atMost = (v) => quantity(onSafeSide(v, "force", false), "force");
 /** @param {Least} l @param {Judged} judged */
-function sentence(l, { of, arcs }) {
+function sentence(l, { of }) {
   const { governing: g, highest } = l;
   const name = of.least_name;
   if (Number.isFinite(l.tension)) {
     const asNow = of.anew ? ", the load divided as it is," : "";
     const text =
       `The least ${name} with which every binding check is kept${asNow} is ` +
-      `${force(l.tension)}, set by ` +
+      `${atLeast(l.tension)}, set by ` +
       `${g.what} (${g.place}); given ${force(g.given)}`;
     const rule = l.all.find((f) => f.name === "design_standard");
     if (!rule || l.tension >= rule.tension * (1 - 1e-9)) return `${text}.`;
-    return `${text}; that is below the ${force(rule.tension)} that ${rule.title} asks for.`;
+    return `${text}; that is below the ${atLeast(rule.tension)} that ${rule.title} asks for.`;
   }
   if (!Number.isFinite(g.tension) || !highest) {
-    const arc = arcs.find((a) => a.asks.some((x) => x.place === g.place));
-    const most = g.name === "creep" ? arc?.numbers.largest_effective_tension : Number.NaN;
-    const told = most && most > 0 ? `; the largest pull carried so is ${force(most)}` : "";
     const range = "with wrap pressures in the tested range keeps";
-    return `No ${name} ${range} ${g.what} (${g.place})${told}.`;
+    return `No ${name} ${range} ${g.what} (${g.place}).`;
   }
   return (
-    `No ${name} keeps every binding check: ${g.what} asks for ${force(g.tension)} (${g.place}), ` +
-    `and ${highest.what} allows ${force(highest.tension)} (${highest.place}).`
+    `No ${name} keeps every binding check: ${g.what} asks for ${atLeast(g.tension)} (${g.place}), ` +
+    `and ${highest.what} allows ${atMost(highest.tension)} (${highest.place}).`
   );
 }
 /** @param {string} title @param {string} value @param {string} note @param {string} [symbol]
@@ -82,6 +80,9 @@ const row = (title, value, note, symbol = "") => {
   const values = { si: [value], us: [value] };
   return { name: "", title, symbol, values, note, level: null };
 };
+/** Tension of the belt where the take-up stands. @param {Least} l @param {Judged["of"]} of */
+const takeUpTension = ({ tension, governing }, { held_at }) =>
+  Number.isNaN(+held_at) ? tension : +held_at + tension - governing.given;
 /** @param {Least} l @param {Judged} judged @param {Table} before @returns {Table} */
 function tableOf(l, { of }, before) {
   const { governing: g } = l;
@@ -89,14 +90,16 @@ function tableOf(l, { of }, before) {
   if (Number.isFinite(l.tension)) {
     const symbol = of.least_name === "slack-side tension" ? "T2_min" : "";
     const given = `given ${force(g.given)}`;
-    head.push(row(`Least ${of.least_name}`, force(l.tension), given, symbol));
-    const weight = quantity(of.counterweight * l.tension, "mass");
+    head.push(row(`Least ${of.least_name}`, atLeast(l.tension), given, symbol));
+    const mass = of.counterweight * takeUpTension(l, of);
+    const weight = quantity(onSafeSide(mass, "mass", true), "mass");
     head.push(row("Counterweight for it", weight, "if the take-up is a weight"));
   }
   const rows = [...l.all].sort((a, b) => +b.at_least - +a.at_least || b.tension - a.tension);
   const asked = rows.map((f) => {
     const note = f === g ? "governs" : f.binding ? "" : "not binding";
-    const text = Number.isFinite(f.tension) ? force(f.tension) : "none";
+    const shown = f.at_least ? atLeast : atMost;
+    const text = Number.isFinite(f.tension) ? shown(f.tension) : "none";
     const title = `${f.title}, ${f.at_least ? "at least" : "at most"}`;
     return row(title, text, [note, f.place].filter(Boolean).join(", "));
   });
@@ -109,7 +112,7 @@ export function leastTold(judged, before) {
   if (!found) return null;
   const { tension, governing } = found;
   const level = /** @type {Level} */ (tension <= governing.given ? "OK" : "ATTENTION");
-  const shown = Number.isFinite(tension) ? force(tension) : "none";
+  const shown = Number.isFinite(tension) ? atLeast(tension) : "none";
   const table = tableOf(found, judged, before.table);
   const raise_to = raiseTo(judged);
   return { tension, raise_to, shown, sentence: sentence(found, judged), level, table };

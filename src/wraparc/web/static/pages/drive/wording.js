@@ -18,6 +18,7 @@ export function put(w, names) {
   const says = (/** @type {any} */ of) => ({
     says: filled(of.says, safe),
     remedy: filled(of.remedy, safe),
+    otherwise: filled(of.otherwise, safe),
     short: filled(of.short, names),
   });
   const [title, place] = [filled(w.title, names), filled(w.place, names)];
@@ -56,6 +57,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
   const names = {
     ...named(said),
     case: c.name,
+    kind: c.kind,
     rule: standard.rule,
     why: standard.why,
     start: plain(criteria.start),
@@ -64,12 +66,13 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
     safety: plain(criteria.safety),
   };
   const held = takeUp.kind === "fixed" ? "fixed" : takeUp.after ? "behind" : "slack";
+  Object.assign(names, { take_up: filled(book.held[held], names) });
   const moving = Number.isNaN(belt.speed) ? "still" : "moving";
   const limit = criteria.customary ? quality(belt, book) : "given";
   const factor = Number.isNaN(belt.factor) ? "ungiven" : belt.factor === 1 ? "one" : "factor";
   const rated = Number.isNaN(belt.rating) ? "none" : c.kind === "running" ? "one" : factor;
   const keys = [
-    `gross_slip:${c.kind}:${held}`,
+    "gross_slip",
     ...(standard.rule ? [standardKey(said, standard, c, criteria)] : []),
     `creep:${limit}`,
     `belt_tension:${c.kind === "running" ? "running" : "starting"}:${rated}`,

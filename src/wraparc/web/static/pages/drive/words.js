@@ -24,6 +24,17 @@ export function printed(v, n) {
   if (!plain(e)) return r.replace(/e([+-])(\d)$/, "e$10$2");
   return (+r).toFixed(Math.max(0, n - 1 - e));
 }
+/** The value that shows as a result does, rounded to the safe side: upwards, or down.
+ * @param {number} v @param {string} dimension @param {boolean} up */
+export function onSafeSide(v, dimension, up) {
+  const size = unit(dimension)[1];
+  const number = v / size;
+  if (!Number.isFinite(number) || Math.abs(number) < 1e-9) return v;
+  const r = +printed(number, DIGITS);
+  if (Math.abs(r - number) <= 1e-9 * Math.max(Math.abs(r), Math.abs(number))) return v;
+  const step = 10 ** (+r.toExponential(3).split("e")[1] - DIGITS + 1);
+  return size * (r < number === up ? r + (up ? step : -step) : r);
+}
 /** @param {number} v @param {string} dimension */
 export function quantity(v, dimension, n = DIGITS) {
   if (Number.isNaN(v)) return "";
@@ -100,12 +111,20 @@ export function listed(checks) {
   }
   return [...worst.values()];
 }
-/** @param {Check[]} checks */
-export function headline(checks) {
+/** That a drive was computed dry only, and its creep when wet. @param {number} wet */
+function dryOnly(wet) {
+  if (wet < 0) return "";
+  if (Number.isNaN(wet)) return ", dry only";
+  const told = Number.isFinite(wet) ? `it creeps ${quantity(wet, "length")}` : "it slips through";
+  return `, dry only (wet ${told})`;
+}
+/** @param {Check[]} checks @param {number} wet */
+export function headline(checks, wet) {
   const worst = worstOf(checks);
   if (!worst) return "Nothing could be checked.";
   if (worst.missed) return placed(worst) + sense(checks);
-  const text = `All ${listed(checks).filter(compares).length} checks are kept`;
+  const count = listed(checks).filter(compares).length;
+  const text = `All ${count} checks are kept${dryOnly(wet)}`;
   if (!Number.isFinite(worst.margin)) return `${text}.${sense(checks)}`;
   const where = worst.place ? ` (${worst.place})` : "";
   const near = `${small(worst.title)}, ${texts(worst)[0]}, ${bound(worst)}${where}`;
@@ -129,7 +148,7 @@ function sense(checks) {
 /** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
-export function verdictOf({ checks: all, of }, load_case, pulley) {
+export function verdictOf({ checks: all, of, wet }, load_case, pulley) {
   const here = (/** @type {Check} */ c) =>
     (!c.load_case || c.load_case === load_case) && (!c.pulley || c.pulley === pulley);
   const checks = load_case === undefined ? all : all.filter(here);
@@ -142,9 +161,15 @@ export function verdictOf({ checks: all, of }, load_case, pulley) {
   const levels = listed(checks)
     .filter((c) => c.level !== NOT_CHECKED)
     .map((c) => [c.name, c.level]);
-  const slips = checks.some((c) => c.when === "breakaway");
+  const slips = checks.some((c) => c.when.startsWith("breakaway"));
   const short = slips ? "breaks away" : worst?.missed ? worst.short : "carries";
-  const words = { level, told, headline: headline(checks), sentences, short };
+  const words = {
+    level,
+    told,
+    headline: headline(checks, checks.length === all.length ? wet : -1),
+    sentences,
+    short,
+  };
   return { ...words, levels: Object.fromEntries(levels) };
 }
 
