@@ -92,7 +92,7 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
     """
     falls = line.slack_rise < 0.0
     even = falls or way < 0.0
-    ends = Ends(low, 1.0 - line.slack / line.slack_rise if falls else inf)  # no slack side there
+    ends = Bracket(low, 1.0 - line.slack / line.slack_rise if falls else inf)  # no slack side there
     k = 0.5 * (ends.low + ends.high) if start >= ends.high else start
     last, spare_last, cause = nan, nan, CREEP
     for _ in range(_ROUNDS):
@@ -103,11 +103,11 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
         if last == last and at != last:
             slope = (spare - spare_last) / (at - last)
         if (spare < 0.0) == (way > 0.0):
-            ends = Ends(ends.low, k)
+            ends = Bracket(ends.low, k)
         elif k >= _FARTHEST:
             return Sliding(inf, cause)
         else:
-            ends = Ends(k, ends.high)
+            ends = Bracket(k, ends.high)
         last, spare_last = at, spare
         new = at - spare / slope if way * slope < 0.0 else inf
         if not even:
@@ -121,14 +121,14 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
     return Sliding(k, cause)
 
 
-class Ends(NamedTuple):
+class Bracket(NamedTuple):
     """Between which a place lies."""
 
     low: float
     high: float
 
 
-def _within(ends: Ends, new: float, k: float) -> float:
+def _within(ends: Bracket, new: float, k: float) -> float:
     """A step to `new`, kept between the ends."""
     new = min(new, _FARTHEST)
     if ends.low < new < ends.high:

@@ -14,6 +14,7 @@ import {
   compact__tail,
   in_page__description_of,
   numbers__idles,
+  numbers__usual,
   profile__read,
   pulls__families,
   pulls__overridden,
@@ -1060,6 +1061,9 @@ export class Motor {
   motor_speed(load, gear_speed) {
     return gear_speed;
   }
+  bears(momentary) {
+    return momentary ? min(MOMENTARY, this.largest_load()) : 1.0;
+  }
   load(drum_torque) {
     let eta = drum_torque >= 0.0 ? this.gear_efficiency : 1.0 / this.gear_efficiency;
     return drum_torque / (eta * this.drum_torque);
@@ -1149,6 +1153,9 @@ export class Induction extends Motor {
   }
   largest_load() {
     return this.breakdown_ratio;
+  }
+  bears(momentary) {
+    return min(super.bears(momentary), LOW_VOLTAGE * this.breakdown_ratio);
   }
   get rated_slip() {
     return 1.0 - this.rated_speed / this.synchronous_speed;
@@ -1354,6 +1361,11 @@ const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
   "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
+const USUAL_MOTORS = [
+  [250.0, 20000000.0],
+  [10.0, 400.0],
+  [0.2, 5.0],
+];
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
   ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
@@ -1444,7 +1456,9 @@ const SECONDARY = "DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance";
 const SLOPE = "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other";
 const INERTIA =
   "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass";
+const MOMENTARY = 1.6;
 const BEYOND = 10.0;
+const LOW_VOLTAGE = 0.81;
 const LEAST_COMPLIANCE = 1e-16;
 const USUAL_FRICTION = [0.016, 0.03];
 
@@ -2400,6 +2414,30 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     tension_miss,
     speed_miss,
   );
+}
+
+/** Torque over rated torque that a motor bears [-]. */
+export function in_page_train__borne(motor, momentary) {
+  return motor.bears(momentary);
+}
+
+/** What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown. */
+export function numbers__compared_motor(power, speed, drum, radius, belt) {
+  return [power, speed, (drum * radius) / belt];
+}
+
+/** Whether a motor is of usual size, and turns the drum about as fast as the belt runs. */
+export function numbers__usual_motor(power, speed, drum, radius, belt) {
+  let values = numbers__compared_motor(power, speed, drum, radius, belt);
+  return [...$zip(values, USUAL_MOTORS)].every(([value, ends]) =>
+    numbers__usual(value, ends[0], ends[1]),
+  );
+}
+
+/** Whether a motor is of usual size and its gear fits the belt speed [m, m/s]. */
+export function in_page_train__fits(motor, radius, speed) {
+  let turns = motor.rated_speed / motor.gear_ratio;
+  return numbers__usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed);
 }
 
 /** Return what is said twice or not at all, and what needs the belt speed. */

@@ -519,6 +519,74 @@ export class Among {
   }
 }
 
+export class Sizes {
+  constructor(
+    width,
+    modulus,
+    speed,
+    diameter,
+    wrap_angle,
+    creep_limit,
+    overrun,
+    thickness,
+    shear_modulus,
+    compression_modulus,
+    rating,
+    strength,
+    bond_strength,
+    fatigue_limit,
+    face_pressure,
+    least_diameter,
+    sag,
+    entry,
+    leaving,
+    pull,
+  ) {
+    this.width = width;
+    this.modulus = modulus;
+    this.speed = speed;
+    this.diameter = diameter;
+    this.wrap_angle = wrap_angle;
+    this.creep_limit = creep_limit;
+    this.overrun = overrun;
+    this.thickness = thickness;
+    this.shear_modulus = shear_modulus;
+    this.compression_modulus = compression_modulus;
+    this.rating = rating;
+    this.strength = strength;
+    this.bond_strength = bond_strength;
+    this.fatigue_limit = fatigue_limit;
+    this.face_pressure = face_pressure;
+    this.least_diameter = least_diameter;
+    this.sag = sag;
+    this.entry = entry;
+    this.leaving = leaving;
+    this.pull = pull;
+  }
+  *[Symbol.iterator]() {
+    yield this.width;
+    yield this.modulus;
+    yield this.speed;
+    yield this.diameter;
+    yield this.wrap_angle;
+    yield this.creep_limit;
+    yield this.overrun;
+    yield this.thickness;
+    yield this.shear_modulus;
+    yield this.compression_modulus;
+    yield this.rating;
+    yield this.strength;
+    yield this.bond_strength;
+    yield this.fatigue_limit;
+    yield this.face_pressure;
+    yield this.least_diameter;
+    yield this.sag;
+    yield this.entry;
+    yield this.leaving;
+    yield this.pull;
+  }
+}
+
 export class Limit {
   constructor(kind, most) {
     this.kind = kind;
@@ -557,19 +625,6 @@ export class Carried {
     yield this.gross_creep;
     yield this.least_slack;
     yield this.most_pull;
-  }
-}
-
-export class Grip {
-  constructor(wrap_angle, area, offset) {
-    this.wrap_angle = wrap_angle;
-    this.area = area;
-    this.offset = offset;
-  }
-  *[Symbol.iterator]() {
-    yield this.wrap_angle;
-    yield this.area;
-    yield this.offset;
   }
 }
 
@@ -632,6 +687,21 @@ export class Compared {
   }
 }
 
+export class Loaded {
+  constructor(law, geometry, load, peaks) {
+    this.law = law;
+    this.geometry = geometry;
+    this.load = load;
+    this.peaks = peaks;
+  }
+  *[Symbol.iterator]() {
+    yield this.law;
+    yield this.geometry;
+    yield this.load;
+    yield this.peaks;
+  }
+}
+
 export class Line {
   constructor(tight, slack, tight_rise, slack_rise) {
     this.tight = tight;
@@ -644,6 +714,28 @@ export class Line {
     yield this.slack;
     yield this.tight_rise;
     yield this.slack_rise;
+  }
+}
+
+export class Sliding {
+  constructor(place, cause) {
+    this.place = place;
+    this.cause = cause;
+  }
+  *[Symbol.iterator]() {
+    yield this.place;
+    yield this.cause;
+  }
+}
+
+export class Bracket {
+  constructor(low, high) {
+    this.low = low;
+    this.high = high;
+  }
+  *[Symbol.iterator]() {
+    yield this.low;
+    yield this.high;
   }
 }
 
@@ -698,26 +790,12 @@ export class Pull {
   }
 }
 
-export class Safety {
-  constructor(factor, rise, softens) {
-    this.factor = factor;
-    this.rise = rise;
-    this.softens = softens;
-  }
-  *[Symbol.iterator]() {
-    yield this.factor;
-    yield this.rise;
-    yield this.softens;
-  }
-}
-
 export class Asked {
   constructor(
     creep,
     tested_slip,
     design_standard,
     gross_slip,
-    gross_slip_settled,
     tested_pressure_min,
     tested_pressure_max,
     face_pressure,
@@ -729,7 +807,6 @@ export class Asked {
     this.tested_slip = tested_slip;
     this.design_standard = design_standard;
     this.gross_slip = gross_slip;
-    this.gross_slip_settled = gross_slip_settled;
     this.tested_pressure_min = tested_pressure_min;
     this.tested_pressure_max = tested_pressure_max;
     this.face_pressure = face_pressure;
@@ -742,7 +819,6 @@ export class Asked {
     yield this.tested_slip;
     yield this.design_standard;
     yield this.gross_slip;
-    yield this.gross_slip_settled;
     yield this.tested_pressure_min;
     yield this.tested_pressure_max;
     yield this.face_pressure;
@@ -752,8 +828,21 @@ export class Asked {
   }
 }
 
+export class Resultant {
+  constructor(resultant_force, resultant_angle, belt_safety) {
+    this.resultant_force = resultant_force;
+    this.resultant_angle = resultant_angle;
+    this.belt_safety = belt_safety;
+  }
+  *[Symbol.iterator]() {
+    yield this.resultant_force;
+    yield this.resultant_angle;
+    yield this.belt_safety;
+  }
+}
+
 export class Judged {
-  constructor(solved, summary, capacities, values, limits, held, asked) {
+  constructor(solved, summary, capacities, values, limits, held, asked, loads, cause, wet) {
     this.solved = solved;
     this.summary = summary;
     this.capacities = capacities;
@@ -761,6 +850,9 @@ export class Judged {
     this.limits = limits;
     this.held = held;
     this.asked = asked;
+    this.loads = loads;
+    this.cause = cause;
+    this.wet = wet;
   }
   *[Symbol.iterator]() {
     yield this.solved;
@@ -770,6 +862,9 @@ export class Judged {
     yield this.limits;
     yield this.held;
     yield this.asked;
+    yield this.loads;
+    yield this.cause;
+    yield this.wet;
   }
 }
 
@@ -804,6 +899,7 @@ const KNOT_STRIDE = 16;
 const SMALLEST = 1e-16;
 const PIECES = 2;
 const PIECE_STRIDE = 25;
+const MOST_EXPONENT = 300.0;
 const LINE = 1;
 const ELASTIC = 0;
 const NO_PULL = 1e-12;
@@ -883,11 +979,30 @@ const INSIDE = 0.4166666666666667;
 const ACTIVE_SHARE = 0.01;
 const IDLE = 1e-6;
 const CREEP_LIMIT = 0.00635;
-const WIDTHS = [0.2, 4.0];
-const MODULI = [100000.0, 1000000000.0];
-const SPEEDS = [0.05, 15.0];
-const DIAMETERS = [0.15, 3.0];
-const USUAL_TENSION = [500.0, 10000000.0];
+const USUAL_SIZES = [
+  [0.2, 4.0],
+  [100000.0, 1000000000.0],
+  [0.05, 15.0],
+  [0.15, 3.0],
+  [0.17453292519943295, 4.71238898038469],
+  [5e-5, 0.0635],
+  [-0.005, 0.005],
+  [0.0, 0.06],
+  [100000.0, 50000000.0],
+  [100000.0, 5000000000.0],
+  [5000.0, 2000000.0],
+  [10000.0, 50000000.0],
+  [10000.0, 50000000.0],
+  [50000.0, 10000000.0],
+  [0.1, 3.0],
+  [500.0, 10000000.0],
+  [15.0, 1000.0],
+  [3.0, 20.0],
+  [0.0, 1600000.0],
+  [500.0, 10000000.0],
+  [500.0, 10000000.0],
+  [250.0, 20000000.0],
+];
 const CAPACITIES = 30;
 const LEAST = 8;
 const MOST_USED = 0.95;
@@ -906,11 +1021,19 @@ const ON_THE_RISE = 0.6;
 const FIRST_PART = 0.4;
 const LOOKS = 14;
 const WIDER = 1.5;
-const _ROUNDS = 200;
-const _NO_SLACK = 50.0;
-const _TOLERANCE = 1e-9;
-const _GROWTH = 2.0;
-const _SETTLED = 0.0001;
+const _ROUNDS = 60;
+const SLIDES = 0.0635;
+const BY_CREEP = 2;
+const BY_SLIP = 4;
+const BY_LAW = 16;
+const _FIRST = 0.8;
+const _ALIKE = 1e-6;
+const TESTED = 1;
+const MOST = 2;
+const _DIFFERENCE = 0.001;
+const _FARTHEST = 200.0;
+const _NEAR = 1e-8;
+const NOT_CARRIED = 0.999;
 const SEVERAL_PULLS = 1;
 const ALL_THREE = 2;
 const TOO_FEW = 3;
@@ -1149,7 +1272,7 @@ export function compact__peak(law, segment, pressure) {
   let b = found4[0];
   let b_p = found4[1];
   let unit = c[o + 24];
-  let number = Math.exp(b / a - 1.0);
+  let number = Math.exp(min(max(b / a - 1.0, -MOST_EXPONENT), MOST_EXPONENT));
   if (held) {
     return [unit * number, -a * number, 0.0, 0.0];
   }
@@ -3394,24 +3517,73 @@ export function numbers__idles(entry, leaving) {
   return Math.abs(entry - leaving) <= IDLE * entry;
 }
 
-/** Whether a size is one that conveyor drives have; one that is not given is. */
+/** What is given of an arc, to be compared with usual sizes. */
+export function in_page__sizes_of(given, arc, criteria) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  return new Sizes(
+    given.width,
+    given.modulus,
+    given.speed,
+    given.diameter,
+    given.wrap_angle,
+    given.creep_limit,
+    given.overrun,
+    given.thickness,
+    given.shear_modulus,
+    given.compression_modulus,
+    criteria.rating,
+    criteria.strength,
+    criteria.bond_strength,
+    criteria.fatigue_limit,
+    criteria.face_pressure,
+    criteria.pulley_diameter,
+    criteria.sag,
+    entry,
+    leaving,
+    criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
+  );
+}
+
+/** Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends. */
+export function numbers__compared_sizes(of) {
+  return [
+    of.width,
+    of.modulus,
+    of.speed,
+    of.diameter,
+    of.wrap_angle,
+    of.creep_limit,
+    of.overrun,
+    of.thickness,
+    of.shear_modulus,
+    of.compression_modulus,
+    of.rating,
+    of.bond_strength,
+    of.fatigue_limit,
+    of.face_pressure,
+    of.least_diameter,
+    of.sag / of.width,
+    of.modulus / of.rating,
+    of.strength / of.rating,
+    (2.0 * of.rating) / of.diameter,
+    of.entry / of.width,
+    of.leaving / of.width,
+    Math.abs(of.pull) * of.speed,
+  ];
+}
+
+/** Whether a size is one that conveyor drives have; one that is not given or rigid is. */
 export function numbers__usual(value, least, most) {
-  return !(value < least || value > most);
+  return !(value < least || (value > most && Number.isFinite(value)));
 }
 
-/** Whether belt and pulley have sizes that those of a conveyor have. */
-export function numbers__usual_sizes(width, modulus, speed, diameter) {
-  let belt =
-    numbers__usual(width, WIDTHS[0], WIDTHS[1]) && numbers__usual(modulus, MODULI[0], MODULI[1]);
-  let found =
-    numbers__usual(speed, SPEEDS[0], SPEEDS[1]) &&
-    numbers__usual(diameter, DIAMETERS[0], DIAMETERS[1]);
-  return belt && found;
-}
-
-/** Whether a tension is one that the belt of a conveyor has. */
-export function numbers__usual_tension(tension, width) {
-  return numbers__usual(tension, USUAL_TENSION[0] * width, USUAL_TENSION[1] * width);
+/** Whether belt, pulley and lagging have sizes that those of a conveyor have. */
+export function numbers__usual_sizes(of) {
+  let values = numbers__compared_sizes(of);
+  return [...$zip(values, USUAL_SIZES)].every(([value, ends]) =>
+    numbers__usual(value, ends[0], ends[1]),
+  );
 }
 
 export function capacity___stress_about(face, pressure, creep) {
@@ -3744,26 +3916,14 @@ export function capacity__find_capacities(law, arc, load, parts) {
   return new Carried(by_creep, by_slip, gross, gross_creep, least, most);
 }
 
-/** ln(tight/slack) that an arc carries beyond that of the plateau of its law [-]. */
-export function numbers__grip_beyond(law, capacity, pressure, wrap_angle) {
-  return capacity - gross_slip__plateau_capacity(law, pressure, wrap_angle);
-}
-
-/** What the friction of an arc can carry, by ln(tight/slack) at gross slip. */
-export function in_page__grip_of(law, given, arc, gross_slip) {
-  let tight;
-  let area = arc.width * (0.5 * arc.diameter);
-  let beyond = 0.0;
-  if (given.steepest_fall < 0.0) {
-    tight = max(arc.entry_tension, arc.exit_tension);
-    beyond = numbers__grip_beyond(law, gross_slip, tight / area, arc.wrap_angle);
-  }
-  return new Grip(arc.wrap_angle, area, beyond);
-}
-
 /** Slack-side tension over effective tension, Cw = 1/(exp(mu phi) - 1) (CEMA) [-]. */
 export function constant_friction__wrap_factor(friction, wrap_angle) {
   return 1.0 / Math.expm1(friction * wrap_angle);
+}
+
+/** Drive factor as a table of two decimals prints it, where that is less; 0.38 for 0.3835 [-]. */
+export function numbers__as_printed(factor) {
+  return min(factor, Math.floor(100.0 * factor + 0.5) / 100.0);
 }
 
 /** Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]. */
@@ -3784,6 +3944,9 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   let factor = criteria.factor;
   if (factor !== factor) {
     factor = constant_friction__wrap_factor(criteria.standard, arc.wrap_angle);
+    if (criteria.printed) {
+      factor = numbers__as_printed(factor);
+    }
   }
   return new Compared(
     criteria.safety,
@@ -3804,101 +3967,118 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   );
 }
 
-/** Wrap angle over which ln T falls so far from the tight side at the plateau [rad]. */
-export function gross_slip___angle_needed(law, tight_pressure, fall) {
-  let segment, span;
-  let q = 0.0;
-  let angle = 0.0;
-  while (q < fall) {
-    const found1 = gross_slip___piece(law, tight_pressure * Math.exp(-q));
-    segment = found1[0];
-    span = found1[1];
-    span = min(span, fall - q);
-    angle += gross_slip___angle(law, tight_pressure, segment, q, span, false);
-    q += span;
-    if (span <= 1e-15 * q) {
-      break;
-    }
+/** Largest ln(tight/slack) before the belt slides with a tight side held [N], and the cause. */
+export function sliding__carried_at(of, tight) {
+  let driving = of.geometry.side > 0.0;
+  let load = Object.assign(Object.create(Object.getPrototypeOf(of.load)), of.load, {
+    entry_tension: driving ? tight : 0.5 * tight,
+    exit_tension: driving ? 0.5 * tight : tight,
+    creep_limit: SLIDES,
+  });
+  let pressure = tight / (of.geometry.width * of.geometry.radius);
+  let most = gross_slip__plateau_capacity(of.law, pressure, of.geometry.wrap_angle);
+  let friction = compact__plateau_at(of.law, compact__segment_of(of.law, pressure), pressure);
+  let at_end = load.slip_max + of.geometry.shear * friction * pressure;
+  let parts = BY_CREEP + BY_SLIP + (of.peaks ? BY_LAW : 0);
+  if (!of.peaks && at_end < _FIRST * SLIDES) {
+    parts = BY_SLIP;
   }
-  return angle;
+  let found = capacity__find_capacities(of.law, of.geometry, load, parts);
+  let q = found.creep_limit;
+  let cause = 0;
+  if (Number.isNaN(q) || found.tested_slip < q * (1.0 - _ALIKE)) {
+    q = found.tested_slip;
+    cause = TESTED;
+  }
+  if (q >= most * (1.0 - _ALIKE) || (of.peaks && q >= found.gross_slip * (1.0 - _ALIKE))) {
+    cause = MOST;
+  }
+  return [q, cause];
 }
 
-/** Wrap angle that the tensions at a place of a line need less that of the arc, and its slope. */
-export function gross_slip___missing(law, grip, line, k) {
+/** What friction has to spare at a place of a line, over what, and about its slope. */
+export function sliding___spare(of, line, k, q, even) {
+  let kept;
   let tight = line.tight + (k - 1.0) * line.tight_rise;
   let slack = line.slack + (k - 1.0) * line.slack_rise;
-  if (tight <= 0.0 || slack <= 0.0) {
-    return [_NO_SLACK, 0.0];
+  if (even) {
+    kept = Math.exp(-q);
+    return [k, slack - tight * kept, line.slack_rise - line.tight_rise * kept];
   }
-  if (tight <= slack) {
-    return [-grip.wrap_angle, 0.0];
-  }
-  let top = tight / grip.area;
-  let fall = Math.log(tight / slack) - grip.offset;
-  let end = top * Math.exp(-fall);
-  let at_top = compact__plateau_at(law, compact__segment_of(law, top), top);
-  let at_end = compact__plateau_at(law, compact__segment_of(law, end), end);
-  let slope = line.tight_rise / (tight * at_top) - line.slack_rise / (slack * at_end);
-  return [gross_slip___angle_needed(law, top, fall) - grip.wrap_angle, slope];
+  let asked = Math.log(tight / slack);
+  let area = of.geometry.width * of.geometry.radius;
+  let wrap = of.geometry.wrap_angle;
+  let here = gross_slip__plateau_capacity(of.law, tight / area, wrap);
+  let there = gross_slip__plateau_capacity(of.law, (tight * (1.0 + _DIFFERENCE)) / area, wrap);
+  let fall = (((there - here) / (here * _DIFFERENCE)) * k * line.tight_rise) / tight;
+  let grows = (k * (line.tight_rise / tight - line.slack_rise / slack)) / asked;
+  return [Math.log(k), Math.log(q / asked), fall - grows];
 }
 
-/** Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards. */
-export function gross_slip__slip_place(law, grip, line, way, low) {
-  let f, new_, slope;
-  let step = max(low, 1.0);
-  let a = low;
-  let b = Infinity;
-  let most = 10000.0 * step;
-  if (way > 0.0 && line.slack_rise < 0.0) {
-    b = 1.0 - line.slack / line.slack_rise;
+/** A step to `new`, kept between the ends. */
+export function sliding___within(ends, new_, k) {
+  new_ = min(new_, _FARTHEST);
+  if (ends.low < new_ && new_ < ends.high) {
+    return new_;
   }
-  let k = a + step;
-  if (k >= b) {
-    k = 0.5 * (a + b);
-  }
+  return ends.high < Infinity ? 0.5 * (ends.low + ends.high) : min(4.0 * k + 1.0, _FARTHEST);
+}
+
+/** Place k of a line at which the belt begins to slide (way 1) or ends to (way -1). */
+export function sliding__slide_place(of, line, way, low, start) {
+  let at, new_, q, slope, spare;
+  let falls = line.slack_rise < 0.0;
+  let even = falls || way < 0.0;
+  let ends = new Bracket(low, falls ? 1.0 - line.slack / line.slack_rise : Infinity);
+  let k = start >= ends.high ? 0.5 * (ends.low + ends.high) : start;
+  let last = NaN;
+  let spare_last = NaN;
+  let cause = 0;
   for (let each1 = 0, end1 = _ROUNDS; each1 < end1; each1++) {
-    const found2 = gross_slip___missing(law, grip, line, k);
-    f = found2[0];
-    slope = found2[1];
-    [f, slope] = [way * f, way * slope];
-    if (f < 0.0) {
-      a = k;
-      if (k >= most) {
-        return Infinity;
-      }
+    const found2 = sliding__carried_at(of, line.tight + (k - 1.0) * line.tight_rise);
+    q = found2[0];
+    cause = found2[1];
+    if (Number.isNaN(q)) {
+      return new Sliding(NaN, cause);
+    }
+    const found3 = sliding___spare(of, line, k, q, even);
+    at = found3[0];
+    spare = found3[1];
+    slope = found3[2];
+    if (last === last && at !== last) {
+      slope = (spare - spare_last) / (at - last);
+    }
+    if (spare < 0.0 === way > 0.0) {
+      ends = new Bracket(ends.low, k);
+    } else if (k >= _FARTHEST) {
+      return new Sliding(Infinity, cause);
     } else {
-      b = k;
+      ends = new Bracket(k, ends.high);
     }
-    new_ = slope > 0.0 ? k - f / slope : Infinity;
-    if (Math.abs(new_ - k) <= _TOLERANCE * k) {
-      return new_;
+    last = at;
+    spare_last = spare;
+    new_ = way * slope < 0.0 ? at - spare / slope : Infinity;
+    if (!even) {
+      new_ = Math.exp(min(new_, 30.0));
     }
-    new_ = min(new_, most);
-    if (!(a < new_ && new_ < b)) {
-      new_ = b < Infinity ? 0.5 * (a + b) : min(a + step, most);
-      step *= _GROWTH;
+    if (Math.abs(new_ - k) <= _NEAR * k) {
+      return new Sliding(new_, cause);
     }
-    if (Math.abs(new_ - k) <= 1e-15 * k) {
-      return k;
+    new_ = sliding___within(ends, new_, k);
+    if (Math.abs(new_ - k) <= 1e-14 * k) {
+      return new Sliding(new_, cause);
     }
     k = new_;
   }
-  return k;
+  return new Sliding(k, cause);
 }
 
-/** Pull at gross slip over the pull, tensions growing along a line; inf if it never slips. */
-export function numbers__pull_at_slip(law, grip, line) {
-  return line.tight === line.slack ? Infinity : gross_slip__slip_place(law, grip, line, 1.0, 0.0);
-}
-
-/** Pull at gross slip over the pull, with what the take-up holds [-]. */
-export function in_page__pull_factor_of(law, grip, arc, among) {
-  let entry = arc.entry_tension;
-  let leaving = arc.exit_tension;
-  let tight = max(entry, leaving);
-  let slack = min(entry, leaving);
-  let line = new Line(tight, slack, among.tight_rise, among.slack_rise);
-  return numbers__pull_at_slip(law, grip, line);
+/** Pull at which the belt slides over the pull, tensions growing along a line. */
+export function sliding__pull_at_sliding(of, line) {
+  if (line.tight === line.slack) {
+    return new Sliding(Infinity, 0);
+  }
+  return sliding__slide_place(of, line, 1.0, 0.0, 1.0);
 }
 
 /** Pressure of the belt on the pulley, 2 T/(B D) [Pa]. */
@@ -3976,57 +4156,43 @@ export function least_numbers__least_for_slip(law, geometry, of, limit) {
   return least === least ? least : Infinity;
 }
 
-/** Tension of the tight side that just carries a pull at gross slip [N]; inf if none. */
-export function least_numbers__tight_at_slip(law, grip, pull) {
+/** Least tension of the tight side with which a pull does not slide the belt [N]; inf if none. */
+export function sliding__tight_at_sliding(of, pull) {
   if (pull <= 0.0) {
     return 0.0;
   }
-  return pull * gross_slip__slip_place(law, grip, new Line(pull, 0.0, pull, pull), -1.0, 1.0);
+  let tight = max(of.load.entry_tension, of.load.exit_tension);
+  let line = new Line(pull, 0.0, pull, pull);
+  return pull * sliding__slide_place(of, line, -1.0, 1.0, max(tight / pull, 1.0 + 1e-6)).place;
 }
 
-/** How much all tensions must rise for the safety against gross slip [N]. */
-export function least_numbers__lift_for_grip(law, geometry, grip, of, safety, rounds) {
-  let beyond, found, i, known, raised, settled, tight;
-  let lift = 0.0;
-  for (let each1 = 0, end1 = rounds; each1 < end1; each1++) {
-    i = each1;
-    tight = least_numbers__tight_at_slip(law, grip, safety.factor * of.pull);
-    found = tight - of.tight - (safety.factor - 1.0) * safety.rise;
-    settled = !safety.softens || Math.abs(found - lift) <= _SETTLED * of.tight;
-    lift = found;
-    if (settled || lift === Infinity || i === rounds - 1) {
-      break;
-    }
-    raised = of.tight + lift;
-    known = capacity__largest_ratio(law, geometry, raised, true)[0];
-    beyond = numbers__grip_beyond(law, known, raised / grip.area, grip.wrap_angle);
-    grip = new Grip(grip.wrap_angle, grip.area, beyond);
-  }
-  return lift;
+/** How much all tensions must rise for a safety factor against sliding [N]. */
+export function sliding__lift_for_safety(of, factor, tight_rise) {
+  let tight = max(of.load.entry_tension, of.load.exit_tension);
+  let pull = Math.abs(of.load.entry_tension - of.load.exit_tension);
+  return sliding__tight_at_sliding(of, factor * pull) - tight - (factor - 1.0) * tight_rise;
 }
 
 /** What the checks of an arc ask of the take-up, its pull held. */
-export function in_page__asked_of(law, arc, grip, least, limits, given, factor, among) {
+export function in_page__asked_of(loaded, arc, least, limits, given, factor, among) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   let end = among.end;
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
-  let area = grip.area;
+  let area = arc.width * (0.5 * arc.diameter);
   let top = capacity__highest_tight(limits.tested_pressure_max, area, tight);
   let of = new Pull(Math.abs(entry - leaving), tight, top);
   let by_slip = NaN;
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
   if (limits.tested_slip < given.creep_limit) {
-    by_slip = least_numbers__least_for_slip(law, geometry, of, limits.tested_slip);
+    by_slip = least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
-  let safety = new Safety(factor, among.tight_rise, given.steepest_fall < 0.0);
+  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise);
   return new Asked(
     end - slack + (least === least ? least : Infinity),
     end - slack + by_slip,
     end - slack + limits.design_standard,
-    end + least_numbers__lift_for_grip(law, geometry, grip, of, safety, 1),
-    end + least_numbers__lift_for_grip(law, geometry, grip, of, safety, 6),
+    end + (lift === lift ? lift : Infinity),
     end - slack + limits.tested_pressure_min * area,
     end - tight + limits.tested_pressure_max * area,
     end - tight + limits.face_pressure * area,
@@ -4034,6 +4200,30 @@ export function in_page__asked_of(law, arc, grip, least, limits, given, factor, 
     limits.sag + end - among.slack_end,
     end,
   );
+}
+
+/** Return the resultant of the belt tensions at a pulley, without its own weight. */
+export function load_case__resultant(entry, leaving, wrap_angle, strength) {
+  let along = entry - leaving * Math.cos(wrap_angle);
+  let across = leaving * Math.sin(wrap_angle);
+  let force = Math.sqrt(along * along + across * across);
+  let angle = Math.atan2(across, along);
+  return new Resultant(force, angle, strength / max(entry, leaving));
+}
+
+/** Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor. */
+export function sliding__wet_creep(of, factor) {
+  if (Number.isNaN(factor)) {
+    return NaN;
+  }
+  let g = of.geometry;
+  let wet = Object.assign(Object.create(Object.getPrototypeOf(g)), g, {
+    wrap_angle: factor * g.wrap_angle,
+    compliance: g.compliance / factor,
+    shear: factor * g.shear,
+  });
+  let found = answer__operating_point(of.law, wet, of.load.entry_tension, of.load.exit_tension);
+  return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
 
 /** Numbers of the checks of one arc; None where they are for the server to find. */
@@ -4055,10 +4245,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   if (criteria.wrap_angle === criteria.wrap_angle && arc.wrap_angle !== criteria.wrap_angle) {
     return null;
   }
-  if (!numbers__usual_sizes(given.width, given.modulus, given.speed, given.diameter)) {
-    return null;
-  }
-  if (!(numbers__usual_tension(entry, arc.width) && numbers__usual_tension(leaving, arc.width))) {
+  if (!numbers__usual_sizes(in_page__sizes_of(given, arc, criteria))) {
     return null;
   }
   let geometry = summary__geometry_of(arc, law.onset_compliance);
@@ -4074,11 +4261,24 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   let summary = summary__summary_of(geometry, arc, tested, found);
   let carried = capacity__find_capacities(law, geometry, load, CAPACITIES);
   let solved = found.outcome === SOLVED;
-  let grip = in_page__grip_of(law, given, arc, carried.gross_slip);
   let limits = in_page__limits_of(given, arc, tested, criteria);
-  let factor = in_page__pull_factor_of(law, grip, arc, others);
+  let loaded = new Loaded(
+    law,
+    geometry,
+    load,
+    given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
+  );
+  let tight = max(entry, leaving);
+  let slack = min(entry, leaving);
+  let sliding = sliding__pull_at_sliding(
+    loaded,
+    new Line(tight, slack, others.tight_rise, others.slack_rise),
+  );
+  if (sliding.place !== sliding.place) {
+    return null;
+  }
   let values = new Compared(
-    solved ? max(factor, 1.0) : min(factor, 1.0),
+    solved ? sliding.place : min(sliding.place, NOT_CARRIED),
     min(entry, leaving),
     Math.abs(summary.exit_creep),
     max(entry, leaving),
@@ -4116,7 +4316,10 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     values,
     limits,
     others.held,
-    in_page__asked_of(law, arc, grip, carried.least_slack, limits, given, criteria.safety, others),
+    in_page__asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
+    load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+    sliding.cause,
+    criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
   );
 }
 
@@ -4201,7 +4404,7 @@ export function in_page__described(given) {
 }
 
 /** Why the page cannot judge an arc; 0 where it can. */
-export function in_page__unjudged(law, given) {
+export function in_page__unjudged(law, given, criteria) {
   let arc = in_page__description_of(given);
   if (in_page__refused(law, arc, given.steepest_fall)) {
     return STEEP;
@@ -4209,9 +4412,7 @@ export function in_page__unjudged(law, given) {
   if (numbers__idles(arc.entry_tension, arc.exit_tension)) {
     return 2;
   }
-  let sizes = numbers__usual_sizes(given.width, given.modulus, given.speed, given.diameter);
-  let usual = numbers__usual_tension(arc.entry_tension, arc.width);
-  return sizes && usual && numbers__usual_tension(arc.exit_tension, arc.width) ? 0 : UNUSUAL;
+  return numbers__usual_sizes(in_page__sizes_of(given, arc, criteria)) ? 0 : UNUSUAL;
 }
 
 /** S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip. */
@@ -4226,6 +4427,11 @@ export function compression__block_modulus(elastic_modulus, square, width, heigh
     return contact * elastic_modulus * (1.0 + 2.0 * k * s2);
   }
   return contact * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2);
+}
+
+/** Whether a value that misses its limit fails: nan where it never does. */
+export function numbers__beyond(value, fails, at_most) {
+  return at_most ? value > fails : value < fails;
 }
 
 /** Whether one take-up can hold both tensions. */
