@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import exp, expm1, inf, log, nan
 from typing import NamedTuple
 
-from wraparc.arc.answer import Guess, Met, interface, meet
+from wraparc.arc.answer import Guess, Met, by_growth, interface, meet
 from wraparc.arc.collocation import (
     CREEP,
     MOST_USED,
@@ -73,7 +73,9 @@ def carry(
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
     at_entry = 1.0 if arc.side > 0.0 else 0.0
     ends = Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most)
-    return meet(law, arc, ends, _guess_at(law, arc, tight, limit), near, MISFIT)
+    guess = _guess_at(law, arc, tight, limit)
+    met = meet(law, arc, ends, guess, near, MISFIT)
+    return met if met.done else by_growth(law, arc, ends, guess, MISFIT)
 
 
 class Along(NamedTuple):
