@@ -48,6 +48,10 @@ from wraparc.friction.compact import CompactLaw
 STIFF, HELD = 40.0, 20.0
 FIRST_SLIDES = (0.5, 0.1, 0.01, 1e-3)  # first guesses of a slide behind a rest arc, of the wrap
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
+FIRST_GOAL, LEAST_GROWTH = (
+    0.01,
+    1.01,
+)  # of a continuation in a goal: where it begins, its least step
 LEAST_GUESS, CREEPS, CLOSE = 1e-7, 40, 1e-3  # of a continuation in creep: from [m], steps, end
 RATIO_END = 1.0  # entry creep ratio from which on the belt would stand still
 
@@ -122,6 +126,8 @@ def meet(
         again = solved(face, arc, ends, near, tol)
         if again.done:
             return _all_sliding(face, again)
+        if tol >= ROUGH:  # one of many steps: a shorter one will do
+            return _unmet(face, near)
     first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
     return _all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
 
@@ -224,7 +230,7 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     drives = arc.side > 0.0
     tight, slack = max(goal.entry, goal.leaving), min(goal.entry, goal.leaving)
     at_entry = 1.0 if drives else 0.0
-    asked, low, high = log(tight / slack), 0.0, inf
+    asked, low, high, step = log(tight / slack), 0.0, inf, 3.0
     creep, near = max(abs(goal.creep), LEAST_GUESS), None
     met = _unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
     for _ in range(CREEPS):
@@ -237,13 +243,38 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
             if abs(carried - asked) < CLOSE * asked:
                 break
             low, high = (creep, high) if carried < asked else (low, creep)
-        else:
+        elif near is None or step < LEAST_GROWTH:
             high = creep
-        creep = 3.0 * low if high == inf else sqrt(low * high) if low > 0.0 else 0.3 * high
+        else:
+            step = sqrt(step)
+        between = sqrt(low * high) if low > 0.0 else 0.3 * high
+        creep = between if high < inf else step * low
     if not met.done:
         return met
     ends = between_tensions(goal.entry, goal.leaving)
     return meet(law, arc, ends, goal, met.course, MESH)
+
+
+def by_growth(law: CompactLaw, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
+    """Meet a goal of creep or slip at the exit by continuation in it, from a small part of it."""
+    share, step, near, last = FIRST_GOAL, 2.0, None, 0.0
+    met = _unmet(interface(law, arc), first_course(arc, 1.0, guess.entry, guess.entry, 0.0))
+    top = max(guess.entry, guess.leaving)
+    for _ in range(CREEPS):
+        part = ends._replace(goal=share * ends.goal)
+        begin = Guess(top, top, share * guess.creep)
+        met = meet(law, arc, part, begin, near, ROUGH if share < 1.0 else tol)
+        if met.done and share == 1.0:
+            break
+        if met.done:
+            near = met.course if met.rest == 0.0 else None
+            last, share = share, min(step * share, 1.0)
+        elif near is None or step < LEAST_GROWTH:
+            break
+        else:
+            step = sqrt(step)
+            share = step * last
+    return met
 
 
 def _still(face: Interface, arc: Geometry, tension: float) -> Met:
