@@ -111,7 +111,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "From the line of the entry tension towards that of the exit tension.",
     ),
     Quantity(
-        "belt_safety", "S", "number", "Safety factor of the belt",
+        "belt_safety", "S_B", "number", "Safety factor of the belt",
         "Breaking strength of the belt over its largest tension at the pulley.",
     ),
     Quantity(

@@ -73,7 +73,7 @@ def between(low: str, high: str) -> str:
             'speed = "3 m/s"',
             'colour = "black"',
             'belt.colour = "black": unknown key. The keys here are preset, name, kind, width, '
-            "modulus, rating, speed, momentary_factor, "
+            "modulus, rating, strength, speed, momentary_factor, "
             "least_pulley_diameter, largest_wrap_pressure, in_plane_shear_stiffness, provenance, "
             "sources.",
         ),

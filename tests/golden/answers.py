@@ -163,7 +163,7 @@ def cli_what_if() -> Answers:
         changes = [
             "--belt", "Flexsteel ST1000", "--other-carcass", "--lagging",
             "diamond-rubber" if ceramic else "full-ceramic", "--thickness", "10 mm", "--worn",
-            "6 mm", "--bare", "CEMA", "--wet", "0.7", "--wet", "DIN 22101",
+            "6 mm", "--bare", "CEMA", "--wet", "DIN 22101",
         ]  # fmt: skip
         told = wraparc("what-if", _file(name), *changes, "--json", "out.json")
         found[name] = json.loads(Path("out.json").read_text("utf-8"))

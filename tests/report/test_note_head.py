@@ -51,7 +51,7 @@ def test_every_coloured_row_has_its_word_and_they_are_as_many_as_are_counted(
     kept = words.count("OK")
     assert f"**Checks.** {kept} of {len(words)} checks are kept." in text
     results = text.partition("## Results by load case")[2].partition("Margin: capacity")[0]
-    assert results.count("ATTENTION |") == 2  # design and start creep over the limit
+    assert results.count("ATTENTION: ") == 2  # design and start creep over the limit
 
 
 def test_a_scaled_law_is_called_what_it_is(tmp_path: Path) -> None:

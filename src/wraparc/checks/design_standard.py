@@ -71,7 +71,9 @@ def asked(
     if friction is None:
         return found
     factor = wrap_factor(friction, wrap_angle)
-    return replace(found, wrap_factor=as_printed(factor) if prints(standard) else factor)
+    return replace(
+        found, wrap_factor=as_printed(factor) if prints(standard, lagging.surface) else factor
+    )
 
 
 def wrap_factors(
@@ -99,7 +101,7 @@ def wrap_factors(
     if friction is None:
         return none
     factors = 1.0 / np.expm1(friction * wrap_angle)
-    return np.vectorize(as_printed)(factors) if prints(standard) else factors
+    return np.vectorize(as_printed)(factors) if prints(standard, lagging.surface) else factors
 
 
 def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> float | None:
@@ -109,14 +111,18 @@ def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Laggi
     return _friction(standard, lagging)[0]
 
 
-def prints(standard: DesignStandard) -> bool:
-    """Whether a standard prints its drive factors, with two decimals: CEMA does."""
+def prints(standard: DesignStandard, surface: str) -> bool:
+    """Whether a standard prints its drive factors, with two decimals: CEMA, bare and of rubber."""
+    return _cema(standard) and surface in ("bare", "rubber")
+
+
+def _cema(standard: DesignStandard) -> bool:
     return standard.friction is None and (standard.name or "CEMA") == "CEMA"
 
 
 def by_table(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> bool:
     """Whether CEMA's table of manual take-ups holds."""
-    return prints(standard) and take_up.fixed and bool(lagging.surface)
+    return _cema(standard) and take_up.fixed and bool(lagging.surface)
 
 
 def _friction(standard: DesignStandard, lagging: Lagging) -> tuple[float | None, Asked]:

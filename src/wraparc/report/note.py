@@ -30,7 +30,7 @@ from wraparc.present.drive_sheet import loads_table, method_remarks
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
-from wraparc.present.sheet import Table, Verdict, named, percent, started
+from wraparc.present.sheet import Row, Table, Verdict, named, percent, started
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import verdict
@@ -55,6 +55,10 @@ PAPERS: tuple[Paper, ...] = ("a4", "us-letter")
 PROGRAM = f"wraparc {__version__}"
 _LONGEST = 120
 _MOST_PULLEYS_DRAWN = 4
+
+
+#: Columns of a table that leave no room for a further one.
+_FILLS = 8
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -264,14 +268,17 @@ def _about(drive: Drive, system: System) -> Iterator[tuple[str, str]]:
 
 
 def _worded(table: Table) -> Table:
-    """Say beside every colour what it means."""
-    rows = (
-        replace(row, note=f"{row.level}: {row.note}" if row.note else str(row.level))
-        if row.level
-        else row
-        for row in table.rows
-    )
-    return replace(table, rows=tuple(rows))
+    """Say beside every colour what it means; in the last cell of a table that fills the page."""
+    return replace(table, rows=tuple(_worded_row(row, table) for row in table.rows))
+
+
+def _worded_row(row: Row, table: Table) -> Row:
+    if not row.level:
+        return row
+    if len(table.heads) > _FILLS and not table.has_notes:
+        *cells, last = row.values
+        return replace(row, values=(*cells, f"{row.level}: {last}"))
+    return replace(row, note=f"{row.level}: {row.note}" if row.note else str(row.level))
 
 
 def _train_verdict(train: "TrainResult", system: System) -> Verdict:

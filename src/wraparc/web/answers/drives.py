@@ -59,7 +59,8 @@ from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 _PAPER_POINTS = 121
 SYSTEMS: tuple[System, ...] = ("si", "us")
 TABLES = (
-    "answer", "creep", "capacity", "margins", "comparison", "energy", "wear", "life", "inputs",
+    "answer", "creep", "capacity", "margins", "comparison", "energy", "loads", "wear", "life",
+    "inputs",
 )  # fmt: skip
 
 

@@ -267,7 +267,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         behind=bool(criteria.take_up.after),
         factor=math.nan if not table or rule is None else rule.wrap_factor,
         alone=True,
-        printed=prints(criteria.standard),
+        printed=prints(criteria.standard, pulley.lagging.surface),
         customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
         wrap_angle=pulley.wrap_angle if table else math.nan,
         wet=wet_factor(pulley.lagging),

@@ -342,7 +342,10 @@ export function caseOf(said, c, bookLaw, book) {
     fixed: +(takeUp.kind === "fixed"),
     behind: +Boolean(takeUp.after),
     alone: 1,
-    printed: +["", "CEMA"].includes(said.standard.name),
+    printed: +(
+      ["", "CEMA"].includes(said.standard.name) &&
+      ["bare", "rubber"].includes(lagging.entry?.surface ?? "")
+    ),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
     wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
