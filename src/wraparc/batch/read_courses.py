@@ -22,7 +22,8 @@ ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, REGULA = 45, 8
 NEARER = 2  # times that the largest shear is looked for, each by two tries
 #: Fractions of an element where it is looked at, and where the law is a table: that has more kinks.
-LOOKS, CLOSER = np.array([0.0, 0.5, 1.0]), np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+LOOKS: Array = np.linspace(0.0, 1.0, 3)
+CLOSER: Array = np.linspace(0.0, 1.0, 5)
 
 
 def read_courses(
@@ -62,10 +63,10 @@ def read_courses(
     outside = np.full(len(block), np.nan)
     tested = np.flatnonzero(np.isfinite(furthest))
     if len(tested):
-        columns = (shares, tension, size)
-        of_tests = block.rows(tested), every.take_rows(tested), looks
         limits = (lowest[tested], highest[tested], furthest[tested])
-        outside[tested] = _outside(*of_tests, *(c.take(tested, axis=-1) for c in columns), limits)
+        some = [column.take(tested, axis=-1) for column in (shares, tension, size)]
+        part, along = block.rows(tested), every.take_rows(tested)
+        outside[tested] = _outside(part, along, looks, some[0], some[1], some[2], limits)
     return {
         row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
         row.EXIT_CREEP: at.creep[-1],
