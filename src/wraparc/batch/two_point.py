@@ -52,7 +52,7 @@ _THROUGH = np.linalg.inv(_NODES[:, None] ** np.arange(1, 4)).tolist()
 _BELOW = (np.linalg.inv(_NODES[:, None] ** np.arange(3)) / np.arange(1, 4)[:, None]).tolist()
 #: First guess of the creep: from [m], in steps of a factor, upwards at most, nearer then.
 LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-7, 8.0, 8, 3
-IN_CACHE = 16_000  # numbers of an array
+IN_CACHE = 32_000  # numbers of an array
 STEPS = 14  # of Newton's method: 4 to 8 are usual
 
 
