@@ -26,7 +26,7 @@ from wraparc.batch import (
     solve_batch,
 )
 from wraparc.batch.arcs import arcs_of_table
-from wraparc.batch.rows import solve_rows
+from wraparc.batch.rows import RowBatch, solve_rows
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
@@ -143,6 +143,21 @@ def test_engineering_accuracy(lag: Lagging) -> None:
     np.testing.assert_allclose(
         near["outside_tested_share"], exact["outside_tested_share"], atol=2e-2
     )
+
+
+def test_a_narrow_top_of_shear_stress_between_samples_is_found() -> None:
+    """A table has kinks that many elements draw nearer; the precise setting has more of them."""
+    arcs = [random_arc(LAWS["table"], np.random.default_rng([77, 3, i])) for i in range(50)]
+    near, exact = (solve_arcs(columns_of(arcs, LAGGINGS), setting=s, capacities=False)
+                   for s in Setting)  # fmt: skip
+    np.testing.assert_allclose(near["peak_shear_stress"], exact["peak_shear_stress"], rtol=1e-4)
+
+
+def test_arcs_of_a_block_are_taken_several_times() -> None:
+    """As many as there are, but others: crossings of limits come so."""
+    block = RowBatch.of(arcs_of_table(designs(3, 21), SHIPPED[0]), 1e-4).block
+    some = np.array([2, 0, 2])
+    np.testing.assert_array_equal(block.rows(some).radius, block.radius[some])
 
 
 @pytest.mark.parametrize("setting", Setting)

@@ -103,7 +103,8 @@ def crown(x: Array, f: Array) -> Array:
     at = b + 0.5 * ((c - b) * right - (b - a) * left) / np.maximum(left + right, 1e-300)
     apart = 0.02 * (c - a)
     at = np.where(np.abs(at - b) < apart, b + np.where(c - b > b - a, apart, -apart), at)
-    return np.clip(at, a + 0.5 * np.minimum(apart, b - a), c - 0.5 * np.minimum(apart, c - b))
+    nearest = 0.5 * np.minimum(apart, np.minimum(b - a, c - b))
+    return np.asarray(np.minimum(np.maximum(at, a + nearest), c - nearest))
 
 
 def narrowed(x: Array, f: Array, at: Array, new: Array) -> tuple[Array, Array]:

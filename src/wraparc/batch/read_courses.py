@@ -8,19 +8,22 @@ from functools import partial, reduce
 import numpy as np
 
 from wraparc.batch import row
-from wraparc.batch.traction import Stress
+from wraparc.batch.traction import Stress, Tables
 from wraparc.batch.two_point import (
     Array,
     Block,
     Courses,
     Curves,
+    Integers,
     Solved,
 )
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, REGULA = 45, 8
 NEARER = 2  # times that the largest shear is looked for, each by two tries
-MIDDLE = 0.5  # of an element, where it is looked at besides its ends
+#: Fractions of an element where it is looked at, and where the law is a table: that has more kinks.
+LOOKS: Array = np.linspace(0.0, 1.0, 3)
+CLOSER: Array = np.linspace(0.0, 1.0, 5)
 
 
 def read_courses(
@@ -37,10 +40,12 @@ def read_courses(
     """
     at, every = met.courses, met.curves
     # at the ends of elements and between them
-    inner = every.creep_at(MIDDLE), at.stage[1]
-    s = Stress(*map(_merged, met.ends, block.stress(inner[1], inner[0])))
-    tension = _merged(at.tension, at.stage[1])
-    shares = _merged(at.shares, every.start + MIDDLE * every.width)
+    looks = CLOSER if isinstance(block.laws, Tables) else LOOKS
+    c = looks[1:-1, None, None]
+    inner = every.tension_at(c)
+    s = Stress(*map(_merged, met.ends, block.stress(inner, every.creep_at(c))))
+    tension = _merged(at.tension, inner)
+    shares = _merged(at.shares, every.start + c * every.width)
     g = at.ratio - block.compliance * at.tension[0]
     pull = at.tension[0] - at.tension[-1]
     work = pull * (g + 0.5 * pull * block.compliance) / block.width
@@ -53,15 +58,15 @@ def read_courses(
     apart = np.diff(shares, axis=0) * block.length
     grows, slips = rise * np.sign(s.stress), steep * np.sign(s.slip)
     growths = grows[:-1] * apart, grows[1:] * apart
-    peak, where = _largest_stress(block, every, np.abs(s.stress), growths)
+    peak, where = _largest_stress(block, every, looks, np.abs(s.stress), growths)
     largest_slip = _tops(size, (slips[:-1] * apart, slips[1:] * apart)).max(axis=0)
     outside = np.full(len(block), np.nan)
     tested = np.flatnonzero(np.isfinite(furthest))
     if len(tested):
-        columns = (shares, tension, size)
-        of_tests = block.rows(tested), every.take_rows(tested)
         limits = (lowest[tested], highest[tested], furthest[tested])
-        outside[tested] = _outside(*of_tests, *(c.take(tested, axis=-1) for c in columns), limits)
+        some = [column.take(tested, axis=-1) for column in (shares, tension, size)]
+        part, along = block.rows(tested), every.take_rows(tested)
+        outside[tested] = _outside(part, along, looks, some[0], some[1], some[2], limits)
     return {
         row.LOG_RATIO: np.log(at.tension[-1] / at.tension[0]),
         row.EXIT_CREEP: at.creep[-1],
@@ -70,7 +75,7 @@ def read_courses(
         row.ENTRY_STRESS: s.stress[0],
         row.WORK: work,
         row.CREEP_RATIO: g,
-        row.STUCK_LENGTH: _stuck(block, every, size) * block.length,
+        row.STUCK_LENGTH: _stuck(block, every, looks, size) * block.length,
         row.PEAK_STRESS: peak,
         row.PEAK_AT: where * block.length,
         row.ACTIVE: (1.0 - _begins(at, every)) * block.length,
@@ -81,10 +86,21 @@ def read_courses(
 
 
 def _merged(ends: Array, between: Array) -> Array:
-    """What is at the ends of elements and between them, in order."""
-    out = np.empty((len(ends) + len(between), ends.shape[1]))
-    out[::2], out[1::2] = ends, between
+    """What is at the ends of elements, and at places between them, in order."""
+    parts = len(between) + 1
+    out = np.empty((parts * (len(ends) - 1) + 1, ends.shape[1]))
+    for k, row_of in enumerate((ends, *between)):
+        out[k::parts] = row_of
     return out
+
+
+def _cell(
+    every: Curves, looks: Array, low: Integers, rows: Integers
+) -> tuple[Curves, Array, Array]:
+    """Elements that hold cells between samples, and the fractions that these begin and end at."""
+    parts = len(looks) - 1
+    part = every.take(low // parts * every.start.shape[1] + rows)
+    return part, looks[low % parts], looks[low % parts + 1]
 
 
 def _rise(block: Block, s: Stress, growth: Array) -> Array:
@@ -114,26 +130,26 @@ def _inside(share: Array) -> Array:
 
 
 def _largest_stress(
-    block: Block, every: Curves, size: Array, rise: tuple[Array, Array]
+    block: Block, every: Curves, looks: Array, size: Array, rise: tuple[Array, Array]
 ) -> tuple[Array, Array]:
     """Largest magnitude of shear stress [Pa], and its place as a share of the arc.
 
-    Between the two samples that promise most: where the slope of the cubic through two values and slopes
-    is nothing, and where two tangents meet, should a kink lie there.
+    Between the two samples that promise most: where the slope of the cubic through two values and
+    slopes is nothing, and where two tangents meet, should a kink lie there.
 
     Parameters
     ----------
-    block, every
-        Arcs and their elements.
+    block, every, looks
+        Arcs, their elements, and where these are looked at.
     size, rise
         Magnitude at the samples; its growth to the next by the slopes here and there [Pa].
     """
     rows = np.arange(len(block))
     low = _tops(size, rise).argmax(axis=0)
     f_a, f_b = size[low, rows], size[low + 1, rows]
-    d_a, d_b = (slopes[low, rows] / MIDDLE for slopes in rise)
-    part, a = every.take(low // 2 * len(block) + rows), MIDDLE * (low % 2)
-    b, length = a + MIDDLE, part.width * block.length
+    part, a, b = _cell(every, looks, low, rows)
+    d_a, d_b = (slopes[low, rows] / (b - a) for slopes in rise)
+    length = part.width * block.length
     most, where = np.maximum(f_a, f_b), np.where(f_b > f_a, b, a)
     for k in range(2 * NEARER):
         h = b - a
@@ -186,7 +202,7 @@ def _begins(at: Courses, every: Curves) -> Array:
     return np.asarray(np.where(change == 0.0, 1.0, part.start + part.width * c))
 
 
-def _stuck(block: Block, every: Curves, slip: Array) -> Array:
+def _stuck(block: Block, every: Curves, looks: Array, slip: Array) -> Array:
     """Entry part of the arc at rest under a law that jumps, as a share of it."""
     out = np.zeros(len(block))
     held = slip == 0.0
@@ -198,9 +214,7 @@ def _stuck(block: Block, every: Curves, slip: Array) -> Array:
     last = len(slip) - 1
     all_rest = count > last
     first = np.minimum(count - 1, last - 1)
-    part, rows = every.take(first // 2 * len(block) + which), block.rows(which)
-    low = MIDDLE * (first % 2)
-    high = low + MIDDLE
+    (part, low, high), rows = _cell(every, looks, first, which), block.rows(which)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         rests = rows.stress(part.tension_at(middle), part.creep_at(middle)).slip == 0.0
@@ -212,6 +226,7 @@ def _stuck(block: Block, every: Curves, slip: Array) -> Array:
 def _outside(
     block: Block,
     every: Curves,
+    looks: Array,
     shares: Array,
     tension: Array,
     slip: Array,
@@ -230,9 +245,9 @@ def _outside(
         where, rows = np.nonzero(out[:-1] != out[1:])
         if not len(rows):
             continue
-        part, a, cells = every.take(where // 2 * n + rows), MIDDLE * (where % 2), (where, rows)
+        (part, a, b), cells = _cell(every, looks, where, rows), (where, rows)
         over = partial(_over, block.rows(rows), part, sign, most[rows])
-        place = (crossing(over, a, a + MIDDLE, f[cells], f[where + 1, rows]) - a) / MIDDLE
+        place = (crossing(over, a, b, f[cells], f[where + 1, rows]) - a) / (b - a)
         leaves = out[cells]
         low[cells] = np.where(leaves, np.maximum(low[cells], place), low[cells])
         high[cells] = np.where(leaves, high[cells], np.minimum(high[cells], place))

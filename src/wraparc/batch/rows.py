@@ -57,6 +57,9 @@ NEARER = 5
 
 FIRST_NEAR = 0.05  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
+#: numbers of an array that is made and freed at first: from then on glibc keeps what it frees, up
+#: to twice as much, for later arrays; giving it back page by page takes a third of the time
+KEPT = 2_000_000
 
 _INPUT = {name: k for k, name in enumerate(row.INPUTS)}
 
@@ -85,6 +88,7 @@ def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
     accuracy
         Largest relative error of creep, slip and shear that is let stand [-].
     """
+    np.empty(KEPT)
     found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
     left = np.zeros(len(arcs), dtype=np.int64)
     for kind in np.unique(arcs.laws.kind[arcs.law]).tolist():

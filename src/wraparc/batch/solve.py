@@ -21,9 +21,6 @@ Progress = Callable[[int, int], object]
 
 #: rows of a chunk: enough to hide what its calls cost, few enough for threads to share the work
 CHUNK = 4096
-#: numbers of an array that is made and freed at first: from then on glibc keeps what it frees, up
-#: to twice as much, for later arrays; giving it back page by page takes a third of the time
-KEPT = 2_000_000
 
 
 class Setting(StrEnum):
@@ -141,7 +138,6 @@ def share_chunks(
     if workers < 1:
         problem = Problem(key="threads", value=str(threads), message="must be at least 1")
         raise InputError(problem)
-    np.empty(KEPT)
     starts = range(0, total, size)
 
     def chunk(start: int) -> int:

@@ -52,7 +52,7 @@ _THROUGH = np.linalg.inv(_NODES[:, None] ** np.arange(1, 4)).tolist()
 _BELOW = (np.linalg.inv(_NODES[:, None] ** np.arange(3)) / np.arange(1, 4)[:, None]).tolist()
 #: First guess of the creep: from [m], in steps of a factor, upwards at most, nearer then.
 LEAST_FIRST, WIDER, UPWARDS, BETWEEN = 1e-7, 8.0, 8, 3
-IN_CACHE = 16_000  # numbers of an array
+IN_CACHE = 32_000  # numbers of an array
 STEPS = 14  # of Newton's method: 4 to 8 are usual
 
 
@@ -83,8 +83,8 @@ class Block:
     kick_coefficient: Array
 
     def rows(self, which: Integers) -> Block:
-        """Some of the arcs."""
-        if len(which) == len(self):
+        """Some of the arcs, also several times."""
+        if len(which) == len(self) and (which == np.arange(len(self))).all():
             return self
         columns = {f.name: getattr(self, f.name)[which] for f in fields(self) if f.name != "laws"}
         return replace(self, laws=self.laws.rows(which), **columns)
@@ -135,15 +135,16 @@ class Ends(NamedTuple):
     goal: Array
     slip: Array
 
-    def rows(self, which: Integers) -> Ends:
+    def rows(self, which: slice | Integers) -> Ends:
         """Those of some of the rows."""
-        if len(which) == len(self.goal):
-            return self
-        return self.part(which)
-
-    def part(self, which: slice | Integers) -> Ends:
-        """Those of a part of the rows."""
-        return Ends(*(c if isinstance(c, int) else c[which] for c in self))
+        return Ends(
+            self.at_entry[which],
+            self.at_exit[which],
+            self.tension[which],
+            self.kind,
+            self.goal[which],
+            self.slip[which],
+        )
 
 
 class Courses(NamedTuple):
@@ -384,7 +385,7 @@ class Step(NamedTuple):
 def improved(block: Block, ends: Ends, at: Courses) -> Step:
     """One Newton step of every row."""
     steps = [
-        _improved(some, ends.part(part), Courses(*(column[..., part] for column in at)))
+        _improved(some, ends.rows(part), Courses(*(column[..., part] for column in at)))
         for part, some in block.parts(at.stage.size // len(block))
     ]
     if len(steps) == 1:
