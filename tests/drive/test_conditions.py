@@ -85,12 +85,15 @@ def test_a_condition_marks_where_its_friction_came_from() -> None:
         Condition(name="dusty").lagging(rubber)
 
 
-def test_without_a_standard_the_least_published_ratio_is_taken() -> None:
-    """Ceramic wet: DIN 22101 0.375/0.425, practice 0.45/0.80; rubber 0.35/0.425 and 0.35/0.35."""
+def test_without_a_standard_the_ratio_is_of_one_table() -> None:
+    """DIN 22101: ceramic wet 0.35-0.40 over 0.40-0.45, rubber 0.35 over 0.40-0.45: their order."""
     ceramic, rubber = (load_lagging(n) for n in ("full-ceramic", "diamond-rubber"))
     factor, source = Condition(name="wet").factor_of(ceramic)
-    assert factor == pytest.approx(0.45 / 0.80)
-    assert "DIN 22101 gives 0.882" in source.note
+    assert factor == pytest.approx(0.375 / 0.425)
+    assert "middle values, 0.778 to 1" in source.note
+    dirty = Condition(name="wet and dirty").factor_of(ceramic)[0]
+    assert dirty == pytest.approx(0.35 / 0.425)
+    assert Condition(name="wet and dirty").factor_of(rubber)[0] < dirty < factor
     assert Condition(name="wet").factor_of(rubber)[0] == pytest.approx(0.35 / 0.425)
 
 

@@ -95,7 +95,7 @@ def comparable(told: Data) -> Data:
 def _check(check: Data) -> Data:
     """Return a check without the numbers and words that its value decides on."""
     if check["miss"]:
-        open_ = ("level", "short", "says", "remedy", "value", "limit")
+        open_ = ("level", "short", "says", "remedy", "otherwise", "value", "limit")
         return {key: value for key, value in check.items() if key not in (*open_, "more")}
     unknown = {key: check[key] == "NaN" for key in ("value", "limit")}
     return {**{k: v for k, v in check.items() if k != "more"}, **unknown}

@@ -70,13 +70,17 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
     The same result is judged once, however often it is asked about.
     """
     if result not in _told:
-        checks = _train(result) if isinstance(result, TrainResult) else _drive(result)
-        verdict = Verdict(sound(tuple(checks), least_tension(result)))
+        verdict = Verdict(sound(every_check(result), least_tension(result)))
         if verdict.level is Level.OK:
             one = result.drive_result() if isinstance(result, TrainResult) else result
             verdict = replace(verdict, wet=_wet(one))
         _told[result] = verdict
     return _told[result]
+
+
+def every_check(result: DriveResult | TrainResult) -> tuple[Check, ...]:
+    """Return every check, each with all that it may advise."""
+    return tuple(_train(result) if isinstance(result, TrainResult) else _drive(result))
 
 
 def _wet(result: DriveResult) -> float:

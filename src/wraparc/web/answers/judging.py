@@ -12,6 +12,7 @@ from wraparc.arc import ArcResult, DriveResult, Energy, Profile, Status
 from wraparc.checks import RULES, Check, Figure, Level, idle, judge, least_tension
 from wraparc.checks.check import LEADING, Place
 from wraparc.checks.design_standard import asked, by_table, design_friction_of, prints
+from wraparc.checks.judge import every_check
 from wraparc.checks.least_tension import figures
 from wraparc.checks.numbers import Criteria
 from wraparc.checks.of_arc import BALANCE, FIRST, of_sliding
@@ -184,7 +185,7 @@ def _servers(result: ArcResult) -> bool:
 def _checks(result: DriveResult, status: Status) -> tuple[Check, ...]:
     """Return the checks as they were if every arc ended so."""
     arcs = (arc if arc.status is status else _ended(arc, status) for arc in result)
-    return judge(DriveResult(result.drive, tuple(arcs))).checks
+    return every_check(DriveResult(result.drive, tuple(arcs)))
 
 
 def _ended(arc: ArcResult, status: Status) -> ArcResult:
