@@ -11,6 +11,9 @@ import math
 from dataclasses import replace
 
 import pytest
+from wraparc.arc.kernel.search import refine
+from wraparc.arc.kernel.tension_march import march
+from wraparc.arc.kernel.tension_table import open_table, table_size
 
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
 from arc.twin import Twin
@@ -18,9 +21,6 @@ from wraparc.arc import Distributed, WrapArc
 from wraparc.arc.kernel.effort import TENSION, Aim, first_guess, mesh_steps
 from wraparc.arc.kernel.march import sweep
 from wraparc.arc.kernel.quantities import SOLVED, parameters_at, zeros
-from wraparc.arc.kernel.search import refine
-from wraparc.arc.kernel.tension_march import march
-from wraparc.arc.kernel.tension_table import open_table, table_size
 from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots, TestedRange
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from wraparc.arc.kernel.answer import answer
 
 from wraparc.arc import Distributed, PaperMarch, Status, WrapArc
-from wraparc.arc.kernel.answer import answer
 from wraparc.drive import Fit, with_peaks
 from wraparc.friction import IntegralLog, PressureKnots
 

@@ -10,8 +10,6 @@ from functools import partial
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-
-from arc.drives import LAWS
 from wraparc.arc.kernel.gross_slip import (
     Grip,
     Line,
@@ -19,6 +17,8 @@ from wraparc.arc.kernel.gross_slip import (
     plateau_capacity,
     slip_place,
 )
+
+from arc.drives import LAWS
 from wraparc.friction.compact import CompactLaw
 
 MOST = 1e4

@@ -11,10 +11,10 @@ import math
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
 
 from arc.drives import LAWS
 from batch.batches import designs, lagging
-from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
 from wraparc.batch.arcs import arcs_of_table
 from wraparc.batch.pull_factors import pull_factors
 

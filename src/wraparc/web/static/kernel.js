@@ -960,13 +960,14 @@ const MOST_PART = 8.0;
 const MOST_ELEMENTS = 400;
 const TURN = 0.001;
 const LATER_STEPS = 20;
+const ROUGH = 0.001;
 const FIRST_SHARE = 0.125;
 const SOFTEST = 5.0;
-const ROUGH = 0.001;
 const MOST_EASED = 30;
 const LEAST_GUESS = 1e-7;
 const CREEPS = 40;
 const CLOSE = 0.001;
+const LEAST_GROWTH = 1.01;
 const UNSOLVED = 2;
 const RATIO_END = 1.0;
 const RECORD = 5;
@@ -1009,6 +1010,7 @@ const MOST_USED = 0.95;
 const LARGEST_FALL = 6.0;
 const SLIP = 2;
 const MISFIT = 1e-5;
+const FIRST_GOAL = 0.01;
 const HIGHEST = 1000.0;
 const LEAST_OVER = 0.0001;
 const DEEPEST = 3.0;
@@ -2611,6 +2613,7 @@ export function collocation__meshed(face, arc, at, kind, tol) {
   let needed = [...$range(n)].map(
     (i) => (collocation__misfit(face, arc, at, i) / sizes[i] / tol) ** 0.25,
   );
+  needed[0] = needed[0] ** 2;
   let ends = collocation__kinks(face, arc, at);
   let far = false;
   for (const each2 of ends) {
@@ -2757,6 +2760,9 @@ export function answer__meet(law, arc, ends, guess, near, tol) {
     if (again.done) {
       return answer___all_sliding(face, again);
     }
+    if (tol >= ROUGH) {
+      return answer___unmet(face, near);
+    }
   }
   let first = collocation__first_course(arc, length, guess.entry, guess.leaving, guess.creep);
   return answer___all_sliding(face, collocation__solved_or_eased(face, arc, ends, first, tol));
@@ -2771,7 +2777,7 @@ export function answer___rises(arc, met) {
 
 /** Operating point by continuation in the creep at the exit, the tight side held. */
 export function answer___by_creep(law, arc, goal) {
-  let carried, ends, guess;
+  let between, carried, ends, guess;
   let drives = arc.side > 0.0;
   let tight = max(goal.entry, goal.leaving);
   let slack = min(goal.entry, goal.leaving);
@@ -2779,6 +2785,7 @@ export function answer___by_creep(law, arc, goal) {
   let asked = Math.log(tight / slack);
   let low = 0.0;
   let high = Infinity;
+  let step = 3.0;
   let creep = max(Math.abs(goal.creep), LEAST_GUESS);
   let near = null;
   let met = answer___unmet(
@@ -2798,10 +2805,13 @@ export function answer___by_creep(law, arc, goal) {
         break;
       }
       [low, high] = carried < asked ? [creep, high] : [low, creep];
-    } else {
+    } else if (near === null || step < LEAST_GROWTH) {
       high = creep;
+    } else {
+      step = Math.sqrt(step);
     }
-    creep = high === Infinity ? 3.0 * low : low > 0.0 ? Math.sqrt(low * high) : 0.3 * high;
+    between = low > 0.0 ? Math.sqrt(low * high) : 0.3 * high;
+    creep = high < Infinity ? between : step * low;
   }
   if (!met.done) {
     return met;
@@ -3605,11 +3615,47 @@ export function capacity___guess_at(law, arc, tight, limit) {
   return arc.side > 0.0 ? new Guess(tight, slack, end) : new Guess(slack, tight, end);
 }
 
+/** Meet a goal of creep or slip at the exit by continuation in it, from a small part of it. */
+export function answer__by_growth(law, arc, ends, guess, tol) {
+  let begin, part;
+  let share = FIRST_GOAL;
+  let step = 2.0;
+  let near = null;
+  let last = 0.0;
+  let met = answer___unmet(
+    answer__interface(law, arc),
+    collocation__first_course(arc, 1.0, guess.entry, guess.entry, 0.0),
+  );
+  let top = max(guess.entry, guess.leaving);
+  for (let each1 = 0, end1 = CREEPS; each1 < end1; each1++) {
+    part = Object.assign(Object.create(Object.getPrototypeOf(ends)), ends, {
+      goal: share * ends.goal,
+    });
+    begin = new Guess(top, top, share * guess.creep);
+    met = answer__meet(law, arc, part, begin, near, share < 1.0 ? ROUGH : tol);
+    if (met.done && share === 1.0) {
+      break;
+    }
+    if (met.done) {
+      near = met.rest === 0.0 ? met.course : null;
+      [last, share] = [share, min(step * share, 1.0)];
+    } else if (near === null || step < LEAST_GROWTH) {
+      break;
+    } else {
+      step = Math.sqrt(step);
+      share = step * last;
+    }
+  }
+  return met;
+}
+
 /** Meet a limit of creep or slip at the exit with the tension of the tight side held [N]. */
 export function capacity__carry(law, arc, tight, limit, near = null) {
   let at_entry = arc.side > 0.0 ? 1.0 : 0.0;
   let ends = new Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most);
-  return answer__meet(law, arc, ends, capacity___guess_at(law, arc, tight, limit), near, MISFIT);
+  let guess = capacity___guess_at(law, arc, tight, limit);
+  let met = answer__meet(law, arc, ends, guess, near, MISFIT);
+  return met.done ? met : answer__by_growth(law, arc, ends, guess, MISFIT);
 }
 
 /** ln(tight/slack) of an arc [-]. */
