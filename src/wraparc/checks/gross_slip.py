@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
+from wraparc.arc.gross_slip import Line
 from wraparc.checks.numbers import rise_among
-from wraparc.checks.sliding import Line, Loaded, Sliding, pull_at_sliding
+from wraparc.checks.sliding import Loaded, Sliding, pull_at_sliding
 from wraparc.drive import TakeUp
 
 Array = NDArray[np.float64]

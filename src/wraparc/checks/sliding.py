@@ -13,8 +13,10 @@ from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.capacity import GROSS_SLIP as BY_LAW
 from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
-from wraparc.arc.capacity import find_capacities
-from wraparc.arc.gross_slip import plateau_capacity
+from wraparc.arc.capacity import Limit, carry, carry_along, find_capacities, least_slack, log_ratio
+from wraparc.arc.collocation import CREEP as CREEP_KIND
+from wraparc.arc.collocation import SLIP as SLIP_KIND
+from wraparc.arc.gross_slip import Line, plateau_capacity
 from wraparc.arc.quantities import SOLVED, Geometry, Load
 from wraparc.drive import CREEP_LIMIT
 from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
@@ -41,15 +43,6 @@ class Loaded(NamedTuple):
     peaks: bool  # whether friction may have its largest ratio at some creep
 
 
-class Line(NamedTuple):
-    """Tensions of an arc along a line: those at k = 1, and how they grow with k [N]."""
-
-    tight: float
-    slack: float
-    tight_rise: float
-    slack_rise: float
-
-
 class Sliding(NamedTuple):
     """Where a belt slides."""
 
@@ -65,13 +58,9 @@ def carried_at(of: Loaded, tight: float) -> tuple[float, int]:
         exit_tension=0.5 * tight if driving else tight,
         creep_limit=SLIDES,
     )
-    pressure = tight / (of.geometry.width * of.geometry.radius)
-    most = plateau_capacity(of.law, pressure, of.geometry.wrap_angle)
-    friction = plateau_at(of.law, segment_of(of.law, pressure), pressure)
-    # the creep at the end of the tests is their slip and what the lagging shears
-    at_end = load.slip_max + of.geometry.shear * friction * pressure
+    most = _most_at(of, tight)
     parts = BY_CREEP + BY_SLIP + (BY_LAW if of.peaks else 0)
-    if not of.peaks and at_end < _FIRST * SLIDES:
+    if not of.peaks and _tests_end_first(of, tight):
         parts = BY_SLIP
     found = find_capacities(of.law, of.geometry, load, parts)
     q, cause = found.creep_limit, CREEP
@@ -80,6 +69,30 @@ def carried_at(of: Loaded, tight: float) -> tuple[float, int]:
     if q >= most * (1.0 - _ALIKE) or (of.peaks and q >= found.gross_slip * (1.0 - _ALIKE)):
         cause = MOST
     return q, cause
+
+
+def _most_at(of: Loaded, tight: float) -> float:
+    """ln(tight/slack) with the largest friction everywhere, for a tension of the tight side [N]."""
+    pressure = tight / (of.geometry.width * of.geometry.radius)
+    return plateau_capacity(of.law, pressure, of.geometry.wrap_angle)
+
+
+def _tests_end_first(of: Loaded, tight: float) -> bool:
+    """Whether the tested slip ends well before the creep of sliding."""
+    pressure = tight / (of.geometry.width * of.geometry.radius)
+    friction = plateau_at(of.law, segment_of(of.law, pressure), pressure)
+    # the creep at the end of the tests is their slip and what the lagging shears
+    return of.load.slip_max + of.geometry.shear * friction * pressure < _FIRST * SLIDES
+
+
+def _limits(of: Loaded, tight: float) -> list[tuple[Limit, int]]:
+    """What ends the grip of a law that does not fall, whichever comes first, and its cause."""
+    found = []
+    if of.load.slip_max == of.load.slip_max:
+        found.append((Limit(SLIP_KIND, of.load.slip_max), TESTED))
+    if not _tests_end_first(of, tight):
+        found.append((Limit(CREEP_KIND, SLIDES), CREEP))
+    return found
 
 
 def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) -> Sliding:
@@ -157,17 +170,32 @@ def pull_at_sliding(of: Loaded, line: Line) -> Sliding:
     """Pull at which the belt slides over the pull, tensions growing along a line."""
     if line.tight == line.slack:
         return Sliding(inf, CREEP)
-    return slide_place(of, line, 1.0, 0.0, 1.0)
+    first = Sliding(inf, CREEP)
+    for limit, cause in [] if of.peaks else _limits(of, line.tight):
+        place, met = carry_along(of.law, of.geometry, line, limit)
+        if not place > 0.0:  # not found so
+            return slide_place(of, line, 1.0, 0.0, 1.0)
+        tight = max(met.entry, met.course.tension[-1])
+        exhausted = log_ratio(met) >= _most_at(of, tight) * (1.0 - _ALIKE)
+        if place < first.place * (1.0 - _ALIKE):
+            first = Sliding(place, MOST if exhausted else cause)
+    return slide_place(of, line, 1.0, 0.0, 1.0) if first.place == inf else first
 
 
 def tight_at_sliding(of: Loaded, pull: float) -> float:
     """Least tension of the tight side with which a pull does not slide the belt [N]; inf if none.
 
-    The root of T - pull = T exp(-q(T)), sought up to 200 times the pull.
+    Sought up to 200 times the pull.
     """
     if pull <= 0.0:
         return 0.0
-    tight = max(of.load.entry_tension, of.load.exit_tension)
+    tight, needed = max(of.load.entry_tension, of.load.exit_tension), 0.0
+    for limit, _ in [] if of.peaks else _limits(of, tight):
+        met = carry(of.law, of.geometry, tight, limit)
+        slack = least_slack(of.law, of.geometry, pull, limit, met, _FARTHEST * pull).slack
+        needed = max(needed, slack + pull) if slack == slack and needed == needed else nan
+    if needed > 0.0:
+        return needed
     # in units of the pull: T = k pull
     line = Line(pull, 0.0, pull, pull)
     return pull * slide_place(of, line, -1.0, 1.0, max(tight / pull, 1.0 + 1e-6)).place

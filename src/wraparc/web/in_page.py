@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.constant_friction import wrap_factor
+from wraparc.arc.gross_slip import Line
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
     CapacityNumbers,
@@ -44,7 +45,6 @@ from wraparc.checks.numbers import (
 )
 from wraparc.checks.sliding import (
     NOT_CARRIED,
-    Line,
     Loaded,
     lift_for_safety,
     pull_at_sliding,

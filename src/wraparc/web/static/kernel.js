@@ -728,6 +728,17 @@ export class Sliding {
   }
 }
 
+export class Along {
+  constructor(place, met) {
+    this.place = place;
+    this.met = met;
+  }
+  *[Symbol.iterator]() {
+    yield this.place;
+    yield this.met;
+  }
+}
+
 export class Bracket {
   constructor(low, high) {
     this.low = low;
@@ -1023,14 +1034,16 @@ const ON_THE_RISE = 0.6;
 const FIRST_PART = 0.4;
 const LOOKS = 14;
 const WIDER = 1.5;
-const _ROUNDS = 60;
+const SLIP_KIND = 2;
+const TESTED = 1;
+const _FIRST = 0.8;
 const SLIDES = 0.0635;
+const CREEP_KIND = 1;
+const _ROUNDS = 60;
 const BY_CREEP = 2;
 const BY_SLIP = 4;
 const BY_LAW = 16;
-const _FIRST = 0.8;
 const _ALIKE = 1e-6;
-const TESTED = 1;
 const MOST = 2;
 const _DIFFERENCE = 0.001;
 const _FARTHEST = 200.0;
@@ -4013,6 +4026,72 @@ export function in_page__limits_of(given, arc, tested, criteria) {
   );
 }
 
+/** Whether the tested slip ends well before the creep of sliding. */
+export function sliding___tests_end_first(of, tight) {
+  let pressure = tight / (of.geometry.width * of.geometry.radius);
+  let friction = compact__plateau_at(of.law, compact__segment_of(of.law, pressure), pressure);
+  return of.load.slip_max + of.geometry.shear * friction * pressure < _FIRST * SLIDES;
+}
+
+/** What ends the grip of a law that does not fall, whichever comes first, and its cause. */
+export function sliding___limits(of, tight) {
+  let found = [];
+  if (of.load.slip_max === of.load.slip_max) {
+    found.push([new Limit(SLIP_KIND, of.load.slip_max), TESTED]);
+  }
+  if (!sliding___tests_end_first(of, tight)) {
+    found.push([new Limit(CREEP_KIND, SLIDES), 0]);
+  }
+  return found;
+}
+
+/** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
+export function capacity__carry_along(law, arc, line, limit) {
+  let ends, guess;
+  let [tight, slack, tight_rise, slack_rise] = line;
+  let first = capacity__carry(law, arc, tight, limit);
+  if (!first.done) {
+    return new Along(NaN, first);
+  }
+  let ratio = Math.exp(capacity__log_ratio(first));
+  if (tight_rise <= ratio * slack_rise) {
+    return new Along(NaN, first);
+  }
+  let k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise);
+  let top = tight + (k - 1.0) * tight_rise;
+  let low = slack + (k - 1.0) * slack_rise;
+  if (!(top > 0.0 && low > 0.0)) {
+    return new Along(NaN, first);
+  }
+  let size = max(Math.abs(tight_rise), Math.abs(slack_rise));
+  let at_tight = slack_rise / size;
+  let at_slack = -tight_rise / size;
+  let goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise);
+  let end = arc.side * limit.most;
+  if (arc.side > 0.0) {
+    ends = new Ends(at_tight, at_slack, goal, limit.kind, end);
+    guess = new Guess(top, low, first.course.creep.at(-1));
+  } else {
+    ends = new Ends(at_slack, at_tight, goal, limit.kind, end);
+    guess = new Guess(low, top, first.course.creep.at(-1));
+  }
+  let met = answer__meet(law, arc, ends, guess, capacity___near(first), MISFIT);
+  if (!met.done) {
+    return new Along(NaN, met);
+  }
+  let found = max(met.entry, met.course.tension.at(-1));
+  let other = min(met.entry, met.course.tension.at(-1));
+  let by_tight = Math.abs(tight_rise) >= Math.abs(slack_rise);
+  let step = by_tight ? (found - tight) / tight_rise : (other - slack) / slack_rise;
+  return new Along(1.0 + step, met);
+}
+
+/** ln(tight/slack) with the largest friction everywhere, for a tension of the tight side [N]. */
+export function sliding___most_at(of, tight) {
+  let pressure = tight / (of.geometry.width * of.geometry.radius);
+  return gross_slip__plateau_capacity(of.law, pressure, of.geometry.wrap_angle);
+}
+
 /** Largest ln(tight/slack) before the belt slides with a tight side held [N], and the cause. */
 export function sliding__carried_at(of, tight) {
   let driving = of.geometry.side > 0.0;
@@ -4021,12 +4100,9 @@ export function sliding__carried_at(of, tight) {
     exit_tension: driving ? 0.5 * tight : tight,
     creep_limit: SLIDES,
   });
-  let pressure = tight / (of.geometry.width * of.geometry.radius);
-  let most = gross_slip__plateau_capacity(of.law, pressure, of.geometry.wrap_angle);
-  let friction = compact__plateau_at(of.law, compact__segment_of(of.law, pressure), pressure);
-  let at_end = load.slip_max + of.geometry.shear * friction * pressure;
+  let most = sliding___most_at(of, tight);
   let parts = BY_CREEP + BY_SLIP + (of.peaks ? BY_LAW : 0);
-  if (!of.peaks && at_end < _FIRST * SLIDES) {
+  if (!of.peaks && sliding___tests_end_first(of, tight)) {
     parts = BY_SLIP;
   }
   let found = capacity__find_capacities(of.law, of.geometry, load, parts);
@@ -4121,10 +4197,26 @@ export function sliding__slide_place(of, line, way, low, start) {
 
 /** Pull at which the belt slides over the pull, tensions growing along a line. */
 export function sliding__pull_at_sliding(of, line) {
+  let cause, exhausted, limit, met, place, tight;
   if (line.tight === line.slack) {
     return new Sliding(Infinity, 0);
   }
-  return sliding__slide_place(of, line, 1.0, 0.0, 1.0);
+  let first = new Sliding(Infinity, 0);
+  for (const each1 of of.peaks ? [] : sliding___limits(of, line.tight)) {
+    [limit, cause] = each1;
+    const found2 = capacity__carry_along(of.law, of.geometry, line, limit);
+    place = found2.place;
+    met = found2.met;
+    if (!(place > 0.0)) {
+      return sliding__slide_place(of, line, 1.0, 0.0, 1.0);
+    }
+    tight = max(met.entry, met.course.tension.at(-1));
+    exhausted = capacity__log_ratio(met) >= sliding___most_at(of, tight) * (1.0 - _ALIKE);
+    if (place < first.place * (1.0 - _ALIKE)) {
+      first = new Sliding(place, exhausted ? MOST : cause);
+    }
+  }
+  return first.place === Infinity ? sliding__slide_place(of, line, 1.0, 0.0, 1.0) : first;
 }
 
 /** Pressure of the belt on the pulley, 2 T/(B D) [Pa]. */
@@ -4204,10 +4296,21 @@ export function least_numbers__least_for_slip(law, geometry, of, limit) {
 
 /** Least tension of the tight side with which a pull does not slide the belt [N]; inf if none. */
 export function sliding__tight_at_sliding(of, pull) {
+  let limit, met, slack;
   if (pull <= 0.0) {
     return 0.0;
   }
   let tight = max(of.load.entry_tension, of.load.exit_tension);
+  let needed = 0.0;
+  for (const each1 of of.peaks ? [] : sliding___limits(of, tight)) {
+    [limit] = each1;
+    met = capacity__carry(of.law, of.geometry, tight, limit);
+    slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, _FARTHEST * pull).slack;
+    needed = slack === slack && needed === needed ? max(needed, slack + pull) : NaN;
+  }
+  if (needed > 0.0) {
+    return needed;
+  }
   let line = new Line(pull, 0.0, pull, pull);
   return pull * sliding__slide_place(of, line, -1.0, 1.0, max(tight / pull, 1.0 + 1e-6)).place;
 }
