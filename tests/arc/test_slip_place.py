@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import brentq
 
 from arc.drives import LAWS
-from wraparc.arc.kernel.gross_slip import (
+from wraparc.arc.gross_slip import (
     Grip,
     Line,
     carried_log,

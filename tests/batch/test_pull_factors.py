@@ -1,6 +1,6 @@
 """How much more pull until gross slip, by the row.
 
-Expected values: `wraparc.arc.kernel.gross_slip.slip_place`, which brackets the place and halves its
+Expected values: `wraparc.arc.gross_slip.slip_place`, which brackets the place and halves its
 way to it, row by row in the interpreter.
 """
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from arc.drives import LAWS
 from batch.batches import designs, lagging
-from wraparc.arc.kernel.gross_slip import Grip, Line, plateau_capacity, slip_place
+from wraparc.arc.gross_slip import Grip, Line, plateau_capacity, slip_place
 from wraparc.batch.arcs import arcs_of_table
 from wraparc.batch.pull_factors import pull_factors
 
