@@ -10,25 +10,20 @@ const told = (value) =>
     typeof v !== "number" || Number.isFinite(v) ? v : v > 0 ? "inf" : v < 0 ? "-inf" : "nan",
   );
 
-function solved({ law, geometry, load, steps, points, parts }) {
-  const found = kernel.answer__answer(law, geometry, load, steps);
+function solved({ law, geometry, load, points, parts }) {
+  const { entry_tension, exit_tension, pressure_min, pressure_max, slip_max } = load;
+  const found = kernel.answer__operating_point(law, geometry, entry_tension, exit_tension);
   const capacities = parts
-    ? [...kernel.answer__find_capacities(law, geometry, load, parts, steps)]
+    ? [...kernel.capacity__find_capacities(law, geometry, load, parts)]
     : [];
   if (found.outcome !== 0) return { outcome: found.outcome, capacities };
-  const out = new Float64Array(kernel.answer__profile_size(law, found, points));
-  const [shot, count] = kernel.answer__profile_of(law, found, load.exit_tension, points, out);
-  const { pressure_min, pressure_max, slip_max } = load;
+  const [out, count] = kernel.profile__records(geometry, found.met, points);
+  const tested = { pressure_min, pressure_max, slip_max };
   return {
     outcome: found.outcome,
     count,
-    shot: [...shot],
-    records: [...out.slice(0, 6 * count)],
-    peak: kernel.profile__peak_stress(law, found.par, shot.creep_ratio, out, count),
-    active: kernel.profile__active_length(out, count),
-    outside: kernel.profile__share_outside(
-      found.par, out, count, pressure_min, pressure_max, slip_max,
-    ),
+    read: [...kernel.profile__read(geometry, found.met, tested)],
+    records: [...out.slice(0, 5 * count)],
     capacities,
   };
 }

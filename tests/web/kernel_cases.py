@@ -13,20 +13,16 @@ import numpy as np
 
 from arc.drives import LAWS, random_arc
 from wraparc.arc import WrapArc
-from wraparc.arc.kernel.answer import (
-    CAPACITIES,
-    answer,
-    find_capacities,
-    profile_of,
-    profile_size,
-)
-from wraparc.arc.kernel.quantities import RECORD, SOLVED, zeros
-from wraparc.arc.profile import active_length, peak_stress, share_outside
+from wraparc.arc.answer import operating_point
+from wraparc.arc.capacity import CAPACITIES, find_capacities
+from wraparc.arc.profile import RECORD, Range, Read, read, records
+from wraparc.arc.quantities import SOLVED
 
-STEPS, POINTS = 24, 120
+POINTS = 120
 #: The laws of the tests, and each as a factor on its friction and slip leaves it.
 ALL_LAWS = LAWS | {f"{name}, scaled": law.scaled(0.8, 1.1) for name, law in LAWS.items()}
 Data = dict[str, Any]
+LOSS = Read._fields.index("loss")
 
 
 def arcs(each: int, seed: int) -> Iterator[tuple[str, WrapArc]]:
@@ -42,7 +38,6 @@ def case_of(arc: WrapArc, capacities: bool) -> Data:
         "law": arc.law.compact()._asdict(),
         "geometry": arc.geometry()._asdict(),
         "load": arc.load()._asdict(),
-        "steps": STEPS,
         "points": POINTS,
         "parts": CAPACITIES if capacities else 0,
     }
@@ -51,21 +46,17 @@ def case_of(arc: WrapArc, capacities: bool) -> Data:
 def in_python(arc: WrapArc, capacities: bool) -> Data:
     """Return what the kernel finds, interpreted."""
     law, geometry, load = arc.law.compact(), arc.geometry(), arc.load()
-    found = answer(law, geometry, load, STEPS)
-    carried = find_capacities(law, geometry, load, CAPACITIES, STEPS) if capacities else ()
+    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
+    carried = find_capacities(law, geometry, load, CAPACITIES) if capacities else ()
     if found.outcome != SOLVED:
         return {"outcome": found.outcome, "capacities": list(carried)}
-    out = zeros(profile_size(law, found, POINTS))
-    shot, count = profile_of(law, found, load.exit_tension, POINTS, out)
-    tested = load.pressure_min, load.pressure_max, load.slip_max
+    out, count = records(geometry, found.met, POINTS)
+    tested = Range(load.pressure_min, load.pressure_max, load.slip_max)
     return {
         "outcome": found.outcome,
         "count": count,
-        "shot": list(shot),
+        "read": list(read(geometry, found.met, tested)),
         "records": list(out[: RECORD * count]),
-        "peak": list(peak_stress(law, found.par, shot.creep_ratio, out, count)),
-        "active": active_length(out, count),
-        "outside": share_outside(found.par, out, count, *tested),
         "capacities": list(carried),
     }
 
@@ -116,12 +107,14 @@ def apart(here: Data, there: Data) -> dict[str, float]:
     size = np.abs(a).max(axis=0)
     columns = np.abs(a - b).max(axis=0) / np.where(size > 0.0, size, 1.0)
     found = carried | {f"record {i}": float(miss) for i, miss in enumerate(columns)}
-    for name in ("shot", "peak"):
-        pairs = zip(here[name], there[name], strict=True)
-        found |= {f"{name} {i}": _relative(x, y) for i, (x, y) in enumerate(pairs)}
-    found["active"] = _relative(here["active"], there["active"])
-    one, other = here["outside"], there["outside"]  # shares of the arc
-    return found | {"outside": 0.0 if one == other else abs(one - other)}
+    for name, x, y in zip(Read._fields, here["read"], there["read"], strict=True):
+        if name == "miss":  # rounding, of the loss
+            found[name] = abs(x - y) / max(abs(here["read"][LOSS]), 1e-300)
+        elif name == "outside":  # a share of the arc
+            found[name] = 0.0 if x == y or (math.isnan(x) and math.isnan(y)) else abs(x - y)
+        else:
+            found[name] = _relative(x, y)
+    return found
 
 
 def _relative(x: float, y: float) -> float:

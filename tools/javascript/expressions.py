@@ -247,6 +247,8 @@ class Expressions(Sequences):
         base, name = self.of(func.value), func.attr
         if name == "append":
             return f"{base}.push({', '.join(args)})"
+        if name == "insert":
+            return f"{base}.splice({args[0]}, 0, {args[1]})"
         if name == "join":
             return f"{args[0]}.join({base})"
         self.module.called(name, self.where(node))

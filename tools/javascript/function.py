@@ -168,6 +168,8 @@ class Function:
     def _augassign(self, node: ast.AugAssign) -> list[str]:
         if type(node.op) not in _IN_PLACE:
             self.ex.refuse(node, "the operator is not translated")
+        if isinstance(node.value, ast.List | ast.ListComp):
+            return [f"{self._target(node.target)}.push(...{self.of(node.value)});"]
         return [f"{self._target(node.target)} {_IN_PLACE[type(node.op)]} {self.of(node.value)};"]
 
     def _assign(self, node: ast.Assign) -> list[str]:

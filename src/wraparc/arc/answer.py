@@ -122,7 +122,7 @@ def meet(
         again = solved(face, arc, ends, near, tol)
         if again.done:
             return _all_sliding(face, again)
-    first = first_course(arc, length, *guess)
+    first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
     return _all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
 
 
@@ -153,9 +153,9 @@ def _at_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess) -> Met | 
 def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
     """`meet` with a rest arc at the entry; not done where it is not much longer than l."""
     length = arc.radius * arc.wrap_angle
-    first = first_course(arc, length, *guess)
+    first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
     for share in FIRST_SLIDES:
-        first = first_course(arc, share * length, *guess)
+        first = first_course(arc, share * length, guess.entry, guess.leaving, guess.creep)
         first = first._replace(ratio=ratio_behind_rest(face, arc, guess.entry)[0])
         done, course, slopes = solved(face, arc, ends, first, tol)
         if done:
@@ -191,7 +191,9 @@ def operating_point(law: CompactLaw, arc: Geometry, entry: float, leaving: float
     creep = 2.0 * mean_creep(face, arc, entry, leaving)
     guess = Guess(entry, leaving, creep)
     if goal >= plateau_capacity(law, top, arc.wrap_angle):
-        first = first_course(arc, arc.radius * arc.wrap_angle, *guess)
+        first = first_course(
+            arc, arc.radius * arc.wrap_angle, guess.entry, guess.leaving, guess.creep
+        )
         return Answer(BREAKAWAY, _unmet(face, first))
     met = meet(law, arc, between_tensions(entry, leaving), guess, None, MESH)
     if not (met.done and _rises(arc, met)):
@@ -224,7 +226,7 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     at_entry = 1.0 if drives else 0.0
     asked, low, high = log(tight / slack), 0.0, inf
     creep, near = max(abs(goal.creep), LEAST_GUESS), None
-    met = _unmet(interface(law, arc), first_course(arc, 1.0, *goal))
+    met = _unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
     for _ in range(CREEPS):
         ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep)
         guess = goal._replace(creep=arc.side * creep)

@@ -28,8 +28,8 @@ from wraparc.arc.quantities import LEAST_COMPLIANCE, Geometry
 from wraparc.arc.traction import (
     LEAST_CREEP,
     Traction,
+    branch_at,
     creep_of_slip,
-    piece_at,
     plateau_stress,
     stress_of_slip,
     traction,
@@ -49,14 +49,18 @@ B0, B1, B2 = 5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0
 # the parabola through the stages at the start of an element (at its end: the other way round)
 E0, E1, E2 = (5.0 + _Q) / 6.0, -2.0 / 3.0, (5.0 - _Q) / 6.0
 
+# denominators of the cubic through the start and the stages
+D, D0 = -C0 * C1 * C2, C0 * (C0 - C1) * (C0 - C2)
+D1, D2 = C1 * (C1 - C0) * (C1 - C2), C2 * (C2 - C0) * (C2 - C1)
+
 #: Conditions at the exit.
 TENSION, CREEP, SLIP = range(3)
 FIRST_ELEMENTS, GRADING = 8, 2.0  # of the first mesh: s = L (i/n)^2, the slip begins at the entry
 MOST_ELEMENTS = 400
 LEAST_PART, MOST_PART = 1.0, 8.0  # elements for one, as its misfit asks
-#: Largest change of a tension, of the pull, that ends Newton's method; one that may be rounding; a
-#: pull that is next to none, of the tension.
-NEWTON, ROUNDING, LEAST_PULL = 1e-9, 1e-5, 1e-5
+#: Largest change of a tension, of the pull, that ends Newton's method, and that on a mesh not yet
+#: judged; one that may be rounding; a pull that is next to none, of the tension.
+NEWTON, COARSELY, ROUNDING, LEAST_PULL = 1e-9, 1e-4, 1e-5, 1e-5
 LEAST_LEFT, MOST_STRETCH = 0.2, 0.5  # of a tension, of a length, after one step
 FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
@@ -488,7 +492,8 @@ def improved(
     last, last_z, last_goal = (missing - by_creep * r) / free, -by_creep * d / free, 1.0 / free
     first, first_z, first_goal = last, last_z, last_goal
     last_k = first_k = -by_creep * dk / free
-    for _, _, _, rt, zt, over, _, kt in reversed(back):
+    for i in range(n - 1, -1, -1):
+        _, _, _, rt, zt, over, _, kt = back[i]
         first, first_z, first_goal = over * first - rt, over * first_z - zt, over * first_goal
         first_k = over * first_k - kt
     tied, tied_z, tied_goal, drop = 0.0, 0.0, 0.0, 0.0
@@ -555,15 +560,17 @@ def _moved(
     ), largest / scale
 
 
-def converged(face: Interface, arc: Geometry, ends: Ends, at: Course, most: int) -> Solved:
-    """Newton's method on one mesh."""
+def converged(
+    face: Interface, arc: Geometry, ends: Ends, at: Course, most: int, near: float
+) -> Solved:
+    """Newton's method on one mesh, until a step changes no tension by `near` of the pull."""
     slopes, before = NO_SLOPES, inf
     for _ in range(most):
         at, change, slopes = improved(face, arc, ends, at)
         if not change < 1e4:
             return Solved(False, at, slopes)
         # what no longer shrinks, where steps shrink as squares, is rounding
-        if change < NEWTON or (change < ROUNDING and change > 0.5 * before):
+        if change < near or (change < ROUNDING and change > 0.5 * before):
             return Solved(True, at, slopes)
         before = change
     return Solved(False, at, slopes)
@@ -587,14 +594,10 @@ def state_at(arc: Geometry, at: Course, i: int, c: float) -> tuple[float, float]
     mean = w0 * k[3 * i] + w1 * k[3 * i + 1] + w2 * k[3 * i + 2]
     u = at.creep[i] + h * (c * at.ratio - compliance_of(arc) * mean)
     # the cubic through the tensions at the start and the stages
-    t, nodes = 0.0, (0.0, C0, C1, C2)
-    values = (at.tension[i], k[3 * i], k[3 * i + 1], k[3 * i + 2])
-    for j in range(4):
-        part = values[j]
-        for m in range(4):
-            if m != j:
-                part *= (c - nodes[m]) / (nodes[j] - nodes[m])
-        t += part
+    c0, c1, c2 = c - C0, c - C1, c - C2
+    t = at.tension[i] * c0 * c1 * c2 / D + c * (
+        k[3 * i] * c1 * c2 / D0 + k[3 * i + 1] * c0 * c2 / D1 + k[3 * i + 2] * c0 * c1 / D2
+    )
     return u, t
 
 
@@ -623,7 +626,7 @@ def piece_code(
     u, tension = state
     p = tension / (arc.width * arc.radius)
     segment = segment_of(face.law, p)
-    branch = piece_at(face.law, segment, face.shear, p, max(abs(u), LEAST_CREEP)).branch
+    branch = branch_at(face.law, segment, face.shear, p, max(abs(u), LEAST_CREEP))
     return (0 if abs(u) < least else 1 if u > 0.0 else -1), segment, branch
 
 
@@ -635,17 +638,23 @@ def _differ(one: tuple[int, int, int], other: tuple[int, int, int]) -> bool:
 def kinks(face: Interface, arc: Geometry, at: Course) -> list[tuple[float, bool]]:
     """Places where the course passes into another piece of the law [m], and whether creep turns."""
     found: list[tuple[float, bool]] = []
-    least = SMALL * max(*at.creep, -min(at.creep))
-    code = piece_code(face, arc, state_at(arc, at, 0, C0), least)
-    for i in range(len(at.place) - 1):
-        low = 0.0 if i > 0 else C0
-        for high in (C0, C1, C2, 1.0):
-            if high <= low or (high == 1.0 and i + 2 == len(at.place)):
-                continue
-            now = piece_code(face, arc, state_at(arc, at, i, high), least)
-            if _differ(now, code):
+    largest, lowest = max(at.creep), min(at.creep)
+    least = SMALL * max(largest, -lowest)
+    c, n, k = compliance_of(arc), len(at.place) - 1, at.stage
+    code = (0, 0, 0)
+    for i in range(n):
+        h = at.place[i + 1] - at.place[i]
+        u0, u1, u2 = stage_creeps(h, at.ratio, c, at.creep[i], k[3 * i : 3 * i + 3])
+        states = [(C0, u0, k[3 * i]), (C1, u1, k[3 * i + 1]), (C2, u2, k[3 * i + 2])]
+        if i + 1 < n:
+            states.append((1.0, at.creep[i + 1], at.tension[i + 1]))
+        low = 0.0
+        for high, u, t in states:
+            now = piece_code(face, arc, (u, t), least)
+            if i == 0 and high == C0:
+                code = now
+            elif _differ(now, code):
                 share, turns = _change(face, arc, at, i, (low, high), code)
-                h = at.place[i + 1] - at.place[i]
                 found.append((at.place[i] + share * h, turns))
             code = now if now[0] != 0 else (code[0], now[1], now[2])
             low = high
@@ -761,7 +770,8 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
                 stage.append(t)
         creep.append(u)
         tension.append(t)
-    creep[-1], tension[-1] = at.creep[-1], at.tension[-1]
+    last = len(places) - 1
+    creep[last], tension[last] = at.creep[-1], at.tension[-1]
     return Course(places, creep, tension, stage, at.ratio)
 
 
@@ -774,7 +784,7 @@ def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) ->
     softest = (SOFTEST / length) ** 2 / (compliance_of(arc) * arc.width)
     spring = max(pull, 1e-3 * at.tension[0]) / (arc.width * length * max(size, 1e-9))
     face = face._replace(spring=min(spring, softest), share=0.0)
-    found = converged(face, arc, ends, at, FIRST_STEPS)
+    found = converged(face, arc, ends, at, FIRST_STEPS, COARSELY)
     if not found.done:
         return found
     at = meshed(face, arc, found.course, ends.kind, ROUGH)[1]
@@ -782,7 +792,7 @@ def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) ->
         if step < LEAST_SHARE:
             break
         now = min(share + step, 1.0)
-        found = converged(face._replace(share=now), arc, ends, at, FIRST_STEPS)
+        found = converged(face._replace(share=now), arc, ends, at, FIRST_STEPS, COARSELY)
         if not found.done:
             step *= 0.4
             continue
@@ -790,21 +800,21 @@ def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) ->
         face = face._replace(share=now)
         at = meshed(face, arc, found.course, ends.kind, max(ROUGH, tol))[1]
         if share == 1.0:
-            return converged(face, arc, ends, at, LATER_STEPS)
+            return converged(face, arc, ends, at, LATER_STEPS, COARSELY)
     return Solved(False, at, NO_SLOPES)
 
 
 def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH) -> Solved:
     """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
-    found = converged(face, arc, ends, start, FIRST_STEPS)
+    found = converged(face, arc, ends, start, FIRST_STEPS, COARSELY)
     for _ in range(MOST_ROUNDS):
         if not found.done:
             return found
         finer, new = meshed(face, arc, found.course, ends.kind, tol)
         if not finer:
-            return found
-        found = converged(face, arc, ends, new, LATER_STEPS)
-    return found
+            break
+        found = converged(face, arc, ends, new, LATER_STEPS, COARSELY)
+    return converged(face, arc, ends, found.course, LATER_STEPS, NEWTON)
 
 
 def solved_or_eased(

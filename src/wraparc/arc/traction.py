@@ -135,6 +135,20 @@ def piece_at(law: CompactLaw, segment: int, shear: float, pressure: float, creep
     return Piece(creep - ease * residual, RESIDUAL)
 
 
+def branch_at(law: CompactLaw, segment: int, shear: float, pressure: float, creep: float) -> int:
+    """Branch of a law at a magnitude of creep, > 0 [m]; -1 where the belt is held."""
+    if law.kind in (LIMIT, TABLE):
+        return piece_at(law, segment, shear, pressure, creep).branch
+    slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
+    hold, ease = _hold(law, segment, pressure), shear * pressure
+    beyond = creep - slip_pk - ease * hold * mu_pk
+    if beyond <= 0.0:
+        return RISE
+    slope, residual, _, _ = tail(law, segment, pressure)
+    line = beyond / (1.0 + ease * hold * slope)
+    return LINE if mu_pk + slope * line >= min(residual, mu_pk) else RESIDUAL
+
+
 def _hold(law: CompactLaw, segment: int, pressure: float) -> float:
     """Share of friction that is left where traction is held, above the tested pressures [-]."""
     last = len(law.edges) - 1

@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import asinh, exp, log, sinh, sqrt
 
 from wraparc.arc.kernel.march import stress_and_creep, sweep
-from wraparc.arc.kernel.quantities import Parameters, Shot, State
+from wraparc.arc.kernel.quantities import Parameters, Shot, Sliding
 from wraparc.arc.kernel.stick import (
     onset_stress,
     stick_slip,
@@ -132,7 +132,7 @@ def shoot_from(
     return shot_of(law, par, state, g, zone), count
 
 
-def shot_of(law: CompactLaw, par: Parameters, state: State, g: float, zone: float) -> Shot:
+def shot_of(law: CompactLaw, par: Parameters, state: Sliding, g: float, zone: float) -> Shot:
     """Exit quantities of a state at the exit."""
     tau, creep = stress_and_creep(law, par, state)
     return Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone)

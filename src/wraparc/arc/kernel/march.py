@@ -25,7 +25,7 @@ from wraparc.arc.kernel.cut import (
     first_crossing,
     within,
 )
-from wraparc.arc.kernel.quantities import RECORD, Parameters, State
+from wraparc.arc.kernel.quantities import RECORD, Parameters, Sliding
 from wraparc.arc.kernel.step import LARGEST_LOG, MESH_POWER, pressure_at, rates, step
 from wraparc.arc.quantities import Buffer, zeros
 from wraparc.friction.compact import (
@@ -85,7 +85,7 @@ def advance(  # noqa: C901 - one loop over steps and cuts
     law: CompactLaw,
     par: Parameters,
     g: float,
-    state: State,
+    state: Sliding,
     origin: float,
     span: float,
     xi: float,
@@ -93,7 +93,7 @@ def advance(  # noqa: C901 - one loop over steps and cuts
     cut: bool,
     out: Buffer,
     count: int,
-) -> tuple[State, int]:
+) -> tuple[Sliding, int]:
     """Carry a sliding state from xi to xi_end on the mesh s = origin + span xi^4.
 
     Steps are cut where the law changes its piece (if `cut`); such points are recorded in `out` (if
@@ -197,17 +197,17 @@ def advance(  # noqa: C901 - one loop over steps and cuts
             elif side == NEXT_BRANCH:
                 branch += 1
             if len(out) > 0 and xi < xi_end and f > 0.0:
-                there = State(q, x, work, segment, branch, sign)
+                there = Sliding(q, x, work, segment, branch, sign)
                 record(law, par, out, count, origin + span * xi**MESH_POWER, there)
                 count += 1
             continue
         q, x, work = q1, x1, work + w1
         xi = xi_end if h == xi_end - xi else xi + h
-    return State(q, x, work, segment, branch, sign), count
+    return Sliding(q, x, work, segment, branch, sign), count
 
 
 def record(
-    law: CompactLaw, par: Parameters, out: Buffer, count: int, s: float, state: State
+    law: CompactLaw, par: Parameters, out: Buffer, count: int, s: float, state: Sliding
 ) -> None:
     """Write one point of a profile: s, q, slip, creep, shear stress, friction work."""
     tau, creep = stress_and_creep(law, par, state)
@@ -216,7 +216,7 @@ def record(
     out[i + 3], out[i + 4], out[i + 5] = creep, tau, state.work
 
 
-def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[float, float]:
+def stress_and_creep(law: CompactLaw, par: Parameters, state: Sliding) -> tuple[float, float]:
     """Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state."""
     q, x, _, segment, branch, sign = state
     if x == 0.0 and law.kind in (KNOTS, PIECES):
@@ -227,8 +227,8 @@ def stress_and_creep(law: CompactLaw, par: Parameters, state: State) -> tuple[fl
     return tau, x + par.shear * tau
 
 
-def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) -> State:
-    """State a short way s past a point of no slip, where creep grows at `rate` (no kick)."""
+def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) -> Sliding:
+    """Sliding a short way s past a point of no slip, where creep grows at `rate` (no kick)."""
     sign = 1.0 if rate > 0.0 else -1.0
     x = slip_at_entry(law, par, abs(rate) * s, q)
     p = pressure_at(par, q)
@@ -237,7 +237,7 @@ def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) ->
     mu, _, _ = friction_at(law, segment, branch, x, p)
     # friction grows nearly in proportion to s here: its mean is half of its last value
     dq = 0.5 * mu * s / par.radius
-    return State(q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign)
+    return Sliding(q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign)
 
 
 def to_zero_slip(
@@ -283,7 +283,7 @@ def to_zero_slip(
         if x <= 0.0:
             return 0, 0.0, 0.0, 0.0, count
         if len(out) > 0:
-            record(law, par, out, count, s, State(q, sign * x, work, segment, branch, sign))
+            record(law, par, out, count, s, Sliding(q, sign * x, work, segment, branch, sign))
             count += 1
     rate = sign * (g + par.entry_tension * -expm1(q) * par.compliance)
     if rate >= 0.0:
@@ -299,14 +299,14 @@ def carry_to_exit(
     law: CompactLaw,
     par: Parameters,
     g: float,
-    state: State,
+    state: Sliding,
     origin: float,
     first: int,
     steps: int,
     points: int,
     out: Buffer,
     count: int,
-) -> tuple[State, int]:
+) -> tuple[Sliding, int]:
     """Carry a state from mesh node `first` to the exit, recording `points` parts of the arc."""
     length = par.length
     span = length - origin
@@ -338,7 +338,7 @@ def carry_to_exit(
 
 def sweep(  # noqa: C901 - the ways an arc begins
     law: CompactLaw, par: Parameters, g: float, steps: int, points: int, out: Buffer
-) -> tuple[State, int]:
+) -> tuple[Sliding, int]:
     """March the whole arc with a law that starts without a jump.
 
     Parameters
@@ -356,7 +356,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
     Returns
     -------
     state, count
-        State at the exit nip and the number of points recorded.
+        Sliding at the exit nip and the number of points recorded.
     """
     kick, length = par.kick, par.length
     count = 0
@@ -365,7 +365,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
         x = slip_at_entry(law, par, abs(kick), 0.0)
         p = par.entry_pressure
         segment = segment_of(law, p)
-        state = State(0.0, sign * x, 0.0, segment, branch_of(law, segment, x, p), sign)
+        state = Sliding(0.0, sign * x, 0.0, segment, branch_of(law, segment, x, p), sign)
         if len(out) > 0:
             record(law, par, out, 0, 0.0, state)
             count = 1
@@ -375,7 +375,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
                 rate = g + par.entry_tension * -expm1(q) * par.compliance
                 cell = (length - s) / steps**MESH_POWER
                 gone = _leave(law, par, rate, q, cell)
-                state = State(
+                state = Sliding(
                     gone.log_tension,
                     gone.slip,
                     gone.work + work,
@@ -391,7 +391,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
         count = 1
     if g == 0.0:
         p = par.entry_pressure
-        state = State(0.0, 0.0, 0.0, segment_of(law, p), 0, 1.0)
+        state = Sliding(0.0, 0.0, 0.0, segment_of(law, p), 0, 1.0)
         if len(out) > 0:
             for j in range(1, points + 1):
                 out[RECORD * count] = j * length / points
@@ -401,7 +401,7 @@ def sweep(  # noqa: C901 - the ways an arc begins
         return state, count
     if law.kind in (LIMIT, TABLE):
         sign = 1.0 if g > 0.0 else -1.0
-        state = State(0.0, 0.0, 0.0, segment_of(law, par.entry_pressure), 0, sign)
+        state = Sliding(0.0, 0.0, 0.0, segment_of(law, par.entry_pressure), 0, sign)
         return carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count)
     state = _leave(law, par, g, 0.0, length / steps**MESH_POWER)
     return carry_to_exit(law, par, g, state, 0.0, 1, steps, points, out, count)

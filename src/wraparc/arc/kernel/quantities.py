@@ -32,7 +32,7 @@ class Parameters(NamedTuple):
     onset: float
 
 
-class State(NamedTuple):
+class Sliding(NamedTuple):
     """A sliding belt somewhere on the arc, and the piece of the law that holds there."""
 
     log_tension: float  # q = ln(T/T1)

@@ -1,7 +1,7 @@
 """One step of a march in position: the equations, and a sixth-order step of them.
 
-State: q = ln(T / T1), the logarithm of tension, and x, the slip (sections "The equations" and "The
-numerical method" of the documentation). With p = p1 e^q and tau = mu(|x|, p) p sign(x):
+Sliding: q = ln(T / T1), the logarithm of tension, and x, the slip (sections "The equations"
+and "The numerical method" of the documentation). With p = p1 e^q and tau = mu(|x|, p) p sign(x):
 
     dq/ds = -tau / (p R)
     dx/ds = (g + (T1 - T) C + c (mu + p mu_p) mu p / R) / (1 + c p mu_x)

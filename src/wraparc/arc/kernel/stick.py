@@ -18,7 +18,7 @@ from __future__ import annotations
 from math import exp, expm1, log, sqrt, tanh
 
 from wraparc.arc.kernel.march import carry_to_exit, record
-from wraparc.arc.kernel.quantities import RECORD, Parameters, State
+from wraparc.arc.kernel.quantities import RECORD, Parameters, Sliding
 from wraparc.arc.quantities import Buffer
 from wraparc.friction.compact import (
     LIMIT,
@@ -136,7 +136,7 @@ def stick_slip(
     steps: int,
     points: int,
     out: Buffer,
-) -> tuple[State, int]:
+) -> tuple[Sliding, int]:
     """A stuck zone of length `zone`, then sliding to the exit with entry creep ratio g.
 
     Arguments and results as :func:`wraparc.arc.kernel.march.sweep`. A zone as long as the wrap is
@@ -166,7 +166,7 @@ def stick_slip(
     p = par.entry_pressure * exp(q)
     segment = segment_of(law, p)
     branch = branch_of(law, segment, abs(x), p)
-    state = State(q, x, work, segment, branch, par.side)
+    state = Sliding(q, x, work, segment, branch, par.side)
     if zone >= length:
         return state, count
     if len(out) > 0 and compliance == 0.0:

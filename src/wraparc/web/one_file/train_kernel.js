@@ -3,18 +3,23 @@
 import {
   Among,
   Pulls,
-  answer__solve_tension,
-  effort__effort_of,
-  effort__jumps,
-  effort__largest_effort,
-  effort__shoot_from,
+  Range,
+  answer__operating_point,
+  compact__branch_of,
+  compact__cell_of,
+  compact__friction_at,
+  compact__peak,
+  compact__plateau_at,
+  compact__segment_of,
+  compact__tail,
   in_page__description_of,
   numbers__idles,
+  profile__read,
   pulls__families,
   pulls__overridden,
   pulls__pull_given,
   pulls__pulls,
-  quantities__parameters_at,
+  quantities__jumps,
   summary__geometry_of,
 } from "../static/kernel.js";
 import { display, term } from "./told.js";
@@ -69,7 +74,7 @@ export class Member {
     this.squeeze = squeeze;
   }
   get holds() {
-    return effort__jumps(this.law);
+    return quantities__jumps(this.law);
   }
   arm(entry) {
     return this.radius - this.squeeze * entry;
@@ -114,28 +119,39 @@ export class Member {
       shot.stuck_length > 0.0,
     );
   }
-  between(entry, exit_, steps = 24) {
-    let effort;
+  between(entry, exit_) {
     let side = entry >= exit_ ? 1.0 : -1.0;
-    let par = this.parameters(entry, side);
-    let found = answer__solve_tension(this.law, par, exit_, steps);
-    if (found.outcome === STUCK && found.z < -1.0) {
-      side = -side;
-      par = this.parameters(entry, side);
-      found = answer__solve_tension(this.law, par, exit_, steps);
-    }
-    let z = found.z;
-    let shot = found.shot;
-    if (!(found.outcome === 0 || found.outcome === STUCK)) {
+    let geometry = Object.assign(
+      Object.create(Object.getPrototypeOf(this.geometry)),
+      this.geometry,
+      { side: side },
+    );
+    let found = answer__operating_point(this.law, geometry, entry, exit_);
+    if (found.outcome !== 0) {
       return null;
     }
+    let told = profile__read(geometry, found.met, new Range(NaN, NaN, NaN));
+    let effort = this.effort_at(told.creep_ratio);
     if (this.holds) {
-      effort = side * max(z + (this.rests ? 0.0 : 1.0), 0.0);
-    } else {
-      effort = this.effort_at(shot.creep_ratio);
+      effort = this._effort_of(this.parameters(entry, side), told);
     }
-    let held = shot.stuck_length > 0.0;
-    return new Passage(entry, exit_, effort, shot.creep_ratio, shot.creep, shot.slip, held);
+    let held = told.stuck > 0.0;
+    return new Passage(entry, exit_, effort, told.creep_ratio, told.creep, told.slip, held);
+  }
+  _effort_of(par, told) {
+    let slide;
+    let length = par.length;
+    let zone = told.stuck;
+    if (this.rests) {
+      slide = (par.side * told.creep_ratio * length) / CREEP_SCALE;
+      return par.side * (zone > 0.0 ? 1.0 - zone / length : 1.0 + max(slide, 0.0));
+    }
+    let end = stick__zone_end(this.law, par, length)[1];
+    if (zone >= length) {
+      return (par.side * told.creep) / end;
+    }
+    zone = zone > 0.0 ? zone : min(end / told.creep_ratio, length);
+    return (par.side * length) / zone;
   }
   slopes(at, steps = 24) {
     let by_effort;
@@ -270,7 +286,7 @@ export class Search {
     let line = this._system.lines[i];
     if (line.motor === null && line.give === 0.0 && !member.holds) {
       ratio = -Math.expm1(member.stretch_log(entry) - line.speed - level);
-      ratio = min(max(ratio, -LARGEST_RATIO), LARGEST_RATIO);
+      ratio = min(max(ratio, -0.5), 0.5);
       return member.passage(entry, member.effort_at(ratio), this._steps);
     }
     let found = [];
@@ -310,12 +326,12 @@ export class Search {
   _largest_effort(i, entry) {
     let member = this._system.members[i];
     if (!member.holds) {
-      return member.effort_at(LARGEST_RATIO);
+      return member.effort_at(0.5);
     }
     let par = member.parameters(entry, 1.0);
     let top = effort__largest_effort(member.law, par);
     if (member.rests) {
-      return 1.0 + (LARGEST_RATIO * par.length) / CREEP_SCALE;
+      return 1.0 + (0.5 * par.length) / CREEP_SCALE;
     }
     return 1.0 + top;
   }
@@ -1205,6 +1221,46 @@ export class FluidCoupling extends Induction {
   }
 }
 
+export class Sliding {
+  constructor(log_tension, slip, work, segment, branch, sign) {
+    this.log_tension = log_tension;
+    this.slip = slip;
+    this.work = work;
+    this.segment = segment;
+    this.branch = branch;
+    this.sign = sign;
+  }
+  *[Symbol.iterator]() {
+    yield this.log_tension;
+    yield this.slip;
+    yield this.work;
+    yield this.segment;
+    yield this.branch;
+    yield this.sign;
+  }
+}
+
+export class Shot {
+  constructor(log_tension, slip, creep, stress, work, creep_ratio, stuck_length) {
+    this.log_tension = log_tension;
+    this.slip = slip;
+    this.creep = creep;
+    this.stress = stress;
+    this.work = work;
+    this.creep_ratio = creep_ratio;
+    this.stuck_length = stuck_length;
+  }
+  *[Symbol.iterator]() {
+    yield this.log_tension;
+    yield this.slip;
+    yield this.creep;
+    yield this.stress;
+    yield this.work;
+    yield this.creep_ratio;
+    yield this.stuck_length;
+  }
+}
+
 export class Slopes {
   constructor(exit_by_entry, exit_by_effort, ratio_by_entry, ratio_by_effort) {
     this.exit_by_entry = exit_by_entry;
@@ -1238,6 +1294,44 @@ export class Resistance {
   }
   get total() {
     return this.carrying + this.returning;
+  }
+}
+
+export class Parameters {
+  constructor(
+    entry_tension,
+    entry_pressure,
+    radius,
+    length,
+    compliance,
+    shear,
+    kick,
+    width,
+    side,
+    onset,
+  ) {
+    this.entry_tension = entry_tension;
+    this.entry_pressure = entry_pressure;
+    this.radius = radius;
+    this.length = length;
+    this.compliance = compliance;
+    this.shear = shear;
+    this.kick = kick;
+    this.width = width;
+    this.side = side;
+    this.onset = onset;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry_tension;
+    yield this.entry_pressure;
+    yield this.radius;
+    yield this.length;
+    yield this.compliance;
+    yield this.shear;
+    yield this.kick;
+    yield this.width;
+    yield this.side;
+    yield this.onset;
   }
 }
 
@@ -1275,14 +1369,48 @@ const _ROUNDING = 1e-9;
 const ATTENTION = "ATTENTION";
 const TRAIN_BALANCE = 1e-5;
 const RATIO_SCALE = 1e-5;
+const LARGEST_RATIO = 1.0;
+const SMALL_RATIO = 1e-7;
+const CREEP_SCALE = 0.00635;
+const LIMIT = 0;
+const PLASTIC = 1;
 const _LARGEST_EFFORT = 12.100712129903211;
+const TABLE = 3;
+const MOST_LAGS = 100.0;
+const LAGS_PER_MESH = 2.0;
+const RECORD = 6;
+const KNOTS = 1;
+const PIECES = 2;
+const LARGEST_LOG = 50.0;
+const FEWEST_CUT_STEPS = 16;
+const MESH_POWER = 4;
+const FARTHEST_SLIP = 1000.0;
+const LARGEST_LOG_STEP = 0.12;
+const NEAREST = 1e-7;
+const STEEP = 0.5;
+const CELL_PARTS = 3.0;
+const FEW_STEPS = 0.05;
+const PART_OF_LAG = 0.3;
+const _MOST_TRIALS = 200;
+const WILD_LOG_STEP = 1.0;
+const WILD_SLIP = 10000.0;
+const MOST_CUTS = 200;
+const RISE = 0;
+const PREVIOUS_BRANCH = 3;
+const LOWER_EDGE = 0;
+const UPPER_EDGE = 1;
+const NO_SLIP = 2;
+const ELASTIC = 0;
+const NEXT_BRANCH = 4;
+const SMOOTH_CUT_TOLERANCE = 0.0003;
+const CUT_TOLERANCE = 1e-6;
+const SLIP_CUT_TOLERANCE = 1e-9;
+const LANDINGS = 40;
+const SMALLEST = 1e-16;
 const _BEYOND = 30.0;
-const STUCK = 4;
 const _STEP = 0.0001;
 const _LEVEL_SCALE = 1e-5;
-const LARGEST_RATIO = 0.5;
 const _TURNED = 1e-9;
-const CREEP_SCALE = 0.00635;
 const _LEVEL_END = 11.512925465070229;
 const _SCAN = 18;
 const _ROWS = [
@@ -1317,6 +1445,7 @@ const SLOPE = "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and dow
 const INERTIA =
   "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass";
 const BEYOND = 10.0;
+const LEAST_COMPLIANCE = 1e-16;
 const USUAL_FRICTION = [0.016, 0.03];
 
 /** Tensions with the pull between the outer ones: what the runs between the pulleys add is off. */
@@ -2906,6 +3035,1262 @@ export function arc_tables__capacity_rows(c, of, system) {
   return new Table("Capacity", [...rows], undefined, note);
 }
 
+/** Effort of an entry creep ratio, laws without a jump; the inverse of :func:`ratio_of`. */
+export function effort__effort_of(par, g) {
+  let r = (par.side * g) / SMALL_RATIO;
+  if (par.kick !== 0.0) {
+    return Math.asinh(r);
+  }
+  return r > 0.0 ? Math.log(r) : -60.0;
+}
+
+/** Shear stress a law holds without slip [Pa] and its derivative by pressure [-]. */
+export function stick__onset_stress(law, pressure) {
+  let segment = compact__segment_of(law, pressure);
+  let branch = law.kind === LIMIT ? PLASTIC : 0;
+  const found1 = compact__friction_at(law, segment, branch, 0.0, pressure);
+  let mu = found1[0];
+  let mu_p = found1[2];
+  return [mu * pressure, mu + pressure * mu_p];
+}
+
+/** Effort at which the entry creep ratio is 1. */
+export function effort__largest_effort(law, par) {
+  if (!quantities__jumps(law)) {
+    return effort__effort_of(par, par.side * LARGEST_RATIO);
+  }
+  let compliance = par.shear + par.onset;
+  if (compliance === 0.0) {
+    return 1.0 + (LARGEST_RATIO * par.length) / CREEP_SCALE;
+  }
+  let u = compliance * stick__onset_stress(law, par.entry_pressure)[0];
+  return max(par.length / u, 10.0);
+}
+
+/** Shear-lag lengths in the arc [-]; 0 for a law without slip before its limit. */
+export function effort__lags(law, par) {
+  let mu, mu_pk, slip, slip_pk;
+  let p = par.entry_pressure;
+  let segment = compact__segment_of(law, p);
+  if (law.kind === LIMIT && law.coefficients[3] === 0.0) {
+    return 0.0;
+  }
+  if (law.kind === LIMIT) {
+    slip = law.coefficients[3];
+    mu = 1.0 / p;
+  } else if (law.kind === TABLE) {
+    const found1 = compact__friction_at(law, segment, 1, law.slips[1], p);
+    mu = found1[0];
+    slip = law.slips[1];
+  } else {
+    const found2 = compact__peak(law, segment, p);
+    slip_pk = found2[0];
+    mu_pk = found2[1];
+    slip = 0.18 * slip_pk;
+    mu = mu_pk;
+  }
+  let lag = Math.sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance));
+  return par.length / lag;
+}
+
+/** Mesh steps for an arc: more where the belt hands over its tension in a short exit part. */
+export function effort__mesh_steps(law, par, steps) {
+  return Math.trunc(steps * max(1.0, min(effort__lags(law, par), MOST_LAGS) / LAGS_PER_MESH));
+}
+
+/** Length l = sqrt(c_e EA' / B), over which a stuck belt hands over its tension [m]. */
+export function stick__shear_lag_length(par) {
+  return Math.sqrt((par.shear + par.onset) / (par.width * par.compliance));
+}
+
+/** Tension [N] and creep [m] at the end of a stuck zone of a given length, where slip begins. */
+export function stick__zone_end(law, par, length) {
+  let f, new_, slope, tau, tau_p, u;
+  let compliance = par.shear + par.onset;
+  if (compliance === 0.0) {
+    return [par.entry_tension, 0.0];
+  }
+  let lag = stick__shear_lag_length(par);
+  let e = Math.exp(-length / lag);
+  let rise = -Math.expm1(-length / lag);
+  let half = Math.tanh((0.5 * length) / lag);
+  let ease = lag * par.compliance;
+  let area = par.width * par.radius;
+  let low = 0.0;
+  let high = par.entry_tension * 1000000.0;
+  let t = par.entry_tension;
+  for (let each1 = 0, end1 = 200; each1 < end1; each1++) {
+    const found2 = stick__onset_stress(law, t / area);
+    tau = found2[0];
+    tau_p = found2[1];
+    u = par.side * compliance * tau;
+    f = t - par.entry_tension + (par.kick * rise + (u - par.kick * e) * half) / ease;
+    if (f > 0.0) {
+      high = t;
+    } else {
+      low = t;
+    }
+    slope = 1.0 + (((par.side * compliance * tau_p) / area) * half) / ease;
+    new_ = slope > 0.0 ? t - f / slope : 0.5 * (low + high);
+    if (!(low < new_ && new_ < high)) {
+      new_ = 0.5 * (low + high);
+    }
+    if (Math.abs(new_ - t) <= 1e-15 * par.entry_tension) {
+      t = new_;
+      break;
+    }
+    t = new_;
+  }
+  return [t, par.side * compliance * stick__onset_stress(law, t / area)[0]];
+}
+
+/** Entry creep ratio g = (a - x_c) / l of a stuck zone [-]; may underflow to 0. */
+export function stick__zone_creep_ratio(par, length, end_creep) {
+  if (par.shear + par.onset === 0.0) {
+    return 0.0;
+  }
+  let lag = stick__shear_lag_length(par);
+  let e = Math.exp(-length / lag);
+  let a = (2.0 * (end_creep - par.kick * e) * e) / -Math.expm1((-2.0 * length) / lag);
+  return (a - par.kick) / lag;
+}
+
+/** Tension [N] and creep [m] at s inside a stuck zone of a given length and end creep. */
+export function stick__zone_point(par, s, length, end_creep) {
+  if (par.shear + par.onset === 0.0) {
+    return [par.entry_tension, 0.0];
+  }
+  let lag = stick__shear_lag_length(par);
+  let e = Math.exp(-s / lag);
+  let e_end = Math.exp(-length / lag);
+  let scale =
+    ((end_creep - par.kick * e_end) * Math.exp((s - length) / lag)) /
+    -Math.expm1((-2.0 * length) / lag);
+  let rise = -Math.expm1(-s / lag);
+  let creep = par.kick * e + scale * -Math.expm1((-2.0 * s) / lag);
+  let pull = par.kick * rise + scale * rise * rise;
+  return [max(par.entry_tension - pull / (lag * par.compliance), 1e-6 * par.entry_tension), creep];
+}
+
+export function stick___record_stuck(par, out, count, s, zone, end_creep) {
+  const found1 = stick__zone_point(par, s, zone, end_creep);
+  let tension = found1[0];
+  let creep = found1[1];
+  let compliance = par.shear + par.onset;
+  let tau = compliance > 0.0 ? creep / compliance : 0.0;
+  let entry_tau = compliance > 0.0 ? par.kick / compliance : 0.0;
+  let i = RECORD * count;
+  [out[i], out[i + 1], out[i + 2]] = [s, Math.log(tension / par.entry_tension), par.onset * tau];
+  [out[i + 3], out[i + 4]] = [creep, tau];
+  out[i + 5] = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau);
+}
+
+/** Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any. */
+export function step__pressure_at(par, q) {
+  return par.entry_pressure * Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
+}
+
+/** Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state. */
+export function march__stress_and_creep(law, par, state) {
+  let mu;
+  let [q, x, , segment, branch, sign] = state;
+  if (x === 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
+    return [0.0, 0.0];
+  }
+  let p = step__pressure_at(par, q);
+  const found1 = compact__friction_at(law, segment, branch, sign * x, p);
+  mu = found1[0];
+  let tau = sign * mu * p;
+  return [tau, x + par.shear * tau];
+}
+
+/** Write one point of a profile: s, q, slip, creep, shear stress, friction work. */
+export function march__record(law, par, out, count, s, state) {
+  const found1 = march__stress_and_creep(law, par, state);
+  let tau = found1[0];
+  let creep = found1[1];
+  let i = RECORD * count;
+  [out[i], out[i + 1], out[i + 2]] = [s, state.log_tension, state.slip];
+  [out[i + 3], out[i + 4], out[i + 5]] = [creep, tau, state.work];
+}
+
+/** dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law. */
+export function step__rates(law, par, g, segment, branch, sign, q, x) {
+  let e, lost, sp;
+  let radius = par.radius;
+  let shear = par.shear;
+  if (Math.abs(q) < 0.1) {
+    lost = -Math.expm1(q);
+    e = 1.0 - lost;
+  } else {
+    e = Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
+    lost = 1.0 - e;
+  }
+  let p = par.entry_pressure * e;
+  const found1 = compact__friction_at(law, segment, branch, x * sign, p);
+  let mu = found1[0];
+  let mu_x = found1[1];
+  let mu_p = found1[2];
+  let dq = -mu / radius;
+  let dx = g + par.entry_tension * lost * par.compliance;
+  if (shear > 0.0) {
+    sp = shear * p;
+    dx = (dx + (sp * (mu + p * mu_p) * mu) / radius) / (1.0 + sp * mu_x);
+  }
+  return [sign * dq, dx, sign * mu * p * dx];
+}
+
+/** Longest step near a point of no slip amid the mesh, where the slope of the law is infinite. */
+export function march___near_no_slip(away, s, nearest) {
+  if (away < 0.0) {
+    return max(-0.7 * away, nearest);
+  }
+  return away < 0.1 * s ? max(2.0 * away, nearest) : Infinity;
+}
+
+/** Longest step in a steep cell of a measured table [m], nan where the cell is not steep. */
+export function creep_step__cell_step(law, par, g, segment, branch, sign, q, x) {
+  if (branch >= law.slips.length - 1) {
+    return NaN;
+  }
+  let low = law.slips[branch];
+  let high = law.slips[branch + 1];
+  let p = step__pressure_at(par, q);
+  let change = compact__friction_at(law, segment, branch, high, p)[0];
+  change -= compact__friction_at(law, segment, branch, low, p)[0];
+  let shear = (par.shear * p * Math.abs(change)) / (high - low);
+  if (shear < STEEP) {
+    return NaN;
+  }
+  let first = low + par.shear * p * compact__friction_at(law, segment, branch, low, p)[0];
+  let last = high + par.shear * p * compact__friction_at(law, segment, branch, high, p)[0];
+  let here = sign * x + par.shear * p * compact__friction_at(law, segment, branch, sign * x, p)[0];
+  let rate = sign * (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance);
+  if (rate === 0.0) {
+    return Infinity;
+  }
+  let part = Math.abs(last - first) / (1.0 + CELL_PARTS * min(shear, 6.0));
+  let left = rate > 0.0 ? last - here : here - first;
+  return min(part, max(1.02 * left, 0.0) + 0.01 * part) / Math.abs(rate);
+}
+
+/** Shear-lag length sqrt(dx / (dmu p B C)) of what is ahead in a cell of a table [m]. */
+export function creep_step__cell_lag(law, par, segment, branch, q, slip, friction) {
+  let ahead = law.slips[branch + 1] - slip;
+  if (ahead <= 0.0) {
+    return Infinity;
+  }
+  let p = step__pressure_at(par, q);
+  let change = compact__friction_at(law, segment, branch, law.slips[branch + 1], p)[0] - friction;
+  let stiffness = Math.abs(change) * p * par.width * par.compliance;
+  return stiffness > 0.0 ? Math.sqrt(ahead / stiffness) : Infinity;
+}
+
+/** Friction mu [-] and slip x [m] with x + ease mu(x, p) = creep (Newton, inside a bracket). */
+export function table_slip__slip_under_table(law, segment, ease, pressure, creep, share) {
+  let a0, a1, a2, a3, change, found, i, j, miss, mu, mu_x, slope, start, t, trial;
+  let edges = law.edges;
+  let c = law.coefficients;
+  let slips = law.slips;
+  let last = edges.length - 1;
+  let cells = slips.length;
+  let row = 0;
+  let above = 0;
+  let weight = 0.0;
+  let factor = 1.0;
+  if (last >= 0 && segment >= last) {
+    row = last;
+    factor = edges[last] / pressure;
+  } else if (segment >= 0) {
+    row = segment;
+    above = 4 * cells;
+    weight = (pressure - edges[segment]) / (edges[segment + 1] - edges[segment]);
+  }
+  let o = 4 * row * cells;
+  ease *= factor;
+  let held = c[o] + weight * (c[o + above] - c[o]);
+  if (ease > 0.0 && creep <= ease * held) {
+    return [(factor * creep) / ease, 0.0];
+  }
+  let low = 0.0;
+  let high = creep;
+  let x = share > 0.0 ? share * creep : creep;
+  let cell = -1;
+  start = a0 = a1 = a2 = a3 = 0.0;
+  mu = mu_x = change = 0.0;
+  for (let each1 = 0, end1 = _MOST_TRIALS; each1 < end1; each1++) {
+    found = compact__cell_of(slips, x);
+    if (found !== cell) {
+      cell = found;
+      start = slips[found];
+      i = o + 4 * cell;
+      j = i + above;
+      a0 = c[i] + weight * (c[j] - c[i]);
+      a1 = c[i + 1] + weight * (c[j + 1] - c[i + 1]);
+      a2 = c[i + 2] + weight * (c[j + 2] - c[i + 2]);
+      a3 = c[i + 3] + weight * (c[j + 3] - c[i + 3]);
+    }
+    t = x - start;
+    mu = a0 + t * (a1 + t * (a2 + t * a3));
+    mu_x = a1 + t * (2.0 * a2 + 3.0 * t * a3);
+    miss = x + ease * mu - creep;
+    if (miss > 0.0) {
+      high = x;
+    } else {
+      low = x;
+    }
+    slope = 1.0 + ease * mu_x;
+    trial = slope > 0.0 ? x - miss / slope : low;
+    change = trial - x;
+    if (Math.abs(change) > 1e-15 * x && !(low < trial && trial < high)) {
+      trial = 0.5 * (low + high);
+      change = trial - x;
+    }
+    if (Math.abs(change) <= 1e-15 * x) {
+      break;
+    }
+    x = trial;
+  }
+  return [factor * (mu + mu_x * change), x + change];
+}
+
+/** Shear stress [Pa] and slip [m] that belong to a creep, with a guess of slip over creep. */
+export function creep_step___stress_of_creep(law, par, q, u, share) {
+  let size = Math.abs(u);
+  let p = step__pressure_at(par, q);
+  const found1 = table_slip__slip_under_table(
+    law,
+    compact__segment_of(law, p),
+    par.shear * p,
+    p,
+    size,
+    share,
+  );
+  let mu = found1[0];
+  let x = found1[1];
+  let tau = p * mu;
+  if (size - x > 1e-6 * size) {
+    tau = (size - x) / par.shear;
+  }
+  return u > 0.0 ? [tau, x] : [-tau, -x];
+}
+
+/** Changes of q, creep u and tau du over z of the arc, and slip over creep. */
+export function creep_step___creep_rates(law, par, g, z, q, u, share) {
+  let p = step__pressure_at(par, q);
+  const found1 = creep_step___stress_of_creep(law, par, q, u, share);
+  let tau = found1[0];
+  let x = found1[1];
+  share = u !== 0.0 ? x / u : 1.0;
+  let du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z;
+  return [(-tau / (p * par.radius)) * z, du, tau * du, share];
+}
+
+/** Increment to the second stage, at 1/3. */
+export function butcher__to_second(k1) {
+  return k1 / 3.0;
+}
+
+/** Increment to the third stage, at 2/3. */
+export function butcher__to_third(k2) {
+  return (k2 * 2.0) / 3.0;
+}
+
+/** Increment to the fourth stage, at 1/3. */
+export function butcher__to_fourth(k1, k2, k3) {
+  return (k1 + 4.0 * k2 - k3) / 12.0;
+}
+
+/** Increment to the fifth stage, at 1/2. */
+export function butcher__to_fifth(k1, k2, k3, k4) {
+  return (18.0 * k2 - k1 - 3.0 * k3 - 6.0 * k4) / 16.0;
+}
+
+/** Increment to the sixth stage, at 1/2. */
+export function butcher__to_sixth(k2, k3, k4, k5) {
+  return (9.0 * k2 - 3.0 * k3 - 6.0 * k4 + 4.0 * k5) / 8.0;
+}
+
+/** Increment to the seventh stage, at the end. */
+export function butcher__to_last(k1, k2, k3, k4, k6) {
+  return (9.0 * k1 - 36.0 * k2 + 63.0 * k3 + 72.0 * k4 - 64.0 * k6) / 44.0;
+}
+
+/** Increment over the whole step. */
+export function butcher__to_end(k1, k3, k4, k5, k6, k7) {
+  return (11.0 * (k1 + k7) + 81.0 * (k3 + k4) - 32.0 * (k5 + k6)) / 120.0;
+}
+
+/** `wraparc.arc.kernel.step.step` with creep as the state, and the table as it is throughout. */
+export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
+  let a2, a3, a4, a5, a6, a7, b2, b3, b4, b5, b6, b7, mu, w3, w4, w5, w6, w7;
+  let f = MESH_POWER * span;
+  let z = xi ** 3 * f * h;
+  let p = step__pressure_at(par, q);
+  let segment = compact__segment_of(law, p);
+  const found1 = compact__friction_at(
+    law,
+    segment,
+    compact__branch_of(law, segment, sign * x, p),
+    sign * x,
+    p,
+  );
+  mu = found1[0];
+  let tau = sign * mu * p;
+  let u = x + par.shear * tau;
+  const found2 = creep_step___creep_rates(
+    law,
+    par,
+    g,
+    z,
+    q,
+    u,
+    u !== 0.0 ? (sign * x) / Math.abs(u) : 1.0,
+  );
+  let a1 = found2[0];
+  let b1 = found2[1];
+  let w1 = found2[2];
+  let n = found2[3];
+  let z3 = (xi + h / 3.0) ** 3 * f * h;
+  const found3 = creep_step___creep_rates(
+    law,
+    par,
+    g,
+    z3,
+    q + butcher__to_second(a1),
+    u + butcher__to_second(b1),
+    n,
+  );
+  a2 = found3[0];
+  b2 = found3[1];
+  n = found3[3];
+  z = (xi + (h * 2.0) / 3.0) ** 3 * f * h;
+  const found4 = creep_step___creep_rates(
+    law,
+    par,
+    g,
+    z,
+    q + butcher__to_third(a2),
+    u + butcher__to_third(b2),
+    n,
+  );
+  a3 = found4[0];
+  b3 = found4[1];
+  w3 = found4[2];
+  n = found4[3];
+  let q4 = q + butcher__to_fourth(a1, a2, a3);
+  let u4 = u + butcher__to_fourth(b1, b2, b3);
+  const found5 = creep_step___creep_rates(law, par, g, z3, q4, u4, n);
+  a4 = found5[0];
+  b4 = found5[1];
+  w4 = found5[2];
+  n = found5[3];
+  z = (xi + 0.5 * h) ** 3 * f * h;
+  let q5 = q + butcher__to_fifth(a1, a2, a3, a4);
+  let u5 = u + butcher__to_fifth(b1, b2, b3, b4);
+  const found6 = creep_step___creep_rates(law, par, g, z, q5, u5, n);
+  a5 = found6[0];
+  b5 = found6[1];
+  w5 = found6[2];
+  n = found6[3];
+  let q6 = q + butcher__to_sixth(a2, a3, a4, a5);
+  let u6 = u + butcher__to_sixth(b2, b3, b4, b5);
+  const found7 = creep_step___creep_rates(law, par, g, z, q6, u6, n);
+  a6 = found7[0];
+  b6 = found7[1];
+  w6 = found7[2];
+  n = found7[3];
+  z = (xi + h) ** 3 * f * h;
+  let q7 = q + butcher__to_last(a1, a2, a3, a4, a6);
+  let u7 = u + butcher__to_last(b1, b2, b3, b4, b6);
+  const found8 = creep_step___creep_rates(law, par, g, z, q7, u7, n);
+  a7 = found8[0];
+  b7 = found8[1];
+  w7 = found8[2];
+  n = found8[3];
+  let q_end = q + butcher__to_end(a1, a3, a4, a5, a6, a7);
+  let u_end = u + butcher__to_end(b1, b3, b4, b5, b6, b7);
+  const found9 = creep_step___stress_of_creep(law, par, q_end, u_end, n);
+  let tau_end = found9[0];
+  let x_end = found9[1];
+  let stored = 0.5 * par.shear * (tau_end ** 2 - tau ** 2);
+  return [q_end, x_end, butcher__to_end(w1, w3, w4, w5, w6, w7) - stored];
+}
+
+/** One step of length h in xi with the rates k1 at its start: q, x and friction work done. */
+export function step__step(law, par, g, segment, branch, sign, q, x, span, xi, h, k1) {
+  let f = MESH_POWER * span;
+  let z = xi * xi * xi * f * h;
+  let a1 = k1[0] * z;
+  let b1 = k1[1] * z;
+  let w1 = k1[2] * z;
+  let t = xi + h / 3.0;
+  let z3 = t * t * t * f * h;
+  let r = step__rates(
+    law,
+    par,
+    g,
+    segment,
+    branch,
+    sign,
+    q + butcher__to_second(a1),
+    x + butcher__to_second(b1),
+  );
+  let a2 = r[0] * z3;
+  let b2 = r[1] * z3;
+  t = xi + (h * 2.0) / 3.0;
+  z = t * t * t * f * h;
+  r = step__rates(
+    law,
+    par,
+    g,
+    segment,
+    branch,
+    sign,
+    q + butcher__to_third(a2),
+    x + butcher__to_third(b2),
+  );
+  let a3 = r[0] * z;
+  let b3 = r[1] * z;
+  let w3 = r[2] * z;
+  let q4 = q + butcher__to_fourth(a1, a2, a3);
+  let x4 = x + butcher__to_fourth(b1, b2, b3);
+  r = step__rates(law, par, g, segment, branch, sign, q4, x4);
+  let a4 = r[0] * z3;
+  let b4 = r[1] * z3;
+  let w4 = r[2] * z3;
+  t = xi + 0.5 * h;
+  z = t * t * t * f * h;
+  let q5 = q + butcher__to_fifth(a1, a2, a3, a4);
+  let x5 = x + butcher__to_fifth(b1, b2, b3, b4);
+  r = step__rates(law, par, g, segment, branch, sign, q5, x5);
+  let a5 = r[0] * z;
+  let b5 = r[1] * z;
+  let w5 = r[2] * z;
+  let q6 = q + butcher__to_sixth(a2, a3, a4, a5);
+  let x6 = x + butcher__to_sixth(b2, b3, b4, b5);
+  r = step__rates(law, par, g, segment, branch, sign, q6, x6);
+  let a6 = r[0] * z;
+  let b6 = r[1] * z;
+  let w6 = r[2] * z;
+  t = xi + h;
+  z = t * t * t * f * h;
+  let q7 = q + butcher__to_last(a1, a2, a3, a4, a6);
+  let x7 = x + butcher__to_last(b1, b2, b3, b4, b6);
+  r = step__rates(law, par, g, segment, branch, sign, q7, x7);
+  let a7 = r[0] * z;
+  let b7 = r[1] * z;
+  let w7 = r[2] * z;
+  return [
+    q + butcher__to_end(a1, a3, a4, a5, a6, a7),
+    x + butcher__to_end(b1, b3, b4, b5, b6, b7),
+    butcher__to_end(w1, w3, w4, w5, w6, w7),
+  ];
+}
+
+/** `step`, or `creep_step` in a steep cell of a table. */
+export function march___stride(steep, law, par, g, segment, branch, sign, q, x, span, xi, h, k) {
+  if (steep) {
+    return creep_step__creep_step(law, par, g, sign, q, x, span, xi, h);
+  }
+  return step__step(law, par, g, segment, branch, sign, q, x, span, xi, h, k);
+}
+
+/** Slip beyond the boundary of branches `boundary` and `boundary + 1` [m]; negative before. */
+export function compact__branch_gap(law, segment, boundary, slip, pressure) {
+  let mu_pk, residual, slip_pk, slope;
+  if (law.kind === TABLE) {
+    return slip - law.slips[boundary + 1];
+  }
+  if (law.kind === LIMIT) {
+    return slip - law.coefficients[3] * compact__plateau_at(law, segment, pressure) * pressure;
+  }
+  const found1 = compact__peak(law, segment, pressure);
+  slip_pk = found1[0];
+  mu_pk = found1[1];
+  if (boundary === RISE) {
+    return slip - slip_pk;
+  }
+  const found2 = compact__tail(law, segment, pressure);
+  slope = found2[0];
+  residual = found2[1];
+  if (slope === 0.0) {
+    return -1.0;
+  }
+  return slip - slip_pk - min(residual - mu_pk, 0.0) / slope;
+}
+
+/** Whether a branch ends at larger slips. */
+export function cut___has_next(law, branch) {
+  if (law.kind === LIMIT) {
+    return branch === ELASTIC;
+  }
+  if (law.kind === TABLE) {
+    return branch < law.slips.length - 1;
+  }
+  return branch < 2;
+}
+
+/** How far a state with slip magnitude x is beyond one side of a piece; negative inside. */
+export function cut__beyond(law, par, segment, branch, side, q, x) {
+  let last = law.edges.length - 1;
+  if (side === LOWER_EDGE) {
+    return segment >= 0 ? Math.log(law.edges[segment] / par.entry_pressure) - q : -1.0;
+  }
+  if (side === UPPER_EDGE) {
+    return segment < last ? q - Math.log(law.edges[segment + 1] / par.entry_pressure) : -1.0;
+  }
+  if (side === NO_SLIP) {
+    return -x;
+  }
+  let p = step__pressure_at(par, q);
+  if (side === PREVIOUS_BRANCH) {
+    return branch > 0 ? -compact__branch_gap(law, segment, branch - 1, x, p) : -1.0;
+  }
+  if (!cut___has_next(law, branch)) {
+    return -1.0;
+  }
+  return compact__branch_gap(law, segment, branch, x, p);
+}
+
+/** Whether a state with slip magnitude x lies in a piece of the law. */
+export function cut__within(law, par, segment, branch, q, x) {
+  let p = step__pressure_at(par, q);
+  let last = law.edges.length - 1;
+  if (x < 0.0 || (segment >= 0 && p < law.edges[segment])) {
+    return false;
+  }
+  if (segment < last && p >= law.edges[segment + 1]) {
+    return false;
+  }
+  if (branch === RISE && (law.kind === KNOTS || law.kind === PIECES)) {
+    return x <= compact__peak(law, segment, p)[0];
+  }
+  return (
+    cut__beyond(law, par, segment, branch, PREVIOUS_BRANCH, q, x) <= 0.0 &&
+    cut__beyond(law, par, segment, branch, NEXT_BRANCH, q, x) <= 0.0
+  );
+}
+
+/** Cubic through a and b with slopes da and db over h, at the fraction f. */
+export function step__hermite(f, h, a, da, b, db) {
+  let e = 1.0 - f;
+  return e * e * ((1.0 + 2.0 * f) * a + f * h * da) + f * f * ((3.0 - 2.0 * f) * b - e * h * db);
+}
+
+/** Where a step first leaves its piece: the fraction of the step and the side crossed. */
+export function cut__first_crossing(law, par, segment, branch, sign, h, start, end) {
+  let a, b, fa, fb, fm, m, qm, side, xm;
+  let first = 1.0;
+  let crossed = -1;
+  for (let each1 = 0, end1 = 5; each1 < end1; each1++) {
+    side = each1;
+    fb = cut__beyond(law, par, segment, branch, side, end[0], sign * end[1]);
+    if (fb <= 0.0) {
+      continue;
+    }
+    a = 0.0;
+    b = 1.0;
+    fa = cut__beyond(law, par, segment, branch, side, start[0], sign * start[1]);
+    if (fa >= 0.0) {
+      b = 0.0;
+    } else {
+      for (let each2 = 0, end2 = 60; each2 < end2; each2++) {
+        m = (a * fb - b * fa) / (fb - fa);
+        qm = step__hermite(m, h, start[0], start[2], end[0], end[2]);
+        xm = step__hermite(m, h, start[1], start[3], end[1], end[3]);
+        fm = cut__beyond(law, par, segment, branch, side, qm, sign * xm);
+        if (fm * fb <= 0.0) {
+          a = b;
+          fa = fb;
+        } else {
+          fa *= 0.5;
+        }
+        b = m;
+        fb = fm;
+        if (Math.abs(b - a) < 1e-12 || fm === 0.0) {
+          break;
+        }
+      }
+    }
+    if (b < first) {
+      first = b;
+      crossed = side;
+    }
+  }
+  return [first, crossed];
+}
+
+/** How near a cut must land: inner knots of pressure only bend the law's slope. */
+export function cut__cut_tolerance(law, segment, side) {
+  let last = law.edges.length - 1;
+  let smooth =
+    law.kind === KNOTS &&
+    ((side === LOWER_EDGE && segment > 0) ||
+      (side === UPPER_EDGE && 0 <= segment && segment < last - 1));
+  if (side === LOWER_EDGE || side === UPPER_EDGE) {
+    return smooth ? SMOOTH_CUT_TOLERANCE : CUT_TOLERANCE;
+  }
+  return SLIP_CUT_TOLERANCE;
+}
+
+/** Carry a sliding state from xi to xi_end on the mesh s = origin + span xi^4. */
+export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut, out, count) {
+  let cell,
+    dq,
+    f,
+    f_last,
+    f_next,
+    gap,
+    gap_last,
+    h,
+    high,
+    j1,
+    jacobian,
+    k,
+    lag,
+    low,
+    most,
+    p,
+    q1,
+    r,
+    reach,
+    s,
+    side,
+    steep,
+    t,
+    there,
+    tolerance,
+    tries,
+    w1,
+    x1;
+  let [q, x, work, segment, branch, sign] = state;
+  let switches = 0;
+  while (xi < xi_end) {
+    if (!(-LARGEST_LOG < q && q < LARGEST_LOG && Math.abs(x) < FARTHEST_SLIP)) {
+      break;
+    }
+    h = xi_end - xi;
+    k = step__rates(law, par, g, segment, branch, sign, q, x);
+    jacobian = MESH_POWER * span * xi * xi * xi;
+    dq = Math.abs(k[0]) * jacobian;
+    if (dq * h > LARGEST_LOG_STEP) {
+      h = LARGEST_LOG_STEP / dq;
+    }
+    most = NaN;
+    if ((law.kind === KNOTS || law.kind === PIECES) && x * k[1] !== 0.0) {
+      s = span * xi ** MESH_POWER;
+      reach = march___near_no_slip(x / k[1], s, NEAREST * par.length);
+      if (span * (xi + h) ** MESH_POWER - s > reach) {
+        h = ((s + reach) / span) ** (1.0 / MESH_POWER) - xi;
+      }
+    }
+    if (law.kind === TABLE) {
+      most = creep_step__cell_step(law, par, g, segment, branch, sign, q, x);
+      cell = branch < law.slips.length - 1 ? law.slips[branch + 1] - law.slips[branch] : Infinity;
+      if (Math.abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER) > cell) {
+        reach = xi ** MESH_POWER + cell / (Math.abs(k[1]) * span);
+        h = reach ** (1.0 / MESH_POWER) - xi;
+      }
+      reach = span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER);
+      if (Math.abs(k[1]) * reach > FEW_STEPS * cell) {
+        lag = creep_step__cell_lag(
+          law,
+          par,
+          segment,
+          branch,
+          q,
+          Math.abs(x),
+          Math.abs(k[0]) * par.radius,
+        );
+        if (reach > PART_OF_LAG * lag) {
+          h = (xi ** MESH_POWER + (PART_OF_LAG * lag) / span) ** (1.0 / MESH_POWER) - xi;
+        }
+      }
+      if (span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER) > most) {
+        h = (xi ** MESH_POWER + most / span) ** (1.0 / MESH_POWER) - xi;
+      }
+    }
+    steep = most === most;
+    const found1 = march___stride(steep, law, par, g, segment, branch, sign, q, x, span, xi, h, k);
+    q1 = found1[0];
+    x1 = found1[1];
+    w1 = found1[2];
+    tries = 0;
+    while (!(Math.abs(q1 - q) < WILD_LOG_STEP && Math.abs(x1) < WILD_SLIP) && tries < 40) {
+      tries += 1;
+      h *= 0.25;
+      const found2 = march___stride(
+        steep,
+        law,
+        par,
+        g,
+        segment,
+        branch,
+        sign,
+        q,
+        x,
+        span,
+        xi,
+        h,
+        k,
+      );
+      q1 = found2[0];
+      x1 = found2[1];
+      w1 = found2[2];
+    }
+    if (tries === 40) {
+      break;
+    }
+    if (!cut) {
+      p = step__pressure_at(par, q1);
+      sign = sign * x1 >= 0.0 ? sign : -sign;
+      segment = compact__segment_of(law, p);
+      branch = compact__branch_of(law, segment, sign * x1, p);
+    } else if (switches < MOST_CUTS && !cut__within(law, par, segment, branch, q1, sign * x1)) {
+      switches += 1;
+      t = xi + h;
+      r = step__rates(law, par, g, segment, branch, sign, q1, x1);
+      j1 = MESH_POWER * span * t * t * t;
+      const found3 = cut__first_crossing(
+        law,
+        par,
+        segment,
+        branch,
+        sign,
+        h,
+        [q, x, k[0] * jacobian, k[1] * jacobian],
+        [q1, x1, r[0] * j1, r[1] * j1],
+      );
+      f = found3[0];
+      side = found3[1];
+      if (f > 0.0) {
+        tolerance = cut__cut_tolerance(law, segment, side);
+        if (side === NO_SLIP) {
+          tolerance = min(tolerance, 0.001 * Math.abs(x));
+        }
+        f_last = 0.0;
+        gap_last = cut__beyond(law, par, segment, branch, side, q, sign * x);
+        low = 0.0;
+        high = 1.0;
+        for (let each4 = 0, end4 = LANDINGS; each4 < end4; each4++) {
+          tries = each4;
+          const found5 = march___stride(
+            steep,
+            law,
+            par,
+            g,
+            segment,
+            branch,
+            sign,
+            q,
+            x,
+            span,
+            xi,
+            h * f,
+            k,
+          );
+          q1 = found5[0];
+          x1 = found5[1];
+          w1 = found5[2];
+          gap = cut__beyond(law, par, segment, branch, side, q1, sign * x1);
+          if (Math.abs(gap) < tolerance || gap === gap_last || tries === LANDINGS - 1) {
+            break;
+          }
+          [low, high] = gap > 0.0 ? [low, f] : [f, high];
+          f_next = f - (gap * (f - f_last)) / (gap - gap_last);
+          f_last = f;
+          gap_last = gap;
+          if (!(low < f_next && f_next < high) || tries > 3) {
+            f_next = 0.5 * (low + high);
+          }
+          f = f_next;
+        }
+        q = q1;
+        x = x1;
+        h *= f;
+        work += w1;
+        xi = min(xi + h, xi_end);
+      }
+      if (side === LOWER_EDGE) {
+        segment -= 1;
+      } else if (side === UPPER_EDGE) {
+        segment += 1;
+      } else if (side === NO_SLIP) {
+        sign = -sign;
+      } else if (side === PREVIOUS_BRANCH) {
+        branch -= 1;
+      } else if (side === NEXT_BRANCH) {
+        branch += 1;
+      }
+      if (out.length > 0 && xi < xi_end && f > 0.0) {
+        there = new Sliding(q, x, work, segment, branch, sign);
+        march__record(law, par, out, count, origin + span * xi ** MESH_POWER, there);
+        count += 1;
+      }
+      continue;
+    }
+    [q, x, work] = [q1, x1, work + w1];
+    xi = h === xi_end - xi ? xi_end : xi + h;
+  }
+  return [new Sliding(q, x, work, segment, branch, sign), count];
+}
+
+/** Carry a state from mesh node `first` to the exit, recording `points` parts of the arc. */
+export function march__carry_to_exit(law, par, g, state, origin, first, steps, points, out, count) {
+  let between, i, j, t, xi, xi_end;
+  let length = par.length;
+  let span = length - origin;
+  let h = 1.0 / steps;
+  let cut = steps >= FEWEST_CUT_STEPS || law.kind === LIMIT || law.kind === TABLE;
+  if (out.length > 0 && first > 0) {
+    march__record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state);
+    count += 1;
+  }
+  for (let each1 = first, end1 = steps; each1 < end1; each1++) {
+    i = each1;
+    xi = i * h;
+    xi_end = (i + 1) * h;
+    if (points > 0) {
+      j = Math.trunc(((origin + span * xi ** MESH_POWER) / length) * points * (1.0 + 1e-12)) + 1;
+      while (j < points) {
+        t = (max((j * length) / points - origin, 0.0) / span) ** (1.0 / MESH_POWER);
+        if (t >= xi_end * (1.0 - 1e-12)) {
+          break;
+        }
+        if (t > xi) {
+          const found2 = march__advance(law, par, g, state, origin, span, xi, t, cut, zeros(0), 0);
+          between = found2[0];
+          march__record(law, par, out, count, (j * length) / points, between);
+          count += 1;
+        }
+        j += 1;
+      }
+    }
+    const found3 = march__advance(law, par, g, state, origin, span, xi, xi_end, cut, out, count);
+    state = found3[0];
+    count = found3[1];
+  }
+  if (out.length > 0) {
+    march__record(law, par, out, count, length, state);
+    count += 1;
+  }
+  return [state, count];
+}
+
+/** A stuck zone of length `zone`, then sliding to the exit with entry creep ratio g. */
+export function stick__stick_slip(law, par, zone, end_creep, g, steps, points, out) {
+  let j, s;
+  let length = par.length;
+  let compliance = par.shear + par.onset;
+  let count = 0;
+  if (out.length > 0) {
+    for (let each1 = 0, end1 = points + 1; each1 < end1; each1++) {
+      j = each1;
+      s = (j * length) / points;
+      if (s > zone * (1.0 - 1e-12) && s > 0.0) {
+        break;
+      }
+      stick___record_stuck(par, out, count, s, zone, end_creep);
+      count += 1;
+    }
+    if (zone > 0.0) {
+      stick___record_stuck(par, out, count, zone, zone, end_creep);
+      count += 1;
+    }
+  }
+  let [tension, creep] =
+    zone > 0.0 ? stick__zone_point(par, zone, zone, end_creep) : [par.entry_tension, 0.0];
+  let q = Math.log(tension / par.entry_tension);
+  let tau = compliance > 0.0 ? creep / compliance : 0.0;
+  let entry_tau = compliance > 0.0 ? par.kick / compliance : 0.0;
+  let x = par.onset * tau;
+  let work = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau);
+  let p = par.entry_pressure * Math.exp(q);
+  let segment = compact__segment_of(law, p);
+  let branch = compact__branch_of(law, segment, Math.abs(x), p);
+  let state = new Sliding(q, x, work, segment, branch, par.side);
+  if (zone >= length) {
+    return [state, count];
+  }
+  if (out.length > 0 && compliance === 0.0) {
+    march__record(law, par, out, count, zone, state);
+    count += 1;
+  }
+  return march__carry_to_exit(law, par, g, state, zone, 0, steps, points, out, count);
+}
+
+/** Entry creep ratio of an effort, laws without a jump [-]. */
+export function effort__ratio_of(par, z) {
+  if (par.kick !== 0.0) {
+    return par.side * SMALL_RATIO * Math.sinh(z);
+  }
+  return par.side * SMALL_RATIO * Math.exp(z);
+}
+
+/** Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]. */
+export function creep_step__slip_at_entry(law, par, creep, q) {
+  let branch, dx, f, mu, mu_pk, mu_x, r, slip_pk, x_new;
+  let p = step__pressure_at(par, q);
+  let shear = par.shear;
+  let segment = compact__segment_of(law, p);
+  if (law.kind === TABLE) {
+    return table_slip__slip_under_table(law, segment, shear * p, p, creep, 1.0)[1];
+  }
+  let low = 0.0;
+  let high = creep;
+  let x = creep;
+  if (law.kind === KNOTS || law.kind === PIECES) {
+    const found1 = compact__peak(law, segment, p);
+    slip_pk = found1[0];
+    mu_pk = found1[1];
+    r = min(creep / slip_pk, 1.0);
+    x = creep / (1.0 + ((shear * p * mu_pk) / slip_pk) * (1.0 - Math.log(max(r, SMALLEST))));
+  }
+  for (let each2 = 0, end2 = 200; each2 < end2; each2++) {
+    branch = compact__branch_of(law, segment, x, p);
+    const found3 = compact__friction_at(law, segment, branch, x, p);
+    mu = found3[0];
+    mu_x = found3[1];
+    f = x + shear * mu * p - creep;
+    if (f > 0.0) {
+      high = x;
+    } else {
+      low = x;
+    }
+    dx = f / (1.0 + shear * p * mu_x);
+    x_new = x - dx;
+    if (Math.abs(dx) <= 1e-15 * x) {
+      return x_new;
+    }
+    if (!(low < x_new && x_new < high)) {
+      x_new = 0.5 * (low + high);
+    }
+    if (Math.abs(x_new - x) <= 1e-15 * x) {
+      return x_new;
+    }
+    x = x_new;
+  }
+  return x;
+}
+
+/** March while the creep of the kick is used up, with creep as the independent variable. */
+export function march__to_zero_slip(law, par, g, steps, out, count) {
+  let a,
+    branch,
+    dq1,
+    ds1,
+    dw1,
+    dx1,
+    e,
+    i,
+    p,
+    qs,
+    r,
+    rate,
+    segment,
+    stage,
+    sum_q,
+    sum_s,
+    sum_w,
+    sum_x,
+    weight,
+    xs,
+    zeta;
+  let kick = Math.abs(par.kick);
+  let length = par.length;
+  let sign = par.kick > 0.0 ? 1.0 : -1.0;
+  let q = 0.0;
+  let s = 0.0;
+  let work = 0.0;
+  let x = creep_step__slip_at_entry(law, par, kick, 0.0);
+  let h = 1.0 / steps;
+  for (let each1 = 0, end1 = steps - 1; each1 < end1; each1++) {
+    i = each1;
+    p = step__pressure_at(par, q);
+    segment = compact__segment_of(law, p);
+    branch = compact__branch_of(law, segment, x, p);
+    zeta = i * h;
+    dq1 = dx1 = ds1 = dw1 = 0.0;
+    sum_q = sum_x = sum_s = sum_w = 0.0;
+    for (let each2 = 0, end2 = 4; each2 < end2; each2++) {
+      stage = each2;
+      a = stage === 0 ? 0.0 : stage === 3 ? h : 0.5 * h;
+      weight = stage === 0 || stage === 3 ? h / 6.0 : h / 3.0;
+      qs = q + a * dq1;
+      xs = max(x + a * dx1, 0.0);
+      rate = sign * (g + par.entry_tension * -Math.expm1(qs) * par.compliance);
+      if (rate >= 0.0) {
+        return [0, 0.0, 0.0, 0.0, count];
+      }
+      r = step__rates(law, par, g, segment, branch, sign, qs, sign * xs);
+      e = 1.0 - zeta - a;
+      ds1 = (-4.0 * kick * e * e * e) / rate;
+      dq1 = r[0] * ds1;
+      dx1 = sign * r[1] * ds1;
+      dw1 = r[2] * ds1;
+      sum_q += weight * dq1;
+      sum_x += weight * dx1;
+      sum_s += weight * ds1;
+      sum_w += weight * dw1;
+    }
+    if (s + sum_s >= length) {
+      return [2, 0.0, 0.0, 0.0, count];
+    }
+    [q, x, s, work] = [q + sum_q, x + sum_x, s + sum_s, work + sum_w];
+    if (x <= 0.0) {
+      return [0, 0.0, 0.0, 0.0, count];
+    }
+    if (out.length > 0) {
+      march__record(law, par, out, count, s, new Sliding(q, sign * x, work, segment, branch, sign));
+      count += 1;
+    }
+  }
+  rate = sign * (g + par.entry_tension * -Math.expm1(q) * par.compliance);
+  if (rate >= 0.0) {
+    return [0, 0.0, 0.0, 0.0, count];
+  }
+  let ds = (kick * h ** 4) / -rate;
+  if (s + ds >= length) {
+    return [2, 0.0, 0.0, 0.0, count];
+  }
+  let dq = step__rates(law, par, g, segment, branch, sign, q, sign * x)[0];
+  return [1, s + ds, q + 0.5 * ds * dq, work, count];
+}
+
+/** Sliding a short way s past a point of no slip, where creep grows at `rate` (no kick). */
+export function march___leave(law, par, rate, q, s) {
+  let mu;
+  let sign = rate > 0.0 ? 1.0 : -1.0;
+  let x = creep_step__slip_at_entry(law, par, Math.abs(rate) * s, q);
+  let p = step__pressure_at(par, q);
+  let segment = compact__segment_of(law, p);
+  let branch = compact__branch_of(law, segment, x, p);
+  const found1 = compact__friction_at(law, segment, branch, x, p);
+  mu = found1[0];
+  let dq = (0.5 * mu * s) / par.radius;
+  return new Sliding(q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign);
+}
+
+/** March the whole arc with a law that starts without a jump. */
+export function march__sweep(law, par, g, steps, points, out) {
+  let cell, gone, i, j, n, p, q, rate, s, segment, sign, state, status, work, x;
+  let kick = par.kick;
+  let length = par.length;
+  let count = 0;
+  if (kick !== 0.0) {
+    sign = kick > 0.0 ? 1.0 : -1.0;
+    x = creep_step__slip_at_entry(law, par, Math.abs(kick), 0.0);
+    p = par.entry_pressure;
+    segment = compact__segment_of(law, p);
+    state = new Sliding(0.0, sign * x, 0.0, segment, compact__branch_of(law, segment, x, p), sign);
+    if (out.length > 0) {
+      march__record(law, par, out, 0, 0.0, state);
+      count = 1;
+    }
+    if (sign * g < 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
+      const found1 = march__to_zero_slip(law, par, g, steps, out, count);
+      status = found1[0];
+      s = found1[1];
+      q = found1[2];
+      work = found1[3];
+      n = found1[4];
+      if (status === 1) {
+        rate = g + par.entry_tension * -Math.expm1(q) * par.compliance;
+        cell = (length - s) / steps ** MESH_POWER;
+        gone = march___leave(law, par, rate, q, cell);
+        state = new Sliding(
+          gone.log_tension,
+          gone.slip,
+          gone.work + work,
+          gone.segment,
+          gone.branch,
+          gone.sign,
+        );
+        return march__carry_to_exit(law, par, g, state, s, 1, steps, points, out, n);
+      }
+    }
+    return march__carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count);
+  }
+  if (out.length > 0) {
+    for (let each2 = 0, end2 = RECORD; each2 < end2; each2++) {
+      i = each2;
+      out[i] = 0.0;
+    }
+    count = 1;
+  }
+  if (g === 0.0) {
+    p = par.entry_pressure;
+    state = new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, p), 0, 1.0);
+    if (out.length > 0) {
+      for (let each3 = 1, end3 = points + 1; each3 < end3; each3++) {
+        j = each3;
+        out[RECORD * count] = (j * length) / points;
+        for (let each4 = 1, end4 = RECORD; each4 < end4; each4++) {
+          i = each4;
+          out[RECORD * count + i] = 0.0;
+        }
+        count += 1;
+      }
+    }
+    return [state, count];
+  }
+  if (law.kind === LIMIT || law.kind === TABLE) {
+    sign = g > 0.0 ? 1.0 : -1.0;
+    state = new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, par.entry_pressure), 0, sign);
+    return march__carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count);
+  }
+  state = march___leave(law, par, g, 0.0, length / steps ** MESH_POWER);
+  return march__carry_to_exit(law, par, g, state, 0.0, 1, steps, points, out, count);
+}
+
+/** Exit quantities of a state at the exit. */
+export function effort__shot_of(law, par, state, g, zone) {
+  const found1 = march__stress_and_creep(law, par, state);
+  let tau = found1[0];
+  let creep = found1[1];
+  return new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone);
+}
+
+/** March one arc at effort z; `points` and `out` as :func:`wraparc.arc.kernel.march.sweep`. */
+export function effort__shoot_from(law, par, z, steps, points, out) {
+  let compliance, count, creep, end, g, length, state, tau;
+  let zone = 0.0;
+  steps = effort__mesh_steps(law, par, steps);
+  if (quantities__jumps(law)) {
+    length = par.length;
+    compliance = par.shear + par.onset;
+    end = g = 0.0;
+    if (compliance === 0.0) {
+      zone = length * min(max(1.0 - z, 0.0), 1.0);
+      if (z > 1.0) {
+        g = (par.side * (z - 1.0) * CREEP_SCALE) / length;
+      }
+    } else {
+      zone = length / (1.0 + max(z, 0.0));
+      end = stick__zone_end(law, par, zone)[1];
+      if (z < 0.0) {
+        end *= 1.0 + z;
+      }
+      g = stick__zone_creep_ratio(par, zone, end);
+    }
+    const found1 = stick__stick_slip(law, par, zone, end, g, steps, points, out);
+    state = found1[0];
+    count = found1[1];
+    if (zone >= length) {
+      creep = stick__zone_point(par, length, length, end)[1];
+      tau = compliance > 0.0 ? creep / compliance : 0.0;
+      return [new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone), count];
+    }
+  } else {
+    g = effort__ratio_of(par, z);
+    const found2 = march__sweep(law, par, g, steps, points, out);
+    state = found2[0];
+    count = found2[1];
+  }
+  return [effort__shot_of(law, par, state, g, zone), count];
+}
+
 /** March one arc to its exit at an effort, numbers too large or not. */
 export function member__shoot_plainly(law, par, z, steps) {
   return effort__shoot_from(law, par, z, steps, 0, zeros(0))[0];
@@ -3052,4 +4437,21 @@ export function resistance__slope_resistance(lift, carried) {
 /** Return the force that accelerates a strand, a L m' [N]. */
 export function resistance__inertia(acceleration, length, moving) {
   return acceleration * length * moving;
+}
+
+/** Numbers of one arc at an entry tension [N]. */
+export function quantities__parameters_at(entry_tension, geometry) {
+  let pressure = entry_tension / (geometry.width * geometry.radius);
+  return new Parameters(
+    entry_tension,
+    pressure,
+    geometry.radius,
+    geometry.radius * geometry.wrap_angle,
+    max(geometry.compliance, LEAST_COMPLIANCE),
+    geometry.shear,
+    geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure),
+    geometry.width,
+    geometry.side,
+    geometry.onset,
+  );
 }
