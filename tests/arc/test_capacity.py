@@ -2,8 +2,6 @@
 
 Expected values: the definitions. A solve at the capacity must show the creep or slip it is the
 capacity of; a scan over all creep ratios, by the independent twin, must find no larger one.
-
-Solved by the compiled kernel, which tests/batch/test_compiled_arc.py holds to the interpreted one.
 """
 
 from __future__ import annotations
@@ -20,8 +18,6 @@ from scipy.optimize import minimize_scalar
 from arc.drives import ARC, LAWS, RUBBER, SOFTENING, integral_log, random_arc
 from arc.twin import Twin
 from wraparc.arc import ArcResult, Capacities, Distributed, Status, WrapArc
-from wraparc.arc.kernel import capacity
-from wraparc.arc.kernel.effort import CREEP, Aim
 from wraparc.files import load_lagging
 from wraparc.friction import Constant, FrictionLaw
 
@@ -73,19 +69,6 @@ def test_creep_limit_capacity_is_at_the_creep_limit(name: str, braking: bool) ->
         at = solve(with_tensions(arc, tight_of(arc), tight_of(arc) / c.creep_limit_capacity))
         assert at.status is Status.SOLVED
         assert at.exit_creep * arc.side == pytest.approx(arc.creep_limit, rel=1e-6)
-
-
-@pytest.mark.parametrize("name", sorted(JUMPS))
-def test_a_braking_rest_arc_needs_no_second_search(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The effort of a rest arc runs to thousands: steps of Newton's method grow with it."""
-    failed: list[object] = []
-    monkeypatch.setattr(capacity, "_carry_bracketed", lambda *a: failed.append(a))
-    for arc in drives(name, 6, True):
-        aim = Aim(CREEP, arc.creep_limit)
-        capacity.carry(arc.law.compact(), arc.geometry(), tight_of(arc), aim, math.nan, 24)
-    assert failed == []
 
 
 @pytest.mark.parametrize(
