@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from wraparc.arc import WrapArc
-from wraparc.arc.answer import Guess, Met, meet, operating_point
+from wraparc.arc.answer import operating_point
 from wraparc.arc.collocation import MESH, between_tensions
+from wraparc.arc.meet import Guess, Met, meet
 
 FINER = MESH / 300.0  # misfit of an element that is let stand: five times as many of them
 

@@ -16,7 +16,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from arc.drives import ARC, LAWS, random_arc
+from arc.drives import ARC, LAWS
 from arc.finer import finer
 from arc.wide import NAMES, wide_arc
 from wraparc.arc import Distributed, Status, WrapArc
@@ -34,9 +34,7 @@ BRAKING = {"entry_tension": ARC.exit_tension, "exit_tension": ARC.entry_tension}
 
 
 def course_of(arc: WrapArc) -> Course:
-    found = operating_point(
-        arc.law.compact(), arc.geometry(), arc.entry_tension, arc.exit_tension
-    )
+    found = operating_point(arc.law.compact(), arc.geometry(), arc.entry_tension, arc.exit_tension)
     assert found.outcome == SOLVED
     assert found.met.rest == 0.0
     return found.met.course
@@ -64,9 +62,7 @@ def back_from_the_exit(arc: WrapArc, found: Course) -> tuple[float, float]:
 @pytest.mark.parametrize("name", LAWS)
 @pytest.mark.parametrize("overrun", [0.0, 2e-5, -2e-5])
 @pytest.mark.parametrize("tensions", [{}, BRAKING], ids=["driving", "braking"])
-def test_it_meets_its_own_equations(
-    name: str, overrun: float, tensions: dict[str, float]
-) -> None:
+def test_it_meets_its_own_equations(name: str, overrun: float, tensions: dict[str, float]) -> None:
     arc = replace(ARC, law=LAWS[name], overrun=overrun, **tensions)
     found = course_of(arc)
     creep, tension = back_from_the_exit(arc, found)

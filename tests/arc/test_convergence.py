@@ -18,10 +18,10 @@ from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_
 from arc.finer import finer
 from arc.twin import Twin
 from wraparc.arc import Distributed, WrapArc, collocation
-from wraparc.arc.answer import interface
 from wraparc.arc.collocation import NEWTON, between_tensions, converged, first_course, kinks
 from wraparc.arc.kernel.march import sweep
 from wraparc.arc.kernel.quantities import parameters_at
+from wraparc.arc.meet import interface
 from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots, TestedRange
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))

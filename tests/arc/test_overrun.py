@@ -8,6 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from wraparc.arc.kernel.layer_march import STEP_TOLERANCE
+from wraparc.arc.kernel.layers import NO_LAYERS, solve_layers
 
 from arc.drives import ARC, LAWS, random_arc
 from arc.test_twin import ACCURACY, energy_miss, misses
@@ -15,8 +17,6 @@ from arc.twin import Twin
 from batch.batches import columns_of, lagging
 from wraparc.arc import Distributed, Status, WrapArc
 from wraparc.arc.kernel.effort import CREEP, TENSION, Aim
-from wraparc.arc.kernel.layer_march import STEP_TOLERANCE
-from wraparc.arc.kernel.layers import NO_LAYERS, solve_layers
 from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.arc.summary import overrun_coefficient
 from wraparc.batch import solve_arcs

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from arc.drives import ARC, LAWS, random_arc
+from arc.drives import LAWS, random_arc
 from arc.twin import Exit, Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 

@@ -14,14 +14,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from wraparc.arc.kernel.capacity import Guess, carry, carry_from
+from wraparc.arc.kernel.gross_slip import plateau_capacity
+from wraparc.arc.kernel.layers import NO_LAYERS
 
 from arc.shooting import ACCURACY, INTERPRETED, breaks_away, verdict
 from arc.wide import NAMES, wide_arc
 from wraparc.arc import Distributed, Status, WrapArc
-from wraparc.arc.kernel.capacity import Guess, carry, carry_from
 from wraparc.arc.kernel.effort import CREEP, Aim
-from wraparc.arc.kernel.gross_slip import plateau_capacity
-from wraparc.arc.kernel.layers import NO_LAYERS
 from wraparc.arc.kernel.quantities import SOLVED
 from wraparc.drive.load_case import LEAST_TENSION
 from wraparc.errors import InputError
