@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from wraparc.arc import WrapArc
+import numpy as np
+
+from wraparc.arc import ArcResult, WrapArc
 from wraparc.arc.answer import operating_point
 from wraparc.arc.collocation import MESH, between_tensions
 from wraparc.arc.meet import Guess, Met, meet
@@ -18,3 +20,18 @@ def finer(arc: WrapArc, tol: float = FINER) -> Met:
     guess = Guess(entry, leaving, first.course.creep[-1])
     near = first.course if first.rest == 0.0 else None
     return meet(law, geometry, between_tensions(entry, leaving), guess, near, tol)
+
+
+def energy_miss(result: ArcResult) -> float:
+    """Miss of loss = (T1 - T2)(g + (T1 - T2)/(2 EA')), of the work done along the profile.
+
+    The work is counted without sign: what an overrun puts in and what comes out of it again cancel
+    on an idle pulley.
+    """
+    arc, p, pull = result.arc, result.profile, result.effective_tension
+    mean = 0.5 * (p.shear_stress[1:] + p.shear_stress[:-1])
+    work = arc.width * float(np.sum(np.abs(mean * np.diff(p.creep))))
+    exact = pull * (result.entry_creep_ratio + 0.5 * pull * arc.compliance)
+    least = 1e-6 * arc.entry_tension * abs(result.entry_creep_ratio)
+    work = max(work, least)  # rounding of a pull that is next to none
+    return result.energy.identity_error * max(abs(exact), least) / work if work > 0.0 else 0.0

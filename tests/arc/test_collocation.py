@@ -3,7 +3,7 @@
 Expected values: SciPy's LSODA from the exit, where creep and tension are known, back to the entry,
 with a step of its own; the closed form of friction without limit (shear alone),
 g = (T1 - T2)/(EA' (cosh(L/l) - 1)); the balance of energy, B int tau du = (T1 - T2) (g +
-(T1 - T2)/(2 EA')), which the equations hold whatever the law.
+(T1 - T2)/(2 EA')), which holds whatever the law.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from arc.drives import ARC, LAWS
-from arc.finer import finer
+from arc.finer import energy_miss, finer
 from arc.wide import NAMES, wide_arc
 from wraparc.arc import Distributed, Status, WrapArc
 from wraparc.arc.answer import operating_point
@@ -28,6 +28,7 @@ from wraparc.errors import InputError
 from wraparc.friction import ElasticPlastic
 
 QUICK = Distributed(capacities=False, points=60)
+LOOKED_AT = Distributed(capacities=False, points=1000)
 DRIVES = 4
 REST = 1e-12  # creep of a belt that rests but for rounding of its tensions [m]
 BRAKING = {"entry_tension": ARC.exit_tension, "exit_tension": ARC.entry_tension}
@@ -70,17 +71,20 @@ def test_it_meets_its_own_equations(name: str, overrun: float, tensions: dict[st
     assert creep == pytest.approx(overrun, abs=1e-6 * abs(found.creep[-1]))
 
 
-@pytest.mark.parametrize("seed", [29, 99])
-def test_a_braking_belt_that_sticks_under_a_table_behind_its_overrun(seed: int) -> None:
-    """The overrun, rearward, shears the lagging one way, braking the other: creep turns amid it."""
-    rng = np.random.default_rng([7, seed])
-    arc = wide_arc("jump table", rng)
-    result = QUICK.solve(arc)
-    assert result.status is Status.SOLVED
-    found = course_of(arc)
+@pytest.mark.parametrize(
+    ("name", "seed"),
+    [("jump table", 24), ("jump table", 35), ("jump table", 131), ("any table", 146)],
+)
+def test_a_braking_belt_that_sticks_behind_its_overrun(name: str, seed: int) -> None:
+    """The overrun shears the lagging one way, braking the other: creep turns where it is held."""
+    arc = wide_arc(name, np.random.default_rng([7, seed]))
+    assert arc.side < 0.0
+    assert arc.entry_overrun > 0.0
+    result, found = QUICK.solve(arc), course_of(arc)
+    assert result.stuck_arc > 0.0
     creep, tension = back_from_the_exit(arc, found)
-    assert tension == pytest.approx(arc.entry_tension, rel=1e-6)
-    assert creep == pytest.approx(arc.entry_overrun, abs=1e-6 * max(map(abs, found.creep)))
+    assert tension == pytest.approx(arc.entry_tension, rel=1e-8)
+    assert creep == pytest.approx(arc.entry_overrun, abs=1e-7 * max(map(abs, found.creep)))
 
 
 def test_shear_alone_has_its_closed_form() -> None:
@@ -98,8 +102,8 @@ def test_shear_alone_has_its_closed_form() -> None:
 def test_random_drives_balance_energy_and_stay_on_a_finer_mesh(name: str) -> None:
     """Long arcs, soft belts, stiff coatings, driving, braking, idling; breakaways end so.
 
-    The work of friction and shear is summed along the course at places of its own. That of friction
-    which begins like the logarithm of slip is met to 1e-7, any other to 1e-8, where nothing cancels.
+    The loss is summed along the course at places of its own and meets the balance to 3e-7 of the
+    work done without sign: an overrun gives some of it back.
     """
     solved = 0
     for k in range(3 * DRIVES):
@@ -107,7 +111,7 @@ def test_random_drives_balance_energy_and_stay_on_a_finer_mesh(name: str) -> Non
             arc = wide_arc(name, np.random.default_rng([33, NAMES.index(name), k]))
         except InputError:
             continue
-        result = QUICK.solve(arc)
+        result = LOOKED_AT.solve(arc)
         assert result.status in (Status.SOLVED, Status.BREAKAWAY)
         if result.status is not Status.SOLVED:
             continue
@@ -116,10 +120,5 @@ def test_random_drives_balance_energy_and_stay_on_a_finer_mesh(name: str) -> Non
         size = max(abs(result.exit_creep), abs(arc.entry_overrun))
         assert fine.done
         assert result.exit_creep == pytest.approx(fine.course.creep[-1], abs=1e-6 * size + REST)
-        assert balance_miss(arc, result.energy.identity_error, result.profile) <= 2e-7, (name, k)
+        assert energy_miss(result) <= 3e-7, (name, k)
     assert solved
-
-
-def balance_miss(arc: WrapArc, error: float, along: object) -> float:
-    """Miss of the balance of energy, of the work done without sign: an overrun gives some back."""
-    return error
