@@ -120,7 +120,7 @@ def test_a_strip_without_pressure_carries_nothing() -> None:
 @pytest.mark.parametrize("arc", [FABRIC, braking(FABRIC), replace(CORD, overrun=None)])
 def test_an_even_belt_is_that_of_the_arc(arc: WrapArc) -> None:
     """Source: the static solver, which marches, in another state."""
-    even = Distributed(steps=768, capacities=False).solve(arc)
+    even = Distributed(capacities=False).solve(arc)
     found = solved(wide(arc, strips=4))
     g = found.entry_creep_ratio
     assert g == pytest.approx(np.full(4, even.entry_creep_ratio), rel=1e-6)
@@ -132,7 +132,7 @@ def test_an_even_belt_is_that_of_the_arc(arc: WrapArc) -> None:
 
 def test_an_even_belt_to_more_digits() -> None:
     """Source: the static solver."""
-    even = Distributed(steps=768, capacities=False).solve(FABRIC)
+    even = Distributed(capacities=False).solve(FABRIC)
     found = solved(wide(FABRIC, strips=4), 1e-9)
     assert found.exit_creep[0] == pytest.approx(even.exit_creep, rel=1e-8)
     assert found.exit_slip[0] == pytest.approx(even.exit_slip, rel=1e-8)

@@ -25,7 +25,7 @@ from wraparc.friction import (
     TestedRange,
 )
 
-EXACT = 1e-6  # relative; the solver itself is better by one to five digits, see test_convergence
+EXACT = 3e-7  # relative; the solver itself is better by up to five digits, see test_convergence
 
 LAG = math.sqrt(ARC.shear_compliance / (ARC.width * ARC.compliance))  # shear-lag length l
 
@@ -134,7 +134,8 @@ def test_shear_only(exit_tension: float, kick: float) -> None:
     pull = arc.effective_tension * arc.compliance
     g = (pull - kick / LAG * math.sinh(stretch)) / (math.cosh(stretch) - 1)
     result = solve(arc)
-    assert result.entry_creep_ratio == pytest.approx(g, rel=EXACT, abs=1e-15)
+    # g is what two parts leave, and no better than either
+    assert result.entry_creep_ratio == pytest.approx(g, rel=EXACT, abs=0.1 * EXACT * kick / LAG)
     s = result.profile.position * arc.radius
     creep = kick * np.cosh(s / LAG) + g * LAG * np.sinh(s / LAG)
     scale = float(np.max(np.abs(creep))) + 1e-12
@@ -173,8 +174,7 @@ def test_first_integral_at_every_point(
         overrun=kick,
         shear_modulus=math.inf,
     )
-    # where a kick is used up the march is of fourth order: 5e-6 at 24 steps
-    result = Distributed(steps=48, capacities=False).solve(arc)
+    result = Distributed(capacities=False).solve(arc)
     assert result.status is Status.SOLVED
     g, e = result.entry_creep_ratio, arc.entry_tension * arc.compliance
     q = np.log(result.profile.tension / arc.entry_tension)
@@ -331,6 +331,6 @@ def test_no_friction_carries_nothing(law: FrictionLaw) -> None:
 def test_no_tension_difference_and_no_kick_is_rest(law: FrictionLaw) -> None:
     result = solve(replace(ARC, law=law, exit_tension=150e3), capacities=True)
     assert (result.exit_creep, result.exit_slip, result.entry_creep_ratio) == (0.0, 0.0, 0.0)
-    assert np.all(result.profile.tension == 150e3)
+    assert result.profile.tension == pytest.approx(150e3, rel=1e-14)  # rounding of its cubics
     assert np.all(result.profile.shear_stress == 0.0)
     assert result.capacities.creep_limit_margin == result.capacities.creep_limit_capacity > 1.0

@@ -8,16 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from wraparc.arc.kernel.layer_march import STEP_TOLERANCE
-from wraparc.arc.kernel.layers import NO_LAYERS, solve_layers
 
 from arc.drives import ARC, LAWS, random_arc
-from arc.test_twin import ACCURACY, energy_miss, misses
+from arc.finer import energy_miss
+from arc.test_twin import misses
 from arc.twin import Twin
 from batch.batches import columns_of, lagging
 from wraparc.arc import Distributed, Status, WrapArc
-from wraparc.arc.kernel.effort import CREEP, TENSION, Aim
-from wraparc.arc.kernel.quantities import SOLVED, parameters_at
 from wraparc.arc.summary import overrun_coefficient
 from wraparc.batch import solve_arcs
 from wraparc.batch.arcs import Arcs
@@ -74,7 +71,7 @@ def test_towards_travel_it_is_the_independent_integration(name: str) -> None:
         assert result.status is Status.SOLVED
         _, twin = Twin(arc).solve_near(result.entry_creep_ratio)
         assert max(misses(result, twin).values()) <= 1.0, arc
-        assert energy_miss(arc, result) <= ACCURACY, arc
+        assert energy_miss(result) <= 3e-7, arc
         assert result.profile.creep[0] == pytest.approx(arc.overrun, rel=1e-12)
 
 
@@ -95,8 +92,8 @@ def test_a_rigid_belt_has_it_in_closed_form() -> None:
         overrun=-size, entry_tension=100e3, exit_tension=100e3 * math.exp(-log_ratio),
     )  # fmt: skip
     result = QUICK.solve(arc)
-    assert result.entry_creep_ratio == pytest.approx(g, rel=1e-5)
-    assert result.exit_creep == pytest.approx(g * length - size, rel=1e-5)
+    assert result.entry_creep_ratio == pytest.approx(g, rel=1e-6)
+    assert result.exit_creep == pytest.approx(g * length - size, rel=1e-6)
 
 
 def test_towards_travel_it_adds_the_creep_that_one_rearward_saves() -> None:
@@ -105,27 +102,6 @@ def test_towards_travel_it_adds_the_creep_that_one_rearward_saves() -> None:
     )
     assert rearward < none < forward
     assert forward - none == pytest.approx(none - rearward, rel=0.1)
-
-
-@pytest.mark.parametrize("arc", [ARC, BRAKING], ids=lambda arc: arc.duty)
-def test_layers_and_marches_agree_on_it(arc: WrapArc) -> None:
-    """Other code: what solves long arcs, on one that is not."""
-    arc = replace(arc, overrun=-SIZE)
-    law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
-    goal = abs(math.log(arc.entry_tension / arc.exit_tension))
-    outcome, layers = solve_layers(
-        law, par, Aim(TENSION, goal), math.nan, STEP_TOLERANCE, NO_LAYERS
-    )
-    assert outcome == SOLVED
-    creep = QUICK.solve(arc).exit_creep
-    assert layers.exit_creep == pytest.approx(creep, rel=1e-6)
-    # and the other way round: the creep is aimed at, and the tension found
-    outcome, layers = solve_layers(
-        law, par, Aim(CREEP, abs(creep)), math.nan, STEP_TOLERANCE, NO_LAYERS
-    )
-    assert outcome == SOLVED
-    ratio = par.compliance * (layers.rest_tension - arc.exit_tension)
-    assert layers.exit_ratio == pytest.approx(ratio, rel=1e-6)
 
 
 @pytest.mark.parametrize("arc", [ARC, BRAKING], ids=lambda arc: arc.duty)

@@ -17,7 +17,7 @@ from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.friction import IntegralLog, TestedRange
 
 QUICK = Distributed(capacities=False)
-FINE = Distributed(capacities=False, steps=48, points=4000)
+FINE = Distributed(capacities=False, points=4000)
 SPEED = 3.7
 _JUMPING = {"constant", "power", "jump table", "elastic-plastic"}
 

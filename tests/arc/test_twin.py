@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from arc.drives import ARC, LAWS, random_arc
+from arc.drives import LAWS, random_arc
 from arc.twin import Exit, Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 
@@ -61,7 +61,7 @@ def test_random_drives(name: str) -> None:
         creep = max(abs(result.exit_creep), arc.entry_overrun)
         found["g"] = abs(g - result.entry_creep_ratio) * arc.length / (ACCURACY * creep)
         found["tension"] = abs(result.exit_tension / arc.exit_tension - 1) / 1e-8
-        found["energy"] = energy_miss(arc, result) / ACCURACY
+        found["energy"] = energy_miss(result) / 3e-7
         for key, value in found.items():
             assert value >= 0.0  # a number
             worst[key] = max(worst.get(key, (0.0, arc)), (value, arc), key=lambda w: w[0])
@@ -69,21 +69,6 @@ def test_random_drives(name: str) -> None:
         f"{key} {v:.3g} times too far: {arc}" for key, (v, arc) in worst.items() if not v <= 1
     ]
     assert too_far == []
-
-
-def energy_miss(arc: WrapArc, result: ArcResult) -> float:
-    """Miss of loss = (T1 - T2)(g + (T1 - T2)/(2 EA')), relative to the friction work done.
-
-    The work on the way is counted without sign: what a kick puts in and what comes out of it
-    again cancel on an idle pulley.
-    """
-    p, pull = result.profile, arc.effective_tension
-    mean = 0.5 * (p.shear_stress[1:] + p.shear_stress[:-1])
-    work = float(np.sum(np.abs(mean * np.diff(p.slip))))
-    shear = 0.5 * arc.shear_compliance * p.shear_stress[[0, -1]] ** 2
-    loss = arc.width * (result.energy.frictional_energy + shear[1] - shear[0])
-    exact = pull * (result.entry_creep_ratio + 0.5 * pull * arc.compliance)
-    return float(abs(loss - exact) / (arc.width * (work + shear.sum())))
 
 
 @every_law
@@ -120,14 +105,6 @@ def test_a_belt_that_lets_go_in_the_middle_of_the_wrap() -> None:
         if result.status is Status.SOLVED:
             _, twin = Twin(arc).solve_near(result.entry_creep_ratio)
             assert max(misses(result, twin).values()) <= 1.0, arc
-
-
-@pytest.mark.parametrize("steps", [96, 384])
-def test_a_fine_mesh_gives_the_same_answer(steps: int) -> None:
-    for name in ("rubber", "softening"):
-        arc = replace(ARC, law=LAWS[name])
-        results = [Distributed(steps=n, capacities=False).solve(arc) for n in (24, steps)]
-        assert results[1].exit_creep == pytest.approx(results[0].exit_creep, rel=1e-6)
 
 
 def test_twin_meets_a_closed_form() -> None:

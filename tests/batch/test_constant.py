@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from batch.batches import designs, lagging
-from wraparc.arc.kernel.quantities import BREAKAWAY, SOLVED
+from wraparc.arc.quantities import BREAKAWAY, SOLVED
 from wraparc.batch import constant, precise, row
 from wraparc.batch.arcs import Arcs, Array, arcs_of_table
 from wraparc.friction import Constant, PressurePower

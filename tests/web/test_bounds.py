@@ -274,14 +274,14 @@ def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables(
 
         monkeypatch.setattr(sys.modules[module], name, once_more)
 
-    counted("wraparc.arc.kernel.gross_slip", "slip_place")
-    counted("wraparc.checks.least_tension", "lift_for_grip")
+    counted("wraparc.checks.gross_slip", "pull_at_sliding")
+    counted("wraparc.checks.least_tension", "lift_for_safety")
     drive = _cases(10)
     for i, case in enumerate(drive["load_case"]):
         case["pulley"] = {"head": {"entry_tension": f"{90 + i} kN"}}
     drives.solve_all(SolveRequest(document=drive, prepared=True, points=60))
-    assert 10 <= called["slip_place"] <= (3 + 1 + 1) * 10
-    assert 10 <= called["lift_for_grip"] <= 10 + 1  # where it governs it is settled
+    assert 10 <= called["pull_at_sliding"] <= (3 + 1 + 1) * 10
+    assert 10 <= called["lift_for_safety"] <= 10 + 1  # where it governs it is settled
 
 
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:

@@ -10,7 +10,6 @@ from __future__ import annotations
 from math import exp, expm1, inf, log, nan
 from typing import NamedTuple
 
-from wraparc.arc.answer import Guess, Met, by_growth, interface, meet
 from wraparc.arc.collocation import (
     CREEP,
     MOST_USED,
@@ -23,6 +22,7 @@ from wraparc.arc.collocation import (
     traction_at,
 )
 from wraparc.arc.gross_slip import Line, outweighs, plateau_capacity, residual_capacity
+from wraparc.arc.meet import Guess, Met, by_growth, interface, meet
 from wraparc.arc.quantities import Geometry, Load
 from wraparc.arc.traction import plateau_stress
 from wraparc.friction.compact import CompactLaw
@@ -278,7 +278,7 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
     for _ in range(LOOKS):
         met = carry(law, arc, tight, Limit(CREEP, creep), near)
         if met.done:
-            near, grows = _near(met), _growth(arc, met.slopes)
+            near, grows = _near(met), growth(arc, met.slopes)
             if log_ratio(met) > best and (grows > 0.0 or before > 0.0):
                 best = log_ratio(met)
                 at, found = _near(met), True
@@ -295,14 +295,14 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
         if not met.done:
             break
         at, best = _near(met), log_ratio(met)
-        if _growth(arc, met.slopes) > 0.0:
+        if growth(arc, met.slopes) > 0.0:
             low = creep
         else:
             high = creep
     return best, high
 
 
-def _growth(arc: Geometry, slopes: Slopes) -> float:
+def growth(arc: Geometry, slopes: Slopes) -> float:
     """How what is carried grows with the creep at the exit, in sign: less tension is left."""
     if arc.side > 0.0:  # T(0) held
         return -(slopes.last_goal - slopes.last * slopes.first_goal / slopes.first)

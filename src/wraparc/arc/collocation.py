@@ -288,10 +288,11 @@ def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
     """
     if arc.shear == 0.0:
         return tension
-    end, lag = start_at(face, arc, tension)[0], lag_length(arc)
+    end, taken = start_at(face, arc, tension)[0], arc.width * lag_length(arc) / arc.shear
     entry = tension
-    for _ in range(4):  # an overrun by formula grows with the entry tension
-        entry = tension + arc.width * lag / arc.shear * (overrun_at(arc, entry)[0] + end)
+    for _ in range(4):  # an overrun by formula grows with the entry tension: Newton's method
+        overrun, by_tension = overrun_at(arc, entry)
+        entry -= (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension)
     return entry
 
 

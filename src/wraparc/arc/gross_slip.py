@@ -5,16 +5,14 @@ The tight side is held (T1 driving, T2 braking) and the slack side falls.
 
 from __future__ import annotations
 
-from math import exp, inf, log, sqrt
+from math import exp, log, sqrt
 from typing import NamedTuple
 
 from wraparc.arc.quantities import Geometry
 from wraparc.friction.compact import CompactLaw, excess_at, plateau_at, residual_at, segment_of
 
-_NO_SLACK = 50.0  # miss of a place where the slack side has no tension left
 _PIECE = 0.25  # of ln T: where friction is smooth, 5 points are exact to rounding
 PRESSURES = 5  # of an arc, at which a falling law is looked at
-_ROUNDS, _TOLERANCE, _GROWTH = 200, 1e-9, 2.0
 
 
 def plateau_capacity(law: CompactLaw, tight_pressure: float, wrap_angle: float) -> float:
@@ -83,25 +81,6 @@ def _angle(
     return 0.5 * span * total
 
 
-class Grip(NamedTuple):
-    """What friction can carry on an arc, but for its law.
-
-    Attributes
-    ----------
-    wrap_angle
-        phi [rad].
-    area
-        B R, tension over wrap pressure [m2].
-    offset
-        ln(tight/slack) that it carries beyond that of the plateau, < 0 where friction falls past
-        its peak [-].
-    """
-
-    wrap_angle: float
-    area: float
-    offset: float
-
-
 class Line(NamedTuple):
     """Tensions of an arc along a line: those at k = 1, and how they grow with k [N]."""
 
@@ -109,79 +88,6 @@ class Line(NamedTuple):
     slack: float
     tight_rise: float
     slack_rise: float
-
-
-def carried_log(law: CompactLaw, grip: Grip, tight: float) -> float:
-    """Largest ln(tight/slack) that friction carries with the tight side at a tension [N]."""
-    q = plateau_capacity(law, tight / grip.area, grip.wrap_angle) + grip.offset
-    return max(q, 0.0)
-
-
-def _angle_needed(law: CompactLaw, tight_pressure: float, fall: float) -> float:
-    """Wrap angle over which ln T falls so far from the tight side at the plateau [rad]."""
-    q, angle = 0.0, 0.0
-    while q < fall:
-        segment, span = _piece(law, tight_pressure * exp(-q))
-        span = min(span, fall - q)
-        angle += _angle(law, tight_pressure, segment, q, span, False)
-        q += span
-        if span <= 1e-15 * q:
-            break
-    return angle
-
-
-def _missing(law: CompactLaw, grip: Grip, line: Line, k: float) -> tuple[float, float]:
-    """Wrap angle that the tensions at a place of a line need less that of the arc, and its slope.
-
-    d angle = d ln T_tight / mu(p_tight) - d ln T_slack / mu(p_slack) at the plateau.
-    """
-    tight = line.tight + (k - 1.0) * line.tight_rise
-    slack = line.slack + (k - 1.0) * line.slack_rise
-    if tight <= 0.0 or slack <= 0.0:
-        return _NO_SLACK, 0.0
-    if tight <= slack:
-        return -grip.wrap_angle, 0.0
-    top, fall = tight / grip.area, log(tight / slack) - grip.offset
-    end = top * exp(-fall)
-    at_top = plateau_at(law, segment_of(law, top), top)
-    at_end = plateau_at(law, segment_of(law, end), end)
-    slope = line.tight_rise / (tight * at_top) - line.slack_rise / (slack * at_end)
-    return _angle_needed(law, top, fall) - grip.wrap_angle, slope
-
-
-def slip_place(law: CompactLaw, grip: Grip, line: Line, way: float, low: float) -> float:
-    """Place k of a line at which gross slip begins (way 1) or ends (way -1), from `low` upwards.
-
-    Newton's method on the wrap angle that the tensions need, within what brackets the place; inf
-    if there is none up to 1e4 times `low`, or 1e4.
-    """
-    step = max(low, 1.0)
-    a, b, most = low, inf, 1e4 * step
-    if way > 0.0 and line.slack_rise < 0.0:
-        b = 1.0 - line.slack / line.slack_rise  # no tension is left there
-    k = a + step
-    if k >= b:
-        k = 0.5 * (a + b)
-    for _ in range(_ROUNDS):
-        f, slope = _missing(law, grip, line, k)
-        f, slope = way * f, way * slope
-        if f < 0.0:
-            a = k
-            if k >= most:
-                return inf
-        else:
-            b = k
-        new = k - f / slope if slope > 0.0 else inf
-        if abs(new - k) <= _TOLERANCE * k:
-            return new
-        new = min(new, most)
-        if not a < new < b:
-            new = 0.5 * (a + b) if b < inf else min(a + step, most)
-            step *= _GROWTH
-        if abs(new - k) <= 1e-15 * k:
-            return k
-        k = new
-    return k
 
 
 def outweighs(law: CompactLaw, geometry: Geometry, tight: float, residual: float) -> bool:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from math import exp, log, nan
 from typing import NamedTuple
 
-from wraparc.arc.answer import Met, ratio_of
 from wraparc.arc.collocation import (
     C0,
     C1,
@@ -21,6 +20,7 @@ from wraparc.arc.collocation import (
     state_at,
     traction_at,
 )
+from wraparc.arc.meet import Met, ratio_of
 from wraparc.arc.quantities import Buffer, Geometry, jumps, zeros
 from wraparc.arc.traction import Traction
 

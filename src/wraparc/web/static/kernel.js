@@ -282,6 +282,17 @@ export class Solved {
   }
 }
 
+export class Limit {
+  constructor(kind, most) {
+    this.kind = kind;
+    this.most = most;
+  }
+  *[Symbol.iterator]() {
+    yield this.kind;
+    yield this.most;
+  }
+}
+
 export class Point {
   constructor(place, tension, creep, slip, stress) {
     this.place = place;
@@ -584,17 +595,6 @@ export class Sizes {
     yield this.entry;
     yield this.leaving;
     yield this.pull;
-  }
-}
-
-export class Limit {
-  constructor(kind, most) {
-    this.kind = kind;
-    this.most = most;
-  }
-  *[Symbol.iterator]() {
-    yield this.kind;
-    yield this.most;
   }
 }
 
@@ -975,10 +975,21 @@ const ROUGH = 0.001;
 const FIRST_SHARE = 0.125;
 const SOFTEST = 5.0;
 const MOST_EASED = 30;
+const PRESSURES = 5;
+const ON_THE_RISE = 0.6;
+const FIRST_PART = 0.4;
+const LOOKS = 14;
+const MOST_USED = 0.95;
+const LARGEST_FALL = 6.0;
+const SLIP = 2;
+const MISFIT = 1e-5;
+const FIRST_GOAL = 0.01;
+const MOST_GOALS = 40;
+const LEAST_GROWTH = 1.01;
+const WIDER = 1.5;
 const LEAST_GUESS = 1e-7;
 const CREEPS = 40;
 const CLOSE = 0.001;
-const LEAST_GROWTH = 1.01;
 const UNSOLVED = 2;
 const RATIO_END = 1.0;
 const RECORD = 5;
@@ -1017,11 +1028,6 @@ const USUAL_SIZES = [
 ];
 const CAPACITIES = 30;
 const LEAST = 8;
-const MOST_USED = 0.95;
-const LARGEST_FALL = 6.0;
-const SLIP = 2;
-const MISFIT = 1e-5;
-const FIRST_GOAL = 0.01;
 const HIGHEST = 1000.0;
 const LEAST_OVER = 0.0001;
 const DEEPEST = 3.0;
@@ -1029,11 +1035,6 @@ const ROUNDS = 60;
 const NEAR_TOP = 0.0001;
 const TESTED_SLIP = 4;
 const GROSS_SLIP = 16;
-const PRESSURES = 5;
-const ON_THE_RISE = 0.6;
-const FIRST_PART = 0.4;
-const LOOKS = 14;
-const WIDER = 1.5;
 const SLIP_KIND = 2;
 const TESTED = 1;
 const _FIRST = 0.8;
@@ -1513,7 +1514,7 @@ export function in_page__load_of(given, arc, tested) {
 }
 
 /** Traction of an arc by its law. */
-export function answer__interface(law, arc) {
+export function meet__interface(law, arc) {
   let rigid = quantities__jumps(law) && arc.shear === 0.0;
   return new Interface(law, arc.shear, 1.0, 0.0, rigid ? arc.side : 0.0, false);
 }
@@ -1884,7 +1885,8 @@ export function gross_slip__plateau_capacity(law, tight_pressure, wrap_angle) {
   return gross_slip___capacity(law, tight_pressure, wrap_angle, false);
 }
 
-export function answer___unmet(face, at) {
+/** An arc that meets nothing. */
+export function meet__unmet(face, at) {
   return new Met(false, at, NO_SLOPES, 0.0, at.tension[0], face);
 }
 
@@ -1899,7 +1901,7 @@ export function collocation__lag_length(arc) {
 }
 
 /** An arc that is held all along, much longer than l; None where it is not. */
-export function answer___at_rest(face, arc, ends, guess) {
+export function meet___at_rest(face, arc, ends, guess) {
   let area = arc.width * arc.radius;
   let lag = collocation__lag_length(arc);
   let length = arc.radius * arc.wrap_angle;
@@ -2175,15 +2177,18 @@ export function collocation__exit_row(face, arc, ends, at) {
 
 /** Entry tension of a rest arc, much longer than l, by that at its end [N]. */
 export function collocation__entry_of_rest(face, arc, tension) {
+  let by_tension, overrun;
   if (arc.shear === 0.0) {
     return tension;
   }
   let end = collocation__start_at(face, arc, tension)[0];
-  let lag = collocation__lag_length(arc);
+  let taken = (arc.width * collocation__lag_length(arc)) / arc.shear;
   let entry = tension;
   for (let each1 = 0, end1 = 4; each1 < end1; each1++) {
-    entry =
-      tension + ((arc.width * lag) / arc.shear) * (collocation__overrun_at(arc, entry)[0] + end);
+    const found2 = collocation__overrun_at(arc, entry);
+    overrun = found2[0];
+    by_tension = found2[1];
+    entry -= (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension);
   }
   return entry;
 }
@@ -2667,7 +2672,7 @@ export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
 }
 
 /** `meet` with a rest arc at the entry; not done where it is not much longer than l. */
-export function answer___behind_rest(face, arc, ends, guess, tol) {
+export function meet___behind_rest(face, arc, ends, guess, tol) {
   let course, done, entry, long, rest, share, slopes;
   let length = arc.radius * arc.wrap_angle;
   let first = collocation__first_course(arc, length, guess.entry, guess.leaving, guess.creep);
@@ -2688,11 +2693,11 @@ export function answer___behind_rest(face, arc, ends, guess, tol) {
       return new Met(long, course, slopes, max(rest, 0.0), entry, face);
     }
   }
-  return answer___unmet(face, first);
+  return meet__unmet(face, first);
 }
 
 /** An arc without a rest arc of its own. */
-export function answer___all_sliding(face, found) {
+export function meet___all_sliding(face, found) {
   return new Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face);
 }
 
@@ -2753,17 +2758,17 @@ export function collocation__solved_or_eased(face, arc, ends, start, tol = 3e-6)
 }
 
 /** Meet end conditions. */
-export function answer__meet(law, arc, ends, guess, near, tol) {
+export function meet__meet(law, arc, ends, guess, near, tol) {
   let again, behind, found, held;
-  let face = answer__interface(law, arc);
+  let face = meet__interface(law, arc);
   let length = arc.radius * arc.wrap_angle;
   if (quantities__jumps(law) && STIFF * collocation__lag_length(arc) < length) {
     behind = Object.assign(Object.create(Object.getPrototypeOf(face)), face, {
       slides: arc.side,
       rests: true,
     });
-    held = arc.shear > 0.0 ? answer___at_rest(behind, arc, ends, guess) : null;
-    found = held === null ? answer___behind_rest(behind, arc, ends, guess, tol) : held;
+    held = arc.shear > 0.0 ? meet___at_rest(behind, arc, ends, guess) : null;
+    found = held === null ? meet___behind_rest(behind, arc, ends, guess, tol) : held;
     if (found.done) {
       return found;
     }
@@ -2771,14 +2776,14 @@ export function answer__meet(law, arc, ends, guess, near, tol) {
   if (near !== null) {
     again = collocation__solved(face, arc, ends, near, tol);
     if (again.done) {
-      return answer___all_sliding(face, again);
+      return meet___all_sliding(face, again);
     }
     if (tol >= ROUGH) {
-      return answer___unmet(face, near);
+      return meet__unmet(face, near);
     }
   }
   let first = collocation__first_course(arc, length, guess.entry, guess.leaving, guess.creep);
-  return answer___all_sliding(face, collocation__solved_or_eased(face, arc, ends, first, tol));
+  return meet___all_sliding(face, collocation__solved_or_eased(face, arc, ends, first, tol));
 }
 
 /** Whether more is carried as creep grows: friction is not exhausted. */
@@ -2788,9 +2793,215 @@ export function answer___rises(arc, met) {
   return met.rest > 0.0 || first > 0.0 || (arc.side > 0.0 && first * through > 0.0);
 }
 
+/** ln(tight/slack) at gross slip with what friction is left with at slips without bound. */
+export function gross_slip__residual_capacity(law, tight_pressure, wrap_angle) {
+  return gross_slip___capacity(law, tight_pressure, wrap_angle, true);
+}
+
+/** Friction beyond the residual over all slips at a pressure, int (mu - mu_residual) dx [m]. */
+export function compact__excess_at(law, segment, pressure) {
+  let cell, hold, mu, place, slip, slip_pk, slope, total, width;
+  let kind = law.kind;
+  let slips = law.slips;
+  if (kind === LIMIT) {
+    return 0.0;
+  }
+  let left = compact__residual_at(law, segment, pressure);
+  if (kind === TABLE) {
+    total = 0.0;
+    for (let each1 = 0, end1 = slips.length - 1; each1 < end1; each1++) {
+      cell = each1;
+      width = slips[cell + 1] - slips[cell];
+      for (const each2 of [0.2113248654051871, 0.7886751345948129]) {
+        place = each2;
+        slip = slips[cell] + place * width;
+        const found3 = compact__friction_at(law, segment, cell, slip, pressure);
+        mu = found3[0];
+        total += 0.5 * width * (mu - left);
+      }
+    }
+    return total;
+  }
+  const found4 = compact__peak(law, segment, pressure);
+  slip_pk = found4[0];
+  const found5 = compact__tail(law, segment, pressure);
+  slope = found5[0];
+  let top = compact__plateau_at(law, segment, pressure);
+  let fall = top - left;
+  total = slip_pk * (0.75 * top - left);
+  if (fall > 0.0) {
+    hold = top / compact__peak(law, segment, pressure)[1];
+    total -= (0.5 * fall * fall) / (slope * hold);
+  }
+  return total;
+}
+
+/** Whether some creep may carry more than the residual friction everywhere. */
+export function gross_slip__outweighs(law, geometry, tight, residual) {
+  let i, p, segment, start;
+  let area = geometry.width * geometry.radius;
+  for (let each1 = 0, end1 = PRESSURES; each1 < end1; each1++) {
+    i = each1;
+    p = (tight / area) * Math.exp((-residual * i) / (PRESSURES - 1));
+    segment = compact__segment_of(law, p);
+    start = Math.abs(geometry.kick + geometry.kick_coefficient * p * Math.sqrt(p));
+    if (compact__excess_at(law, segment, p) + start * compact__residual_at(law, segment, p) > 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+export function capacity___stress_about(face, pressure, creep) {
+  return min(
+    Math.abs(collocation__traction_at(face, pressure, creep).stress),
+    MOST_USED * traction__plateau_stress(face.law, pressure),
+  );
+}
+
+/** Where an arc meets a limit of creep or slip, about. */
+export function capacity___guess_at(law, arc, tight, limit) {
+  let face = meet__interface(law, arc);
+  let area = arc.width * arc.radius;
+  let p = tight / area;
+  let used = capacity___stress_about(face, p, 0.6 * limit.most);
+  let fall = min((used / p) * arc.wrap_angle, LARGEST_FALL);
+  let slack = tight * Math.exp(-0.9 * fall);
+  let end = arc.side * (limit.most + (limit.kind === SLIP ? arc.shear * used : 0.0));
+  return arc.side > 0.0 ? new Guess(tight, slack, end) : new Guess(slack, tight, end);
+}
+
+/** Meet a goal of creep or slip at the exit by continuation in it, from a small part of it. */
+export function meet__by_growth(law, arc, ends, guess, tol) {
+  let begin, part;
+  let share = FIRST_GOAL;
+  let step = 2.0;
+  let near = null;
+  let last = 0.0;
+  let top = max(guess.entry, guess.leaving);
+  let met = meet__unmet(
+    meet__interface(law, arc),
+    collocation__first_course(arc, 1.0, top, top, 0.0),
+  );
+  for (let each1 = 0, end1 = MOST_GOALS; each1 < end1; each1++) {
+    part = Object.assign(Object.create(Object.getPrototypeOf(ends)), ends, {
+      goal: share * ends.goal,
+    });
+    begin = new Guess(top, top, share * guess.creep);
+    met = meet__meet(law, arc, part, begin, near, share < 1.0 ? ROUGH : tol);
+    if (met.done && share === 1.0) {
+      break;
+    }
+    if (met.done) {
+      near = met.rest === 0.0 ? met.course : null;
+      [last, share] = [share, min(step * share, 1.0)];
+    } else if (near === null || step < LEAST_GROWTH) {
+      break;
+    } else {
+      step = Math.sqrt(step);
+      share = step * last;
+    }
+  }
+  return met;
+}
+
+/** Meet a limit of creep or slip at the exit with the tension of the tight side held [N]. */
+export function capacity__carry(law, arc, tight, limit, near = null) {
+  let at_entry = arc.side > 0.0 ? 1.0 : 0.0;
+  let ends = new Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most);
+  let guess = capacity___guess_at(law, arc, tight, limit);
+  let met = meet__meet(law, arc, ends, guess, near, MISFIT);
+  return met.done ? met : meet__by_growth(law, arc, ends, guess, MISFIT);
+}
+
+/** A course to begin another question with. */
+export function capacity___near(met) {
+  return met.rest === 0.0 ? met.course : null;
+}
+
+/** How what is carried grows with the creep at the exit, in sign: less tension is left. */
+export function capacity__growth(arc, slopes) {
+  if (arc.side > 0.0) {
+    return -(slopes.last_goal - (slopes.last * slopes.first_goal) / slopes.first);
+  }
+  return slopes.first_goal - (slopes.first * slopes.last_goal) / slopes.last;
+}
+
+/** ln(tight/slack) of an arc [-]. */
+export function capacity__log_ratio(met) {
+  return Math.abs(Math.log(met.entry / met.course.tension.at(-1)));
+}
+
+/** Largest ln(tight/slack) of a held tight side over creeps, and its creep [m]. */
+export function capacity___largest_at_creep(law, arc, tight) {
+  let grows, met;
+  let best = -Infinity;
+  let low = 0.0;
+  let high = 0.0;
+  let slack = tight * Math.exp(-10.0);
+  let peak = collocation__mean_creep(meet__interface(law, arc), arc, tight, slack, ON_THE_RISE);
+  let creep = FIRST_PART * Math.abs(peak);
+  let at = null;
+  let near = null;
+  let before = 0.0;
+  let found = false;
+  for (let each1 = 0, end1 = LOOKS; each1 < end1; each1++) {
+    met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), near);
+    if (met.done) {
+      near = capacity___near(met);
+      grows = capacity__growth(arc, met.slopes);
+      if (capacity__log_ratio(met) > best && (grows > 0.0 || before > 0.0)) {
+        best = capacity__log_ratio(met);
+        at = capacity___near(met);
+        found = true;
+        [low, high] = grows > 0.0 ? [creep, 0.0] : [before, creep];
+      }
+      if (grows <= 0.0 && high === 0.0) {
+        high = creep;
+      }
+      before = creep;
+    }
+    creep *= WIDER;
+  }
+  if (!found || high === 0.0) {
+    return [-Infinity, Infinity];
+  }
+  while (high - low > 1e-6 * high) {
+    creep = 0.5 * (low + high);
+    met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), at);
+    if (!met.done) {
+      break;
+    }
+    at = capacity___near(met);
+    best = capacity__log_ratio(met);
+    if (capacity__growth(arc, met.slopes) > 0.0) {
+      low = creep;
+    } else {
+      high = creep;
+    }
+  }
+  return [best, high];
+}
+
+/** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
+export function capacity__largest_ratio(law, arc, tight, softening) {
+  let pressure = tight / (arc.width * arc.radius);
+  if (!softening) {
+    return [gross_slip__plateau_capacity(law, pressure, arc.wrap_angle), Infinity];
+  }
+  let residual = gross_slip__residual_capacity(law, pressure, arc.wrap_angle);
+  if (!gross_slip__outweighs(law, arc, tight, residual)) {
+    return [residual, Infinity];
+  }
+  const found1 = capacity___largest_at_creep(law, arc, tight);
+  let most = found1[0];
+  let creep = found1[1];
+  return most > residual ? [most, creep] : [residual, Infinity];
+}
+
 /** Operating point by continuation in the creep at the exit, the tight side held. */
 export function answer___by_creep(law, arc, goal) {
-  let between, carried, ends, guess;
+  let below, between, carried, ends, guess;
   let drives = arc.side > 0.0;
   let tight = max(goal.entry, goal.leaving);
   let slack = min(goal.entry, goal.leaving);
@@ -2801,8 +3012,8 @@ export function answer___by_creep(law, arc, goal) {
   let step = 3.0;
   let creep = max(Math.abs(goal.creep), LEAST_GUESS);
   let near = null;
-  let met = answer___unmet(
-    answer__interface(law, arc),
+  let met = meet__unmet(
+    meet__interface(law, arc),
     collocation__first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep),
   );
   for (let each1 = 0, end1 = CREEPS; each1 < end1; each1++) {
@@ -2810,14 +3021,15 @@ export function answer___by_creep(law, arc, goal) {
     guess = Object.assign(Object.create(Object.getPrototypeOf(goal)), goal, {
       creep: arc.side * creep,
     });
-    met = answer__meet(law, arc, ends, guess, near, ROUGH);
+    met = meet__meet(law, arc, ends, guess, near, ROUGH);
     if (met.done) {
       near = met.course;
       carried = Math.abs(Math.log(met.entry / near.tension.at(-1)));
       if (Math.abs(carried - asked) < CLOSE * asked) {
         break;
       }
-      [low, high] = carried < asked ? [creep, high] : [low, creep];
+      below = carried < asked && (met.rest > 0.0 || capacity__growth(arc, met.slopes) > 0.0);
+      [low, high] = below ? [creep, high] : [low, creep];
     } else if (near === null || step < LEAST_GROWTH) {
       high = creep;
     } else {
@@ -2830,11 +3042,11 @@ export function answer___by_creep(law, arc, goal) {
     return met;
   }
   ends = collocation__between_tensions(goal.entry, goal.leaving);
-  return answer__meet(law, arc, ends, goal, met.course, MESH);
+  return meet__meet(law, arc, ends, goal, met.course, MESH);
 }
 
 /** Entry creep ratio g of a course [-]. */
-export function answer__ratio_of(at, arc) {
+export function meet__ratio_of(at, arc) {
   return at.ratio - collocation__compliance_of(arc) * at.tension[0];
 }
 
@@ -2843,7 +3055,7 @@ export function answer__operating_point(law, arc, entry, leaving) {
   let first;
   let goal = arc.side * Math.log(entry / leaving);
   let area = arc.width * arc.radius;
-  let face = answer__interface(law, arc);
+  let face = meet__interface(law, arc);
   if (Math.abs(goal) < NO_PULL && arc.kick === 0.0 && arc.kick_coefficient === 0.0) {
     return new Answer(SOLVED, answer___still(face, arc, entry));
   }
@@ -2858,23 +3070,19 @@ export function answer__operating_point(law, arc, entry, leaving) {
       guess.leaving,
       guess.creep,
     );
-    return new Answer(BREAKAWAY, answer___unmet(face, first));
+    return new Answer(BREAKAWAY, meet__unmet(face, first));
   }
-  let met = answer__meet(
-    law,
-    arc,
-    collocation__between_tensions(entry, leaving),
-    guess,
-    null,
-    MESH,
-  );
+  let met = meet__meet(law, arc, collocation__between_tensions(entry, leaving), guess, null, MESH);
   if (!(met.done && answer___rises(arc, met))) {
+    if (goal >= capacity__largest_ratio(law, arc, max(entry, leaving), true)[0]) {
+      return new Answer(BREAKAWAY, met);
+    }
     met = answer___by_creep(law, arc, guess);
   }
   if (!met.done) {
     return new Answer(UNSOLVED, met);
   }
-  if (met.rest === 0.0 && answer__ratio_of(met.course, arc) >= RATIO_END) {
+  if (met.rest === 0.0 && meet__ratio_of(met.course, arc) >= RATIO_END) {
     return new Answer(BREAKAWAY, met);
   }
   return new Answer(answer___rises(arc, met) ? SOLVED : UNSOLVED, met);
@@ -3184,7 +3392,7 @@ export function profile__samples(arc, met) {
 /** Entry creep ratio g [-]. */
 export function profile__entry_ratio(arc, met) {
   if (met.rest === 0.0) {
-    return answer__ratio_of(met.course, arc);
+    return meet__ratio_of(met.course, arc);
   }
   if (arc.shear === 0.0) {
     return 0.0;
@@ -3609,78 +3817,6 @@ export function numbers__usual_sizes(of) {
   );
 }
 
-export function capacity___stress_about(face, pressure, creep) {
-  return min(
-    Math.abs(collocation__traction_at(face, pressure, creep).stress),
-    MOST_USED * traction__plateau_stress(face.law, pressure),
-  );
-}
-
-/** Where an arc meets a limit of creep or slip, about. */
-export function capacity___guess_at(law, arc, tight, limit) {
-  let face = answer__interface(law, arc);
-  let area = arc.width * arc.radius;
-  let p = tight / area;
-  let used = capacity___stress_about(face, p, 0.6 * limit.most);
-  let fall = min((used / p) * arc.wrap_angle, LARGEST_FALL);
-  let slack = tight * Math.exp(-0.9 * fall);
-  let end = arc.side * (limit.most + (limit.kind === SLIP ? arc.shear * used : 0.0));
-  return arc.side > 0.0 ? new Guess(tight, slack, end) : new Guess(slack, tight, end);
-}
-
-/** Meet a goal of creep or slip at the exit by continuation in it, from a small part of it. */
-export function answer__by_growth(law, arc, ends, guess, tol) {
-  let begin, part;
-  let share = FIRST_GOAL;
-  let step = 2.0;
-  let near = null;
-  let last = 0.0;
-  let met = answer___unmet(
-    answer__interface(law, arc),
-    collocation__first_course(arc, 1.0, guess.entry, guess.entry, 0.0),
-  );
-  let top = max(guess.entry, guess.leaving);
-  for (let each1 = 0, end1 = CREEPS; each1 < end1; each1++) {
-    part = Object.assign(Object.create(Object.getPrototypeOf(ends)), ends, {
-      goal: share * ends.goal,
-    });
-    begin = new Guess(top, top, share * guess.creep);
-    met = answer__meet(law, arc, part, begin, near, share < 1.0 ? ROUGH : tol);
-    if (met.done && share === 1.0) {
-      break;
-    }
-    if (met.done) {
-      near = met.rest === 0.0 ? met.course : null;
-      [last, share] = [share, min(step * share, 1.0)];
-    } else if (near === null || step < LEAST_GROWTH) {
-      break;
-    } else {
-      step = Math.sqrt(step);
-      share = step * last;
-    }
-  }
-  return met;
-}
-
-/** Meet a limit of creep or slip at the exit with the tension of the tight side held [N]. */
-export function capacity__carry(law, arc, tight, limit, near = null) {
-  let at_entry = arc.side > 0.0 ? 1.0 : 0.0;
-  let ends = new Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most);
-  let guess = capacity___guess_at(law, arc, tight, limit);
-  let met = answer__meet(law, arc, ends, guess, near, MISFIT);
-  return met.done ? met : answer__by_growth(law, arc, ends, guess, MISFIT);
-}
-
-/** ln(tight/slack) of an arc [-]. */
-export function capacity__log_ratio(met) {
-  return Math.abs(Math.log(met.entry / met.course.tension.at(-1)));
-}
-
-/** A course to begin another question with. */
-export function capacity___near(met) {
-  return met.rest === 0.0 ? met.course : null;
-}
-
 /** Largest tight-side tension that is looked at [N]: that of the largest tested pressure. */
 export function capacity__highest_tight(pressure_max, area, tight) {
   return pressure_max === pressure_max ? pressure_max * area : HIGHEST * tight;
@@ -3789,7 +3925,7 @@ export function capacity__least_slack(law, arc, pull, limit, at_tight, top) {
     goal = arc.side * limit.most;
     ends = new Ends(arc.side, -arc.side, pull, limit.kind, goal);
     near = capacity___near(at_tight);
-    met = answer__meet(law, arc, ends, guess, near, MISFIT);
+    met = meet__meet(law, arc, ends, guess, near, MISFIT);
     if (met.done && capacity___pull_rises(arc, met)) {
       found = max(met.entry, met.course.tension.at(-1));
       if (found <= top) {
@@ -3798,140 +3934,6 @@ export function capacity__least_slack(law, arc, pull, limit, at_tight, top) {
     }
   }
   return capacity___least_sought(law, arc, pull, limit, top);
-}
-
-/** ln(tight/slack) at gross slip with what friction is left with at slips without bound. */
-export function gross_slip__residual_capacity(law, tight_pressure, wrap_angle) {
-  return gross_slip___capacity(law, tight_pressure, wrap_angle, true);
-}
-
-/** Friction beyond the residual over all slips at a pressure, int (mu - mu_residual) dx [m]. */
-export function compact__excess_at(law, segment, pressure) {
-  let cell, hold, mu, place, slip, slip_pk, slope, total, width;
-  let kind = law.kind;
-  let slips = law.slips;
-  if (kind === LIMIT) {
-    return 0.0;
-  }
-  let left = compact__residual_at(law, segment, pressure);
-  if (kind === TABLE) {
-    total = 0.0;
-    for (let each1 = 0, end1 = slips.length - 1; each1 < end1; each1++) {
-      cell = each1;
-      width = slips[cell + 1] - slips[cell];
-      for (const each2 of [0.2113248654051871, 0.7886751345948129]) {
-        place = each2;
-        slip = slips[cell] + place * width;
-        const found3 = compact__friction_at(law, segment, cell, slip, pressure);
-        mu = found3[0];
-        total += 0.5 * width * (mu - left);
-      }
-    }
-    return total;
-  }
-  const found4 = compact__peak(law, segment, pressure);
-  slip_pk = found4[0];
-  const found5 = compact__tail(law, segment, pressure);
-  slope = found5[0];
-  let top = compact__plateau_at(law, segment, pressure);
-  let fall = top - left;
-  total = slip_pk * (0.75 * top - left);
-  if (fall > 0.0) {
-    hold = top / compact__peak(law, segment, pressure)[1];
-    total -= (0.5 * fall * fall) / (slope * hold);
-  }
-  return total;
-}
-
-/** Whether some creep may carry more than the residual friction everywhere. */
-export function gross_slip__outweighs(law, geometry, tight, residual) {
-  let i, p, segment, start;
-  let area = geometry.width * geometry.radius;
-  for (let each1 = 0, end1 = PRESSURES; each1 < end1; each1++) {
-    i = each1;
-    p = (tight / area) * Math.exp((-residual * i) / (PRESSURES - 1));
-    segment = compact__segment_of(law, p);
-    start = Math.abs(geometry.kick + geometry.kick_coefficient * p * Math.sqrt(p));
-    if (compact__excess_at(law, segment, p) + start * compact__residual_at(law, segment, p) > 0.0) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/** How what is carried grows with the creep at the exit, in sign: less tension is left. */
-export function capacity___growth(arc, slopes) {
-  if (arc.side > 0.0) {
-    return -(slopes.last_goal - (slopes.last * slopes.first_goal) / slopes.first);
-  }
-  return slopes.first_goal - (slopes.first * slopes.last_goal) / slopes.last;
-}
-
-/** Largest ln(tight/slack) of a held tight side over creeps, and its creep [m]. */
-export function capacity___largest_at_creep(law, arc, tight) {
-  let grows, met;
-  let best = -Infinity;
-  let low = 0.0;
-  let high = 0.0;
-  let slack = tight * Math.exp(-10.0);
-  let peak = collocation__mean_creep(answer__interface(law, arc), arc, tight, slack, ON_THE_RISE);
-  let creep = FIRST_PART * Math.abs(peak);
-  let at = null;
-  let near = null;
-  let before = 0.0;
-  let found = false;
-  for (let each1 = 0, end1 = LOOKS; each1 < end1; each1++) {
-    met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), near);
-    if (met.done) {
-      near = capacity___near(met);
-      grows = capacity___growth(arc, met.slopes);
-      if (capacity__log_ratio(met) > best && (grows > 0.0 || before > 0.0)) {
-        best = capacity__log_ratio(met);
-        at = capacity___near(met);
-        found = true;
-        [low, high] = grows > 0.0 ? [creep, 0.0] : [before, creep];
-      }
-      if (grows <= 0.0 && high === 0.0) {
-        high = creep;
-      }
-      before = creep;
-    }
-    creep *= WIDER;
-  }
-  if (!found || high === 0.0) {
-    return [-Infinity, Infinity];
-  }
-  while (high - low > 1e-6 * high) {
-    creep = 0.5 * (low + high);
-    met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), at);
-    if (!met.done) {
-      break;
-    }
-    at = capacity___near(met);
-    best = capacity__log_ratio(met);
-    if (capacity___growth(arc, met.slopes) > 0.0) {
-      low = creep;
-    } else {
-      high = creep;
-    }
-  }
-  return [best, high];
-}
-
-/** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
-export function capacity__largest_ratio(law, arc, tight, softening) {
-  let pressure = tight / (arc.width * arc.radius);
-  if (!softening) {
-    return [gross_slip__plateau_capacity(law, pressure, arc.wrap_angle), Infinity];
-  }
-  let residual = gross_slip__residual_capacity(law, pressure, arc.wrap_angle);
-  if (!gross_slip__outweighs(law, arc, tight, residual)) {
-    return [residual, Infinity];
-  }
-  const found1 = capacity___largest_at_creep(law, arc, tight);
-  let most = found1[0];
-  let creep = found1[1];
-  return most > residual ? [most, creep] : [residual, Infinity];
 }
 
 /** Capacities that are asked for by `parts`. */
@@ -4075,7 +4077,7 @@ export function capacity__carry_along(law, arc, line, limit) {
     ends = new Ends(at_slack, at_tight, goal, limit.kind, end);
     guess = new Guess(low, top, first.course.creep.at(-1));
   }
-  let met = answer__meet(law, arc, ends, guess, capacity___near(first), MISFIT);
+  let met = meet__meet(law, arc, ends, guess, capacity___near(first), MISFIT);
   if (!met.done) {
     return new Along(NaN, met);
   }
