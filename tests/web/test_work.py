@@ -199,9 +199,12 @@ def test_an_abandoned_solve_is_ended_and_makes_room(
             behind = asyncio.create_task(found.short("a", tasks.sleeps, str(tmp_path), 3601.0))
             await until(lambda: found._turns[work.WHOLE].waiting == 1)
             await until(lambda: not begun or any(tmp_path.iterdir()))
+            shared = [task for task, _ in found._shared.values()]
             for task in (left, behind):
                 task.cancel()
             assert unpacked(await found.short("a", os.getpid))
+            await until(lambda: all(task.done() for task in shared))
+            assert [task.cancelled() for task in shared] == [True, True]  # not only late
             await until(lambda: len(multiprocessing.active_children()) == 1)
 
     asyncio.run(scenario())
