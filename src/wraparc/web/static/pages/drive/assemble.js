@@ -128,7 +128,8 @@ function beltOf(r, book) {
   };
 }
 /** Breaking strength that the name of a steel-cord belt tells. @param {string} name */
-export const strengthIn = (name) => 1e3 * +(/ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase())?.[1] ?? none);
+export const strengthIn = (name) =>
+  1e3 * +(/ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase())?.[1] ?? none);
 /** In what ways a number from a source is weak. @param {any} source @returns {string[]} */
 export const weaknesses = (source) => [
   ...(String(source?.note ?? "").startsWith("estimated") ? ["estimated"] : []),

@@ -131,8 +131,7 @@ export function headline(checks, wet) {
   return `${text}; nearest to its limit is ${near}.${sense(checks)}`;
 }
 /** Whether it is a row of the table of checks, and counted. @param {Check} c */
-const compares = ({ name, level }) =>
-  !["data", "sense"].includes(name) && level !== NOT_CHECKED;
+const compares = ({ name, level }) => !["data", "sense"].includes(name) && level !== NOT_CHECKED;
 /** Which pulleys brake, and in how many of the load cases if not in all. @param {Check[]} checks */
 function sense(checks) {
   const every = new Set(checks.map((c) => c.load_case).filter(Boolean)).size;
