@@ -18,12 +18,21 @@ from wraparc.arc.collocation import (
     mean_creep,
 )
 from wraparc.arc.gross_slip import plateau_capacity
-from wraparc.arc.meet import Guess, Met, interface, meet, ratio_of, unmet
+from wraparc.arc.meet import (
+    LEAST_GROWTH,
+    STEPS,
+    Guess,
+    Met,
+    interface,
+    meet,
+    ratio_of,
+    unmet,
+)
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, UNSOLVED, Geometry
 from wraparc.friction.compact import CompactLaw
 
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
-LEAST_GUESS, CREEPS, CLOSE = 1e-7, 40, 1e-3  # of a continuation in creep: from [m], steps, end
+LEAST_GUESS, CLOSE = 1e-7, 1e-3  # of a continuation in creep: from [m], end
 RATIO_END = 1.0  # entry creep ratio from which on the belt would stand still
 
 
@@ -87,10 +96,10 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     drives = arc.side > 0.0
     tight, slack = max(goal.entry, goal.leaving), min(goal.entry, goal.leaving)
     at_entry = 1.0 if drives else 0.0
-    asked, low, high = log(tight / slack), 0.0, inf
+    asked, low, high, step = log(tight / slack), 0.0, inf, 3.0
     creep, near = max(abs(goal.creep), LEAST_GUESS), None
     met = unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
-    for _ in range(CREEPS):
+    for _ in range(STEPS):
         ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep)
         guess = goal._replace(creep=arc.side * creep)
         met = meet(law, arc, ends, guess, near, ROUGH)
@@ -101,9 +110,12 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
                 break
             below = carried < asked and (met.rest > 0.0 or growth(arc, met.slopes) > 0.0)
             low, high = (creep, high) if below else (low, creep)
-        else:
+        elif near is None or step < LEAST_GROWTH:
             high = creep
-        creep = 3.0 * low if high == inf else sqrt(low * high) if low > 0.0 else 0.3 * high
+        else:
+            step = sqrt(step)
+        between = sqrt(low * high) if low > 0.0 else 0.3 * high
+        creep = between if high < inf else step * low
     if not met.done:
         return met
     ends = between_tensions(goal.entry, goal.leaving)

@@ -21,8 +21,8 @@ from wraparc.arc.collocation import (
     mean_creep,
     traction_at,
 )
-from wraparc.arc.gross_slip import outweighs, plateau_capacity, residual_capacity
-from wraparc.arc.meet import Guess, Met, interface, meet
+from wraparc.arc.gross_slip import Line, outweighs, plateau_capacity, residual_capacity
+from wraparc.arc.meet import Guess, Met, by_growth, interface, meet
 from wraparc.arc.quantities import Geometry, Load
 from wraparc.arc.traction import plateau_stress
 from wraparc.friction.compact import CompactLaw
@@ -73,7 +73,52 @@ def carry(
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
     at_entry = 1.0 if arc.side > 0.0 else 0.0
     ends = Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most)
-    return meet(law, arc, ends, _guess_at(law, arc, tight, limit), near, MISFIT)
+    guess = _guess_at(law, arc, tight, limit)
+    met = meet(law, arc, ends, guess, near, MISFIT)
+    return met if met.done else by_growth(law, arc, ends, guess, MISFIT)
+
+
+class Along(NamedTuple):
+    """Where on a line of tensions a limit at the exit is met: k, and the arc there."""
+
+    place: float
+    met: Met
+
+
+def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit) -> Along:
+    """Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise.
+
+    Both tensions on it are one condition more at the ends. The place is nan where that is not met:
+    where the ratio of the tensions does not grow to the one that is carried now.
+    """
+    tight, slack, tight_rise, slack_rise = line
+    first = carry(law, arc, tight, limit)
+    if not first.done:
+        return Along(nan, first)
+    ratio = exp(log_ratio(first))
+    if tight_rise <= ratio * slack_rise:
+        return Along(nan, first)
+    k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise)
+    top, low = tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
+    if not (top > 0.0 and low > 0.0):
+        return Along(nan, first)
+    size = max(abs(tight_rise), abs(slack_rise))
+    at_tight, at_slack = slack_rise / size, -tight_rise / size
+    goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise)
+    end = arc.side * limit.most
+    if arc.side > 0.0:
+        ends = Ends(at_tight, at_slack, goal, limit.kind, end)
+        guess = Guess(top, low, first.course.creep[-1])
+    else:
+        ends = Ends(at_slack, at_tight, goal, limit.kind, end)
+        guess = Guess(low, top, first.course.creep[-1])
+    met = meet(law, arc, ends, guess, _near(first), MISFIT)
+    if not met.done:
+        return Along(nan, met)
+    found, other = max(met.entry, met.course.tension[-1]), min(met.entry, met.course.tension[-1])
+    by_tight = abs(tight_rise) >= abs(slack_rise)
+    step = (found - tight) / tight_rise if by_tight else (other - slack) / slack_rise
+    return Along(1.0 + step, met)
 
 
 def log_ratio(met: Met) -> float:

@@ -699,6 +699,7 @@ def meshed(
     if kind != TENSION:
         sizes = [max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)]
     needed = [(misfit(face, arc, at, i) / sizes[i] / tol) ** 0.25 for i in range(n)]
+    needed[0] = needed[0] ** 2  # creep begins there with the steepest slope of a law
     ends = kinks(face, arc, at)
     far = False
     for where, _ in ends:

@@ -7,10 +7,12 @@ more than the wrap, the belt slides all along.
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import NamedTuple
 
 from wraparc.arc.collocation import (
     NO_SLOPES,
+    ROUGH,
     TENSION,
     Course,
     Ends,
@@ -37,6 +39,7 @@ from wraparc.friction.compact import CompactLaw
 #: rest arc, of which the layers at both ends then do not feel one another.
 STIFF, HELD = 40.0, 20.0
 FIRST_SLIDES = (0.5, 0.1, 0.01, 1e-3)  # first guesses of a slide behind a rest arc, of the wrap
+FIRST_GOAL, LEAST_GROWTH, STEPS = 0.01, 1.01, 40  # of a continuation: begin, least step, most
 
 
 class Met(NamedTuple):
@@ -109,6 +112,8 @@ def meet(
         again = solved(face, arc, ends, near, tol)
         if again.done:
             return _all_sliding(face, again)
+        if tol >= ROUGH:  # one of many steps: a shorter one will do
+            return unmet(face, near)
     first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
     return _all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
 
@@ -152,6 +157,28 @@ def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: 
             entry = entry_of_rest(face, arc, course.tension[0])
             return Met(long, course, slopes, max(rest, 0.0), entry, face)
     return unmet(face, first)
+
+
+def by_growth(law: CompactLaw, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
+    """Meet a goal of creep or slip at the exit by continuation in it, from a small part of it."""
+    share, step, near, last = FIRST_GOAL, 2.0, None, 0.0
+    met = unmet(interface(law, arc), first_course(arc, 1.0, guess.entry, guess.entry, 0.0))
+    top = max(guess.entry, guess.leaving)
+    for _ in range(STEPS):
+        part = ends._replace(goal=share * ends.goal)
+        begin = Guess(top, top, share * guess.creep)
+        met = meet(law, arc, part, begin, near, ROUGH if share < 1.0 else tol)
+        if met.done and share == 1.0:
+            break
+        if met.done:
+            near = met.course if met.rest == 0.0 else None
+            last, share = share, min(step * share, 1.0)
+        elif near is None or step < LEAST_GROWTH:
+            break
+        else:
+            step = sqrt(step)
+            share = step * last
+    return met
 
 
 def ratio_of(at: Course, arc: Geometry) -> float:
