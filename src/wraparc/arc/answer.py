@@ -18,12 +18,21 @@ from wraparc.arc.collocation import (
     mean_creep,
 )
 from wraparc.arc.gross_slip import plateau_capacity
-from wraparc.arc.meet import LEAST_GROWTH, Guess, Met, interface, meet, ratio_of, unmet
+from wraparc.arc.meet import (
+    LEAST_GROWTH,
+    STEPS,
+    Guess,
+    Met,
+    interface,
+    meet,
+    ratio_of,
+    unmet,
+)
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, UNSOLVED, Geometry
 from wraparc.friction.compact import CompactLaw
 
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
-LEAST_GUESS, CREEPS, CLOSE = 1e-7, 40, 1e-3  # of a continuation in creep: from [m], steps, end
+LEAST_GUESS, CLOSE = 1e-7, 1e-3  # of a continuation in creep: from [m], end
 RATIO_END = 1.0  # entry creep ratio from which on the belt would stand still
 
 
@@ -90,7 +99,7 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     asked, low, high, step = log(tight / slack), 0.0, inf, 3.0
     creep, near = max(abs(goal.creep), LEAST_GUESS), None
     met = unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
-    for _ in range(CREEPS):
+    for _ in range(STEPS):
         ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep)
         guess = goal._replace(creep=arc.side * creep)
         met = meet(law, arc, ends, guess, near, ROUGH)

@@ -39,10 +39,7 @@ from wraparc.friction.compact import CompactLaw
 #: rest arc, of which the layers at both ends then do not feel one another.
 STIFF, HELD = 40.0, 20.0
 FIRST_SLIDES = (0.5, 0.1, 0.01, 1e-3)  # first guesses of a slide behind a rest arc, of the wrap
-
-
-#: Of a continuation in a goal: where it begins, its least step, and how many there are.
-FIRST_GOAL, LEAST_GROWTH, MOST_GOALS = 0.01, 1.01, 40
+FIRST_GOAL, LEAST_GROWTH, STEPS = 0.01, 1.01, 40  # of a continuation: begin, least step, most
 
 
 class Met(NamedTuple):
@@ -165,9 +162,9 @@ def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: 
 def by_growth(law: CompactLaw, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
     """Meet a goal of creep or slip at the exit by continuation in it, from a small part of it."""
     share, step, near, last = FIRST_GOAL, 2.0, None, 0.0
+    met = unmet(interface(law, arc), first_course(arc, 1.0, guess.entry, guess.entry, 0.0))
     top = max(guess.entry, guess.leaving)
-    met = unmet(interface(law, arc), first_course(arc, 1.0, top, top, 0.0))
-    for _ in range(MOST_GOALS):
+    for _ in range(STEPS):
         part = ends._replace(goal=share * ends.goal)
         begin = Guess(top, top, share * guess.creep)
         met = meet(law, arc, part, begin, near, ROUGH if share < 1.0 else tol)
