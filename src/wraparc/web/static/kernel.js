@@ -984,11 +984,10 @@ const LARGEST_FALL = 6.0;
 const SLIP = 2;
 const MISFIT = 1e-5;
 const FIRST_GOAL = 0.01;
-const MOST_GOALS = 40;
+const STEPS = 40;
 const LEAST_GROWTH = 1.01;
 const WIDER = 1.5;
 const LEAST_GUESS = 1e-7;
-const CREEPS = 40;
 const CLOSE = 0.001;
 const UNSOLVED = 2;
 const RATIO_END = 1.0;
@@ -2878,12 +2877,12 @@ export function meet__by_growth(law, arc, ends, guess, tol) {
   let step = 2.0;
   let near = null;
   let last = 0.0;
-  let top = max(guess.entry, guess.leaving);
   let met = meet__unmet(
     meet__interface(law, arc),
-    collocation__first_course(arc, 1.0, top, top, 0.0),
+    collocation__first_course(arc, 1.0, guess.entry, guess.entry, 0.0),
   );
-  for (let each1 = 0, end1 = MOST_GOALS; each1 < end1; each1++) {
+  let top = max(guess.entry, guess.leaving);
+  for (let each1 = 0, end1 = STEPS; each1 < end1; each1++) {
     part = Object.assign(Object.create(Object.getPrototypeOf(ends)), ends, {
       goal: share * ends.goal,
     });
@@ -3016,7 +3015,7 @@ export function answer___by_creep(law, arc, goal) {
     meet__interface(law, arc),
     collocation__first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep),
   );
-  for (let each1 = 0, end1 = CREEPS; each1 < end1; each1++) {
+  for (let each1 = 0, end1 = STEPS; each1 < end1; each1++) {
     ends = new Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep);
     guess = Object.assign(Object.create(Object.getPrototypeOf(goal)), goal, {
       creep: arc.side * creep,
