@@ -18,6 +18,7 @@ import pytest
 from scipy.optimize import brentq
 
 from arc.drives import LAWS, random_arc
+from arc.finer import energy_miss
 from arc.twin import Exit, Twin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 
