@@ -21,8 +21,7 @@ from scipy.optimize import brentq
 
 from wraparc import load_lagging
 from wraparc.arc import Distributed, WrapArc
-from wraparc.arc.kernel.answer import solve_tension
-from wraparc.arc.kernel.quantities import parameters_at
+from wraparc.arc.answer import operating_point
 
 
 def random_arc(lagging: str, rng: np.random.Generator) -> WrapArc:
@@ -84,10 +83,11 @@ def main() -> None:
         arcs = [random_arc(lagging, rng) for _ in range(count)]
         rows = []
         for arc in arcs:
-            law, par = arc.law.compact(), parameters_at(arc.entry_tension, arc.geometry())
+            law, geometry = arc.law.compact(), arc.geometry()
+            tensions = (arc.entry_tension, arc.exit_tension)
             rows.append(
                 (
-                    best(partial(solve_tension, law, par, arc.exit_tension, 24)),
+                    best(partial(operating_point, law, geometry, *tensions)),
                     best(partial(Distributed(capacities=False).solve, arc)),
                     best(partial(Distributed().solve, arc)),
                 )

@@ -20,14 +20,14 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
-import wraparc.arc.kernel
+import wraparc.arc
 from wraparc.arc import WrapArc
 
 sys.path[0] = str(Path(__file__).parents[1] / "tests")  # its `arc`, not the benchmark of it
 
 ALLOWED, LEAST_DIGITS = 1e-12, 3.0  # relative; times what the last digits of exp and log do
 _INEXACT = ("exp", "log", "sinh", "cosh", "asinh", "tanh", "expm1", "log1p")
-_KERNEL = pkgutil.iter_modules(wraparc.arc.kernel.__path__, "wraparc.arc.kernel.")
+_KERNEL = pkgutil.iter_modules(wraparc.arc.__path__, "wraparc.arc.")
 _MODULES = ["wraparc.friction.compact", *(m.name for m in _KERNEL)]
 
 

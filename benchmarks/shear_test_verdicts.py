@@ -349,7 +349,7 @@ def odd_rubber(seed: int, scatter: float = 0.0) -> Laboratory:
         records[name] = MachineRecord(
             file=name, place="", encoding="", delimiter="", decimal=".", columns=(),
             travel=1e-3 * travel, force=friction * load * wave, normal_force=load * wave,
-            time=0.01 * count, lines=count + 1, rows=rows,
+            time=np.asarray(0.01 * count, dtype=np.float64), lines=count + 1, rows=rows,
             dropped=(), notes=(), header=(), digest=name,
         )  # fmt: skip
         tests.append(PlannedTest(file=name, place=f"test[{k + 1}]", normal_force=load))

@@ -72,7 +72,7 @@ def meets(arc: WrapArc, ratio: float, quantity: str, limit: float) -> bool:
         there = solve(with_tensions(arc, tight, tight / ratio * share))
         assert there.status is Status.SOLVED
         found.append(getattr(there, quantity) * arc.side)
-    return abs(found[1] / limit - 1.0) <= 1e-6 or found[0] < limit < found[2]
+    return bool(abs(found[1] / limit - 1.0) <= 1e-6 or found[0] < limit < found[2])
 
 
 @pytest.mark.parametrize(("name", "braking"), SIDES)

@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, random_arc
 from arc.twin import friction
 from wraparc.arc import Distributed, PaperMarch, Status, WrapArc, paper_march, solve
-from wraparc.arc.kernel.effort import jumps
+from wraparc.arc.quantities import jumps
 from wraparc.catalogue import lagging_names
 from wraparc.files import load_drive, load_lagging
 from wraparc.friction import Constant, FrictionLaw

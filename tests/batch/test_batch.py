@@ -16,8 +16,8 @@ import pytest
 from arc.drives import LAWS, integral_log, random_arc
 from batch.batches import columns_of, designs, lagging
 from wraparc.arc import Distributed, Status, WrapArc
-from wraparc.arc.kernel import answer
-from wraparc.arc.kernel.quantities import REFUSED
+from wraparc.arc.capacity import CAPACITIES
+from wraparc.arc.quantities import REFUSED
 from wraparc.batch import (
     STATUSES,
     BatchResult,
@@ -264,8 +264,8 @@ def test_every_fault_of_a_table_at_once() -> None:
 
 
 @pytest.mark.parametrize("lag", SHIPPED, ids=lambda lag: lag.name)
-def test_capacities_are_left_to_the_scalar_kernel_for_nothing(lag: Lagging) -> None:
+def test_capacities_are_left_to_single_arcs_for_nothing(lag: Lagging) -> None:
     """Least tensions and largest pulls included; 2 % took 3 ms each when they were handed over."""
     arcs = arcs_of_table(designs(3000, 20), lag)
-    _, handed_over = solve_rows(arcs, answer.CAPACITIES, 1e-4)
+    _, handed_over = solve_rows(arcs, CAPACITIES, 1e-4)
     assert not handed_over.any()

@@ -226,7 +226,7 @@ def test_a_law_that_does_not_fit_its_tests_asks_for_attention_in_rows_too() -> N
 
 
 @pytest.mark.parametrize("times", [1e-3, 0.5, 0.99, 1.01, 2.0])
-def test_compiled_lanes_know_whether_the_slip_speed_is_above_that_of_the_tests(
+def test_rows_know_whether_the_slip_speed_is_above_that_of_the_tests(
     times: float,
 ) -> None:
     """At so many times the slip speed of the arc itself, by the scalar kernel."""
