@@ -249,9 +249,9 @@ def _qualifies(drive: Drive, limit: float) -> str:
             "fabric above {fabric} (B. DeVries)."
         )
     if belt.kind == "steel cord" and not strong:
-        return " Steel cord above ST1600 may creep more; the name does not tell its strength."
+        return "Steel cord above ST1600 may creep more; the name does not tell its strength."
     return (
-        " This belt does not qualify for more, as steel cord above ST1600 and fabric above "
+        "This belt does not qualify for more, as steel cord above ST1600 and fabric above "
         "{fabric} do (B. DeVries)."
     )
 
