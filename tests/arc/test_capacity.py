@@ -63,12 +63,12 @@ def tight_of(arc: WrapArc) -> float:
 
 
 def meets(arc: WrapArc, ratio: float, quantity: str, limit: float) -> bool:
-    """Whether a quantity is at its limit to 1e-6 at a ratio, or to 5e-7 of that ratio.
+    """Whether a quantity is at its limit to 1e-6 at a ratio, or to 1e-6 of that ratio.
 
     The tight side is held. Close to gross slip a little more of the ratio is a lot more creep.
     """
     tight, found = tight_of(arc), []
-    for share in (1 + 5e-7, 1.0, 1 - 5e-7):
+    for share in (1 + 1e-6, 1.0, 1 - 1e-6):
         there = solve(with_tensions(arc, tight, tight / ratio * share))
         assert there.status is Status.SOLVED
         found.append(getattr(there, quantity) * arc.side)

@@ -1,6 +1,6 @@
-"""Closed forms of constant friction against the scalar kernel, which marches.
+"""Closed forms of constant friction against the solver of single arcs.
 
-Expected values: `wraparc.batch.precise.solve_precisely`, whose searches end within 1e-10; the slip
+Expected values: `wraparc.batch.precise.solve_precisely`, which keeps 1e-7 of the creep; the slip
 arc of a stiff lagging from its closed form, T_j = T1/(1 + mu l/R), theta_s = ln(T_j/T2)/mu.
 """
 
@@ -38,7 +38,7 @@ def wide(n: int, seed: int) -> Arcs:
     return arcs_of_table(table, LAGGINGS)
 
 
-def test_numbers_are_those_of_the_scalar_kernel() -> None:
+def test_numbers_are_those_of_single_arcs() -> None:
     arcs = wide(600, 51)
     found: Array = np.full((600, row.FOUND_NUMBERS), np.nan)
     done = constant.solve_constant(arcs, np.ones(600, dtype=bool), found)
@@ -47,11 +47,11 @@ def test_numbers_are_those_of_the_scalar_kernel() -> None:
     assert not done[~fit].any()
     for outcome, share in ((SOLVED, 0.7), (BREAKAWAY, 0.9)):
         assert np.mean(done[fit & (exact[:, row.OUTCOME] == outcome)]) > share
-    within = {row.ACTIVE: 5e-4, row.STEEPEST_SLIP: 5e-2}  # of 180 parts by the kernel
+    within = {row.ACTIVE: 1e-5, row.STEEPEST_SLIP: 1e-3}  # at the points of its mesh
     for place in row.PLACES[row.TENSIONS]:
         np.testing.assert_allclose(
             found[done, place], exact[done, place],
-            rtol=within.get(place, 2e-8), atol=1e-9, err_msg=str(place),
+            rtol=within.get(place, 1e-7), atol=1e-9, err_msg=str(place),
         )  # fmt: skip
 
 

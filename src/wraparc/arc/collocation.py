@@ -50,7 +50,7 @@ B0, B1, B2 = 5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0
 E0, E1, E2 = (5.0 + _Q) / 6.0, -2.0 / 3.0, (5.0 - _Q) / 6.0
 
 # denominators of the cubic through the start and the stages
-D, D0 = -C0 * C1 * C2, C0 * (C0 - C1) * (C0 - C2)
+D0 = C0 * (C0 - C1) * (C0 - C2)
 D1, D2 = C1 * (C1 - C0) * (C1 - C2), C2 * (C2 - C0) * (C2 - C1)
 
 #: Conditions at the exit.
@@ -590,16 +590,14 @@ def weights_at(c: _Number) -> tuple[_Number, _Number, _Number]:
 
 def state_at(arc: Geometry, at: Course, i: int, c: float) -> tuple[float, float]:
     """Creep [m] and tension [N] at a fraction c of element i, by its polynomials."""
-    h, k = at.place[i + 1] - at.place[i], at.stage
+    h, k, t, compliance = at.place[i + 1] - at.place[i], at.stage, at.tension[i], compliance_of(arc)
     w0, w1, w2 = weights_at(c)
-    mean = w0 * k[3 * i] + w1 * k[3 * i + 1] + w2 * k[3 * i + 2]
-    u = at.creep[i] + h * (c * at.ratio - compliance_of(arc) * mean)
+    d0, d1, d2 = k[3 * i] - t, k[3 * i + 1] - t, k[3 * i + 2] - t  # all 0 in a belt at rest
+    change = w0 * d0 + w1 * d1 + w2 * d2
+    u = at.creep[i] + h * (c * (at.ratio - compliance * t) - compliance * change)
     # the cubic through the tensions at the start and the stages
     c0, c1, c2 = c - C0, c - C1, c - C2
-    t = at.tension[i] * c0 * c1 * c2 / D + c * (
-        k[3 * i] * c1 * c2 / D0 + k[3 * i + 1] * c0 * c2 / D1 + k[3 * i + 2] * c0 * c1 / D2
-    )
-    return u, t
+    return u, t + c * (d0 * c1 * c2 / D0 + d1 * c0 * c2 / D1 + d2 * c0 * c1 / D2)
 
 
 def misfit(face: Interface, arc: Geometry, at: Course, i: int) -> float:
