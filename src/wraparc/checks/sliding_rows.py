@@ -80,7 +80,8 @@ class LoadedRows:
         for kind in np.unique(kinds).tolist():
             at = np.flatnonzero(kinds == kind)
             laws = arcs.laws.traction(arcs.law[at])
-            found[at] = ratio_at_gross_slip(laws, pressure[at], wrap[at])
+            with np.errstate(all="ignore"):  # rows without a tension become nan
+                found[at] = ratio_at_gross_slip(laws, pressure[at], wrap[at])
         return found
 
     def carried(self, tight: Array) -> tuple[Array, Codes]:
