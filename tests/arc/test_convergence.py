@@ -82,7 +82,7 @@ def test_elements_end_at_the_peak_of_a_flat_law() -> None:
     peaks = [where for where, _ in kinks(found.face, arc.geometry(), found.course)]
     assert peaks
     for where in peaks:
-        assert min(abs(where - s) for s in places) <= 1e-3 * arc.length
+        assert min(abs(where - s) for s in places) <= 1e-6 * arc.length
     fine = finer(arc).course
     assert found.course.creep[-1] == pytest.approx(fine.creep[-1], rel=1e-7)
 

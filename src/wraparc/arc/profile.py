@@ -135,10 +135,10 @@ def _record(met: Met, out: Buffer, count: int, at: Point) -> int:
 
 
 def kink_places(arc: Geometry, met: Met) -> list[float]:
-    """Where the course passes into another piece of the law, or turns [m]."""
+    """Where the course passes into another piece of the law [m]."""
     if met.course.place[-1] == 0.0:
         return []
-    return [met.rest + where for where, _ in kinks(met.face, arc, met.course)]
+    return [met.rest + where for where, turns in kinks(met.face, arc, met.course) if not turns]
 
 
 def stuck_length(arc: Geometry, met: Met, along: list[Point]) -> float:

@@ -961,7 +961,6 @@ const E2 = 0.1878361089654305;
 const SMALL = 1e-5;
 const KINK = 0.0001;
 const _S = 2.32379000772445;
-const D = -0.049999999999999996;
 const D0 = 0.033810499613777495;
 const D1 = -0.07500000000000001;
 const D2 = 0.2661895003862225;
@@ -2444,19 +2443,21 @@ export function collocation__weights_at(c) {
 export function collocation__state_at(arc, at, i, c) {
   let h = at.place[i + 1] - at.place[i];
   let k = at.stage;
+  let t = at.tension[i];
+  let compliance = collocation__compliance_of(arc);
   const found1 = collocation__weights_at(c);
   let w0 = found1[0];
   let w1 = found1[1];
   let w2 = found1[2];
-  let mean = w0 * k[3 * i] + w1 * k[3 * i + 1] + w2 * k[3 * i + 2];
-  let u = at.creep[i] + h * (c * at.ratio - collocation__compliance_of(arc) * mean);
+  let d0 = k[3 * i] - t;
+  let d1 = k[3 * i + 1] - t;
+  let d2 = k[3 * i + 2] - t;
+  let change = w0 * d0 + w1 * d1 + w2 * d2;
+  let u = at.creep[i] + h * (c * (at.ratio - compliance * t) - compliance * change);
   let c0 = c - C0;
   let c1 = c - C1;
   let c2 = c - C2;
-  let t =
-    (at.tension[i] * c0 * c1 * c2) / D +
-    c * ((k[3 * i] * c1 * c2) / D0 + (k[3 * i + 1] * c0 * c2) / D1 + (k[3 * i + 2] * c0 * c1) / D2);
-  return [u, t];
+  return [u, t + c * ((d0 * c1 * c2) / D0 + (d1 * c0 * c2) / D1 + (d2 * c0 * c1) / D2)];
 }
 
 /** Fraction of an element at which a piece of the law ends, and whether creep turns there. */
@@ -3087,12 +3088,14 @@ export function answer__operating_point(law, arc, entry, leaving) {
   return new Answer(answer___rises(arc, met) ? SOLVED : UNSOLVED, met);
 }
 
-/** Where the course passes into another piece of the law, or turns [m]. */
+/** Where the course passes into another piece of the law [m]. */
 export function profile__kink_places(arc, met) {
   if (met.course.place.at(-1) === 0.0) {
     return [];
   }
-  return [...collocation__kinks(met.face, arc, met.course)].map(([where, _]) => met.rest + where);
+  return [...collocation__kinks(met.face, arc, met.course)]
+    .filter(([where, turns]) => !turns)
+    .map(([where, turns]) => met.rest + where);
 }
 
 /** Point of a rest arc: held by the shear of the lagging alone, or by nothing that gives way. */
