@@ -72,13 +72,8 @@ def meets(arc: WrapArc, ratio: float, quantity: str, limit: float) -> bool:
     for share in (1 + 1e-6, 1.0, 1 - 1e-6):
         there = solve(with_tensions(arc, tight, tight / ratio * share))
         assert there.status is Status.SOLVED
-<<<<<<< HEAD
-        found.append(getattr(there, quantity) * arc.side)
-    return bool(abs(found[1] / limit - 1.0) <= 1e-6 or found[0] < limit < found[2])
-=======
         found.append(there.scalars()[quantity] * arc.side)
     return abs(found[1] / limit - 1.0) <= 1e-6 or found[0] < limit < found[2]
->>>>>>> arctests
 
 
 @pytest.mark.parametrize(("name", "braking"), SIDES)
