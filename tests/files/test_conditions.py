@@ -58,7 +58,7 @@ def test_a_scaled_law_asks_for_attention_with_the_source_of_its_factor() -> None
     check = next(c for c in verdict.checks if c.name == "condition")
     assert check.level is Level.ATTENTION
     assert "DIN 22101" in check.source
-    assert "(wet: friction 0.824 of dry)" in check.sentence()
+    assert "(wet: friction 0.824 of dry, DIN 22101 by works that follow it" in check.sentence()
     assert verdict.qualifier == "on illustrative data", "scaling makes no data better"
     assert not [c for c in judge(solve(drive_from_text(DRIVE))).checks if c.name == "condition"]
 

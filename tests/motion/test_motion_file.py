@@ -363,7 +363,7 @@ def limited(run: RunResult, what: str, part: float) -> RunResult:
         for p in train.pulleys
     )
     criteria = replace(train.criteria, sag=sag)
-    train = replace(train, belt=belt, pulleys=pulleys, criteria=criteria, creep_limit=0.1)
+    train = replace(train, belt=belt, pulleys=pulleys, criteria=criteria, creep_limit=0.06)
     return replace(run, station=replace(run.station, train=train))
 
 

@@ -130,7 +130,7 @@ def test_gross_slip_is_marked_as_an_extrapolation_and_never_headlined() -> None:
     for result in (solved(), solved(100e3, 70e3)):
         sheet = drive_sheet([result])
         gross = row(table(sheet, "Capacity"), "Capacity at gross slip")
-        assert "an extrapolation" in gross.note
+        assert gross.note.startswith("extrapolated, ")
         assert sheet.verdict is not None
         shown = gross.values[0]
         assert shown not in " ".join((sheet.verdict.headline, *sheet.verdict.sentences))
