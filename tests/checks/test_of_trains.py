@@ -239,10 +239,15 @@ years = 10
 def test_the_choice_for_a_pulley_has_the_least_tension_of_the_train(
     pulley: str, tmp_path: Path
 ) -> None:
-    """As it is, the least tension chosen is that of the checks of the whole train."""
+    """As it is, the least tension chosen is that of the checks of the whole train.
+
+    Behind the last drum it is the take-up that a standard speaks of: no less is recommended there,
+    CEMA's 59.307 kN (`judge`), told on the safe side.
+    """
     (tmp_path / "tandem.toml").write_text(TANDEM.read_text("utf-8"), "utf-8")
     (tmp_path / "choose.toml").write_text(CHOOSE.format(pulley=pulley), "utf-8")
     found = least_tension(solve_train(load_train(TANDEM)))
     assert found is not None
     ran = wraparc("choose", tmp_path / "choose.toml")
-    assert f"slack-side tension of {found.tension / 1e3:.1f} kN" in ran.words
+    told = {"first": f"{found.tension / 1e3:.1f}", "second": "59.4"}[pulley]
+    assert f"slack-side tension of {told} kN" in ran.words

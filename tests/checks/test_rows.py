@@ -33,7 +33,7 @@ def lagging(friction: float = 0.8, **of: Any) -> Lagging:
 
 def rigid(friction: float) -> Lagging:
     """Return a lagging that hardly shears: at the creep of sliding all its friction is used."""
-    return lagging(friction, shear_modulus=1e12)
+    return lagging(friction, shear_modulus=math.inf)
 
 
 def quiet(**of: Any) -> Drive:

@@ -16,15 +16,15 @@ CORD = Belt(
 )
 
 
-def drive() -> Drive:
+def drive(entry: float = 130e3, leaving: float = 55e3) -> Drive:
     pulley = Pulley(name="head", diameter=0.8, wrap_angle=3.2, lagging=RUBBER)
     return Drive(
         title="head drive",
         belt=FABRIC,
         pulleys=(pulley,),
         load_cases=(
-            LoadCase(name="full", tensions={"head": Tensions(entry=130e3, exit=55e3)}),
-            LoadCase(name="brake", tensions={"head": Tensions(entry=55e3, exit=70e3)}),
+            LoadCase(name="full", tensions={"head": Tensions(entry=entry, exit=leaving)}),
+            LoadCase(name="brake", tensions={"head": Tensions(entry=leaving, exit=leaving + 15e3)}),
         ),
     )
 
