@@ -57,7 +57,8 @@ class Process:
 
     def __init__(self, *arguments: str, cwd: Path | None = None) -> None:
         run = "from wraparc.cli import main; main()"
-        command = [sys.executable, "-c", run, "serve", "--port", "0", *arguments]
+        port = [] if "--port" in arguments else ["--port", "0"]
+        command = [sys.executable, "-c", run, "serve", *port, *arguments]
         self.process = subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd,
             start_new_session=True,

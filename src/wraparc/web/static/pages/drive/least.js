@@ -70,7 +70,8 @@ function sentence(l, { of }) {
     return `No ${name} ${range} ${g.what} (${g.place}).`;
   }
   return (
-    `No ${name} keeps every binding check: ${g.what} asks for ${atLeast(g.tension)} (${g.place}), ` +
+    `No ${name} keeps every binding check: ` +
+    `${g.what} asks for ${atLeast(g.tension)} (${g.place}), ` +
     `and ${highest.what} allows ${atMost(highest.tension)} (${highest.place}).`
   );
 }
