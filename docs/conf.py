@@ -24,10 +24,10 @@ html_math_renderer = "katex"
 html_static_path = ["_static"]
 html_css_files = ["start.css"]
 nitpicky = True
-# The classes of other libraries are not documented here, nor those of the kernel.
+# The classes of other libraries are not documented here, nor those inside the solver.
 nitpick_ignore_regex = [
     ("py:.*", r"(?!wraparc).*"),
-    ("py:.*", r"wraparc\.arc\.(kernel|summary)\..*"),
+    ("py:.*", r"wraparc\.arc\.(kernel|quantities|summary)\..*"),
 ]
 
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]

@@ -74,19 +74,6 @@ def zone_end(law: CompactLaw, par: Parameters, length: float) -> tuple[float, fl
     return t, par.side * compliance * onset_stress(law, t / area)[0]
 
 
-def held_exit(law: CompactLaw, par: Parameters, exit_tension: float) -> tuple[bool, float]:
-    """Whether the belt sticks over the whole wrap, and its creep at the exit if it does [m]."""
-    compliance = par.shear + par.onset
-    if compliance == 0.0:
-        return exit_tension == par.entry_tension, 0.0
-    lag, length = shear_lag_length(par), par.length
-    e = exp(-length / lag)
-    pull = (par.entry_tension - exit_tension) * lag * par.compliance
-    u = par.kick * e + (pull + par.kick * expm1(-length / lag)) / tanh(0.5 * length / lag)
-    limit = compliance * onset_stress(law, exit_tension / (par.width * par.radius))[0]
-    return abs(u) <= limit, u
-
-
 def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tuple[float, float]:
     """Tension [N] and creep [m] at s inside a stuck zone of a given length and end creep."""
     if par.shear + par.onset == 0.0:
