@@ -3,13 +3,14 @@
 Expected: the drive file solved with the value put into it, and the checks of the drive itself.
 """
 
+import math
 from pathlib import Path
 
 import pytest
 
 from cli.running import wraparc
 from wraparc import load_drive, solve
-from wraparc.checks import least_tension
+from wraparc.checks import judge, least_tension
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "uphill-conveyor.toml"
 LESS = 'conveyor.capacity="500 t/h"'
@@ -66,7 +67,11 @@ def test_a_study_varies_the_conveyor(folder: Path) -> None:
 
 def test_the_choice_has_the_least_tension_of_the_checks(folder: Path) -> None:
     (folder / "choose.toml").write_text(CHOOSE, "utf-8")
-    found = least_tension(solve(load_drive(EXAMPLE)))
+    """Or, where a design standard asks for more, what it asks for: no less is recommended."""
+    result = solve(load_drive(EXAMPLE))
+    found = least_tension(result)
     assert found is not None
+    asked = [c.limit for c in judge(result).checks if c.name == "design_standard"]
+    told = math.ceil(max(found.tension, *asked) / 100.0) / 10.0
     ran = wraparc("choose", folder / "choose.toml")
-    assert f"slack-side tension of {found.tension / 1e3:.1f} kN" in ran.words
+    assert f"slack-side tension of {told:.1f} kN" in ran.words

@@ -106,7 +106,7 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
 def normal_slip(hand: Hand) -> None:
     hand.press("On site")
     card = hand.page.locator(".site")
-    expect(card.locator(".headline")).to_contain_text("A healthy drive shows at most")
+    expect(card.locator(".headline")).to_contain_text("The drive as described shows at most")
     assert_told(cells(card.locator("table").first), printed("field", HEAD))
 
 
