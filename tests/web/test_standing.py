@@ -49,8 +49,10 @@ def tandem(visitor: Visitor) -> Page:
 
 def stands(page: Page, name: str) -> list[str]:
     page.click(f"#nav-{name}")
-    marks = page.locator(f"#{name} [data-stands]:visible").all()
-    return [str(mark.get_attribute("data-stands")) for mark in marks]
+    # all at once: a mark may go while it is asked for
+    marks = page.locator(f"#{name} [data-stands]:visible")
+    found: list[str] = marks.evaluate_all("(all) => all.map((mark) => mark.dataset.stands)")
+    return found
 
 
 def judged(page: Page, name: str) -> list[str]:
